@@ -1,0 +1,47 @@
+# demo, test, bench and build need nothing done before them on a fresh Debian 12.
+
+SHELL := /bin/bash
+# Where another python3 comes first on PATH (pyenv, conda), catkin and the ROS tools break.
+export PATH := /usr/bin:$(PATH)
+export ROS_LANG_DISABLE := genlisp:geneus:gennodejs
+JOBS ?= $(shell nproc)
+IN_WORKSPACE = source devel/setup.bash &&
+
+.PHONY: all build demo test bench install lint format clean dependencies configure
+
+all: build
+
+dependencies:
+	@scripts/install_dependencies.sh
+
+src/CMakeLists.txt:
+	@ln -s /usr/share/catkin/cmake/toplevel.cmake $@
+
+configure: dependencies src/CMakeLists.txt
+	@cmake -S src -B build -DCATKIN_DEVEL_PREFIX=$(CURDIR)/devel -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
+	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
+	  -DCMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache) > build-configure.log 2>&1 \
+	  || { cat build-configure.log; exit 1; }
+	@mkdir -p build && mv build-configure.log build/configure.log
+
+build: configure
+	@cmake --build build --parallel $(JOBS)
+
+test: build
+	@cmake --build build --parallel $(JOBS) --target tests
+	@rm -rf build/test_results
+	@$(IN_WORKSPACE) cmake --build build --parallel 1 --target run_tests
+	@$(IN_WORKSPACE) catkin_test_results --all build/test_results
+
+install: build
+	@cmake --install build
+
+lint: dependencies
+	@catkin_lint --offline -W2 --strict src
+	@git ls-files '*.cpp' '*.h' | xargs -r clang-format --dry-run -Werror
+
+format: dependencies
+	@git ls-files '*.cpp' '*.h' | xargs -r clang-format -i
+
+clean:
+	@rm -rf build devel install src/CMakeLists.txt

@@ -1,0 +1,57 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+namespace laser_triangulation {
+
+/// Pinhole camera with the distortion of OpenCV and ROS ("plumb_bob"). Pixel centres are whole
+/// numbers, (0, 0) is the centre of the sensor's first pixel, whatever the region of interest.
+struct CameraIntrinsics {
+  int width = 0;   //!< [px] sensor columns
+  int height = 0;  //!< [px] sensor rows
+  double fx = 0;   //!< [px]
+  double fy = 0;   //!< [px]
+  double cx = 0;   //!< [px]
+  double cy = 0;   //!< [px]
+  /// k1, k2, p1, p2, k3 (Brown 1966 as in OpenCV's calibration module)
+  Eigen::Matrix<double, 5, 1> distortion = Eigen::Matrix<double, 5, 1>::Zero();
+
+  /// Sensor position [px] of a point in front of the camera [m, camera_optical_frame].
+  Eigen::Vector2d project(const Eigen::Vector3d& point) const;
+
+  /// Where a ray (x/z, y/z) comes to lie after the lens's distortion.
+  Eigen::Vector2d distort(const Eigen::Vector2d& ray) const;
+};
+
+/// Plane of light of one laser, in camera_optical_frame: normal . p = distance, |normal| = 1.
+struct LaserPlane {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+  double distance = 0;                               //!< [m]
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  //!< [m] the projector, in the plane
+};
+
+/// All that turns a peak and a flange pose into a point. Calibration writes it, triangulation and
+/// the simulator read it.
+struct ScannerModel {
+  CameraIntrinsics camera;
+  Eigen::Isometry3d flange_to_camera = Eigen::Isometry3d::Identity();  //!< camera's pose in tool0
+  std::vector<LaserPlane> lasers;                                      //!< laser_0, laser_1
+};
+
+/// Reads a scanner model from YAML (docs/scanner_model.md).
+/// @throw scan_cell_common::FileError if the file is missing or not YAML
+/// @throw scan_cell_common::UnusableInput naming the entry that is missing or makes no sense
+ScannerModel load_scanner_model(const std::string& path);
+
+/// Writes it, whole or not at all.
+/// @throw scan_cell_common::FileError if it cannot be written
+void save_scanner_model(const std::string& path, const ScannerModel& model);
+
+/// @throw scan_cell_common::UnusableInput naming the entry that makes no sense
+void check(const ScannerModel& model);
+
+}  // namespace laser_triangulation

@@ -1,0 +1,77 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "laser_triangulation/scanner_model.h"
+
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+
+namespace laser_triangulation {
+namespace {
+
+void refuse(const std::string& entry, const std::string& value, const std::string& cure) {
+  throw scan_cell_common::UnusableInput("scanner model: " + entry, value, cure);
+}
+
+void check(const CameraIntrinsics& camera) {
+  if (camera.width < 1 || camera.height < 1) {
+    refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
+           "give the sensor's columns and rows");
+  }
+  if (!(camera.fx > 0) || !(camera.fy > 0) || !std::isfinite(camera.fx + camera.fy)) {
+    refuse("camera fx, fy", std::to_string(camera.fx) + ", " + std::to_string(camera.fy),
+           "give focal lengths in pixels, above 0");
+  }
+  if (!std::isfinite(camera.cx + camera.cy) || !camera.distortion.allFinite()) {
+    refuse("camera cx, cy, distortion", "not finite", "calibrate the camera again");
+  }
+}
+
+void check(const LaserPlane& laser, const std::string& name) {
+  constexpr double kUnit = 1e-6;
+  constexpr double kInPlane = 1e-3;
+  if (!laser.normal.allFinite() || std::abs(laser.normal.norm() - 1) > kUnit) {
+    refuse(name + " plane normal", "length " + std::to_string(laser.normal.norm()),
+           "give a unit normal");
+  }
+  if (!(std::abs(laser.normal.dot(laser.origin) - laser.distance) < kInPlane)) {
+    refuse(name + " origin",
+           std::to_string(laser.normal.dot(laser.origin) - laser.distance) + " m off its plane",
+           "give a point of the plane");
+  }
+  if (std::abs(laser.distance) < kInPlane) {
+    refuse(name + " plane distance", std::to_string(laser.distance) + " m",
+           "a plane through the camera's centre shows no depth: calibrate the laser again");
+  }
+}
+
+}  // namespace
+
+Eigen::Vector2d CameraIntrinsics::distort(const Eigen::Vector2d& ray) const {
+  const double x = ray.x();
+  const double y = ray.y();
+  const double k1 = distortion[0], k2 = distortion[1], p1 = distortion[2], p2 = distortion[3],
+               k3 = distortion[4];
+  const double r2 = x * x + y * y;
+  const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  return {x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
+          y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
+}
+
+Eigen::Vector2d CameraIntrinsics::project(const Eigen::Vector3d& point) const {
+  const Eigen::Vector2d distorted = distort(point.head<2>() / point.z());
+  return {fx * distorted.x() + cx, fy * distorted.y() + cy};
+}
+
+void check(const ScannerModel& model) {
+  check(model.camera);
+  if (!model.flange_to_camera.matrix().allFinite()) {
+    refuse("flange_to_camera", "not finite", "calibrate the camera's place on the flange again");
+  }
+  if (model.lasers.empty()) refuse("lasers", "none", "give at least laser_0");
+  for (std::size_t i = 0; i < model.lasers.size(); ++i) {
+    check(model.lasers[i], "laser_" + std::to_string(i));
+  }
+}
+
+}  // namespace laser_triangulation

@@ -1,0 +1,105 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <opencv2/calib3d.hpp>
+#include <regex>
+
+#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/errors.h"
+
+namespace fs = std::filesystem;
+using laser_triangulation::ScannerModel;
+
+namespace {
+
+ScannerModel example() {
+  ScannerModel model;
+  model.camera.width = 1696;
+  model.camera.height = 1710;
+  model.camera.fx = 801.5;
+  model.camera.fy = 800.25;
+  model.camera.cx = 851;
+  model.camera.cy = 853;
+  model.camera.distortion << -0.08, 0.05, 5e-4, -3e-4, 0.01;
+  model.flange_to_camera = Eigen::Translation3d(0.01, -0.02, 0.08) *
+                           Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 2, 3).normalized());
+  laser_triangulation::LaserPlane laser;
+  laser.normal = Eigen::Vector3d(2, 0, -1).normalized();
+  laser.origin << -0.25, 0, 0;
+  laser.distance = laser.normal.dot(laser.origin);
+  model.lasers.push_back(laser);
+  return model;
+}
+
+class ScannerModelFile : public testing::Test {
+ protected:
+  void TearDown() override { fs::remove(path_); }
+
+  /// What loading says after the text that matches `pattern` was replaced.
+  std::string complaint(const std::string& pattern, const std::string& replacement) {
+    laser_triangulation::save_scanner_model(path_, example());
+    std::ifstream in(path_);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    const std::string changed = std::regex_replace(text, std::regex(pattern), replacement);
+    EXPECT_NE(text, changed);
+    std::ofstream(path_) << changed;
+    try {
+      laser_triangulation::load_scanner_model(path_);
+    } catch (const scan_cell_common::Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::string path_ =
+      (fs::temp_directory_path() / ("scanner_" + std::to_string(getpid()) + ".yaml")).string();
+};
+
+}  // namespace
+
+TEST(CameraIntrinsics, ProjectLikeOpenCv) {
+  const laser_triangulation::CameraIntrinsics camera = example().camera;
+  const std::vector<cv::Point3d> points = {{0, 0, 0.5}, {0.2, -0.1, 0.4}, {-0.15, 0.25, 0.61}};
+  const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+  const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
+  std::vector<cv::Point2d> pixels;
+  cv::projectPoints(points, cv::Vec3d(), cv::Vec3d(), matrix, distortion, pixels);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d pixel = camera.project({points[i].x, points[i].y, points[i].z});
+    EXPECT_NEAR(pixel.x(), pixels[i].x, 1e-9);
+    EXPECT_NEAR(pixel.y(), pixels[i].y, 1e-9);
+  }
+}
+
+TEST_F(ScannerModelFile, ComesBackToTheLastDigit) {
+  laser_triangulation::save_scanner_model(path_, example());
+  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  EXPECT_EQ(loaded.camera.distortion, example().camera.distortion);
+  EXPECT_EQ(loaded.camera.fx, example().camera.fx);
+  EXPECT_TRUE(loaded.flange_to_camera.isApprox(example().flange_to_camera, 1e-15));
+  EXPECT_EQ(loaded.lasers[0].normal, example().lasers[0].normal);
+  EXPECT_EQ(loaded.lasers[0].distance, example().lasers[0].distance);
+}
+
+TEST_F(ScannerModelFile, IsRefusedWithTheNameOfTheBadEntry) {
+  EXPECT_NE(complaint("fx: [0-9.]+", "fy2: 1").find("camera.fx"), std::string::npos);
+  EXPECT_NE(complaint("fx: [0-9.]+", "fx: -3").find("fx"), std::string::npos);
+  EXPECT_NE(complaint("fx: [0-9.]+", "fx: wide").find("camera.fx"), std::string::npos);
+  EXPECT_NE(complaint("distortion: \\[", "distortion: [1, ").find("camera.distortion"),
+            std::string::npos);
+  EXPECT_NE(complaint("normal: \\[", "normal: [1, ").find("lasers[0].normal"), std::string::npos);
+  EXPECT_NE(complaint("distance: -?[0-9.]+", "distance: 7").find("laser_0"), std::string::npos);
+  EXPECT_NE(complaint("rotation: .*", "rotation: [1, 1, 1, 1]").find("rotation"),
+            std::string::npos);
+}
+
+TEST_F(ScannerModelFile, IsRefusedWhereMissingOrNotYaml) {
+  EXPECT_THROW(laser_triangulation::load_scanner_model("/no/such/scanner.yaml"),
+               scan_cell_common::FileError);
+  std::ofstream(path_) << "camera: [1, 2";
+  EXPECT_THROW(laser_triangulation::load_scanner_model(path_), scan_cell_common::FileError);
+}
