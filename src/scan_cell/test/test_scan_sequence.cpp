@@ -1,0 +1,236 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "scan_cell/scan_sequence.h"
+#include "scan_cell_common/errors.h"
+
+using scan_cell::Motion;
+using scan_cell::ScanOutcome;
+
+namespace {
+
+/// A cell without hardware: it writes down what it is told, and each look at the motion takes it
+/// on.
+struct FakeCell {
+  std::vector<std::string> log;
+  int looks = 0;  // at the motion under way
+  int moves = 0;  // motions started
+  bool armed = false;
+  std::string trouble_of;  // device that gets into trouble half way through the scan
+  std::string throws_at;   // call that throws
+
+  void note(const std::string& call) {
+    log.push_back(call);
+    if (call == throws_at) throw scan_cell_common::ConnectionError(call, "gone", "look for it");
+  }
+  bool noted(const std::string& call) const {
+    return std::find(log.begin(), log.end(), call) != log.end();
+  }
+  std::size_t place(const std::string& call) const {
+    return static_cast<std::size_t>(std::find(log.begin(), log.end(), call) - log.begin());
+  }
+  bool half_way() const { return moves == 2 && looks >= 5; }
+  std::string trouble(const std::string& device) const {
+    return device == trouble_of && half_way() ? device + " is lost" : "";
+  }
+};
+
+struct FakeRobot : scan_cell::Robot {
+  explicit FakeRobot(FakeCell& c) : cell(c) {}
+  std::string trouble() const override { return cell.trouble("robot"); }
+  void set_linear_motion(double) override { cell.note("speed"); }
+  void start_move(const Eigen::Isometry3d&, double) override {
+    cell.looks = 0;
+    ++cell.moves;
+    cell.note("move " + std::to_string(cell.moves));
+  }
+  Motion motion() const override {
+    ++cell.looks;
+    if (stuck && cell.moves == 2) return {Motion::State::Moving, 0, ""};
+    if (cell.half_way() && fails) return {Motion::State::Failed, 0.5, "collision"};
+    if (cell.looks >= 10) return {Motion::State::Reached, 1, ""};
+    return {Motion::State::Moving, std::max(0, cell.looks - 2) / 10.0, ""};
+  }
+  void stop() noexcept override { cell.log.emplace_back("stop robot"); }
+  FakeCell& cell;
+  bool fails = false;
+  bool stuck = false;
+};
+
+struct FakeCamera : scan_cell::Camera {
+  explicit FakeCamera(FakeCell& c) : cell(c) {}
+  std::string trouble() const override { return cell.trouble("camera"); }
+  void start() override { cell.note("start camera"); }
+  void expect_profiles(double) override { cell.note("expect profiles"); }
+  void stop() noexcept override { cell.log.emplace_back("stop camera"); }
+  FakeCell& cell;
+};
+
+struct FakeTrigger : scan_cell::Trigger {
+  FakeTrigger(FakeCell& c, const FakeRobot& r) : cell(c), robot(r) {}
+  std::string trouble() const override { return cell.trouble("trigger"); }
+  void arm(double, std::uint8_t) override {
+    moving_when_armed = robot.motion().progress > 0;
+    cell.note("arm");
+    cell.armed = true;
+  }
+  std::uint64_t disarm() noexcept override {
+    cell.log.emplace_back("disarm");
+    cell.armed = false;
+    return 77;
+  }
+  void keep_alive() override { cell.note("keep alive"); }
+  FakeCell& cell;
+  const FakeRobot& robot;
+  bool moving_when_armed = false;
+};
+
+struct FakeStages : scan_cell::Stages {
+  explicit FakeStages(FakeCell& c) : cell(c) {}
+  std::string trouble() const override { return cell.trouble("stages"); }
+  void start(const std::string&) override { cell.note("start stages"); }
+  void finish(std::uint64_t pulses, double) override {
+    finished_pulses = pulses;
+    cell.note("finish stages");
+  }
+  FakeCell& cell;
+  std::uint64_t finished_pulses = 0;
+};
+
+struct FakeObserver : scan_cell::ScanObserver {
+  explicit FakeObserver(FakeCell& c) : cell(c) {}
+  void on_progress(int step, const std::string&, double progress) override {
+    if (steps.empty() || steps.back() != step) steps.push_back(step);
+    EXPECT_GE(progress, last);
+    last = progress;
+    if (cancel != nullptr && cell.half_way()) *cancel = true;
+  }
+  void on_capture_begins() override { cell.note("capture begins"); }
+  void on_capture_ends() override { cell.note("capture ends"); }
+  FakeCell& cell;
+  std::vector<int> steps;
+  double last = 0;
+  std::atomic<bool>* cancel = nullptr;
+};
+
+class ScanSequence : public testing::Test {
+ protected:
+  ScanSequence() {
+    request_.scan_id = "test";
+    request_.start.translation() << 0.6, 0, 0.6;
+    request_.end.translation() << 0.9, 0, 0.6;
+    request_.speed = 0.1;
+    request_.rate = 100;
+    request_.lasers = 1;
+    timing_.poll = 1e-4;
+    timing_.keep_alive = 0;
+  }
+
+  scan_cell::ScanEnd run() {
+    scan_cell::ScanSequence sequence(robot_, camera_, trigger_, stages_, observer_, {}, timing_);
+    return sequence.run(request_, cancel_);
+  }
+
+  void expect_safe() const {
+    EXPECT_FALSE(cell_.armed);
+    EXPECT_TRUE(cell_.noted("disarm"));
+    EXPECT_TRUE(cell_.noted("stop robot"));
+    EXPECT_LT(cell_.place("disarm"), cell_.place("stop robot"));
+    EXPECT_TRUE(cell_.noted("stop camera"));
+    EXPECT_EQ(stages_.finished_pulses, 77U) << "what was captured must be kept";
+    EXPECT_EQ(cell_.log.back(), "capture ends");
+  }
+
+  FakeCell cell_;
+  FakeRobot robot_{cell_};
+  FakeCamera camera_{cell_};
+  FakeTrigger trigger_{cell_, robot_};
+  FakeStages stages_{cell_};
+  FakeObserver observer_{cell_};
+  scan_cell::ScanRequest request_;
+  scan_cell::ScanSequence::Timing timing_;
+  std::atomic<bool> cancel_{false};
+};
+
+}  // namespace
+
+TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
+  const scan_cell::ScanEnd end = run();
+  EXPECT_EQ(end.outcome, ScanOutcome::Finished) << end.message;
+  EXPECT_EQ(observer_.steps, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
+  std::vector<std::string> once = cell_.log;
+  once.erase(std::remove(once.begin(), once.end(), "keep alive"), once.end());
+  EXPECT_EQ(once,
+            (std::vector<std::string>{"speed", "move 1", "speed", "start stages", "capture begins",
+                                      "start camera", "move 2", "arm", "expect profiles", "disarm",
+                                      "finish stages", "stop camera", "capture ends"}));
+  EXPECT_EQ(stages_.finished_pulses, 77U);
+  EXPECT_TRUE(cell_.noted("keep alive"));
+}
+
+TEST_F(ScanSequence, SwitchesTheLasersOnOnlyOnceTheRobotMoves) {
+  run();
+  EXPECT_TRUE(trigger_.moving_when_armed);
+}
+
+TEST_F(ScanSequence, RefusesABadRequestBeforeAnythingMoves) {
+  request_.speed = 100;
+  EXPECT_EQ(run().outcome, ScanOutcome::Refused);
+  EXPECT_TRUE(cell_.log.empty());
+}
+
+TEST_F(ScanSequence, EndsSafelyWithTheReasonWhenADeviceIsLost) {
+  const std::vector<std::pair<std::string, ScanOutcome>> devices = {
+      {"robot", ScanOutcome::RobotLost},
+      {"camera", ScanOutcome::CameraLost},
+      {"trigger", ScanOutcome::TriggerLost},
+      {"stages", ScanOutcome::StageFailed}};
+  for (const auto& [device, outcome] : devices) {
+    SCOPED_TRACE(device);
+    cell_ = FakeCell();
+    cell_.trouble_of = device;
+    observer_.last = 0;
+    const scan_cell::ScanEnd end = run();
+    EXPECT_EQ(end.outcome, outcome);
+    EXPECT_EQ(end.message, device + " is lost");
+    expect_safe();
+  }
+}
+
+TEST_F(ScanSequence, StopsTheRobotAndKeepsTheDataWhenCancelled) {
+  observer_.cancel = &cancel_;
+  EXPECT_EQ(run().outcome, ScanOutcome::Cancelled);
+  expect_safe();
+}
+
+TEST_F(ScanSequence, SaysWhyAMotionFailed) {
+  robot_.fails = true;
+  const scan_cell::ScanEnd end = run();
+  EXPECT_EQ(end.outcome, ScanOutcome::MotionFailed);
+  EXPECT_EQ(end.message, "collision");
+  expect_safe();
+}
+
+TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheRobotDoesNotMove) {
+  robot_.stuck = true;
+  timing_.stall = 0.02;
+  EXPECT_EQ(run().outcome, ScanOutcome::MotionFailed);
+  EXPECT_FALSE(cell_.noted("arm"));
+  EXPECT_TRUE(cell_.noted("stop robot"));
+}
+
+TEST_F(ScanSequence, DisarmsEvenWhereArmingFailed) {
+  cell_.throws_at = "arm";
+  EXPECT_EQ(run().outcome, ScanOutcome::TriggerLost);
+  expect_safe();
+}
+
+TEST_F(ScanSequence, ReportsAStageThatFailsAtTheEnd) {
+  cell_.throws_at = "finish stages";
+  EXPECT_EQ(run().outcome, ScanOutcome::StageFailed);
+  EXPECT_TRUE(cell_.noted("stop camera"));
+}
