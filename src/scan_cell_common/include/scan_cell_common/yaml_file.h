@@ -1,0 +1,78 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Geometry>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_common {
+
+/// One entry of a YAML file. Errors name the file and the entry's whole way, such as
+/// "scanner.yaml: camera.fx".
+class YamlEntry {
+ public:
+  /// Reads a file.
+  /// @throw FileError if it is missing, unreadable or not YAML
+  static YamlEntry load(const std::string& path);
+
+  YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
+
+  bool has(const std::string& key) const;
+
+  /// @throw UnusableInput if it is missing
+  YamlEntry operator[](const std::string& key) const;
+
+  /// @throw UnusableInput if it has another type
+  template <class T>
+  T as() const {
+    try {
+      return node_.as<T>();
+    } catch (const YAML::Exception&) {
+      refuse("of the wrong type", "correct it");
+    }
+  }
+
+  /// A list of exactly N finite numbers.
+  /// @throw UnusableInput if it is not
+  template <int N>
+  Eigen::Matrix<double, N, 1> vector() const {
+    return Eigen::Map<const Eigen::Matrix<double, N, 1>>(numbers(N).data());
+  }
+
+  /// A map of `translation` [m] and `rotation` (unit quaternion x y z w).
+  /// @throw UnusableInput if one is missing or makes no sense
+  Eigen::Isometry3d pose() const;
+
+  std::vector<YamlEntry> elements() const;
+
+  /// @throw UnusableInput if a key is not among `known`, or this is no map
+  void refuse_unknown(const std::set<std::string>& known) const;
+
+  /// @throw UnusableInput about this entry
+  [[noreturn]] void refuse(const std::string& value, const std::string& cure) const;
+
+  const std::string& name() const { return name_; }
+
+ private:
+  std::vector<double> numbers(std::size_t count) const;
+  std::string child(const std::string& key) const;
+
+  YAML::Node node_;
+  std::string file_;
+  std::string name_;
+};
+
+/// As YamlEntry::pose() reads it, to the last digit.
+YAML::Node yaml_pose(const Eigen::Isometry3d& pose);
+
+/// Writes a text file, whole or not at all: it is written beside its place and then renamed.
+/// @throw FileError if it cannot be written
+void save_text(const std::string& path, const std::string& text);
+
+}  // namespace scan_cell_common

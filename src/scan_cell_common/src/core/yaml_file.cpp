@@ -1,0 +1,109 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_common/yaml_file.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace scan_cell_common {
+
+YamlEntry YamlEntry::load(const std::string& path) {
+  try {
+    return {YAML::LoadFile(path), path};
+  } catch (const YAML::BadFile&) {
+    throw FileError(path, "cannot be read", "check the path");
+  } catch (const YAML::Exception& error) {
+    throw FileError(path, error.what(), "correct the YAML");
+  }
+}
+
+YamlEntry::YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name)
+    : node_(node), file_(file), name_(name) {}
+
+std::string YamlEntry::child(const std::string& key) const {
+  return name_.empty() ? key : name_ + "." + key;
+}
+
+bool YamlEntry::has(const std::string& key) const {
+  return node_.IsMap() && node_[key];
+}
+
+YamlEntry YamlEntry::operator[](const std::string& key) const {
+  if (!has(key)) YamlEntry({}, file_, child(key)).refuse("missing", "add it");
+  return {node_[key], file_, child(key)};
+}
+
+std::vector<double> YamlEntry::numbers(std::size_t count) const {
+  const auto values = as<std::vector<double>>();
+  if (values.size() != count) {
+    refuse(std::to_string(values.size()) + " numbers", "give " + std::to_string(count));
+  }
+  for (const double value : values) {
+    if (!std::isfinite(value)) refuse("not finite", "give numbers");
+  }
+  return values;
+}
+
+Eigen::Isometry3d YamlEntry::pose() const {
+  const YamlEntry rotation = (*this)["rotation"];
+  const Eigen::Vector4d xyzw = rotation.vector<4>();
+  constexpr double kUnit = 1e-3;
+  if (!(std::abs(xyzw.norm() - 1) < kUnit)) {
+    rotation.refuse("length " + std::to_string(xyzw.norm()), "give a unit quaternion x y z w");
+  }
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = (*this)["translation"].vector<3>();
+  pose.linear() = Eigen::Quaterniond(xyzw).normalized().toRotationMatrix();
+  return pose;
+}
+
+std::vector<YamlEntry> YamlEntry::elements() const {
+  std::vector<YamlEntry> result;
+  for (std::size_t i = 0; i < node_.size(); ++i) {
+    result.emplace_back(node_[i], file_, name_ + "[" + std::to_string(i) + "]");
+  }
+  return result;
+}
+
+void YamlEntry::refuse_unknown(const std::set<std::string>& known) const {
+  if (!node_.IsMap()) refuse("not a map of names to values", "give name: value");
+  for (const auto& pair : node_) {
+    const auto key = pair.first.as<std::string>();
+    if (known.count(key) != 0) continue;
+    YamlEntry(pair.second, file_, child(key)).refuse("no such entry", "check its spelling");
+  }
+}
+
+void YamlEntry::refuse(const std::string& value, const std::string& cure) const {
+  throw UnusableInput(name_.empty() ? file_ : file_ + ": " + name_, value, cure);
+}
+
+YAML::Node yaml_pose(const Eigen::Isometry3d& pose) {
+  const auto list = [](const auto& vector) {
+    YAML::Node node;
+    for (Eigen::Index i = 0; i < vector.size(); ++i)
+      node.push_back(vector[i]);
+    node.SetStyle(YAML::EmitterStyle::Flow);
+    return node;
+  };
+  YAML::Node node;
+  node["translation"] = list(Eigen::Vector3d(pose.translation()));
+  node["rotation"] = list(Eigen::Quaterniond(pose.linear()).coeffs());
+  return node;
+}
+
+void save_text(const std::string& path, const std::string& text) {
+  const std::string partial = path + ".partial";
+  std::ofstream file(partial);
+  file << text;
+  file.close();
+  std::error_code failure;
+  if (file) std::filesystem::rename(partial, path, failure);
+  if (!file || failure) {
+    throw FileError(path, "cannot be written", "check the folder and its permissions");
+  }
+}
+
+}  // namespace scan_cell_common

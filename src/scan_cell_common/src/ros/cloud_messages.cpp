@@ -1,0 +1,74 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_common/ros/cloud_messages.h"
+
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include <algorithm>
+#include <string>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_common {
+namespace {
+
+void check_field(const sensor_msgs::PointCloud2& message, const char* name) {
+  const auto field =
+      std::find_if(message.fields.begin(), message.fields.end(),
+                   [name](const sensor_msgs::PointField& each) { return each.name == name; });
+  const std::string thing = std::string("cloud message: field ") + name;
+  if (field == message.fields.end()) {
+    throw UnusableInput(thing, "missing", "send a cloud with x, y and z");
+  }
+  if (field->datatype != sensor_msgs::PointField::FLOAT32 ||
+      field->offset + sizeof(float) > message.point_step) {
+    throw UnusableInput(thing, "not a float32 within the point", "send x, y and z as float32");
+  }
+}
+
+void check(const sensor_msgs::PointCloud2& message) {
+  for (const char* name : {"x", "y", "z"})
+    check_field(message, name);
+  const std::size_t points = std::size_t{message.width} * message.height;
+  if (message.data.size() != points * message.point_step) {
+    throw UnusableInput("cloud message: data",
+                        std::to_string(message.data.size()) + " bytes for " +
+                            std::to_string(points) + " points of " +
+                            std::to_string(message.point_step),
+                        "send whole points without padding between rows");
+  }
+  if (message.is_bigendian) {
+    throw UnusableInput("cloud message: byte order", "big endian", "send little endian");
+  }
+}
+
+}  // namespace
+
+Cloud from_message(const sensor_msgs::PointCloud2& message) {
+  check(message);
+  Cloud cloud;
+  cloud.reserve(std::size_t{message.width} * message.height);
+  sensor_msgs::PointCloud2ConstIterator<float> x(message, "x"), y(message, "y"), z(message, "z");
+  for (; x != x.end(); ++x, ++y, ++z)
+    cloud.push_back({*x, *y, *z});
+  return cloud;
+}
+
+sensor_msgs::PointCloud2 to_message(const Cloud& cloud, const std_msgs::Header& header) {
+  sensor_msgs::PointCloud2 message;
+  message.header = header;
+  sensor_msgs::PointCloud2Modifier modifier(message);
+  modifier.setPointCloud2Fields(3, "x", 1, sensor_msgs::PointField::FLOAT32, "y", 1,
+                                sensor_msgs::PointField::FLOAT32, "z", 1,
+                                sensor_msgs::PointField::FLOAT32);
+  modifier.resize(cloud.size());
+  message.is_dense = cloud.is_dense;
+  sensor_msgs::PointCloud2Iterator<float> x(message, "x"), y(message, "y"), z(message, "z");
+  for (const pcl::PointXYZ& point : cloud) {
+    *x = point.x, *y = point.y, *z = point.z;
+    ++x, ++y, ++z;
+  }
+  return message;
+}
+
+}  // namespace scan_cell_common

@@ -1,0 +1,67 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "scan_cell_common/yaml_file.h"
+
+namespace fs = std::filesystem;
+using scan_cell_common::YamlEntry;
+
+namespace {
+
+/// What the suite says when `use` reads `text`.
+template <class Use>
+std::string complaint(const std::string& text, const Use& use) {
+  try {
+    use(YamlEntry(YAML::Load(text), "a.yaml"));
+  } catch (const scan_cell_common::UnusableInput& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+}  // namespace
+
+TEST(YamlEntry, GivesAPoseToTheLastDigit) {
+  const Eigen::Isometry3d pose = Eigen::Translation3d(0.1, -1.0 / 3, 1e-9) *
+                                 Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 2, 3).normalized());
+  YAML::Node node;
+  node["tool"] = scan_cell_common::yaml_pose(pose);
+  const YamlEntry read(YAML::Load(YAML::Dump(node)), "a.yaml");
+  EXPECT_EQ(read["tool"].pose().translation(), pose.translation());
+  EXPECT_TRUE(read["tool"].pose().isApprox(pose, 1e-15));
+}
+
+TEST(YamlEntry, IsRefusedByItsWholeName) {
+  const std::string pose = "a: {translation: [0, 0, 1], rotation: [0, 0, 0, 1]}";
+  EXPECT_EQ(complaint(pose, [](const YamlEntry& e) { e["a"].pose(); }), "nothing");
+  EXPECT_EQ(complaint("a: {}", [](const YamlEntry& e) { e["a"]["b"]; }),
+            "a.yaml: a.b: missing; add it");
+  EXPECT_EQ(complaint("a: {b: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
+            "a.yaml: a.b: no such entry; check its spelling");
+  EXPECT_EQ(complaint("a: [1, wide]", [](const YamlEntry& e) { e["a"].elements()[1].as<int>(); }),
+            "a.yaml: a[1]: of the wrong type; correct it");
+  EXPECT_EQ(complaint("a: [1, .nan]", [](const YamlEntry& e) { e["a"].vector<2>(); }),
+            "a.yaml: a: not finite; give numbers");
+  EXPECT_EQ(complaint("a: {translation: [0, 0, 1], rotation: [0, 0, 1, 1]}",
+                      [](const YamlEntry& e) { e["a"].pose(); }),
+            "a.yaml: a.rotation: length 1.414214; give a unit quaternion x y z w");
+}
+
+TEST(YamlEntry, IsRefusedByPathWhereTheFileIsMissingOrNoYaml) {
+  EXPECT_THROW(YamlEntry::load("/no/such.yaml"), scan_cell_common::FileError);
+  const std::string path =
+      (fs::temp_directory_path() / ("yaml_" + std::to_string(getpid()))).string();
+  scan_cell_common::save_text(path, "a: [1, 2");
+  EXPECT_THROW(YamlEntry::load(path), scan_cell_common::FileError);
+  fs::remove(path);
+}
+
+TEST(SaveText, IsRefusedByPathAndLeavesNothingBehind) {
+  EXPECT_THROW(scan_cell_common::save_text("/no/such/folder/a", "text"),
+               scan_cell_common::FileError);
+}
