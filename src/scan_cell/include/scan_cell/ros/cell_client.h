@@ -1,0 +1,53 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <scan_cell_msgs/ScanAction.h>
+#include <scan_cell_msgs/StretchToolPathAction.h>
+
+#include <functional>
+#include <string>
+
+#include "scan_cell/scan_program.h"
+
+namespace scan_cell {
+
+/// Uses a running cell the way a person does: scan, take the clean cloud, adapt a path.
+/// Its calls block; callbacks of the node must be served by another thread (ros::AsyncSpinner).
+class CellClient {
+ public:
+  struct Names {
+    std::string scan = "/scan_cell/scan";                  //!< action
+    std::string stretch = "/tool_path_stretcher/stretch";  //!< action
+    std::string clean_cloud = "/preprocess/clean_cloud";   //!< topic, end of the preprocessing
+    std::string report = "/preprocess/report";             //!< topic, reports of its stages
+  };
+
+  /// @param what what is going on @param progress 0 .. 1
+  using Progress = std::function<void(const std::string& what, double progress)>;
+
+  CellClient(ros::NodeHandle node, const Names& names);
+
+  /// @param timeout [s] to wait for the cell's action server
+  /// @throw ConnectionError if the cell is not there, or goes away
+  scan_cell_msgs::ScanResult scan(const ScanProgram& program, const std::string& scan_id,
+                                  double timeout, const Progress& progress);
+
+  /// Scans as above and waits for the preprocessing of its cloud.
+  /// @param result filled as soon as the scan has ended
+  /// @throw Refused if the scan did not finish or a stage of preprocessing failed, with its reason
+  sensor_msgs::PointCloud2 scan_clean(const ScanProgram& program, const std::string& scan_id,
+                                      double timeout, const Progress& progress,
+                                      scan_cell_msgs::ScanResult& result);
+
+  /// @throw ConnectionError if the stretcher is not there, or goes away
+  scan_cell_msgs::StretchToolPathResult stretch(const scan_cell_msgs::StretchToolPathGoal& goal,
+                                                double timeout, const Progress& progress);
+
+ private:
+  ros::NodeHandle node_;
+  Names names_;
+};
+
+}  // namespace scan_cell

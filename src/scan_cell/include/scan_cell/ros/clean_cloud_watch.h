@@ -1,0 +1,39 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <scan_cell_msgs/PreprocessReport.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace scan_cell {
+
+/// Hears what preprocessing makes of clouds. Make it before the cloud is published.
+class CleanCloudWatch {
+ public:
+  CleanCloudWatch(ros::NodeHandle node, const std::string& clean_cloud, const std::string& report);
+
+  /// The clean cloud of the raw one with this stamp.
+  /// @throw scan_cell_common::Refused with the reason of the stage that failed
+  /// @throw scan_cell_common::ConnectionError if nothing comes within `timeout` [s]
+  sensor_msgs::PointCloud2 wait(const ros::Time& stamp, double timeout);
+
+ private:
+  void on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  void on_report(const scan_cell_msgs::PreprocessReport& report);
+
+  std::string clean_cloud_;
+  ros::Subscriber cloud_subscriber_;
+  ros::Subscriber report_subscriber_;
+  std::mutex mutex_;
+  std::condition_variable news_;
+  std::map<ros::Time, sensor_msgs::PointCloud2ConstPtr> clouds_;
+  std::map<ros::Time, scan_cell_msgs::PreprocessReport> failures_;
+};
+
+}  // namespace scan_cell

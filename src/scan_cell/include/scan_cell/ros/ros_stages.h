@@ -1,0 +1,45 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/BindingAudit.h>
+#include <scan_cell_msgs/CloudStatistics.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <string>
+
+#include "scan_cell/devices.h"
+
+namespace scan_cell {
+
+/// Binder and triangulation behind nodes with the interfaces of pose_frame_binder and
+/// laser_triangulation.
+class RosStages : public Stages {
+ public:
+  /// @param binder node with ~start and ~finish
+  /// @param triangulation node with ~start and ~finish
+  /// @param call_timeout [s] the longest a call may take beyond the patience of finish()
+  RosStages(const std::string& binder, const std::string& triangulation, double call_timeout);
+
+  std::string trouble() const override { return ""; }
+  void start(const std::string& scan_id) override;
+  void finish(std::uint64_t pulses, double patience) override;
+
+  /// Forgets the results of the last scan.
+  void clear();
+
+  /// Of the scan that finish() ended last; empty since clear() or start().
+  const scan_cell_msgs::BindingAudit& audit() const { return audit_; }
+  const scan_cell_msgs::CloudStatistics& statistics() const { return statistics_; }
+  const sensor_msgs::PointCloud2& cloud() const { return cloud_; }
+
+ private:
+  const std::string binder_;
+  const std::string triangulation_;
+  const double call_timeout_;
+  scan_cell_msgs::BindingAudit audit_;
+  scan_cell_msgs::CloudStatistics statistics_;
+  sensor_msgs::PointCloud2 cloud_;
+};
+
+}  // namespace scan_cell

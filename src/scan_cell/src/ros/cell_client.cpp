@@ -1,0 +1,94 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell/ros/cell_client.h"
+
+#include <actionlib/client/simple_action_client.h>
+
+#include "scan_cell/ros/clean_cloud_watch.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell {
+namespace {
+
+using scan_cell_common::ConnectionError;
+
+constexpr double kCleaningTimeout = 60;  // [s]
+
+/// Sends a goal and waits for its end. The result is that of the server whatever the terminal
+/// state: it says itself how things ended.
+/// @throw ConnectionError if there is no server, or it goes away
+template <class Action, class Goal, class Feedback>
+auto run_action(ros::NodeHandle node, const std::string& name, const Goal& goal, double timeout,
+                const Feedback& on_feedback) {
+  using Client = actionlib::SimpleActionClient<Action>;
+  Client client(node, name, false);
+  if (!client.waitForServer(ros::Duration(timeout))) {
+    throw ConnectionError(name, "no action server within " + std::to_string(timeout) + " s",
+                          "start the cell with launch/scan_cell.launch");
+  }
+  client.sendGoal(goal, typename Client::SimpleDoneCallback(),
+                  typename Client::SimpleActiveCallback(), on_feedback);
+  while (!client.waitForResult(ros::Duration(0.1))) {
+    if (!ros::ok() || !client.isServerConnected()) {
+      throw ConnectionError(name, "the action server went away", "look at the cell's log");
+    }
+  }
+  return *client.getResult();
+}
+
+geometry_msgs::PoseStamped stamped(const Eigen::Isometry3d& pose, const std::string& frame) {
+  geometry_msgs::PoseStamped result;
+  result.header.frame_id = frame;
+  result.pose = scan_cell_common::to_ros_pose(pose);
+  return result;
+}
+
+}  // namespace
+
+CellClient::CellClient(ros::NodeHandle node, const Names& names) : node_(node), names_(names) {}
+
+scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const std::string& scan_id,
+                                            double timeout, const Progress& progress) {
+  scan_cell_msgs::ScanGoal goal;
+  goal.scan_id = scan_id;
+  goal.start = stamped(program.request.start, program.frame);
+  goal.end = stamped(program.request.end, program.frame);
+  goal.speed = program.request.speed;
+  goal.rate = program.request.rate;
+  goal.lasers = program.request.lasers;
+  const auto feedback = [&](const scan_cell_msgs::ScanFeedbackConstPtr& news) {
+    progress(news->step_name + ", " + std::to_string(news->frames) + " frames, " +
+                 std::to_string(news->points) + " points",
+             news->progress);
+  };
+  const auto result =
+      run_action<scan_cell_msgs::ScanAction>(node_, names_.scan, goal, timeout, feedback);
+  progress("scanned, " + std::to_string(result.audit.frames_bound) + " frames, " +
+               std::to_string(result.statistics.points) + " points",
+           1);
+  return result;
+}
+
+sensor_msgs::PointCloud2 CellClient::scan_clean(const ScanProgram& program,
+                                                const std::string& scan_id, double timeout,
+                                                const Progress& progress,
+                                                scan_cell_msgs::ScanResult& result) {
+  CleanCloudWatch watch(node_, names_.clean_cloud, names_.report);
+  result = scan(program, scan_id, timeout, progress);
+  if (result.outcome != scan_cell_msgs::ScanResult::FINISHED) {
+    throw scan_cell_common::Refused("scan '" + scan_id + "'", "ended early", result.message);
+  }
+  return watch.wait(result.cloud.header.stamp, kCleaningTimeout);
+}
+
+scan_cell_msgs::StretchToolPathResult CellClient::stretch(
+    const scan_cell_msgs::StretchToolPathGoal& goal, double timeout, const Progress& progress) {
+  const auto feedback = [&](const scan_cell_msgs::StretchToolPathFeedbackConstPtr& news) {
+    progress(news->stage, news->progress);
+  };
+  return run_action<scan_cell_msgs::StretchToolPathAction>(node_, names_.stretch, goal, timeout,
+                                                           feedback);
+}
+
+}  // namespace scan_cell

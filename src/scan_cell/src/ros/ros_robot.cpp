@@ -1,0 +1,106 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <scan_cell_msgs/SetControllerParameter.h>
+#include <scan_cell_msgs/SetLinearSpeed.h>
+
+#include "ros_devices.h"
+#include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell {
+
+using scan_cell_common::ConnectionError;
+using scan_cell_msgs::MoveGoal;
+using scan_cell_msgs::MoveResult;
+
+RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
+    : parameters_(parameters), client_(node, parameters.robot + "/move", false) {
+  status_subscriber_ = node.subscribe(parameters.robot + "/status", 10, &RosRobot::on_status, this);
+}
+
+void RosRobot::on_status(const scan_cell_msgs::RobotStatus& status) {
+  status_.now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  last_status_ = status;
+}
+
+std::string RosRobot::trouble() const {
+  if (!status_.ever() || status_.age() > parameters_.lost_after) {
+    return "robot: no status on " + parameters_.robot + "/status; is its driver running?";
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!last_status_.connected) {
+    return "robot: the driver has no connection to the controller (" + last_status_.message +
+           "); check the controller and the cable";
+  }
+  return "";
+}
+
+void RosRobot::set_linear_motion(double speed) {
+  scan_cell_msgs::SetLinearSpeed::Request linear_speed;
+  linear_speed.speed = speed;
+  call<scan_cell_msgs::SetLinearSpeed>(parameters_.robot + "/set_linear_speed", linear_speed,
+                                       parameters_.call_timeout);
+  for (const char* name : {"motion_type", "interpolation"}) {
+    scan_cell_msgs::SetControllerParameter::Request parameter;
+    parameter.name = name;
+    parameter.value = "\"linear\"";
+    call<scan_cell_msgs::SetControllerParameter>(parameters_.robot + "/set_parameter", parameter,
+                                                 parameters_.call_timeout);
+  }
+}
+
+void RosRobot::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
+  if (!client_.isServerConnected()) {
+    throw ConnectionError(parameters_.robot + "/move", "no action server",
+                          "is its driver running?");
+  }
+  MoveGoal goal;
+  goal.kind = MoveGoal::CARTESIAN;
+  goal.pose.header.frame_id = parameters_.base_frame;
+  goal.pose.header.stamp = ros::Time::now();
+  goal.pose.pose = scan_cell_common::to_ros_pose(flange);
+  goal.camera_rate = camera_rate;
+  std::uint64_t move = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    motion_ = Motion();
+    move = ++move_;
+  }
+  client_.sendGoal(
+      goal, [this, move](const auto& state, const auto& result) { on_done(move, state, result); },
+      Client::SimpleActiveCallback(),
+      [this, move](const auto& feedback) { on_feedback(move, feedback); });
+}
+
+void RosRobot::on_feedback(std::uint64_t move,
+                           const scan_cell_msgs::MoveFeedbackConstPtr& feedback) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (move == move_ && motion_.state == Motion::State::Moving) {
+    motion_.progress = feedback->progress;
+  }
+}
+
+void RosRobot::on_done(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
+                       const scan_cell_msgs::MoveResultConstPtr& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (move != move_) return;
+  if (state == actionlib::SimpleClientGoalState::SUCCEEDED) {
+    motion_ = {Motion::State::Reached, 1, ""};
+    return;
+  }
+  const bool lost = !result || result->outcome == MoveResult::LINK_LOST;
+  motion_.state = lost ? Motion::State::Lost : Motion::State::Failed;
+  motion_.message = result ? result->message : state.getText();
+}
+
+Motion RosRobot::motion() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return motion_;
+}
+
+void RosRobot::stop() noexcept {
+  client_.cancelAllGoals();
+}
+
+}  // namespace scan_cell

@@ -1,0 +1,170 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_action.h"
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell {
+
+using scan_cell_common::Refused;
+using scan_cell_msgs::CellState;
+using scan_cell_msgs::ScanResult;
+
+ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters)
+    : parameters_(parameters),
+      robot_(node, parameters),
+      camera_(node, parameters),
+      trigger_(node, parameters),
+      stages_(parameters.binder, parameters.triangulation, parameters.call_timeout),
+      sequence_(robot_, camera_, trigger_, stages_, *this, parameters.limits, parameters.timing),
+      server_(
+          node, "scan", [this](Server::GoalHandle goal) { on_goal(goal); },
+          [this](Server::GoalHandle goal) { on_cancel(goal); }, false) {
+  state_publisher_ = node.advertise<CellState>("state", 10, true);
+  const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> count =
+      [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
+        points_ += static_cast<std::uint64_t>(cloud->width) * cloud->height;
+      };
+  cloud_subscriber_ =
+      node.subscribe<sensor_msgs::PointCloud2>(parameters.triangulation + "/cloud", 100, count);
+  publish_state(CellState::IDLE, "");
+  server_.start();
+}
+
+ScanAction::~ScanAction() {
+  cancel_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void ScanAction::on_goal(Server::GoalHandle goal) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ScanResult refusal;
+  refusal.outcome = ScanResult::REFUSED;
+  refusal.scan_id = goal.getGoal()->scan_id;
+  try {
+    if (running_) {
+      throw Refused("scan", "'" + request_.scan_id + "' is running", "wait for it, or cancel it");
+    }
+    request_ = request_from(*goal.getGoal());
+  } catch (const scan_cell_common::Error& error) {
+    refusal.message = error.what();
+    goal.setRejected(refusal, refusal.message);
+    return;
+  }
+  if (thread_.joinable()) thread_.join();
+  goal.setAccepted();
+  goal_ = goal;
+  running_ = true;
+  cancel_ = false;
+  points_ = 0;
+  stages_.clear();
+  thread_ = std::thread(&ScanAction::run, this);
+}
+
+void ScanAction::on_cancel(Server::GoalHandle goal) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (running_ && goal == goal_) cancel_ = true;
+}
+
+void ScanAction::run() {
+  const ros::WallTime start = ros::WallTime::now();
+  const ScanEnd end = sequence_.run(request_, cancel_);
+  conclude(end, (ros::WallTime::now() - start).toSec());
+}
+
+void ScanAction::conclude(const ScanEnd& end, double seconds) {
+  ScanResult result;
+  result.outcome = static_cast<std::uint8_t>(end.outcome);
+  result.message = end.message;
+  result.scan_id = request_.scan_id;
+  result.audit = stages_.audit();
+  result.statistics = stages_.statistics();
+  result.cloud = stages_.cloud();
+  result.seconds = seconds;
+  const bool finished = end.outcome == ScanOutcome::Finished;
+  publish_state(finished ? CellState::FINISHED : CellState::FAILED, end.message);
+  if (!finished)
+    ROS_WARN("Scan '%s' ended early: %s", request_.scan_id.c_str(), end.message.c_str());
+
+  const std::lock_guard<std::mutex> lock(mutex_);
+  running_ = false;
+  if (finished) {
+    goal_.setSucceeded(result);
+  } else if (end.outcome == ScanOutcome::Cancelled) {
+    goal_.setCanceled(result, end.message);
+  } else {
+    goal_.setAborted(result, end.message);
+  }
+}
+
+ScanRequest ScanAction::request_from(const scan_cell_msgs::ScanGoal& goal) const {
+  ScanRequest request;
+  request.scan_id = goal.scan_id.empty()
+                        ? "scan_" + std::to_string(ros::Time::now().toNSec() / 1000000)
+                        : goal.scan_id;
+  request.start = in_base_frame(goal.start);
+  request.end = in_base_frame(goal.end);
+  request.speed = goal.speed;
+  request.rate = goal.rate;
+  request.lasers = goal.lasers;
+  check(request, parameters_.limits);
+  return request;
+}
+
+Eigen::Isometry3d ScanAction::in_base_frame(const geometry_msgs::PoseStamped& pose) const {
+  const geometry_msgs::Quaternion& q = pose.pose.orientation;
+  const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  constexpr double kUnit = 1e-3;
+  if (!(std::abs(norm - 1) < kUnit)) {
+    throw Refused("orientation of the flange", "quaternion of length " + std::to_string(norm),
+                  "give a unit quaternion");
+  }
+  const Eigen::Isometry3d flange = scan_cell_common::from_ros(pose.pose);
+  if (pose.header.frame_id == parameters_.base_frame) return flange;
+  try {
+    const auto base = transforms_.lookupTransform(parameters_.base_frame, pose.header.frame_id,
+                                                  ros::Time(0), ros::Duration(1.0));
+    return scan_cell_common::from_ros(base.transform) * flange;
+  } catch (const tf2::TransformException& error) {
+    throw Refused("frame '" + pose.header.frame_id + "'", error.what(),
+                  "give the poses in " + parameters_.base_frame +
+                      ", or start the node that publishes the calibrated frames");
+  }
+}
+
+void ScanAction::on_progress(int step, const std::string& name, double progress) {
+  constexpr double kPeriod = 0.1;  // [s]
+  const ros::WallTime now = ros::WallTime::now();
+  if (step == last_step_ && (now - last_feedback_).toSec() < kPeriod) return;
+  last_feedback_ = now;
+  last_step_ = step;
+  scan_cell_msgs::ScanFeedback feedback;
+  feedback.step = static_cast<std::uint8_t>(step);
+  feedback.step_name = name;
+  feedback.progress = progress;
+  feedback.frames = camera_.profiles();
+  feedback.points = points_;
+  goal_.publishFeedback(feedback);
+}
+
+void ScanAction::on_capture_begins() {
+  publish_state(CellState::SCANNING, "");
+}
+
+void ScanAction::on_capture_ends() {}
+
+void ScanAction::publish_state(std::uint8_t state, const std::string& message) {
+  CellState cell;
+  cell.header.stamp = ros::Time::now();
+  cell.state = state;
+  cell.scan_id = request_.scan_id;
+  cell.message = message;
+  state_publisher_.publish(cell);
+}
+
+}  // namespace scan_cell

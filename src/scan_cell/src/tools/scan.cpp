@@ -1,0 +1,80 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "scan_cell/progress_bar.h"
+#include "scan_cell/ros/cell_client.h"
+#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/cloud_messages.h"
+
+namespace {
+
+struct Options {
+  std::string program;
+  std::string scan_id;
+  std::string output;
+  std::string clean;
+  double timeout = 10;
+};
+
+void save(const std::string& path, const sensor_msgs::PointCloud2& message) {
+  const scan_cell_common::Cloud cloud = scan_cell_common::from_message(message);
+  scan_cell_common::save_cloud(path, cloud);
+  std::printf("%s: %zu points\n", path.c_str(), cloud.size());
+}
+
+/// @return the process's exit code
+int scan(const Options& options) {
+  const scan_cell::ScanProgram program = scan_cell::load_scan_program(options.program);
+  scan_cell::CellClient client(ros::NodeHandle(), {});
+  scan_cell_msgs::ScanResult result;
+  sensor_msgs::PointCloud2 clean;
+  {
+    scan_cell::ProgressBar bar("scan");
+    const auto show = [&bar](const std::string& what, double share) { bar.show(what, share); };
+    if (options.clean.empty()) {
+      result = client.scan(program, options.scan_id, options.timeout, show);
+    } else {
+      clean = client.scan_clean(program, options.scan_id, options.timeout, show, result);
+    }
+  }
+  std::printf("scan '%s': %lu pulses, %lu frames, %lu bound, %lu dropped, %lu never arrived\n",
+              result.scan_id.c_str(), result.audit.triggers, result.audit.frames,
+              result.audit.frames_bound, result.audit.frames_dropped,
+              result.audit.frames_never_arrived);
+  if (!options.output.empty() && !result.cloud.data.empty()) save(options.output, result.cloud);
+  if (!options.clean.empty()) save(options.clean, clean);
+  if (result.outcome == scan_cell_msgs::ScanResult::FINISHED) return 0;
+  std::fprintf(stderr, "scan: %s\n", result.message.c_str());
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "scan", ros::init_options::AnonymousName);
+  Options options;
+  CLI::App app("Scans one line with the running cell and saves the cloud");
+  app.add_option("--program", options.program, "scan program (YAML): poses, speed, rate, laser")
+      ->required();
+  app.add_option("--id", options.scan_id, "name of the scan; made from the time if not given");
+  app.add_option("--output", options.output, "whole cloud as it was scanned (.ply, .pcd)");
+  app.add_option("--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
+  app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    return scan(options);
+  } catch (const scan_cell_common::Refused& error) {
+    std::fprintf(stderr, "scan: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "scan: %s\n", error.what());
+    return 1;
+  }
+}
