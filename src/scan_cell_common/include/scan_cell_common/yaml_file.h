@@ -13,16 +13,20 @@
 
 namespace scan_cell_common {
 
+/// @throw FileError if the file is missing, unreadable or not YAML
+YAML::Node load_yaml(const std::string& path);
+
 /// One entry of a YAML file. Errors name the file and the entry's whole way, such as
 /// "scanner.yaml: camera.fx".
 class YamlEntry {
  public:
-  /// Reads a file.
-  /// @throw FileError if it is missing, unreadable or not YAML
+  /// The root of a file.
+  /// @throw FileError as load_yaml()
   static YamlEntry load(const std::string& path);
 
   YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
 
+  bool is_map() const;
   bool has(const std::string& key) const;
 
   /// @throw UnusableInput if it is missing

@@ -89,7 +89,8 @@ void save_cloud(const std::string& path, const Cloud& cloud) {
   int status = -1;
   try {
     if (extension == ".ply") {
-      status = pcl::io::savePLYFileBinary(partial, cloud);
+      constexpr bool kBinary = true, kCamera = false;  // PCL's own reader warns about its camera
+      status = pcl::PLYWriter().write(partial, cloud, kBinary, kCamera);
     } else if (extension == ".pcd") {
       status = pcl::io::savePCDFileBinary(partial, cloud);
     } else {

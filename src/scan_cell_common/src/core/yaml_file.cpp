@@ -9,14 +9,18 @@
 
 namespace scan_cell_common {
 
-YamlEntry YamlEntry::load(const std::string& path) {
+YAML::Node load_yaml(const std::string& path) {
   try {
-    return {YAML::LoadFile(path), path};
+    return YAML::LoadFile(path);
   } catch (const YAML::BadFile&) {
     throw FileError(path, "cannot be read", "check the path");
   } catch (const YAML::Exception& error) {
     throw FileError(path, error.what(), "correct the YAML");
   }
+}
+
+YamlEntry YamlEntry::load(const std::string& path) {
+  return {load_yaml(path), path};
 }
 
 YamlEntry::YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name)
@@ -26,8 +30,12 @@ std::string YamlEntry::child(const std::string& key) const {
   return name_.empty() ? key : name_ + "." + key;
 }
 
+bool YamlEntry::is_map() const {
+  return node_.IsMap();
+}
+
 bool YamlEntry::has(const std::string& key) const {
-  return node_.IsMap() && node_[key];
+  return is_map() && node_[key];
 }
 
 YamlEntry YamlEntry::operator[](const std::string& key) const {
@@ -68,7 +76,7 @@ std::vector<YamlEntry> YamlEntry::elements() const {
 }
 
 void YamlEntry::refuse_unknown(const std::set<std::string>& known) const {
-  if (!node_.IsMap()) refuse("not a map of names to values", "give name: value");
+  if (!is_map()) refuse("not a map of names to values", "give name: value");
   for (const auto& pair : node_) {
     const auto key = pair.first.as<std::string>();
     if (known.count(key) != 0) continue;
