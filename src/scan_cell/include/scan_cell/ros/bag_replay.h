@@ -1,0 +1,59 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <rosbag/bag.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace scan_cell {
+
+/// A scan that was recorded.
+struct RecordedScan {
+  std::string scan_id;
+  ros::Time start;
+  ros::Time end;
+};
+
+/// Plays one scan of a bag to the binder, as fast as wanted and without losing a message.
+class BagReplay {
+ public:
+  /// Topics, in the bag and to publish on.
+  struct Topics {
+    std::string state = "/scan_cell/state";
+    std::string events = "/laser_trigger/events";
+    std::string profiles = "/camera/profiles";
+    std::string poses = "/tf";
+  };
+
+  /// @throw FileError if the bag cannot be read
+  /// @throw UnusableInput if it holds no whole scan, no pulses, no profiles or no poses
+  /// @param scan_id which scan; empty: the last
+  BagReplay(const std::string& path, const std::string& scan_id, const Topics& topics);
+
+  const RecordedScan& scan() const { return scan_; }
+  std::uint64_t pulses() const { return pulses_; }  //!< of the scan
+
+  /// Publishes the scan's messages in the order they were recorded.
+  /// @param speed times real time
+  /// @param timeout [s] to wait for subscribers
+  /// @throw ConnectionError if nobody subscribes
+  void play(ros::NodeHandle node, double speed, double timeout,
+            const std::function<void(double)>& progress);
+
+ private:
+  std::vector<RecordedScan> find_scans() const;
+  void check_contents();
+
+  std::string path_;
+  Topics topics_;
+  rosbag::Bag bag_;
+  RecordedScan scan_;
+  std::uint64_t pulses_ = 0;
+};
+
+}  // namespace scan_cell

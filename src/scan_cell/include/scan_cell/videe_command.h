@@ -1,0 +1,40 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+namespace scan_cell {
+
+/// Commands of the ViDeE protocol (thesis, table 4).
+enum class VideeCommandKind {
+  InitCycle,
+  InitCalibration,
+  PerformCalibration,
+  GrabImage,
+  SetPosition,
+  StartScan,
+  StopScan,
+  Reset,
+};
+
+/// One command as it came over the wire. docs/videe_protocol.md describes the lines.
+struct VideeCommand {
+  VideeCommandKind kind = VideeCommandKind::Reset;
+  std::vector<Eigen::Isometry3d> poses;  //!< SET_POSITION: start and end of the flange [m]
+};
+
+/// @param line without its line end
+/// @throw scan_cell_common::ProtocolError if it is no command, or its arguments make no sense
+VideeCommand parse_videe(const std::string& line);
+
+/// Pose from "x,y,z,rx,ry,rz": millimetres, and degrees about the fixed axes x, then y, then z.
+/// @throw scan_cell_common::ProtocolError if it is not six finite numbers
+Eigen::Isometry3d pose_from_wire(const std::string& text);
+
+/// The other way. ry lies from -90 to 90 degrees; at its ends rx is 0.
+std::string pose_to_wire(const Eigen::Isometry3d& pose);
+
+}  // namespace scan_cell

@@ -1,0 +1,112 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell/videe_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <sstream>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell {
+namespace {
+
+using scan_cell_common::ProtocolError;
+
+constexpr double kMillimetres = 1e3;
+constexpr double kDegrees = 180 / M_PI;
+
+const std::map<std::string, VideeCommandKind>& kinds() {
+  static const std::map<std::string, VideeCommandKind> kinds = {
+      {"INIT_CYCLE", VideeCommandKind::InitCycle},
+      {"INIT_CALIBRATION", VideeCommandKind::InitCalibration},
+      {"PERFORM_CALIBRATION", VideeCommandKind::PerformCalibration},
+      {"GRAB_IMAGE", VideeCommandKind::GrabImage},
+      {"SET_POSITION", VideeCommandKind::SetPosition},
+      {"START_SCAN", VideeCommandKind::StartScan},
+      {"STOP_SCAN", VideeCommandKind::StopScan},
+      {"RESET", VideeCommandKind::Reset}};
+  return kinds;
+}
+
+std::vector<double> numbers(const std::string& text) {
+  std::vector<double> result;
+  std::istringstream fields(text);
+  std::string field;
+  while (std::getline(fields, field, ',')) {
+    std::size_t used = 0;
+    try {
+      result.push_back(std::stod(field, &used));
+    } catch (const std::exception&) {
+      used = 0;
+    }
+    if (used == 0 || used != field.size() || !std::isfinite(result.back())) {
+      throw ProtocolError("pose '" + text + "'", "'" + field + "' is no finite number",
+                          "send x,y,z,rx,ry,rz");
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+VideeCommand parse_videe(const std::string& line) {
+  std::istringstream words(line);
+  std::string name;
+  words >> name;
+  const auto kind = kinds().find(name);
+  if (kind == kinds().end()) {
+    throw ProtocolError("command '" + name.substr(0, 40) + "'", "unknown",
+                        "send one of the ViDeE commands in capital letters");
+  }
+  VideeCommand command;
+  command.kind = kind->second;
+  std::string argument;
+  while (words >> argument)
+    command.poses.push_back(pose_from_wire(argument));
+  const std::size_t expected = command.kind == VideeCommandKind::SetPosition ? 2 : 0;
+  if (command.poses.size() != expected) {
+    throw ProtocolError(name, std::to_string(command.poses.size()) + " arguments",
+                        "send " + std::to_string(expected));
+  }
+  return command;
+}
+
+Eigen::Isometry3d pose_from_wire(const std::string& text) {
+  const std::vector<double> values = numbers(text);
+  if (values.size() != 6) {
+    throw ProtocolError("pose '" + text + "'", std::to_string(values.size()) + " numbers",
+                        "send six: x,y,z,rx,ry,rz");
+  }
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() << values[0] / kMillimetres, values[1] / kMillimetres,
+      values[2] / kMillimetres;
+  pose.linear() = (Eigen::AngleAxisd(values[5] / kDegrees, Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(values[4] / kDegrees, Eigen::Vector3d::UnitY()) *
+                   Eigen::AngleAxisd(values[3] / kDegrees, Eigen::Vector3d::UnitX()))
+                      .toRotationMatrix();
+  return pose;
+}
+
+std::string pose_to_wire(const Eigen::Isometry3d& pose) {
+  const Eigen::Matrix3d r = pose.linear();
+  const double ry = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
+  constexpr double kDegenerate = 1 - 1e-12;
+  double rx = 0;
+  double rz = 0;
+  if (std::abs(r(2, 0)) < kDegenerate) {
+    rx = std::atan2(r(2, 1), r(2, 2));
+    rz = std::atan2(r(1, 0), r(0, 0));
+  } else {
+    rz = std::atan2(-r(0, 1), r(1, 1));
+  }
+  const Eigen::Vector3d p = pose.translation() * kMillimetres;
+  char text[160];
+  std::snprintf(text, sizeof(text), "%.4f,%.4f,%.4f,%.6f,%.6f,%.6f", p.x(), p.y(), p.z(),
+                rx * kDegrees, ry * kDegrees, rz * kDegrees);
+  return text;
+}
+
+}  // namespace scan_cell

@@ -1,0 +1,114 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell/ros/bag_replay.h"
+
+#include <rosbag/view.h>
+#include <scan_cell_msgs/CellState.h>
+#include <scan_cell_msgs/PeakProfile.h>
+#include <scan_cell_msgs/TriggerEvent.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <map>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell {
+namespace {
+
+using scan_cell_common::UnusableInput;
+using scan_cell_msgs::CellState;
+
+/// The topic's messages are few and big enough that none may be lost on the way to a slow subscriber.
+constexpr std::uint32_t kUnboundedQueue = 0;
+
+void wait_for_subscriber(const ros::Publisher& publisher, double timeout) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (publisher.getNumSubscribers() == 0) {
+    if (!ros::ok() || ros::WallTime::now() > deadline) {
+      throw scan_cell_common::ConnectionError(publisher.getTopic(), "nobody subscribes",
+                                              "is pose_frame_binder running?");
+    }
+    ros::WallDuration(0.02).sleep();
+  }
+}
+
+}  // namespace
+
+BagReplay::BagReplay(const std::string& path, const std::string& scan_id, const Topics& topics)
+    : path_(path), topics_(topics) {
+  try {
+    bag_.open(path, rosbag::bagmode::Read);
+  } catch (const rosbag::BagException& error) {
+    throw scan_cell_common::FileError(path, error.what(), "check the path, or run rosbag reindex");
+  }
+  const std::vector<RecordedScan> scans = find_scans();
+  for (const RecordedScan& scan : scans) {
+    if (scan_id.empty() || scan.scan_id == scan_id) scan_ = scan;
+  }
+  if (scan_.scan_id.empty()) {
+    std::string names;
+    for (const RecordedScan& scan : scans) names += " '" + scan.scan_id + "'";
+    throw UnusableInput(path, scan_id.empty() ? "no scan" : "no scan '" + scan_id + "'",
+                        names.empty() ? "record " + topics.state + " from before the scan to its end"
+                                      : "give one of" + names);
+  }
+  check_contents();
+}
+
+std::vector<RecordedScan> BagReplay::find_scans() const {
+  std::vector<RecordedScan> scans;
+  rosbag::View view(bag_, rosbag::TopicQuery(topics_.state));
+  RecordedScan open;
+  for (const rosbag::MessageInstance& message : view) {
+    const auto state = message.instantiate<CellState>();
+    if (!state) continue;
+    if (state->state == CellState::SCANNING) {
+      open = {state->scan_id, message.getTime(), ros::Time()};
+    } else if (!open.scan_id.empty() && state->scan_id == open.scan_id) {
+      open.end = message.getTime();
+      scans.push_back(open);
+      open = RecordedScan();
+    }
+  }
+  return scans;
+}
+
+void BagReplay::check_contents() {
+  std::map<std::string, std::uint64_t> counts;
+  rosbag::View view(bag_, scan_.start, scan_.end);
+  for (const rosbag::MessageInstance& message : view) ++counts[message.getTopic()];
+  for (const std::string& topic : {topics_.events, topics_.profiles, topics_.poses}) {
+    if (counts[topic] == 0) {
+      throw UnusableInput(path_, "nothing on " + topic + " in scan '" + scan_.scan_id + "'",
+                          "record that topic as well");
+    }
+  }
+  pulses_ = counts[topics_.events];
+}
+
+void BagReplay::play(ros::NodeHandle node, double speed, double timeout,
+                     const std::function<void(double)>& progress) {
+  std::map<std::string, ros::Publisher> publishers = {
+      {topics_.events,
+       node.advertise<scan_cell_msgs::TriggerEvent>(topics_.events, kUnboundedQueue)},
+      {topics_.profiles,
+       node.advertise<scan_cell_msgs::PeakProfile>(topics_.profiles, kUnboundedQueue)},
+      {topics_.poses, node.advertise<tf2_msgs::TFMessage>(topics_.poses, kUnboundedQueue)}};
+  for (const auto& [topic, publisher] : publishers) wait_for_subscriber(publisher, timeout);
+
+  const ros::WallTime begin = ros::WallTime::now();
+  const double duration = (scan_.end - scan_.start).toSec();
+  rosbag::View view(
+      bag_, rosbag::TopicQuery({topics_.events, topics_.profiles, topics_.poses}),
+      scan_.start, scan_.end);
+  for (const rosbag::MessageInstance& message : view) {
+    if (!ros::ok()) throw scan_cell_common::Refused("replay", "interrupted", "start it again");
+    const double due = (message.getTime() - scan_.start).toSec();
+    const ros::WallTime when = begin + ros::WallDuration(due / speed);
+    if (when > ros::WallTime::now()) (when - ros::WallTime::now()).sleep();
+    publishers.at(message.getTopic()).publish(message);
+    progress(duration > 0 ? due / duration : 1);
+  }
+}
+
+}  // namespace scan_cell
