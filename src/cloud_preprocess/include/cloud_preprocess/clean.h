@@ -1,0 +1,41 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloud_preprocess/floor_removal.h"
+#include "cloud_preprocess/grid_reduction.h"
+#include "cloud_preprocess/object_isolation.h"
+#include "cloud_preprocess/outlier_removal.h"
+
+namespace scan_cell_common {
+class YamlEntry;
+}
+
+namespace cloud_preprocess {
+
+/// The whole chain. Floor, outliers and isolation do nothing where they are not automatic and have
+/// no limits.
+struct CleanParameters {
+  FloorParameters floor;
+  OutlierParameters outliers;
+  IsolationParameters isolate;
+  std::optional<GridParameters> grid = GridParameters{};  //!< none: the cloud is not reduced
+};
+
+/// Reads them from YAML: maps `floor`, `outliers`, `isolate` and `grid` with the parameters of the
+/// nodelets of these names; `grid: false` leaves the grid out. What is not given keeps its default.
+/// @throw scan_cell_common::FileError, UnusableInput or InvalidParameter, naming the entry
+CleanParameters load_clean_parameters(const std::string& path);
+CleanParameters read_clean_parameters(const scan_cell_common::YamlEntry& root);
+
+/// Runs floor, outliers, isolation and grid, one after the other.
+/// @param reports one a stage, also of the stage that throws
+/// @throw scan_cell_common::InvalidParameter before anything is done
+/// @throw scan_cell_common::UnusableInput from the stage that leaves nothing
+Cloud clean(Cloud cloud, const CleanParameters& parameters, std::vector<StageReport>& reports);
+
+}  // namespace cloud_preprocess

@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "scan_cell_common/cloud_files.h"
+
+namespace cloud_preprocess {
+
+using scan_cell_common::Cloud;
+
+/// What one stage did to one cloud.
+struct StageReport {
+  std::string stage;
+  std::size_t points_in = 0;
+  std::size_t non_finite = 0;  //!< of points_in: with NaN or infinity, dropped before all else
+  std::size_t points_out = 0;
+  std::string message;  //!< what was found, for a person
+};
+
+/// One stage of preprocessing. Stages are immutable: the same cloud gives the same bytes.
+class Stage {
+ public:
+  virtual ~Stage() = default;
+
+  virtual std::string name() const = 0;
+
+  /// @param cloud [m], z up; points that are not finite are dropped and counted
+  /// @param report filled in as far as the stage came, also where it throws
+  /// @throw scan_cell_common::UnusableInput if the cloud has no finite point or none is left: an
+  /// empty cloud never comes out
+  Cloud run(Cloud cloud, StageReport& report) const;
+
+ protected:
+  /// Changes a cloud that is finite and not empty, and says in a few words what was done.
+  virtual std::string apply(Cloud& cloud) const = 0;
+};
+
+/// "x 0.1 .. 0.2, y ..., z ... m", for error texts.
+std::string bounds_text(const Cloud& cloud);
+
+}  // namespace cloud_preprocess

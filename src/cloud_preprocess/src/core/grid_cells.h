@@ -1,0 +1,23 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "scan_cell_common/cloud_files.h"
+
+namespace cloud_preprocess {
+
+/// The occupied cells of a grid through the origin, ordered by z, then y, then x.
+struct GridCells {
+  scan_cell_common::Cloud means;             //!< the mean of each cell's points
+  std::vector<std::uint32_t> cell_of_point;  //!< one a point: the index of its cell
+};
+
+/// @param leaf [m] above 0
+/// @throw scan_cell_common::UnusableInput if a point lies beyond a million cells
+GridCells sort_into_grid(const scan_cell_common::Cloud& cloud, const Eigen::Vector3d& leaf);
+
+}  // namespace cloud_preprocess

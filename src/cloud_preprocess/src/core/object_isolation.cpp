@@ -1,0 +1,160 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_preprocess/object_isolation.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "grid_cells.h"
+#include "kd_tree.h"
+
+namespace cloud_preprocess {
+namespace {
+
+using scan_cell_common::UnusableInput;
+
+/// A cluster of cells, and so of points.
+struct Object {
+  std::vector<KdTree::Index> cells;
+  std::size_t points = 0;
+};
+
+/// Cells that can be reached from each other by steps of at most `gap`.
+std::vector<std::vector<KdTree::Index>> connected(const Cloud& cells, double gap) {
+  const KdTree tree(cells);
+  std::vector<bool> seen(cells.size(), false);
+  std::vector<std::pair<KdTree::Index, float>> near;
+  std::vector<std::vector<KdTree::Index>> clusters;
+  for (KdTree::Index start = 0; start < cells.size(); ++start) {
+    if (seen[start]) continue;
+    seen[start] = true;
+    std::vector<KdTree::Index> cluster{start};
+    for (std::size_t next = 0; next < cluster.size(); ++next) {
+      tree.within(cells[cluster[next]], gap, near);
+      for (const auto& [cell, squared] : near) {
+        if (!seen[cell]) cluster.push_back(cell);
+        seen[cell] = true;
+      }
+    }
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+std::vector<Object> find_objects(const GridCells& grid, double gap) {
+  std::vector<std::size_t> points_in_cell(grid.means.size(), 0);
+  for (const std::uint32_t cell : grid.cell_of_point)
+    ++points_in_cell[cell];
+  std::vector<Object> objects;
+  for (std::vector<KdTree::Index>& cells : connected(grid.means, gap)) {
+    Object object{std::move(cells), 0};
+    for (const KdTree::Index cell : object.cells)
+      object.points += points_in_cell[cell];
+    objects.push_back(std::move(object));
+  }
+  return objects;
+}
+
+double middle(const Object& object, const Cloud& cells, std::size_t axis) {
+  float least = std::numeric_limits<float>::infinity();
+  float most = -least;
+  for (const KdTree::Index cell : object.cells) {
+    least = std::min(least, cells[cell].data[axis]);
+    most = std::max(most, cells[cell].data[axis]);
+  }
+  return 0.5 * (static_cast<double>(least) + static_cast<double>(most));
+}
+
+double squared_distance(const Object& object, const Cloud& cells, const Eigen::Vector3d& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const KdTree::Index cell : object.cells) {
+    const Eigen::Vector3d mean = cells[cell].getVector3fMap().cast<double>();
+    least = std::min(least, (mean - point).squaredNorm());
+  }
+  return least;
+}
+
+/// Puts the object that is asked for first: the one with the least value.
+template <class Value>
+void sort_by(std::vector<Object>& objects, const Value& value) {
+  std::stable_sort(objects.begin(), objects.end(),
+                   [&value](const Object& a, const Object& b) { return value(a) < value(b); });
+}
+
+/// Index of the object that is asked for, once they are in the order it is asked for in.
+std::size_t choose(std::vector<Object>& objects, const Cloud& cells,
+                   const IsolationParameters& parameters) {
+  if (parameters.select == Selection::kNearest) {
+    sort_by(objects, [&](const Object& o) { return squared_distance(o, cells, parameters.point); });
+    return 0;
+  }
+  if (parameters.select == Selection::kLargest) {
+    sort_by(objects, [](const Object& o) { return -static_cast<double>(o.points); });
+    return 0;
+  }
+  const auto axis = static_cast<std::size_t>(parameters.axis);
+  sort_by(objects, [&](const Object& o) { return middle(o, cells, axis); });
+  const auto index = static_cast<std::size_t>(parameters.index);
+  if (index >= objects.size()) {
+    throw UnusableInput("index", std::to_string(index),
+                        "there are " + std::to_string(objects.size()) +
+                            " objects, counted from 0: take another, or a smaller gap");
+  }
+  return index;
+}
+
+std::vector<Object> large_enough(std::vector<Object> objects, int least_points) {
+  std::size_t largest = 0;
+  for (const Object& object : objects)
+    largest = std::max(largest, object.points);
+  const auto too_small = [least_points](const Object& object) {
+    return object.points < static_cast<std::size_t>(least_points);
+  };
+  objects.erase(std::remove_if(objects.begin(), objects.end(), too_small), objects.end());
+  if (objects.empty()) {
+    throw UnusableInput("objects",
+                        "none of " + std::to_string(least_points) + " points, the largest has " +
+                            std::to_string(largest),
+                        "set a larger gap or smaller least_points");
+  }
+  return objects;
+}
+
+void keep(Cloud& cloud, const GridCells& grid, const Object& object) {
+  std::vector<bool> of_object(grid.means.size(), false);
+  for (const KdTree::Index cell : object.cells)
+    of_object[cell] = true;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (of_object[grid.cell_of_point[i]]) cloud[kept++] = cloud[i];
+  }
+  cloud.resize(kept);
+}
+
+}  // namespace
+
+ObjectIsolation::ObjectIsolation(const IsolationParameters& parameters) : parameters_(parameters) {
+  check(parameters_);
+}
+
+std::string ObjectIsolation::apply(Cloud& cloud) const {
+  const std::string message = cut(cloud, parameters_.limits);
+  if (parameters_.select == Selection::kAll) return message + "all objects kept";
+
+  // Cells much smaller than the gap stand for their points: a hundred times fewer steps.
+  constexpr double kCellsAGap = 4;
+  const GridCells grid =
+      sort_into_grid(cloud, Eigen::Vector3d::Constant(parameters_.gap / kCellsAGap));
+  std::vector<Object> objects =
+      large_enough(find_objects(grid, parameters_.gap), parameters_.least_points);
+  const Object& object = objects[choose(objects, grid.means, parameters_)];
+  const std::size_t before = cloud.size();
+  keep(cloud, grid, object);
+  return message + "one of " + std::to_string(objects.size()) + " objects kept, " +
+         std::to_string(before - cloud.size()) + " points of others and of no object removed";
+}
+
+}  // namespace cloud_preprocess

@@ -1,0 +1,70 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_preprocess/outlier_removal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "kd_tree.h"
+
+namespace cloud_preprocess {
+namespace {
+
+/// Mean distance [m] of each point to its nearest neighbours.
+std::vector<double> mean_distances(const Cloud& cloud, int neighbours) {
+  const KdTree tree(cloud);
+  std::vector<KdTree::Index> indices(static_cast<std::size_t>(neighbours) + 1);  // and itself
+  std::vector<float> squared(indices.size());
+  std::vector<double> means(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::size_t found = tree.nearest(cloud[i], indices, squared);
+    double sum = 0;
+    for (std::size_t k = 1; k < found; ++k)
+      sum += std::sqrt(static_cast<double>(squared[k]));
+    means[i] = found > 1 ? sum / static_cast<double>(found - 1) : 0;
+  }
+  return means;
+}
+
+/// Mean plus so many standard deviations of the distances, the far tail cut to ten medians.
+double threshold(std::vector<double> distances, double deviations) {
+  constexpr double kMostMedians = 10;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  const double most = kMostMedians * *middle;
+  double sum = 0, squares = 0;
+  for (const double distance : distances) {
+    sum += std::min(distance, most);
+    squares += std::min(distance, most) * std::min(distance, most);
+  }
+  const auto count = static_cast<double>(distances.size());
+  const double variance = (squares - sum * sum / count) / std::max(count - 1, 1.0);
+  return sum / count + deviations * std::sqrt(std::max(variance, 0.0));
+}
+
+}  // namespace
+
+OutlierRemoval::OutlierRemoval(const OutlierParameters& parameters) : parameters_(parameters) {
+  check(parameters_);
+}
+
+std::string OutlierRemoval::apply(Cloud& cloud) const {
+  const std::string message = cut(cloud, parameters_.limits);
+  if (!parameters_.automatic) return message + "not looked for others";
+
+  const std::vector<double> distances = mean_distances(cloud, parameters_.neighbours);
+  const double most = threshold(distances, parameters_.deviations);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (distances[i] <= most) cloud[kept++] = cloud[i];
+  }
+  char text[80];
+  std::snprintf(text, sizeof(text), "%zu more than %.2f mm from their neighbours",
+                cloud.size() - kept, most * 1e3);
+  cloud.resize(kept);
+  return message + text;
+}
+
+}  // namespace cloud_preprocess

@@ -1,0 +1,69 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <random>
+#include <tuple>
+
+#include "cloud_preprocess/stage.h"
+
+namespace cloud_preprocess {
+
+enum class Label { kFloor, kFoot, kPart, kOtherPart, kOutlier };
+
+/// A scan with known labels: surfaces seen from above by a laser line along x that moves along y,
+/// 0.6 mm between points and 0.75 mm between lines, 0.1 mm noise. Lengths in metres.
+class Scene {
+ public:
+  static constexpr double kAlongLine = 0.6e-3;
+  static constexpr double kAcross = 0.75e-3;
+  static constexpr double kNoise = 0.1e-3;
+  static constexpr double kMargin = 2e-3;  // parts up to here above the floor are labelled kFoot
+
+  struct Rectangle {
+    double x, y, width, depth;  // of the centre, along x, along y
+
+    /// Distance from the border to a point inside; negative outside.
+    double inside(double px, double py) const;
+  };
+
+  /// Floor without what the rectangle covers and the shadows 5 mm beside it.
+  void add_floor(const Rectangle& floor, const std::vector<Rectangle>& covered = {});
+
+  /// Top, and walls seen at a grazing angle, with points every 2 mm along the height.
+  void add_box(const Rectangle& box, double height, Label label = Label::kPart);
+
+  /// A photo frame: moulding of 30 mm that rises from the floor to 15 mm and falls to a rebate of
+  /// 4 mm, and a flat insert inside it at 3 mm.
+  void add_frame(const Rectangle& frame);
+
+  /// Points at random within the rectangle and up to `height`, at least 15 mm from each other and
+  /// from all surfaces.
+  void add_outliers(const Rectangle& area, double height, int count);
+
+  void add(double x, double y, double z, Label label);
+
+  /// Leans and lifts the whole scene.
+  void move(const Eigen::Affine3f& by);
+
+  const Cloud& cloud() const { return cloud_; }
+  int count(Label label) const;
+
+  /// Share of the points with this label that are in a part of the scene's cloud.
+  double share_in(const Cloud& part, Label label) const;
+
+ private:
+  void add_surface(const Rectangle& area, double height, Label label,
+                   const std::vector<Rectangle>& covered);
+  double noise() { return kNoise * normal_(generator_); }
+
+  using Key = std::tuple<float, float, float>;
+
+  Cloud cloud_;
+  std::vector<Label> labels_;
+  std::mt19937 generator_{7};
+  std::normal_distribution<double> normal_;
+};
+
+}  // namespace cloud_preprocess

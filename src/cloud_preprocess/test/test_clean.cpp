@@ -1,0 +1,184 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "cloud_preprocess/clean.h"
+#include "scan_cell_common/yaml_file.h"
+#include "scene.h"
+
+namespace fs = std::filesystem;
+using cloud_preprocess::clean;
+using cloud_preprocess::CleanParameters;
+using cloud_preprocess::Cloud;
+using cloud_preprocess::Label;
+using cloud_preprocess::Scene;
+using cloud_preprocess::StageReport;
+
+namespace {
+
+const Scene::Rectangle kFrame{-0.06, 0, 0.15, 0.12};
+const Scene::Rectangle kBox{0.08, 0, 0.06, 0.08};
+
+/// A scan as it comes: a leaning floor, a frame (the part), a box, outliers.
+Scene scan() {
+  Scene scene;
+  scene.add_floor({0, 0, 0.30, 0.25}, {kFrame, kBox});
+  scene.add_frame(kFrame);
+  scene.add_box(kBox, 0.03, Label::kOtherPart);
+  scene.add_outliers({0, 0, 0.30, 0.25}, 0.3, 200);
+  scene.add(30, 20, 10, Label::kOutlier);
+  scene.move(Eigen::Affine3f(Eigen::AngleAxisf(0.017F, Eigen::Vector3f::UnitX())));
+  return scene;
+}
+
+CleanParameters parse(const std::string& text) {
+  return cloud_preprocess::read_clean_parameters({YAML::Load(text), "clean.yaml"});
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const scan_cell_common::Error& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+class CleanCloudTool : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_);
+    scan_cell_common::save_cloud(path("scan.ply"), scan().cloud());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// Exit code; what it prints goes to out.txt.
+  int run(const std::string& arguments) const {
+    const std::string command =
+        std::string(CLEAN_CLOUD) + " " + arguments + " > " + path("out.txt") + " 2>&1";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+
+  std::string printed() const {
+    std::ifstream file(path("out.txt"));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("clean_cloud_" + std::to_string(getpid()));
+};
+
+}  // namespace
+
+TEST(Clean, LeavesOneObjectOfARawScan) {
+  const Scene scene = scan();
+  CleanParameters parameters;
+  parameters.grid.reset();
+  std::vector<StageReport> reports;
+  const Cloud left = clean(scene.cloud(), parameters, reports);
+  EXPECT_GE(scene.share_in(left, Label::kPart), 0.9999);
+  EXPECT_EQ(scene.share_in(left, Label::kFloor), 0.0);
+  EXPECT_EQ(scene.share_in(left, Label::kOtherPart), 0.0);
+  EXPECT_EQ(scene.share_in(left, Label::kOutlier), 0.0);
+  ASSERT_EQ(reports.size(), 3U);
+  EXPECT_EQ(reports[0].points_in, scene.cloud().size());
+  EXPECT_EQ(reports[1].points_in, reports[0].points_out);
+  EXPECT_EQ(reports[2].points_out, left.size());
+}
+
+TEST(Clean, KeepsTheReportsUpToTheStageThatFails) {
+  CleanParameters parameters;
+  parameters.isolate.limits.x_min = 5;
+  std::vector<StageReport> reports;
+  EXPECT_THROW(clean(scan().cloud(), parameters, reports), scan_cell_common::UnusableInput);
+  ASSERT_EQ(reports.size(), 3U);
+  EXPECT_EQ(reports.back().stage, "isolate");
+  EXPECT_GT(reports.back().points_in, 0U);
+  EXPECT_EQ(reports.back().points_out, 0U);
+}
+
+TEST(CleanParameters, AreTheDefaultsInTheShippedFile) {
+  const CleanParameters shipped = cloud_preprocess::load_clean_parameters(SHIPPED_CONFIG);
+  const CleanParameters defaults;
+  EXPECT_EQ(shipped.floor.automatic, defaults.floor.automatic);
+  EXPECT_EQ(shipped.floor.margin, defaults.floor.margin);
+  EXPECT_EQ(shipped.floor.distance, defaults.floor.distance);
+  EXPECT_EQ(shipped.floor.tilt, defaults.floor.tilt);
+  EXPECT_EQ(shipped.floor.least_share, defaults.floor.least_share);
+  EXPECT_EQ(shipped.floor.most_below, defaults.floor.most_below);
+  EXPECT_EQ(shipped.outliers.neighbours, defaults.outliers.neighbours);
+  EXPECT_EQ(shipped.outliers.deviations, defaults.outliers.deviations);
+  EXPECT_EQ(shipped.isolate.select, defaults.isolate.select);
+  EXPECT_EQ(shipped.isolate.gap, defaults.isolate.gap);
+  EXPECT_EQ(shipped.isolate.least_points, defaults.isolate.least_points);
+  EXPECT_EQ(shipped.grid->leaf, defaults.grid->leaf);
+}
+
+TEST(CleanParameters, AreReadFromYaml) {
+  const CleanParameters parameters = parse(
+      "{floor: {automatic: false, z_min: 0.01}, isolate: {select: index, index: 2, axis: y}, "
+      "grid: off}");
+  EXPECT_FALSE(parameters.floor.automatic);
+  EXPECT_EQ(parameters.floor.limits.z_min, 0.01);
+  EXPECT_EQ(parameters.isolate.select, cloud_preprocess::Selection::kIndex);
+  EXPECT_EQ(parameters.isolate.index, 2);
+  EXPECT_EQ(parameters.isolate.axis, cloud_preprocess::Axis::kY);
+  EXPECT_FALSE(parameters.grid.has_value());
+}
+
+TEST(CleanParameters, AreRefusedByTheNameOfTheBadEntry) {
+  EXPECT_EQ(complaint("floor: {margin: -1}"), "floor.margin: -1; give a value from 0 to 1");
+  EXPECT_EQ(complaint("floor: {margin: wide}"),
+            "clean.yaml: floor.margin: of the wrong type; correct it");
+  EXPECT_EQ(complaint("floor: {margn: 1}"),
+            "clean.yaml: floor.margn: no such entry; check its spelling");
+  EXPECT_EQ(complaint("flor: {}"), "clean.yaml: flor: no such entry; check its spelling");
+  EXPECT_EQ(complaint("grid: {leaf: [1, 1]}"), "grid.leaf: 2 numbers; give three: x, y and z");
+  EXPECT_EQ(complaint("isolate: {select: best}"),
+            "isolate.select: 'best'; give one of all, largest, nearest, index");
+  EXPECT_EQ(complaint("outliers: {x_min: 1, x_max: 0}").find("outliers.x_min"), 0U);
+}
+
+TEST_F(CleanCloudTool, CleansAFileAndPrintsAStageALine) {
+  ASSERT_EQ(run("--input " + path("scan.ply") + " --output " + path("part.ply")), 0) << printed();
+  const Cloud left = scan_cell_common::load_cloud(path("part.ply"));
+  std::vector<StageReport> reports;
+  EXPECT_EQ(left.size(), clean(scan().cloud(), {}, reports).size());
+  for (const char* stage : {"floor ", "outliers ", "isolate ", "grid "}) {
+    EXPECT_NE(printed().find(stage), std::string::npos) << printed();
+  }
+}
+
+TEST_F(CleanCloudTool, RunsEachStageAlone) {
+  const std::string files = "--input " + path("scan.ply") + " --output " + path("part.ply");
+  const std::string off = " --floor off --outliers off --isolate off --grid off";
+  ASSERT_EQ(run(files + off), 0) << printed();
+  EXPECT_EQ(scan_cell_common::load_cloud(path("part.ply")).size(), scan().cloud().size());
+  ASSERT_EQ(run(files + " --floor off --outliers off --isolate off --grid 4,4,2"), 0) << printed();
+  const std::size_t coarse = scan_cell_common::load_cloud(path("part.ply")).size();
+  EXPECT_LT(coarse, scan().cloud().size() / 10);
+  ASSERT_EQ(run(files + off + " --z-min 0.01 --z-max 0.02 --x-max 0 --set isolate.y_min=0"), 0);
+  for (const pcl::PointXYZ& point : scan_cell_common::load_cloud(path("part.ply"))) {
+    EXPECT_TRUE(point.z >= 0.01 && point.z <= 0.02 && point.x <= 0 && point.y >= 0);
+  }
+}
+
+TEST_F(CleanCloudTool, WritesNothingAndSaysWhyWhereItFails) {
+  const std::string files = "--input " + path("scan.ply") + " --output " + path("part.ply");
+  EXPECT_EQ(run(files + " --z-min 70"), 1);
+  EXPECT_NE(printed().find("floor: limits: no point lies within them"), std::string::npos)
+      << printed();
+  EXPECT_EQ(run(files + " --grid 2,2"), 1);
+  EXPECT_NE(printed().find("grid.leaf"), std::string::npos) << printed();
+  EXPECT_EQ(run(files + " --grid wide"), 1);
+  EXPECT_EQ(run(files + " --floor maybe"), 1);
+  EXPECT_EQ(run("--input " + path("none.ply") + " --output " + path("part.ply")), 1);
+  EXPECT_NE(printed().find("none.ply"), std::string::npos) << printed();
+  EXPECT_FALSE(fs::exists(path("part.ply")));
+}

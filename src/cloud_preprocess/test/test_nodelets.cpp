@@ -1,0 +1,189 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <scan_cell_common/errors.h>
+#include <scan_cell_common/ros/cloud_messages.h>
+#include <scan_cell_msgs/PreprocessReport.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+
+#include "scene.h"
+
+using cloud_preprocess::Cloud;
+using cloud_preprocess::Label;
+using cloud_preprocess::Scene;
+using scan_cell_msgs::PreprocessReport;
+using sensor_msgs::PointCloud2;
+
+namespace {
+
+const char* const kStages[] = {"floor", "outliers", "isolate", "grid"};
+
+/// The chain of nodelets.test, with everything it has published.
+class Chain : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const std::string stage : kStages) {
+      const boost::function<void(const PointCloud2ConstPtr&)> on_cloud =
+          [this, stage](const PointCloud2ConstPtr& cloud) { clouds_[stage].push_back(cloud); };
+      const boost::function<void(const PreprocessReport::ConstPtr&)> on_report =
+          [this, stage](const PreprocessReport::ConstPtr& report) {
+            reports_[stage].push_back(report);
+          };
+      subscribers_.push_back(node_.subscribe<PointCloud2>(stage + "/output", 10, on_cloud));
+      subscribers_.push_back(node_.subscribe<PreprocessReport>(stage + "/report", 10, on_report));
+    }
+    scan_ = node_.advertise<PointCloud2>("scan", 1, true);
+    ++second_;
+  }
+
+  using PointCloud2ConstPtr = sensor_msgs::PointCloud2ConstPtr;
+
+  void send(PointCloud2 message) {
+    message.header.frame_id = "world";
+    message.header.stamp = ros::Time(second_, 5);
+    scan_.publish(message);
+  }
+
+  void send(const Cloud& cloud) { send(scan_cell_common::to_message(cloud, {})); }
+
+  template <class MessagePtr>
+  MessagePtr of_this_test(const std::vector<MessagePtr>& messages) const {
+    for (const MessagePtr& message : messages) {
+      if (message->header.stamp.sec == second_) return message;
+    }
+    return {};
+  }
+
+  /// The stage's report on what this test sent.
+  PreprocessReport::ConstPtr report(const std::string& stage) {
+    return wait_for([&] { return of_this_test(reports_[stage]); });
+  }
+
+  PointCloud2ConstPtr output(const std::string& stage) {
+    return wait_for([&] { return of_this_test(clouds_[stage]); });
+  }
+
+  bool has_output(const std::string& stage) { return of_this_test(clouds_[stage]) != nullptr; }
+
+ private:
+  template <class Condition>
+  auto wait_for(const Condition& condition) -> decltype(condition()) {
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(60);
+    while (!condition() && ros::WallTime::now() < end) {
+      ros::spinOnce();
+      ros::WallDuration(0.01).sleep();
+    }
+    return condition();
+  }
+
+  static std::uint32_t second_;
+  ros::NodeHandle node_;
+  ros::Publisher scan_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::map<std::string, std::vector<PointCloud2ConstPtr>> clouds_;
+  std::map<std::string, std::vector<PreprocessReport::ConstPtr>> reports_;
+};
+
+std::uint32_t Chain::second_ = 1000;
+
+}  // namespace
+
+TEST_F(Chain, LeavesOneReducedObjectAndPassesTheHeaderOn) {
+  const Scene::Rectangle box{0, 0, 0.06, 0.08};
+  Scene scene;
+  scene.add_floor({0, 0, 0.20, 0.15}, {box});
+  scene.add_box(box, 0.03);
+  scene.add_outliers({0, 0, 0.20, 0.15}, 0.2, 50);
+  send(scene.cloud());
+
+  const auto result = output("grid");
+  ASSERT_NE(result, nullptr);
+  EXPECT_EQ(result->header.frame_id, "world");
+  EXPECT_EQ(result->header.stamp.nsec, 5U);
+  std::size_t points = scene.cloud().size();
+  for (const std::string stage : kStages) {
+    const auto said = report(stage);
+    ASSERT_NE(said, nullptr) << stage;
+    EXPECT_TRUE(said->ok) << said->message;
+    EXPECT_EQ(said->stage, stage);
+    EXPECT_EQ(said->header.stamp, result->header.stamp);
+    EXPECT_EQ(said->points_in, points);
+    points = said->points_out;
+  }
+  EXPECT_EQ(std::size_t{result->width} * result->height, points);
+  const Cloud isolated = scan_cell_common::from_message(*output("isolate"));
+  EXPECT_EQ(scene.share_in(isolated, Label::kFloor), 0.0);
+  EXPECT_EQ(scene.share_in(isolated, Label::kOutlier), 0.0);
+  EXPECT_GE(scene.share_in(isolated, Label::kPart), 0.9999);
+}
+
+TEST_F(Chain, ReportsWhyAndSendsNoCloudWhereNothingIsLeft) {
+  Scene scene;
+  scene.add_floor({0, 0, 0.20, 0.15});
+  send(scene.cloud());
+  const auto said = report("floor");
+  ASSERT_NE(said, nullptr);
+  EXPECT_FALSE(said->ok);
+  EXPECT_EQ(said->points_in, scene.cloud().size());
+  EXPECT_EQ(said->points_out, 0U);
+  EXPECT_NE(said->message.find("nothing is left"), std::string::npos) << said->message;
+  EXPECT_FALSE(has_output("floor"));
+}
+
+TEST_F(Chain, ReportsCloudsWithoutAFinitePoint) {
+  Cloud cloud;
+  cloud.push_back({0, std::numeric_limits<float>::quiet_NaN(), 0});
+  send(cloud);
+  const auto said = report("floor");
+  ASSERT_NE(said, nullptr);
+  EXPECT_FALSE(said->ok);
+  EXPECT_NE(said->message.find("no finite point"), std::string::npos) << said->message;
+  EXPECT_FALSE(has_output("floor"));
+}
+
+TEST_F(Chain, ReportsMessagesWithoutXyz) {
+  Scene scene;
+  scene.add_box({0, 0, 0.01, 0.01}, 0.01);
+  PointCloud2 message = scan_cell_common::to_message(scene.cloud(), {});
+  message.fields[2].name = "height";
+  send(message);
+  const auto said = report("floor");
+  ASSERT_NE(said, nullptr);
+  EXPECT_FALSE(said->ok);
+  EXPECT_NE(said->message.find("field z"), std::string::npos) << said->message;
+}
+
+TEST(Nodelets, RefuseToStartOnABadParameterByItsName) {
+  const std::string log =
+      (std::filesystem::temp_directory_path() / ("nodelet_" + std::to_string(getpid()) + ".txt"))
+          .string();
+  const auto said_by = [&log](const std::string& nodelet) {
+    const std::string command =
+        "rosrun nodelet nodelet standalone cloud_preprocess/" + nodelet + " > " + log + " 2>&1";
+    EXPECT_NE(std::system(command.c_str()), 0) << nodelet;
+    std::ifstream file(log);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_NE(said_by("Floor __name:=bad_floor _margin:=-1").find("/bad_floor/margin"),
+            std::string::npos);
+  EXPECT_NE(said_by("Outliers __name:=bad_outliers _neighbors:=4").find("/bad_outliers/neighbors"),
+            std::string::npos);
+  EXPECT_NE(said_by("Isolate __name:=bad_isolate _select:=best").find("/bad_isolate/select"),
+            std::string::npos);
+  EXPECT_NE(said_by("Grid __name:=bad_grid _leaf:='[0.1, 0.1]'").find("leaf"), std::string::npos);
+  std::filesystem::remove(log);
+}
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "test_nodelets");
+  const ros::NodeHandle node;  // keeps ROS up between the tests
+  return RUN_ALL_TESTS();
+}
