@@ -18,7 +18,8 @@ namespace {
 using scan_cell_common::UnusableInput;
 using scan_cell_msgs::CellState;
 
-/// The topic's messages are few and big enough that none may be lost on the way to a slow subscriber.
+/// The topic's messages are few and big enough that none may be lost on the way to a slow
+/// subscriber.
 constexpr std::uint32_t kUnboundedQueue = 0;
 
 void wait_for_subscriber(const ros::Publisher& publisher, double timeout) {
@@ -47,10 +48,12 @@ BagReplay::BagReplay(const std::string& path, const std::string& scan_id, const 
   }
   if (scan_.scan_id.empty()) {
     std::string names;
-    for (const RecordedScan& scan : scans) names += " '" + scan.scan_id + "'";
+    for (const RecordedScan& scan : scans)
+      names += " '" + scan.scan_id + "'";
     throw UnusableInput(path, scan_id.empty() ? "no scan" : "no scan '" + scan_id + "'",
-                        names.empty() ? "record " + topics.state + " from before the scan to its end"
-                                      : "give one of" + names);
+                        names.empty()
+                            ? "record " + topics.state + " from before the scan to its end"
+                            : "give one of" + names);
   }
   check_contents();
 }
@@ -76,7 +79,8 @@ std::vector<RecordedScan> BagReplay::find_scans() const {
 void BagReplay::check_contents() {
   std::map<std::string, std::uint64_t> counts;
   rosbag::View view(bag_, scan_.start, scan_.end);
-  for (const rosbag::MessageInstance& message : view) ++counts[message.getTopic()];
+  for (const rosbag::MessageInstance& message : view)
+    ++counts[message.getTopic()];
   for (const std::string& topic : {topics_.events, topics_.profiles, topics_.poses}) {
     if (counts[topic] == 0) {
       throw UnusableInput(path_, "nothing on " + topic + " in scan '" + scan_.scan_id + "'",
@@ -94,13 +98,13 @@ void BagReplay::play(ros::NodeHandle node, double speed, double timeout,
       {topics_.profiles,
        node.advertise<scan_cell_msgs::PeakProfile>(topics_.profiles, kUnboundedQueue)},
       {topics_.poses, node.advertise<tf2_msgs::TFMessage>(topics_.poses, kUnboundedQueue)}};
-  for (const auto& [topic, publisher] : publishers) wait_for_subscriber(publisher, timeout);
+  for (const auto& [topic, publisher] : publishers)
+    wait_for_subscriber(publisher, timeout);
 
   const ros::WallTime begin = ros::WallTime::now();
   const double duration = (scan_.end - scan_.start).toSec();
-  rosbag::View view(
-      bag_, rosbag::TopicQuery({topics_.events, topics_.profiles, topics_.poses}),
-      scan_.start, scan_.end);
+  rosbag::View view(bag_, rosbag::TopicQuery({topics_.events, topics_.profiles, topics_.poses}),
+                    scan_.start, scan_.end);
   for (const rosbag::MessageInstance& message : view) {
     if (!ros::ok()) throw scan_cell_common::Refused("replay", "interrupted", "start it again");
     const double due = (message.getTime() - scan_.start).toSec();

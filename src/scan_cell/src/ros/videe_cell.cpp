@@ -1,0 +1,136 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "videe_cell.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <ros/topic.h>
+#include <scan_cell_msgs/SetAcquisition.h>
+#include <sensor_msgs/Image.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/ros/parameter_reader.h"
+
+namespace scan_cell {
+
+using scan_cell_common::ConnectionError;
+using scan_cell_common::Refused;
+using scan_cell_msgs::SetAcquisition;
+
+VideeParameters VideeParameters::load(const ros::NodeHandle& node) {
+  scan_cell_common::ParameterReader reader(node);
+  VideeParameters parameters;
+  reader.read("address", parameters.address);
+  reader.read("port", parameters.port, {1, 65535});
+  reader.require("program", parameters.program);
+  reader.read("image_folder", parameters.image_folder);
+  reader.read("scan", parameters.scan);
+  reader.read("camera", parameters.camera);
+  reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
+  reader.refuse_unknown();
+  return parameters;
+}
+
+VideeCell::VideeCell(ros::NodeHandle node, const VideeParameters& parameters)
+    : node_(node),
+      parameters_(parameters),
+      program_(load_scan_program(parameters.program)),
+      client_(node, parameters.scan, false) {}
+
+std::string VideeCell::carry_out(const VideeCommand& command) {
+  switch (command.kind) {
+    case VideeCommandKind::InitCycle:
+    case VideeCommandKind::Reset:
+      reset();
+      return "";
+    case VideeCommandKind::InitCalibration:
+    case VideeCommandKind::PerformCalibration:
+      throw Refused("calibration", "not served over ViDeE by this version",
+                    "give the cell a scanner model file");
+    case VideeCommandKind::GrabImage:
+      return grab_image();
+    case VideeCommandKind::SetPosition:
+      positions_ = command.poses;
+      return "";
+    case VideeCommandKind::StartScan:
+      return start_scan();
+    case VideeCommandKind::StopScan:
+      return stop_scan();
+  }
+  throw Refused("command", "unknown", "send a ViDeE command");
+}
+
+void VideeCell::reset() {
+  positions_.clear();
+  if (!running_) return;
+  client_.cancelGoal();
+  client_.waitForResult(ros::Duration(parameters_.call_timeout));
+  running_ = false;
+}
+
+std::string VideeCell::start_scan() {
+  if (positions_.empty()) {
+    throw Refused("START_SCAN", "no positions", "send SET_POSITION first");
+  }
+  if (running_) throw Refused("START_SCAN", "a scan is running", "send STOP_SCAN or RESET first");
+  if (!client_.waitForServer(ros::Duration(parameters_.call_timeout))) {
+    throw ConnectionError(parameters_.scan, "no action server", "is scan_cell_node running?");
+  }
+  scan_cell_msgs::ScanGoal goal;
+  goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
+  goal.start.pose = scan_cell_common::to_ros_pose(positions_[0]);
+  goal.end.pose = scan_cell_common::to_ros_pose(positions_[1]);
+  goal.speed = program_.request.speed;
+  goal.rate = program_.request.rate;
+  goal.lasers = program_.request.lasers;
+  client_.sendGoal(goal);
+  running_ = true;
+  return "";
+}
+
+std::string VideeCell::stop_scan() {
+  if (!running_) throw Refused("STOP_SCAN", "no scan is running", "send START_SCAN first");
+  while (!client_.waitForResult(ros::Duration(0.1))) {
+    if (!ros::ok() || !client_.isServerConnected()) {
+      running_ = false;
+      throw ConnectionError(parameters_.scan, "the action server went away", "look at its log");
+    }
+  }
+  running_ = false;
+  const scan_cell_msgs::ScanResultConstPtr result = client_.getResult();
+  if (result->outcome != scan_cell_msgs::ScanResult::FINISHED) {
+    throw Refused("scan '" + result->scan_id + "'", "ended early", result->message);
+  }
+  return "scan=" + result->scan_id + " frames=" + std::to_string(result->audit.frames_bound) +
+         " points=" + std::to_string(result->statistics.points);
+}
+
+std::string VideeCell::grab_image() {
+  if (running_) throw Refused("GRAB_IMAGE", "a scan is running", "send STOP_SCAN first");
+  SetAcquisition::Request request;
+  request.mode = SetAcquisition::Request::LIVE_ONLY;
+  request.trigger = SetAcquisition::Request::FREE_RUN;
+  call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, parameters_.call_timeout);
+  const auto image = ros::topic::waitForMessage<sensor_msgs::Image>(
+      parameters_.camera + "/image_raw", node_, ros::Duration(parameters_.call_timeout));
+  request.mode = SetAcquisition::Request::STOP;
+  call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, parameters_.call_timeout);
+  if (!image) {
+    throw ConnectionError("GRAB_IMAGE", "no image came", "check the camera's cable");
+  }
+  const std::string path =
+      parameters_.image_folder + "/image_" + std::to_string(++images_) + ".png";
+  if (!cv::imwrite(path, cv_bridge::toCvShare(image, "mono8")->image)) {
+    throw scan_cell_common::FileError(path, "cannot be written", "check image_folder");
+  }
+  return path;
+}
+
+void VideeCell::on_client_lost() {
+  if (running_) ROS_WARN("The ViDeE client is gone; its scan is cancelled");
+  reset();
+}
+
+}  // namespace scan_cell

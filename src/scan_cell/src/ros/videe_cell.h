@@ -1,0 +1,61 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+#include <scan_cell_msgs/ScanAction.h>
+
+#include <string>
+#include <vector>
+
+#include "scan_cell/scan_program.h"
+#include "scan_cell/videe_command.h"
+
+namespace scan_cell {
+
+/// Parameters of videe_node.
+struct VideeParameters {
+  std::string address = "127.0.0.1";     //!< interface to listen on
+  int port = 5000;                       //!< TCP
+  std::string program;                   //!< scan program: frame, speed, rate and laser are used
+  std::string image_folder = "/tmp";     //!< where GRAB_IMAGE leaves its pictures
+  std::string scan = "/scan_cell/scan";  //!< action
+  std::string camera = "/camera";        //!< node with ~set_acquisition and ~image_raw
+  double call_timeout = 5.0;             //!< [s]
+
+  /// @throw scan_cell_common::InvalidParameter
+  static VideeParameters load(const ros::NodeHandle& node);
+};
+
+/// What the ViDeE commands do to the cell.
+class VideeCell {
+ public:
+  /// @throw scan_cell_common::Error if the scan program cannot be used
+  VideeCell(ros::NodeHandle node, const VideeParameters& parameters);
+
+  /// @return what follows OK
+  /// @throw scan_cell_common::Error
+  std::string carry_out(const VideeCommand& command);
+
+  /// A client that is gone no longer watches: its scan is cancelled.
+  void on_client_lost();
+
+ private:
+  using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
+
+  std::string grab_image();
+  std::string start_scan();
+  std::string stop_scan();
+  void reset();
+
+  ros::NodeHandle node_;
+  const VideeParameters parameters_;
+  const ScanProgram program_;
+  Client client_;
+  std::vector<Eigen::Isometry3d> positions_;
+  bool running_ = false;
+  int images_ = 0;
+};
+
+}  // namespace scan_cell

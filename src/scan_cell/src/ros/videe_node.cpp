@@ -1,0 +1,23 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include "scan_cell/videe_server.h"
+#include "scan_cell_common/ros/node_main.h"
+#include "videe_cell.h"
+
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(argc, argv, "videe", [] {
+    ros::NodeHandle node("~");
+    const auto parameters = scan_cell::VideeParameters::load(node);
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    scan_cell::VideeCell cell(node, parameters);
+    const scan_cell::VideeServer server(
+        parameters.address, static_cast<std::uint16_t>(parameters.port),
+        [&cell](const scan_cell::VideeCommand& command) { return cell.carry_out(command); },
+        [&cell] { cell.on_client_lost(); });
+    ROS_INFO("ViDeE is served on %s:%u", parameters.address.c_str(), server.port());
+    ros::waitForShutdown();
+  });
+}
