@@ -1,0 +1,88 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "scan_cell_sim/controller/faulty_wire.h"
+#include "scan_cell_sim/controller/motion_control.h"
+#include "scan_cell_sim/controller/protocol_server.h"
+#include "scan_cell_sim/flange_motion.h"
+
+namespace scan_cell_sim {
+
+struct ControllerOptions {
+  std::string address = "127.0.0.1";  //!< IPv4 to listen on
+  std::uint16_t port = 5410;          //!< 0: any free one, see Controller::port()
+  double stream_period = 0.004;       //!< [s] 0.002 .. 0.010
+  MeasurementNoise noise;
+  unsigned fault_seed = 1;
+};
+
+struct ControllerFaults {
+  WireFaults to_client;
+  WireFaults from_client;
+  double clock_drift = 0;  //!< the controller's clock runs 1 + drift times as fast as the host's
+};
+
+/// Emulator of a robot controller that serves C4G (docs/c4g_protocol.md) over UDP, with a Comau
+/// Smart5 SiX. It runs in a thread of its own from construction to destruction, and knows where the
+/// flange truly was at every instant. All methods are safe to call from any thread.
+class Controller : public FlangeMotion {
+ public:
+  /// Stands in the start posture: flange at (0.80, 0, 0.60) m in base_link, looking straight down
+  /// with its x along the base's x.
+  /// @throw scan_cell_common::InvalidParameter if the address is no IPv4 address or the stream
+  /// period is out of range
+  /// @throw scan_cell_common::ConnectionError if the port is taken
+  explicit Controller(const ControllerOptions& options);
+  ~Controller() override;
+
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  std::uint16_t port() const { return port_; }
+
+  /// True pose of tool0 in base_link at an instant of the host's clock. Instants to come get where
+  /// the motion under way would lead.
+  Eigen::Isometry3d flange_at(scan_cell_common::Nanoseconds host) const override;
+
+  /// The truth of this moment.
+  MotionState state() const;
+  std::uint64_t motions_begun() const { return motion_.motions_begun(); }
+
+  void set_faults(const ControllerFaults& faults);
+  void press_e_stop();
+  void release_e_stop();
+  /// The motion under way ends in an error.
+  void fail_motion(const std::string& text);
+
+  static Joints start_posture();
+
+ private:
+  void serve();
+  void wait(scan_cell_common::Nanoseconds until) const;
+  void receive(const WireFaults& faults);
+  void answer_received(const WireFaults& faults);
+  void send_due();
+  ControllerFaults faults() const;
+
+  std::uint16_t port_ = 0;
+  int socket_ = -1;
+  MotionControl motion_;
+  ProtocolServer server_;
+  FaultyWire incoming_;
+  FaultyWire outgoing_;
+
+  mutable std::mutex mutex_;
+  ControllerFaults faults_;
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+}  // namespace scan_cell_sim

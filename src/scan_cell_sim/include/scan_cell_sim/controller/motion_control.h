@@ -1,0 +1,97 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "scan_cell_sim/controller/motion_log.h"
+
+namespace scan_cell_sim {
+
+enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
+
+/// Why a motion did not arrive.
+struct StopReason {
+  ControllerErrorCode code;
+  std::string text;
+};
+
+/// What may be set; as the parameters of docs/c4g_protocol.md.
+struct MotionSettings {
+  bool in_joints = false;  //!< MOVE_CARTESIAN goes in joints
+  LineSettings line;
+  double override = 1;  //!< above 0, up to 1
+};
+
+/// All that a state datagram tells, true values.
+struct MotionState {
+  MotionStatus status = MotionStatus::Idle;
+  std::uint64_t motion = 0;  //!< number of the motion that the status is about
+  double progress = 0;       //!< 0 .. 1
+  double camera_rate = 0;    //!< [Hz]
+  bool e_stop = false;
+  std::optional<StopReason> why;  //!< of Stopped and Error; none for a stop by request
+  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
+  Joints joints = Joints::Zero();
+  MotionSettings settings;
+};
+
+/// Plans and runs motions, one at a time. Safe for use from several threads; `now` is host time.
+class MotionControl {
+ public:
+  using Nanoseconds = scan_cell_common::Nanoseconds;
+
+  explicit MotionControl(const Joints& start) : log_(start) {}
+
+  /// @throw ControllerRefusal where it cannot be done; then nothing moves
+  void move_to_pose(std::uint64_t motion, const Eigen::Isometry3d& flange, double camera_rate,
+                    Nanoseconds now);
+  void move_to_joints(std::uint64_t motion, const Joints& joints, double camera_rate,
+                      Nanoseconds now);
+
+  /// Brakes along the path, as hard as the motion was planned. Does nothing where it stands.
+  void stop(const std::optional<StopReason>& why, Nanoseconds now);
+
+  /// The motion ends in an error, as after a collision or a following error.
+  void fail(const std::string& text, Nanoseconds now);
+
+  /// Stops, and forgets what the motion was for.
+  void forget(Nanoseconds now);
+
+  void press_e_stop(Nanoseconds now);
+  /// Drives come back; the robot stands.
+  void release_e_stop();
+
+  MotionSettings settings() const;
+  /// The override acts at once, the rest from the next motion on.
+  void set(const MotionSettings& settings, Nanoseconds now);
+
+  MotionState state(Nanoseconds now) const;
+  const MotionLog& log() const { return log_; }
+
+  /// How many motions were begun, for tests.
+  std::uint64_t motions_begun() const;
+
+ private:
+  void refuse_unless_ready(Nanoseconds now) const;
+  void begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate, Nanoseconds now);
+  void brake(double harder, MotionStatus ending, const std::optional<StopReason>& why,
+             Nanoseconds now);
+  double cruise() const;
+
+  mutable std::mutex mutex_;
+  MotionLog log_;
+  MotionSettings settings_;
+  PlannedPath plan_;
+  MotionStatus ending_ = MotionStatus::Idle;  // status once the run is over
+  std::uint64_t motion_ = 0;
+  std::uint64_t begun_ = 0;
+  double camera_rate_ = 0;
+  bool e_stop_ = false;
+  std::optional<StopReason> why_;
+};
+
+}  // namespace scan_cell_sim

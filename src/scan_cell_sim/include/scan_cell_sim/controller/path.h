@@ -1,0 +1,51 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+
+#include "scan_cell_sim/controller/kinematics.h"
+#include "scan_cell_sim/controller/refusal.h"
+
+namespace scan_cell_sim {
+
+/// Where the robot goes, without when: `way` runs from 0 to 1.
+class Path {
+ public:
+  virtual ~Path() = default;
+  virtual Eigen::Isometry3d flange(double way) const = 0;
+  virtual Joints joints(double way) const = 0;
+};
+
+/// A path with the speeds it may be run at, in ways a second.
+struct PlannedPath {
+  std::shared_ptr<const Path> path;
+  double speed = 1;         //!< [1/s] as programmed; the override multiplies it
+  double most_speed = 1;    //!< [1/s] what the axes allow
+  double acceleration = 1;  //!< [1/s^2]
+};
+
+/// Speeds along a line.
+struct LineSettings {
+  double speed = 0.25;                 //!< [m/s]
+  double acceleration = 1.0;           //!< [m/s^2]
+  double rotational_speed = M_PI / 3;  //!< [rad/s]; reached in no less than a quarter of a second
+  bool euler = false;  //!< interpolate A, E, R instead of turning about one fixed axis
+};
+
+/// All axes start and end together, each within its speed and acceleration.
+/// @throw ControllerRefusal if `to` is outside the ranges
+PlannedPath plan_joint_path(const Joints& from, const Joints& to);
+
+/// A straight line of the flange from where `from` puts it.
+/// @throw ControllerRefusal if any part of it is out of reach, outside the ranges or singular
+PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
+                      const LineSettings& settings);
+
+/// Joints for a pose that is far away, in the posture nearest to `near`.
+/// @throw ControllerRefusal if it is out of reach or outside the ranges
+Joints reach(const Eigen::Isometry3d& flange, const Joints& near);
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,22 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "scan_cell_sim/controller/kinematics.h"
+
+namespace scan_cell_sim {
+
+/// x, y, z [mm], A, E, R [deg] (Euler Z-Y-Z), or six joints [deg], as on the wire.
+using WireSix = std::array<double, 6>;
+
+/// Written with KDL and apart from the driver's conversion, so that an error in one of them shows.
+WireSix to_wire(const Eigen::Isometry3d& pose);
+Eigen::Isometry3d pose_from_wire(const WireSix& wire);
+
+WireSix to_wire(const Joints& joints);
+Joints joints_from_wire(const WireSix& wire);
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,134 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/controller/motion_control.h"
+
+#include <algorithm>
+
+namespace scan_cell_sim {
+namespace {
+
+constexpr double kHardBrake = 4;  // times as hard as a programmed stop
+
+}  // namespace
+
+void MotionControl::refuse_unless_ready(Nanoseconds now) const {
+  if (e_stop_) {
+    throw ControllerRefusal(ControllerErrorCode::EmergencyStop, "the emergency stop is pressed");
+  }
+  if (!log_.at(now).over(now)) {
+    throw ControllerRefusal(ControllerErrorCode::Moving, "the robot moves: STOP first");
+  }
+}
+
+void MotionControl::move_to_pose(std::uint64_t motion, const Eigen::Isometry3d& flange,
+                                 double camera_rate, Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  refuse_unless_ready(now);
+  const Joints from = log_.at(now).path->joints(log_.at(now).way(now));
+  const PlannedPath plan = settings_.in_joints ? plan_joint_path(from, reach(flange, from))
+                                               : plan_line(from, flange, settings_.line);
+  begin(motion, plan, camera_rate, now);
+}
+
+void MotionControl::move_to_joints(std::uint64_t motion, const Joints& joints, double camera_rate,
+                                   Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  refuse_unless_ready(now);
+  const Joints from = log_.at(now).path->joints(log_.at(now).way(now));
+  begin(motion, plan_joint_path(from, joints), camera_rate, now);
+}
+
+double MotionControl::cruise() const {
+  return std::min(plan_.speed * settings_.override, plan_.most_speed);
+}
+
+void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate,
+                          Nanoseconds now) {
+  plan_ = plan;
+  motion_ = motion;
+  camera_rate_ = camera_rate;
+  ending_ = MotionStatus::Arrived;
+  why_.reset();
+  ++begun_;
+  log_.begin({now, plan.path, SpeedProfile::trapezoid(0, 1, 0, cruise(), plan.acceleration)});
+}
+
+void MotionControl::brake(double harder, MotionStatus ending, const std::optional<StopReason>& why,
+                          Nanoseconds now) {
+  const Run run = log_.at(now);
+  if (run.over(now)) return;
+  ending_ = ending;
+  why_ = why;
+  log_.begin({now, run.path,
+              SpeedProfile::brake(run.way(now), run.speed(now), harder * plan_.acceleration)});
+}
+
+void MotionControl::stop(const std::optional<StopReason>& why, Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (ending_ == MotionStatus::Arrived) brake(1, MotionStatus::Stopped, why, now);
+}
+
+void MotionControl::forget(Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (ending_ == MotionStatus::Arrived) brake(1, MotionStatus::Idle, std::nullopt, now);
+  ending_ = MotionStatus::Idle;
+  motion_ = 0;
+  camera_rate_ = 0;
+}
+
+void MotionControl::fail(const std::string& text, Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  brake(kHardBrake, MotionStatus::Error, StopReason{ControllerErrorCode::MotionFailed, text}, now);
+}
+
+void MotionControl::press_e_stop(Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (e_stop_) return;
+  e_stop_ = true;
+  brake(kHardBrake, MotionStatus::Stopped,
+        StopReason{ControllerErrorCode::EmergencyStop, "emergency stop"}, now);
+}
+
+void MotionControl::release_e_stop() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  e_stop_ = false;
+}
+
+MotionSettings MotionControl::settings() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return settings_;
+}
+
+void MotionControl::set(const MotionSettings& settings, Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  settings_ = settings;
+  const Run run = log_.at(now);
+  if (run.over(now) || ending_ != MotionStatus::Arrived) return;
+  log_.begin(
+      {now, run.path,
+       SpeedProfile::trapezoid(run.way(now), 1, run.speed(now), cruise(), plan_.acceleration)});
+}
+
+MotionState MotionControl::state(Nanoseconds now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Run run = log_.at(now);
+  MotionState state;
+  state.status = run.over(now) ? ending_ : MotionStatus::Moving;
+  state.motion = motion_;
+  state.progress = motion_ == 0 ? 0 : run.way(now);
+  state.camera_rate = camera_rate_;
+  state.e_stop = e_stop_;
+  if (state.status == MotionStatus::Stopped || state.status == MotionStatus::Error)
+    state.why = why_;
+  state.flange = run.path->flange(run.way(now));
+  state.joints = run.path->joints(run.way(now));
+  state.settings = settings_;
+  return state;
+}
+
+std::uint64_t MotionControl::motions_begun() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return begun_;
+}
+
+}  // namespace scan_cell_sim

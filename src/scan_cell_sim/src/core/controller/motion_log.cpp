@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/controller/motion_log.h"
+
+#include <algorithm>
+
+namespace scan_cell_sim {
+
+using scan_cell_common::Nanoseconds;
+using scan_cell_common::to_seconds;
+
+double Run::way(Nanoseconds host) const {
+  return profile.position(to_seconds(host - start));
+}
+
+double Run::speed(Nanoseconds host) const {
+  return profile.speed(to_seconds(host - start));
+}
+
+bool Run::over(Nanoseconds host) const {
+  return to_seconds(host - start) >= profile.duration();
+}
+
+MotionLog::MotionLog(const Joints& start) {
+  runs_.push_back({0, plan_joint_path(start, start).path, SpeedProfile::rest(1)});
+}
+
+void MotionLog::begin(const Run& run) {
+  constexpr std::size_t kMostRuns = 10000;  // hours of work
+  const std::lock_guard<std::mutex> lock(mutex_);
+  runs_.push_back(run);
+  if (runs_.size() > kMostRuns) runs_.pop_front();
+}
+
+Run MotionLog::at(Nanoseconds host) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto later =
+      std::upper_bound(runs_.begin(), runs_.end(), host,
+                       [](Nanoseconds instant, const Run& run) { return instant < run.start; });
+  return later == runs_.begin() ? runs_.front() : *std::prev(later);
+}
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,154 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/controller/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_sim/controller/wire_pose.h"
+
+namespace scan_cell_sim {
+namespace {
+
+constexpr double kNothing = 1e-12;  // shorter ways are none
+
+class JointPath : public Path {
+ public:
+  JointPath(const Joints& from, const Joints& to) : from_(from), to_(to) {}
+  Joints joints(double way) const override { return from_ + way * (to_ - from_); }
+  Eigen::Isometry3d flange(double way) const override { return flange_of(joints(way)); }
+
+ private:
+  Joints from_;
+  Joints to_;
+};
+
+double nearest_turn(double from, double to) {
+  return from + std::remainder(to - from, 360.0);
+}
+
+class LinePath : public Path {
+ public:
+  LinePath(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, bool euler)
+      : from_(from), to_(to), euler_(euler), wire_from_(to_wire(from)), wire_to_(to_wire(to)) {
+    for (int i = 3; i < 6; ++i)
+      wire_to_[i] = nearest_turn(wire_from_[i], wire_to_[i]);
+  }
+
+  Eigen::Isometry3d flange(double way) const override {
+    if (!euler_) return scan_cell_common::interpolate(from_, to_, way);
+    WireSix wire{};
+    for (int i = 0; i < 6; ++i)
+      wire[i] = wire_from_[i] + way * (wire_to_[i] - wire_from_[i]);
+    return pose_from_wire(wire);
+  }
+
+  Joints joints(double way) const override {
+    const double knot = std::clamp(way, 0.0, 1.0) * static_cast<double>(knots_.size() - 1);
+    const auto before = std::min(static_cast<std::size_t>(knot), knots_.size() - 2);
+    const double fraction = knot - static_cast<double>(before);
+    const Joints guess = (1 - fraction) * knots_[before] + fraction * knots_[before + 1];
+    return joints_of(flange(way), guess).value_or(guess);
+  }
+
+  double length() const { return (to_.translation() - from_.translation()).norm(); }
+
+  /// [rad] the way of the rotation
+  double angle() const {
+    if (!euler_) return Eigen::AngleAxisd(from_.linear().transpose() * to_.linear()).angle();
+    double sum = 0;
+    for (int i = 3; i < 6; ++i)
+      sum += std::abs(wire_to_[i] - wire_from_[i]) * M_PI / 180;
+    return sum;
+  }
+
+  /// Follows the line from knot to knot.
+  /// @return [1/s] the most that the axes allow
+  double follow(const Joints& from);
+
+ private:
+  Eigen::Isometry3d from_;
+  Eigen::Isometry3d to_;
+  bool euler_;
+  WireSix wire_from_;
+  WireSix wire_to_;
+  std::vector<Joints> knots_;
+};
+
+double LinePath::follow(const Joints& from) {
+  constexpr double kKnotLength = 0.01;  // [m]
+  constexpr double kKnotAngle = 0.035;  // [rad]
+  constexpr double kJump = 0.35;  // [rad] an axis that turns more from knot to knot flips over
+  const double steps =
+      std::ceil(std::max({1.0, length() / kKnotLength, angle() / kKnotAngle}) - kNothing);
+  double most_speed = std::numeric_limits<double>::infinity();
+  knots_.assign(1, from);
+  for (double step = 1; step <= steps; ++step) {
+    const auto next = joints_of(flange(step / steps), knots_.back());
+    if (!next) {
+      throw ControllerRefusal(ControllerErrorCode::OutOfReach, "the line leaves the robot's reach");
+    }
+    const std::string outside = outside_limits(*next);
+    if (!outside.empty()) {
+      throw ControllerRefusal(ControllerErrorCode::JointLimit, "on the line " + outside);
+    }
+    const Joints turn = (*next - knots_.back()).cwiseAbs();
+    if (turn.maxCoeff() > kJump) {
+      throw ControllerRefusal(ControllerErrorCode::Singular, "the line passes a singular posture");
+    }
+    const double share = (turn * steps).cwiseQuotient(joint_limits().speed).maxCoeff();
+    most_speed = std::min(most_speed, 1 / std::max(share, kNothing));
+    knots_.push_back(*next);
+  }
+  return most_speed;
+}
+
+}  // namespace
+
+PlannedPath plan_joint_path(const Joints& from, const Joints& to) {
+  const std::string outside = outside_limits(to);
+  if (!outside.empty()) throw ControllerRefusal(ControllerErrorCode::JointLimit, outside);
+  const Joints way = (to - from).cwiseAbs().cwiseMax(kNothing);
+  PlannedPath plan;
+  plan.path = std::make_shared<JointPath>(from, to);
+  plan.speed = joint_limits().speed.cwiseQuotient(way).minCoeff();
+  plan.most_speed = plan.speed;
+  plan.acceleration = joint_limits().acceleration.cwiseQuotient(way).minCoeff();
+  return plan;
+}
+
+PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
+                      const LineSettings& settings) {
+  const auto line = std::make_shared<LinePath>(flange_of(from), to, settings.euler);
+  constexpr double kSpinUp = 4;  // [1/s] full rotational speed in a quarter of a second
+  PlannedPath plan;
+  plan.most_speed = line->follow(from);
+  plan.speed = std::min(settings.speed / std::max(line->length(), kNothing),
+                        settings.rotational_speed / std::max(line->angle(), kNothing));
+  plan.acceleration =
+      std::min(settings.acceleration / std::max(line->length(), kNothing),
+               kSpinUp * settings.rotational_speed / std::max(line->angle(), kNothing));
+  plan.path = line;
+  return plan;
+}
+
+Joints reach(const Eigen::Isometry3d& flange, const Joints& near) {
+  constexpr double kDegree = M_PI / 180;
+  const Joints upright = kDegree * (Joints() << 0, 0, -90, 0, 60, 0).finished();
+  Joints turned = upright;
+  turned[0] = -std::atan2(flange.translation().y(), flange.translation().x());
+  std::string outside;
+  for (const Joints& guess : {near, upright, turned}) {
+    const auto found = joints_of(flange, guess);
+    if (!found) continue;
+    outside = outside_limits(*found);
+    if (outside.empty()) return *found;
+  }
+  if (!outside.empty()) throw ControllerRefusal(ControllerErrorCode::JointLimit, outside);
+  throw ControllerRefusal(ControllerErrorCode::OutOfReach, "no posture reaches the pose");
+}
+
+}  // namespace scan_cell_sim
