@@ -1,0 +1,51 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "tool_path_stretcher/similarity.h"
+#include "tool_path_stretcher/surface.h"
+
+namespace tool_path_stretcher {
+
+/// A pose and size of the reference that is a local optimum, and how well it explains the object.
+struct Candidate {
+  Similarity similarity;
+  double cost = 0;  //!< [m] residual of both directions in the object's frame
+};
+
+/// Says how far the search is (0 .. 1); may throw to end it.
+using AlignmentProgress = std::function<void(double)>;
+
+/// All distinct poses that may explain the object, best first, found without an initial guess: from
+/// the principal frames in all their turns, a sweep about the vertical, and an even cover of all
+/// rotations, refined in stages of which each keeps the better ones. Residuals are measured in the
+/// object's frame and in both directions, so that shrinking the reference never wins.
+std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
+                                       const AlignmentProgress& progress);
+
+enum class ScaleMode { kFree, kFixed };
+
+/// Refines a pose by robust point-to-plane ICP in both directions (Chen and Medioni 1992; Tukey's
+/// biweight) on at most `most_points` points of each surface.
+Similarity refine(const Surface& reference, const Surface& object, Similarity start, ScaleMode mode,
+                  std::size_t most_points, int iterations);
+
+/// Initial scale of the thesis (9.3): the ratio of the deviations along the principal axes, of
+/// points spread evenly.
+double principal_scale(const Surface& reference, const Surface& object);
+
+/// The thesis' search (9.5), corrected: scales s (1 + range i / steps), i = -steps .. steps, each
+/// with a rigid registration from `start`; most inliers of both directions wins; then once more
+/// between the neighbours of the winner.
+struct ScaleSearch {
+  Similarity best;
+  bool at_bound = false;  //!< the winner was an end of the range
+};
+ScaleSearch search_scale(const Surface& reference, const Surface& object, const Similarity& start,
+                         double scale, double range, int steps, double inlier_distance,
+                         const AlignmentProgress& progress);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,29 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "tool_path_stretcher/points.h"
+
+namespace tool_path_stretcher {
+
+/// p_object = scale * rotation * p_reference + translation
+struct Similarity {
+  double scale = 1;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  //!< [m]
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
+    return scale * (rotation * point) + translation;
+  }
+  Eigen::Vector3d inverse(const Eigen::Vector3d& point) const {
+    return rotation.transpose() * (point - translation) / scale;
+  }
+  Eigen::Matrix4d matrix() const;
+};
+
+/// Root mean square distance [m] between where the two put the points.
+double distance(const Similarity& a, const Similarity& b, const Points& points);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,77 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tool_path_stretcher/placement.h"
+#include "tool_path_stretcher/similarity.h"
+#include "tool_path_stretcher/surface.h"
+#include "tool_path_stretcher/tool_path.h"
+#include "tool_path_stretcher/verdict.h"
+
+namespace tool_path_stretcher {
+
+/// The thesis' two methods (9.2 and 9.7), corrected.
+enum class Method {
+  kAffine,   //!< one similarity, its scale searched
+  kGeneral,  //!< similarity, smooth deformation, waypoints set on the scanned surface
+};
+
+std::string to_string(Method method);
+
+/// @throw scan_cell_common::InvalidParameter if it is neither affine nor general
+Method method_from_string(const std::string& name);
+
+struct StretchParameters {
+  Method method = Method::kGeneral;
+  Eigen::Vector3d leaf = {0.002, 0.002, 0.0005};  //!< [m] grid reduction after loading
+  double min_scale = 0.45;
+  double max_scale = 2.2;
+  double scale_range = 0.15;          //!< affine: searched about the initial scale, 0.15 = +-15 %
+  int scale_steps = 15;               //!< affine: to each side
+  int min_points = 200;               //!< of each surface after reduction
+  double max_path_distance = 0.02;    //!< [m] of a waypoint from the reference
+  double inlier_distance = 0.002;     //!< [m] of a point that counts as explained
+  double min_inlier_ratio = 0.8;      //!< of the object's points, or it is the wrong part
+  double min_overlap = 0.3;           //!< of the reference's points, or it is the wrong part
+  double ambiguity_distance = 0.001;  //!< [m] two poses differ if they put a waypoint so far apart
+  int deformation_degree = 4;         //!< highest degree of the smooth field; 0: none
+  double support_radius = 0;          //!< [m] 0: from the object's spacing
+  int min_support = 6;
+  double max_hole_distance = 0.01;  //!< [m] from the scan, up to which a waypoint may be inferred
+  double tolerance = 0.002;         //!< [m] of an adapted waypoint from the scanned surface
+  double max_displacement = 0.02;   //!< [m] of a waypoint from where the similarity puts it
+};
+
+/// @throw scan_cell_common::InvalidParameter naming what is out of range
+void check(const StretchParameters& parameters);
+
+/// Called as the work goes on, with the stage and the progress of the whole (0 .. 1). Returns false
+/// to cancel.
+using Progress = std::function<bool(const std::string& stage, double progress)>;
+
+struct StretchResult {
+  Verdict verdict;
+  ToolPath path;                         //!< on the object; empty unless accepted
+  std::vector<WaypointQuality> quality;  //!< empty where it did not come to that
+  Method method = Method::kGeneral;
+  Similarity similarity;
+  int deformation_degree = 0;  //!< of the smooth field that was justified; 0: none
+  double rms = 0;              //!< [m] object to aligned reference
+  double inlier_ratio = 0;     //!< share of object points that the reference explains
+  double overlap = 0;          //!< share of reference points that the object covers
+  double seconds = 0;
+  std::size_t reference_points = 0;  //!< after reduction
+  std::size_t object_points = 0;
+};
+
+/// Adapts a path on the reference to the object, or refuses with a reason. The same input gives the
+/// same path, bit for bit.
+/// @throw scan_cell_common::InvalidParameter if the parameters make no sense; all else is a verdict
+StretchResult stretch(const Surface& reference, const Surface& object, const ToolPath& path,
+                      const StretchParameters& parameters, const Progress& progress = {});
+
+}  // namespace tool_path_stretcher

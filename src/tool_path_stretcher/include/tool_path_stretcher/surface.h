@@ -1,0 +1,44 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/PolygonMesh.h>
+
+#include <memory>
+#include <string>
+
+#include "scan_cell_common/cloud_files.h"
+#include "tool_path_stretcher/points.h"
+
+namespace tool_path_stretcher {
+
+/// A surface known by points on it, with the normal at each.
+struct Surface {
+  Points points;          //!< [m]
+  Points normals;         //!< unit length
+  bool oriented = false;  //!< all normals point out of the part (meshes); otherwise signs are free
+  double spacing = 0;     //!< [m] typical distance of neighbouring points
+  double size = 0;        //!< [m] root mean square distance from the centroid
+  std::shared_ptr<const KdTree> tree;
+};
+
+/// A surface from a cloud: its points are reduced on the grid, normals come from the neighbours.
+/// @param name of the cloud in errors
+/// @throw scan_cell_common::UnusableInput if the cloud is empty, has points that are not finite, or
+/// all its points lie on one line
+Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
+                           const std::string& name);
+
+/// A surface from a triangle mesh: sampled evenly over its area, with the triangles' normals. The
+/// samples are as dense as a grid with that leaf would leave them.
+/// @throw scan_cell_common::UnusableInput if the mesh has no area or vertices that are not finite
+Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& leaf,
+                          const std::string& name);
+
+/// A surface from a file: PLY and PCD as clouds, STL and OBJ as meshes.
+/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput
+Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf);
+
+Points to_points(const scan_cell_common::Cloud& cloud);
+
+}  // namespace tool_path_stretcher

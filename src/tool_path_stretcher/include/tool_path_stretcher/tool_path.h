@@ -1,0 +1,42 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tool_path_stretcher {
+
+/// One pose of the tool in the path's frame [m], with its process values.
+struct Waypoint {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  std::vector<double> process_values;  //!< in the order of ToolPath::process_names
+};
+
+/// A run of waypoints in which the tool stays in contact.
+struct Segment {
+  std::string name;
+  std::vector<Waypoint> waypoints;
+};
+
+/// A path of the tool. Order and count of segments and waypoints mean something and are kept.
+struct ToolPath {
+  std::string name;
+  bool has_orientation = false;  //!< false: the rotations are identity and mean nothing
+  std::vector<std::string> process_names;
+  std::vector<Segment> segments;
+};
+
+std::size_t waypoint_count(const ToolPath& path);
+
+/// @throw scan_cell_common::UnusableInput if the path has no waypoint, an empty segment, a waypoint
+/// that is not finite, a rotation that is none, or process values that do not fit their names
+void check(const ToolPath& path);
+
+/// The rotations of a segment as unit quaternions, each in the hemisphere of the one before, so
+/// that what interpolates them goes the short way. The first has w >= 0.
+std::vector<Eigen::Quaterniond> continuous_quaternions(const Segment& segment);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,41 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tool_path_stretcher {
+
+/// Whether an adapted path may be used, and why not. The numbers are StretchVerdict.msg's.
+enum class Reason {
+  kAccepted = 0,
+  kUnusableInput = 1,
+  kTooFewPoints = 2,
+  kPathOffReference = 3,
+  kWrongPart = 4,
+  kAmbiguous = 5,
+  kScaleAtBound = 6,
+  kPathNotScanned = 7,
+  kToleranceExceeded = 8,
+  kCancelled = 9,
+};
+
+/// In lower case with underscores, as in reports.
+std::string to_string(Reason reason);
+
+struct Verdict {
+  Reason reason = Reason::kAccepted;
+  std::string message;                 //!< the thing, the value and what would help
+  std::vector<std::size_t> waypoints;  //!< concerned, counted over all segments
+
+  bool accepted() const { return reason == Reason::kAccepted; }
+};
+
+/// Ends the stretching with a verdict; stretch() catches it.
+struct Refusal {
+  Verdict verdict;
+};
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,198 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "checks.h"
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+#include "scan_cell_common/errors.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+std::string millimetres(double metres) {
+  std::ostringstream text;
+  text.precision(4);
+  text << metres * 1e3 << " mm";
+  return text.str();
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+
+[[noreturn]] void refuse(Reason reason, const std::string& thing, const std::string& value,
+                         const std::string& cure, std::vector<std::size_t> waypoints = {}) {
+  throw Refusal{{reason, thing + ": " + value + "; " + cure, std::move(waypoints)}};
+}
+
+void check_enough(const Surface& surface, const std::string& name, int least) {
+  if (surface.points.size() >= static_cast<std::size_t>(least)) return;
+  refuse(
+      Reason::kTooFewPoints, name,
+      std::to_string(surface.points.size()) + " points after the grid reduction",
+      "scan more densely, reduce less (leaf), or lower min_points (" + std::to_string(least) + ")");
+}
+
+/// The waypoints where `bad` holds, and the worst value there.
+struct Found {
+  std::vector<std::size_t> waypoints;
+  double worst = 0;
+};
+
+Found find(const std::vector<WaypointQuality>& quality,
+           const std::function<double(const WaypointQuality&)>& value, double most) {
+  Found found;
+  for (std::size_t i = 0; i < quality.size(); ++i) {
+    const double at = value(quality[i]);
+    if (!(at > most)) continue;  // NaN is not known, and not bad
+    found.waypoints.push_back(i);
+    found.worst = std::max(found.worst, at);
+  }
+  return found;
+}
+
+std::string of_all(const Found& found, const std::vector<WaypointQuality>& quality) {
+  return std::to_string(found.waypoints.size()) + " of " + std::to_string(quality.size()) +
+         " waypoints";
+}
+
+}  // namespace
+
+void check_surfaces(const Surface& reference, const Surface& object,
+                    const StretchParameters& parameters) {
+  check_enough(reference, "reference", parameters.min_points);
+  check_enough(object, "object", parameters.min_points);
+  const double ratio = object.size / reference.size;
+  constexpr double kOtherUnit = 100;
+  if (ratio < kOtherUnit && ratio > 1 / kOtherUnit) return;
+  refuse(Reason::kUnusableInput, "object",
+         "its size is " + number(ratio) + " times the reference's",
+         "give both in metres; a ratio near 1000 or 0.001 means that one is in millimetres");
+}
+
+void check_path(const ToolPath& path, const Surface& reference,
+                const StretchParameters& parameters) {
+  try {
+    check(path);
+  } catch (const scan_cell_common::UnusableInput& error) {
+    throw Refusal{{Reason::kUnusableInput, error.what(), {}}};
+  }
+  std::vector<std::size_t> off;
+  double worst = 0;
+  std::size_t index = 0;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      const double distance =
+          std::sqrt(reference.tree->nearest(waypoint.pose.translation()).squared_distance);
+      if (distance > parameters.max_path_distance + reference.spacing) {
+        off.push_back(index);
+        worst = std::max(worst, distance);
+      }
+      ++index;
+    }
+  }
+  if (off.empty()) return;
+  refuse(Reason::kPathOffReference, "tool path",
+         std::to_string(off.size()) + " of " + std::to_string(index) +
+             " waypoints lie off the reference, by up to " + millimetres(worst),
+         "give the path in the reference's frame and in metres, or raise max_path_distance (" +
+             millimetres(parameters.max_path_distance) + ")",
+         off);
+}
+
+void refuse_wrong_part(const std::string& why) {
+  refuse(Reason::kWrongPart, "object", why,
+         "check that it is the part of the reference, and alone in the scan");
+}
+
+void refuse_search_at_bound(double scale, const StretchParameters& parameters) {
+  refuse(Reason::kScaleAtBound, "scale",
+         "the best one, " + number(scale) + ", is an end of the range searched",
+         "raise scale_range (" + number(parameters.scale_range) + ") or use the general method");
+}
+
+void check_explanation(const Explanation& explanation, const Similarity& similarity,
+                       const StretchParameters& parameters) {
+  if (explanation.inlier_ratio < parameters.min_inlier_ratio) {
+    refuse_wrong_part("the reference explains only " + number(100 * explanation.inlier_ratio) +
+                      " % of its points to " + millimetres(parameters.inlier_distance) +
+                      " (min_inlier_ratio is " + number(100 * parameters.min_inlier_ratio) + " %)");
+  }
+  if (explanation.overlap < parameters.min_overlap) {
+    refuse_wrong_part("it shows only " + number(100 * explanation.overlap) +
+                      " % of the reference (min_overlap is " +
+                      number(100 * parameters.min_overlap) + " %)");
+  }
+  if (similarity.scale < parameters.min_scale || similarity.scale > parameters.max_scale) {
+    refuse(Reason::kScaleAtBound, "scale", number(similarity.scale),
+           "only " + number(parameters.min_scale) + " to " + number(parameters.max_scale) +
+               " is allowed (min_scale, max_scale)");
+  }
+}
+
+void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
+                       const Surface& reference, const Explanation& best_explanation,
+                       const Explanation& other_explanation, const StretchParameters& parameters) {
+  constexpr double kSamePose = 0.05;  // of the size: the same pose, not quite as well refined
+  const double apart = distance(best.similarity, other.similarity, reference.points);
+  if (apart < kSamePose * best.similarity.scale * reference.size) return;
+  if (clearly_better(best_explanation, other_explanation)) return;
+  double farthest = 0;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      const Eigen::Vector3d at = waypoint.pose.translation();
+      farthest = std::max(farthest, (best * at - other * at).norm());
+    }
+  }
+  if (farthest <= parameters.ambiguity_distance) return;
+  refuse(Reason::kAmbiguous, "pose",
+         "two poses explain the object equally and put the path up to " + millimetres(farthest) +
+             " apart",
+         "scan more of what breaks the part's symmetry");
+}
+
+void check_placement(const std::vector<WaypointQuality>& quality,
+                     const StretchParameters& parameters) {
+  const Found holes = find(
+      quality, [](const WaypointQuality& q) { return q.measured ? 0 : q.hole; },
+      parameters.max_hole_distance);
+  if (!holes.waypoints.empty()) {
+    refuse(Reason::kPathNotScanned, "object",
+           of_all(holes, quality) + " lie where it was not scanned, up to " +
+               millimetres(holes.worst) + " from the scan",
+           "scan there, or raise max_hole_distance (" + millimetres(parameters.max_hole_distance) +
+               ")",
+           holes.waypoints);
+  }
+  const Found gaps = find(
+      quality,
+      [](const WaypointQuality& q) {
+        return std::isnan(q.gap) ? q.residual : std::max(q.gap, q.residual);
+      },
+      parameters.tolerance);
+  if (!gaps.waypoints.empty()) {
+    refuse(Reason::kToleranceExceeded, "adapted path",
+           of_all(gaps, quality) + " are up to " + millimetres(gaps.worst) +
+               " from the scanned surface",
+           "use the general method, or raise tolerance (" + millimetres(parameters.tolerance) + ")",
+           gaps.waypoints);
+  }
+  const Found moved = find(
+      quality, [](const WaypointQuality& q) { return q.displacement; },
+      parameters.max_displacement);
+  if (!moved.waypoints.empty()) {
+    refuse(Reason::kToleranceExceeded, "adapted path",
+           of_all(moved, quality) + " were moved by up to " + millimetres(moved.worst) +
+               " from where the similarity puts them",
+           "check the part, or raise max_displacement (" +
+               millimetres(parameters.max_displacement) + ")",
+           moved.waypoints);
+  }
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,40 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tool_path_stretcher/residuals.h"
+#include "tool_path_stretcher/stretcher.h"
+
+namespace tool_path_stretcher {
+
+// Every reason to refuse, one function each. All throw Refusal.
+
+/// UNUSABLE_INPUT, TOO_FEW_POINTS
+void check_surfaces(const Surface& reference, const Surface& object,
+                    const StretchParameters& parameters);
+
+/// UNUSABLE_INPUT, PATH_OFF_REFERENCE
+void check_path(const ToolPath& path, const Surface& reference,
+                const StretchParameters& parameters);
+
+[[noreturn]] void refuse_wrong_part(const std::string& why);
+
+[[noreturn]] void refuse_search_at_bound(double scale, const StretchParameters& parameters);
+
+/// WRONG_PART, SCALE_AT_BOUND
+void check_explanation(const Explanation& explanation, const Similarity& similarity,
+                       const StretchParameters& parameters);
+
+/// AMBIGUOUS: the other explains the object as well and puts the path elsewhere
+void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
+                       const Surface& reference, const Explanation& best_explanation,
+                       const Explanation& other_explanation, const StretchParameters& parameters);
+
+/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED
+void check_placement(const std::vector<WaypointQuality>& quality,
+                     const StretchParameters& parameters);
+
+}  // namespace tool_path_stretcher

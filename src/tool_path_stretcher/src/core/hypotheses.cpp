@@ -1,0 +1,178 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypotheses.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "robust.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// The 24 turns of a cube.
+std::vector<Eigen::Matrix3d> cube_turns() {
+  std::vector<Eigen::Matrix3d> turns;
+  const std::array<std::array<int, 3>, 6> orders = {
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  for (const auto& order : orders) {
+    for (int signs = 0; signs < 8; ++signs) {
+      Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+        turn(order[static_cast<std::size_t>(axis)], axis) = (signs >> axis) & 1 ? -1 : 1;
+      if (turn.determinant() > 0) turns.push_back(turn);
+    }
+  }
+  return turns;
+}
+
+/// An even cover of all rotations: the super-Fibonacci spiral (Alexa 2022).
+std::vector<Eigen::Matrix3d> even_rotations(int count) {
+  const double phi = std::sqrt(2.0);
+  constexpr double kPsi = 1.533751168755204288118041;
+  std::vector<Eigen::Matrix3d> rotations;
+  for (int i = 0; i < count; ++i) {
+    const double s = i + 0.5;
+    const double inner = std::sqrt(s / count);
+    const double outer = std::sqrt(1 - s / count);
+    const double alpha = 2 * M_PI * s / phi;
+    const double beta = 2 * M_PI * s / kPsi;
+    rotations.push_back(Eigen::Quaterniond(outer * std::cos(beta), inner * std::sin(alpha),
+                                           inner * std::cos(alpha), outer * std::sin(beta))
+                            .normalized()
+                            .toRotationMatrix());
+  }
+  return rotations;
+}
+
+}  // namespace
+
+CoarseSurface coarsen(const Surface& surface) {
+  constexpr std::size_t kTreePoints = 2000;
+  constexpr std::size_t kQueryPoints = 300;
+  CoarseSurface coarse;
+  const Points dense = select(surface.points, spread_evenly(surface.points, kTreePoints));
+  coarse.frame = principal_frame(dense);
+  coarse.queries = select(dense, spread_evenly(dense, kQueryPoints));
+  coarse.tree = std::make_shared<const KdTree>(dense);
+  return coarse;
+}
+
+std::vector<Similarity> first_guesses(const PrincipalFrame& reference,
+                                      const PrincipalFrame& object) {
+  constexpr int kVerticalSteps = 24;
+  constexpr int kEvenRotations = 144;
+  std::vector<Eigen::Matrix3d> rotations;
+  for (const Eigen::Matrix3d& turn : cube_turns())
+    rotations.push_back(object.axes * turn * reference.axes.transpose());
+  for (int i = 0; i < kVerticalSteps; ++i) {
+    rotations.push_back(Eigen::AngleAxisd(2 * M_PI * i / kVerticalSteps, Eigen::Vector3d::UnitZ())
+                            .toRotationMatrix());
+  }
+  for (const Eigen::Matrix3d& rotation : even_rotations(kEvenRotations))
+    rotations.push_back(rotation);
+  const double scale = object.deviation.norm() / reference.deviation.norm();
+  std::vector<Similarity> guesses;
+  for (const Eigen::Matrix3d& rotation : rotations) {
+    guesses.push_back({scale, rotation, object.centroid - scale * (rotation * reference.centroid)});
+  }
+  return guesses;
+}
+
+namespace {
+
+struct Pair {
+  std::size_t query;
+  std::size_t match;
+  double distance;
+};
+
+/// Nearest points in the object's frame, the worst left out.
+void match(const CoarseSurface& reference, const CoarseSurface& object,
+           const Similarity& similarity, std::vector<Pair>& forth, std::vector<Pair>& back) {
+  forth.clear();
+  back.clear();
+  for (std::size_t i = 0; i < object.queries.size(); ++i) {
+    const auto nearest = reference.tree->nearest(similarity.inverse(object.queries[i]));
+    forth.push_back({i, nearest.index, similarity.scale * std::sqrt(nearest.squared_distance)});
+  }
+  for (std::size_t i = 0; i < reference.queries.size(); ++i) {
+    const auto nearest = object.tree->nearest(similarity * reference.queries[i]);
+    back.push_back({i, nearest.index, std::sqrt(nearest.squared_distance)});
+  }
+  // A scan may show only one side of the reference, but nothing that is not on it.
+  constexpr double kObjectShare = 0.9;
+  constexpr double kReferenceShare = 0.6;
+  const auto keep_nearest = [](std::vector<Pair>& pairs, double share) {
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.query < b.query;
+    });
+    pairs.resize(static_cast<std::size_t>(std::ceil(share * static_cast<double>(pairs.size()))));
+  };
+  keep_nearest(forth, kObjectShare);
+  keep_nearest(back, kReferenceShare);
+}
+
+/// Least squares with the symmetric scale of Horn 1987, which wrong pairs do not shrink.
+Similarity fit(const Points& from, const Points& to) {
+  Eigen::Vector3d from_mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to_mean = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    from_mean += from[i];
+    to_mean += to[i];
+  }
+  from_mean /= static_cast<double>(from.size());
+  to_mean /= static_cast<double>(to.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double from_squares = 0;
+  double to_squares = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    covariance += (to[i] - to_mean) * (from[i] - from_mean).transpose();
+    from_squares += (from[i] - from_mean).squaredNorm();
+    to_squares += (to[i] - to_mean).squaredNorm();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d handed = Eigen::Matrix3d::Identity();
+  handed(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  Similarity result;
+  result.rotation = svd.matrixU() * handed * svd.matrixV().transpose();
+  result.scale = from_squares > 0 ? std::sqrt(to_squares / from_squares) : 1;
+  result.translation = to_mean - result.scale * (result.rotation * from_mean);
+  return result;
+}
+
+}  // namespace
+
+Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,
+                           Similarity guess, int iterations) {
+  std::vector<Pair> forth;
+  std::vector<Pair> back;
+  for (int i = 0; i < iterations; ++i) {
+    match(reference, object, guess, forth, back);
+    Points from;
+    Points to;
+    for (const Pair& pair : forth) {
+      from.push_back(reference.tree->points()[pair.match]);
+      to.push_back(object.queries[pair.query]);
+    }
+    for (const Pair& pair : back) {
+      from.push_back(reference.queries[pair.query]);
+      to.push_back(object.tree->points()[pair.match]);
+    }
+    guess = fit(from, to);
+  }
+  match(reference, object, guess, forth, back);
+  double squares = 0;
+  const auto mean_square = [](const std::vector<Pair>& pairs) {
+    double sum = 0;
+    for (const Pair& pair : pairs)
+      sum += pair.distance * pair.distance;
+    return sum / static_cast<double>(pairs.size());
+  };
+  squares = mean_square(forth) + mean_square(back);
+  return {guess, std::sqrt(squares / 2)};
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tool_path_stretcher/alignment.h"
+
+namespace tool_path_stretcher {
+
+/// A surface thinned for the search over all poses.
+struct CoarseSurface {
+  PrincipalFrame frame;
+  Points queries;                      //!< few points, to look up in the other's tree
+  std::shared_ptr<const KdTree> tree;  //!< more points, to be found
+};
+
+CoarseSurface coarsen(const Surface& surface);
+
+/// Poses to start from: the principal frames in all the turns of a cube (flips and near equal axes
+/// included), a sweep about the vertical, and an even cover of all rotations.
+std::vector<Similarity> first_guesses(const PrincipalFrame& reference,
+                                      const PrincipalFrame& object);
+
+/// Point-to-point ICP in both directions, the farthest pairs left out.
+Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,
+                           Similarity guess, int iterations);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,55 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "tool_path_stretcher/residuals.h"
+
+namespace tool_path_stretcher {
+
+/// The scanned surface around one place of the reference, as a height over the mapped reference:
+/// what both surfaces have in common, their curvature and edges, falls out of the difference.
+struct LocalSurface {
+  Eigen::Vector3d base;    //!< [m] place on the reference
+  Eigen::Vector3d normal;  //!< of the reference there
+  bool measured = false;
+  double height = 0;           //!< [m, object] of the scan over the reference
+  double height_variance = 0;  //!< [m^2]
+  Eigen::Vector3d slope =
+      Eigen::Vector3d::Zero();  //!< its gradient along the reference, in its frame
+  double slope_variance = 0;    //!< of each component
+  double residual = 0;          //!< [m] RMS of the scanned points from the fitted surface
+  std::size_t support = 0;      //!< scanned points
+};
+
+/// Fits heights linearly over the reference's tangent plane, robustly (Tukey's biweight), to the
+/// scanned points of the same face within a radius.
+class LocalSurfaceFitter {
+ public:
+  /// @param radius [m, object]
+  LocalSurfaceFitter(const Surface& reference, const Surface& object, const Mapping& mapping,
+                     double radius, int min_support);
+
+  /// The surface beside `point` of the reference's space.
+  LocalSurface fit(const Eigen::Vector3d& point) const;
+
+ private:
+  struct Height {
+    Eigen::Vector2d at;  // [m, object] in the tangent plane, from the base
+    double height;       // [m, object]
+    double weight;       // falls to zero at the radius
+  };
+
+  std::vector<Height> heights_around(const LocalSurface& local, const Eigen::Vector3d& tangent,
+                                     const Eigen::Vector3d& bitangent) const;
+
+  const Surface& reference_;
+  const Surface& object_;
+  const Mapping& mapping_;
+  double radius_;
+  std::size_t min_support_;
+  std::vector<Residual> residuals_;  // of all the object's points
+};
+
+}  // namespace tool_path_stretcher

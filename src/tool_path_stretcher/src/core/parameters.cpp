@@ -1,0 +1,58 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <sstream>
+
+#include "scan_cell_common/errors.h"
+#include "tool_path_stretcher/stretcher.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+using scan_cell_common::InvalidParameter;
+
+void check_range(const std::string& name, double value, double least, double most) {
+  if (value >= least && value <= most) return;
+  const auto text = [](double number) {
+    std::ostringstream out;
+    out << number;
+    return out.str();
+  };
+  throw InvalidParameter(name, text(value),
+                         "give a value from " + text(least) + " to " + text(most));
+}
+
+}  // namespace
+
+std::string to_string(Method method) {
+  return method == Method::kAffine ? "affine" : "general";
+}
+
+Method method_from_string(const std::string& name) {
+  if (name == "affine") return Method::kAffine;
+  if (name == "general") return Method::kGeneral;
+  throw InvalidParameter("method", "'" + name + "'", "give affine or general");
+}
+
+void check(const StretchParameters& parameters) {
+  for (const double leaf : parameters.leaf)
+    check_range("leaf", leaf, 1e-6, 1);
+  check_range("min_scale", parameters.min_scale, 0.01, 100);
+  check_range("max_scale", parameters.max_scale, parameters.min_scale, 100);
+  check_range("scale_range", parameters.scale_range, 0.001, 0.9);
+  check_range("scale_steps", parameters.scale_steps, 1, 1000);
+  check_range("min_points", parameters.min_points, 50, 1e9);
+  check_range("max_path_distance", parameters.max_path_distance, 0, 10);
+  check_range("inlier_distance", parameters.inlier_distance, 1e-6, 1);
+  check_range("min_inlier_ratio", parameters.min_inlier_ratio, 0, 1);
+  check_range("min_overlap", parameters.min_overlap, 0, 1);
+  check_range("ambiguity_distance", parameters.ambiguity_distance, 1e-6, 10);
+  check_range("deformation_degree", parameters.deformation_degree, 0, 4);
+  check_range("support_radius", parameters.support_radius, 0, 1);
+  check_range("min_support", parameters.min_support, 4, 10000);
+  check_range("max_hole_distance", parameters.max_hole_distance, 0, 1);
+  check_range("tolerance", parameters.tolerance, 1e-6, 1);
+  check_range("max_displacement", parameters.max_displacement, 1e-6, 10);
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,197 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_stretcher/placement.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "local_surface.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// What a waypoint is moved by, over the mapping.
+struct Correction {
+  double height = 0;                                // [m, object]
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();  // of the height, in the reference's frame
+};
+
+/// One segment's waypoints, the surface beside each, and the arc length to each [m].
+struct Track {
+  std::vector<LocalSurface> surfaces;
+  std::vector<double> arc_length;
+};
+
+/// How much heights and slopes vary along the whole path beyond what the noise explains.
+struct Signal {
+  double height_variance = 0;
+  double slope_variance = 0;
+};
+
+Track survey(const Segment& segment, const LocalSurfaceFitter& fitter, double scale) {
+  Track track;
+  double length = 0;
+  for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {
+    const Eigen::Vector3d at = segment.waypoints[i].pose.translation();
+    if (i > 0) length += scale * (at - segment.waypoints[i - 1].pose.translation()).norm();
+    track.surfaces.push_back(fitter.fit(at));
+    track.arc_length.push_back(length);
+  }
+  return track;
+}
+
+Signal signal_of(const std::vector<Track>& tracks) {
+  Signal signal;
+  double count = 0;
+  for (const Track& track : tracks) {
+    for (const LocalSurface& surface : track.surfaces) {
+      if (!surface.measured) continue;
+      signal.height_variance += surface.height * surface.height - surface.height_variance;
+      signal.slope_variance += surface.slope.squaredNorm() / 2 - surface.slope_variance;
+      count += 1;
+    }
+  }
+  if (count == 0) return {};
+  return {std::max(0.0, signal.height_variance / count),
+          std::max(0.0, signal.slope_variance / count)};
+}
+
+/// Part of a measurement that is followed: all of it where the signal is far above its variance,
+/// nothing where it is noise (Wiener 1949).
+double trust(double signal, double variance) {
+  return signal > 0 ? signal / (signal + variance) : 0;
+}
+
+/// Mean of the neighbours along the path, by their variance and a Gaussian of the arc length.
+Correction smoothed(const Track& track, std::size_t at, double width, const Signal& signal) {
+  double height_weight = 0;
+  double slope_weight = 0;
+  Correction sum;
+  for (std::size_t i = 0; i < track.surfaces.size(); ++i) {
+    const LocalSurface& surface = track.surfaces[i];
+    const double steps = (track.arc_length[i] - track.arc_length[at]) / width;
+    if (!surface.measured || std::abs(steps) > 3) continue;
+    const double near = std::exp(-steps * steps / 2);
+    const double height_each = near / (surface.height_variance + 1e-18);
+    const double slope_each = near / (surface.slope_variance + 1e-18);
+    sum.height += height_each * surface.height;
+    sum.slope += slope_each * surface.slope;
+    height_weight += height_each;
+    slope_weight += slope_each;
+  }
+  if (height_weight == 0) return {};
+  // Neighbours share scanned points: their mean is trusted no more than the best one of them.
+  const LocalSurface& own = track.surfaces[at];
+  return {trust(signal.height_variance, own.height_variance) * sum.height / height_weight,
+          trust(signal.slope_variance, own.slope_variance) * sum.slope / slope_weight};
+}
+
+/// Between the measured waypoints before and after, by arc length; nothing past the last one.
+Correction inferred(const Track& track, const std::vector<Correction>& measured, std::size_t at) {
+  std::size_t before = at;
+  std::size_t after = at;
+  while (before > 0 && !track.surfaces[before].measured)
+    --before;
+  while (after + 1 < track.surfaces.size() && !track.surfaces[after].measured)
+    ++after;
+  const bool has_before = track.surfaces[before].measured;
+  const bool has_after = track.surfaces[after].measured;
+  if (!has_before && !has_after) return {};
+  if (!has_before || !has_after) return measured[has_before ? before : after];
+  const double span = track.arc_length[after] - track.arc_length[before];
+  const double share = span > 0 ? (track.arc_length[at] - track.arc_length[before]) / span : 0.5;
+  return {(1 - share) * measured[before].height + share * measured[after].height,
+          (1 - share) * measured[before].slope + share * measured[after].slope};
+}
+
+std::vector<Correction> corrections_of(const Track& track, double width, const Signal& signal) {
+  std::vector<Correction> corrections(track.surfaces.size());
+  for (std::size_t i = 0; i < corrections.size(); ++i) {
+    if (track.surfaces[i].measured) corrections[i] = smoothed(track, i, width, signal);
+  }
+  std::vector<Correction> result = corrections;
+  for (std::size_t i = 0; i < corrections.size(); ++i) {
+    if (!track.surfaces[i].measured) result[i] = inferred(track, corrections, i);
+  }
+  return result;
+}
+
+Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const LocalSurface& surface,
+                             const Correction& correction, const Mapping& mapping) {
+  const Eigen::Vector3d at = pose.translation();
+  const Eigen::Matrix3d turn = mapping.turn(surface.base, surface.normal);
+  const Eigen::Quaterniond tilt =
+      Eigen::Quaterniond::FromTwoVectors(surface.normal, surface.normal - correction.slope);
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.translation() = mapping * at + correction.height * (turn * (tilt * surface.normal));
+  result.linear() = Eigen::Quaterniond(turn * tilt.toRotationMatrix() * pose.linear())
+                        .normalized()
+                        .toRotationMatrix();
+  return result;
+}
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
+                           const Eigen::Vector3d& adapted_point, const LocalSurface& surface,
+                           const Correction& correction, const Mapping& mapping,
+                           const Surface& object) {
+  const auto distance_to_scan = [&object](const Eigen::Vector3d& point) {
+    return std::sqrt(object.tree->nearest(point).squared_distance);
+  };
+  const Eigen::Matrix3d turn = mapping.turn(surface.base, surface.normal);
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  WaypointQuality quality;
+  quality.measured = surface.measured;
+  quality.distance_to_scan = distance_to_scan(adapted_point);
+  quality.support = surface.support;
+  quality.residual = surface.residual;
+  quality.displacement = (adapted_point - mapping.similarity * reference_point).norm();
+  quality.surface_angle = surface.measured
+                              ? angle_between(mapping.similarity.rotation * surface.normal,
+                                              turn * (surface.normal - surface.slope))
+                              : unknown;
+  quality.gap = surface.measured ? std::abs(correction.height - surface.height) : unknown;
+  quality.hole =
+      distance_to_scan(mapping * surface.base + correction.height * (turn * surface.normal));
+  return quality;
+}
+
+double support_radius(const PlacementParameters& parameters, const Surface& object) {
+  constexpr double kSpacings = 3;  // about 28 points
+  return parameters.support_radius > 0 ? parameters.support_radius : kSpacings * object.spacing;
+}
+
+}  // namespace
+
+Placement place(const ToolPath& path, const Surface& reference, const Surface& object,
+                const Mapping& mapping, const PlacementParameters& parameters) {
+  const double radius = support_radius(parameters, object);
+  const LocalSurfaceFitter fitter(reference, object, mapping, radius, parameters.min_support);
+  std::vector<Track> tracks;
+  for (const Segment& segment : path.segments)
+    tracks.push_back(survey(segment, fitter, mapping.similarity.scale));
+  const Signal signal = parameters.set_on_surface ? signal_of(tracks) : Signal{};
+  Placement placement{path, {}};
+  for (std::size_t s = 0; s < tracks.size(); ++s) {
+    const std::vector<Correction> corrections = corrections_of(tracks[s], radius / 2, signal);
+    for (std::size_t w = 0; w < corrections.size(); ++w) {
+      Eigen::Isometry3d& pose = placement.path.segments[s].waypoints[w].pose;
+      const Eigen::Vector3d from = pose.translation();
+      const LocalSurface& surface = tracks[s].surfaces[w];
+      pose = carry_over(pose, surface, corrections[w], mapping);
+      if (!path.has_orientation) pose.linear().setIdentity();
+      placement.quality.push_back(
+          quality_of(from, pose.translation(), surface, corrections[w], mapping, object));
+      placement.quality.back().segment = s;
+      placement.quality.back().waypoint = w;
+    }
+  }
+  return placement;
+}
+
+}  // namespace tool_path_stretcher

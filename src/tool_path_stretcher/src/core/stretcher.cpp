@@ -1,0 +1,153 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_stretcher/stretcher.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "checks.h"
+#include "robust.h"
+#include "tool_path_stretcher/alignment.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// A candidate after the smooth field was fitted to it.
+struct Fitted {
+  Mapping mapping;
+  Explanation explanation;
+};
+
+/// Tells the caller how far the work is, and ends it where the caller wants that.
+class Stages {
+ public:
+  explicit Stages(const Progress& progress) : progress_(progress) {}
+
+  void report(const std::string& stage, double done) const {
+    if (progress_ && !progress_(stage, done)) {
+      throw Refusal{{Reason::kCancelled, "cancelled during '" + stage + "'", {}}};
+    }
+  }
+
+  AlignmentProgress within(const std::string& stage, double from, double to) const {
+    return [this, stage, from, to](double share) { report(stage, from + share * (to - from)); };
+  }
+
+ private:
+  const Progress& progress_;
+};
+
+/// Mean square residual of both directions, each point counted up to `cap`.
+double capped_cost(const Explanation& explanation, double cap) {
+  const auto mean = [cap](const std::vector<double>& distances) {
+    double sum = 0;
+    double count = 0;
+    for (const double distance : distances) {
+      if (std::isnan(distance)) continue;
+      sum += std::min(distance * distance, cap * cap);
+      count += 1;
+    }
+    return count > 0 ? sum / count : cap * cap;
+  };
+  return mean(explanation.object_distance) + mean(explanation.reference_distance);
+}
+
+/// Fits the smooth field to the candidates that may yet win, best first. A pose is judged after it:
+/// a bend must not decide between two poses that a small feature tells apart.
+std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
+                            const std::vector<Candidate>& candidates,
+                            const StretchParameters& parameters, const Stages& stages) {
+  constexpr double kHopeless = 5;  // times the cost of the best
+  std::vector<Fitted> fitted;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].cost > kHopeless * candidates.front().cost) break;
+    const Similarity& similarity = candidates[i].similarity;
+    const Mapping mapping{
+        similarity, fit_smooth_field(reference, object, similarity, parameters.deformation_degree)};
+    fitted.push_back({mapping, explain(reference, object, mapping, parameters.inlier_distance)});
+    stages.report("refine",
+                  0.5 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(candidates.size()));
+  }
+  constexpr double kDeviations = 3;
+  double noise = fitted.front().explanation.noise;
+  for (const Fitted& each : fitted)
+    noise = std::min(noise, each.explanation.noise);
+  const double cap = kDeviations * noise;
+  std::stable_sort(fitted.begin(), fitted.end(), [cap](const Fitted& a, const Fitted& b) {
+    return capped_cost(a.explanation, cap) < capped_cost(b.explanation, cap);
+  });
+  return fitted;
+}
+
+Mapping affine_mapping(const Surface& reference, const Surface& object, const Similarity& start,
+                       const StretchParameters& parameters, const Stages& stages) {
+  const ScaleSearch search = search_scale(
+      reference, object, start, principal_scale(reference, object), parameters.scale_range,
+      parameters.scale_steps, parameters.inlier_distance, stages.within("scale search", 0.7, 0.9));
+  if (search.at_bound) refuse_search_at_bound(search.best.scale, parameters);
+  return {search.best, {}};
+}
+
+void run(const Surface& reference, const Surface& object, const ToolPath& path,
+         const StretchParameters& parameters, const Stages& stages, StretchResult& result) {
+  stages.report("check", 0);
+  check_surfaces(reference, object, parameters);
+  check_path(path, reference, parameters);
+  stages.report("align", 0.05);
+  const std::vector<Candidate> candidates =
+      find_candidates(reference, object, stages.within("align", 0.05, 0.5));
+  if (candidates.empty()) refuse_wrong_part("no pose of the reference fits the object at all");
+
+  std::vector<Fitted> fitted = fit_all(reference, object, candidates, parameters, stages);
+  Mapping mapping = fitted.front().mapping;
+  Explanation explanation = fitted.front().explanation;
+  const auto take = [&] {
+    result.similarity = mapping.similarity;
+    result.deformation_degree = mapping.field.degree();
+    result.rms = explanation.rms;
+    result.inlier_ratio = explanation.inlier_ratio;
+    result.overlap = explanation.overlap;
+  };
+  take();
+  check_explanation(explanation, mapping.similarity, parameters);
+  for (std::size_t i = 1; i < fitted.size(); ++i) {
+    check_unambiguous(path, mapping, fitted[i].mapping, reference, explanation,
+                      fitted[i].explanation, parameters);
+  }
+  if (parameters.method == Method::kAffine) {
+    mapping = affine_mapping(reference, object, mapping.similarity, parameters, stages);
+    explanation = explain(reference, object, mapping, parameters.inlier_distance);
+    take();
+  }
+  stages.report("adapt", 0.9);
+  Placement placement = place(
+      path, reference, object, mapping,
+      {parameters.support_radius, parameters.min_support, parameters.method == Method::kGeneral});
+  result.quality = placement.quality;
+  check_placement(placement.quality, parameters);
+  stages.report("done", 1);
+  result.path = std::move(placement.path);
+}
+
+}  // namespace
+
+StretchResult stretch(const Surface& reference, const Surface& object, const ToolPath& path,
+                      const StretchParameters& parameters, const Progress& progress) {
+  check(parameters);
+  const auto start = std::chrono::steady_clock::now();
+  StretchResult result;
+  result.method = parameters.method;
+  result.reference_points = reference.points.size();
+  result.object_points = object.points.size();
+  try {
+    run(reference, object, path, parameters, Stages(progress), result);
+    result.verdict.message = "the path was adapted";
+  } catch (const Refusal& refusal) {
+    result.verdict = refusal.verdict;
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace tool_path_stretcher

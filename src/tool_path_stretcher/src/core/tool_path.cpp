@@ -1,0 +1,78 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_stretcher/tool_path.h"
+
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+using scan_cell_common::UnusableInput;
+
+std::string name_of(const ToolPath& path, std::size_t segment, std::size_t waypoint) {
+  return "tool path '" + path.name + "', segment " + std::to_string(segment) + " waypoint " +
+         std::to_string(waypoint);
+}
+
+void check(const Waypoint& waypoint, const ToolPath& path, const std::string& name) {
+  constexpr double kOrthonormal = 1e-6;
+  if (!waypoint.pose.matrix().allFinite()) {
+    throw UnusableInput(name, "not finite", "correct the path");
+  }
+  const Eigen::Matrix3d rotation = waypoint.pose.linear();
+  if (!(rotation * rotation.transpose()).isIdentity(kOrthonormal) || rotation.determinant() < 0) {
+    throw UnusableInput(name, "its orientation is not a rotation", "give unit quaternions");
+  }
+  if (waypoint.process_values.size() != path.process_names.size()) {
+    throw UnusableInput(name,
+                        std::to_string(waypoint.process_values.size()) + " process values for " +
+                            std::to_string(path.process_names.size()) + " names",
+                        "give each waypoint one value a name");
+  }
+  for (const double value : waypoint.process_values) {
+    if (!std::isfinite(value)) {
+      throw UnusableInput(name, "a process value is not finite", "correct the path");
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t waypoint_count(const ToolPath& path) {
+  std::size_t count = 0;
+  for (const Segment& segment : path.segments)
+    count += segment.waypoints.size();
+  return count;
+}
+
+void check(const ToolPath& path) {
+  if (waypoint_count(path) == 0) {
+    throw UnusableInput("tool path '" + path.name + "'", "no waypoints",
+                        "give at least one waypoint");
+  }
+  for (std::size_t s = 0; s < path.segments.size(); ++s) {
+    const std::vector<Waypoint>& waypoints = path.segments[s].waypoints;
+    if (waypoints.empty()) {
+      throw UnusableInput("tool path '" + path.name + "', segment " + std::to_string(s),
+                          "no waypoints", "remove the segment or fill it");
+    }
+    for (std::size_t w = 0; w < waypoints.size(); ++w)
+      check(waypoints[w], path, name_of(path, s, w));
+  }
+}
+
+std::vector<Eigen::Quaterniond> continuous_quaternions(const Segment& segment) {
+  std::vector<Eigen::Quaterniond> result;
+  for (const Waypoint& waypoint : segment.waypoints) {
+    Eigen::Quaterniond rotation(waypoint.pose.linear());
+    rotation.normalize();
+    const double sign = result.empty() ? rotation.w() : rotation.dot(result.back());
+    if (sign < 0) rotation.coeffs() *= -1;
+    result.push_back(rotation);
+  }
+  return result;
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,31 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/Path.h>
+#include <scan_cell_msgs/StretchToolPathResult.h>
+#include <scan_cell_msgs/ToolPath.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "tool_path_stretcher/stretcher.h"
+
+namespace tool_path_stretcher {
+
+/// @throw scan_cell_common::UnusableInput naming a waypoint that is not finite or whose orientation
+/// is no unit quaternion
+ToolPath from_message(const scan_cell_msgs::ToolPath& message);
+
+scan_cell_msgs::ToolPath to_message(const ToolPath& path, const std_msgs::Header& header);
+
+/// All segments one after the other, for rviz.
+nav_msgs::Path to_path_message(const ToolPath& path, const std_msgs::Header& header);
+
+/// Green lines between corresponding waypoints of two paths of the same shape.
+visualization_msgs::MarkerArray correspondence_markers(const ToolPath& from, const ToolPath& to,
+                                                       const std_msgs::Header& header);
+
+/// @param header of the object's cloud
+scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
+                                                 const std_msgs::Header& header);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,89 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stretch_server.h"
+
+#include "conversions.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/cloud_messages.h"
+
+namespace tool_path_stretcher {
+
+StretchServer::StretchServer(const ros::NodeHandle& private_node)
+    : node_(private_node),
+      parameters_(load_parameters(private_node)),
+      reference_(node_.advertise<sensor_msgs::PointCloud2>("reference", 1, true)),
+      object_(node_.advertise<sensor_msgs::PointCloud2>("object", 1, true)),
+      reference_path_(node_.advertise<nav_msgs::Path>("reference_path", 1, true)),
+      adapted_path_(node_.advertise<nav_msgs::Path>("adapted_path", 1, true)),
+      markers_(node_.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
+      server_(
+          node_, "stretch", [this](const auto& goal) { execute(goal); }, false) {
+  server_.start();
+}
+
+void StretchServer::show_input(const scan_cell_msgs::StretchToolPathGoal& goal) {
+  reference_.publish(goal.reference);
+  object_.publish(goal.object);
+}
+
+void StretchServer::show_paths(const ToolPath& reference, const ToolPath& adapted,
+                               const scan_cell_msgs::StretchToolPathGoal& goal) {
+  reference_path_.publish(to_path_message(reference, goal.reference.header));
+  adapted_path_.publish(to_path_message(adapted, goal.object.header));
+  markers_.publish(correspondence_markers(reference, adapted, goal.object.header));
+}
+
+bool StretchServer::on_progress(const std::string& stage, double progress) {
+  scan_cell_msgs::StretchToolPathFeedback feedback;
+  feedback.stage = stage;
+  feedback.progress = progress;
+  server_.publishFeedback(feedback);
+  return !server_.isPreemptRequested() && ros::ok();
+}
+
+StretchResult StretchServer::run(const scan_cell_msgs::StretchToolPathGoal& goal,
+                                 const ToolPath& path) {
+  StretchParameters parameters = parameters_;
+  if (!goal.method.empty()) parameters.method = method_from_string(goal.method);
+  if (goal.reference.header.frame_id != goal.object.header.frame_id) {
+    throw scan_cell_common::UnusableInput("object",
+                                          "in frame '" + goal.object.header.frame_id + "'",
+                                          "give both clouds in one frame; the reference is in '" +
+                                              goal.reference.header.frame_id + "'");
+  }
+  on_progress("load", 0);
+  const auto surface = [&parameters](const sensor_msgs::PointCloud2& cloud, const char* name) {
+    return surface_from_cloud(to_points(scan_cell_common::from_message(cloud)), parameters.leaf,
+                              name);
+  };
+  return stretch(
+      surface(goal.reference, "reference"), surface(goal.object, "object"), path, parameters,
+      [this](const std::string& stage, double done) { return on_progress(stage, done); });
+}
+
+void StretchServer::execute(const scan_cell_msgs::StretchToolPathGoalConstPtr& goal) {
+  show_input(*goal);
+  StretchResult result;
+  ToolPath path;
+  try {
+    path = from_message(goal->path);
+    result = run(*goal, path);
+  } catch (const scan_cell_common::Error& error) {
+    result.verdict = {Reason::kUnusableInput, error.what(), {}};
+  }
+  show_paths(path, result.path, *goal);
+  const scan_cell_msgs::StretchToolPathResult message = to_message(result, goal->object.header);
+  const Verdict& verdict = result.verdict;
+  if (verdict.accepted()) {
+    ROS_INFO("path adapted in %.2f s: scale %.4f, rms %.3f mm", result.seconds,
+             result.similarity.scale, 1e3 * result.rms);
+    server_.setSucceeded(message, verdict.message);
+  } else if (verdict.reason == Reason::kCancelled) {
+    server_.setPreempted(message, verdict.message);
+  } else {
+    ROS_WARN("path refused (%s): %s", to_string(verdict.reason).c_str(), verdict.message.c_str());
+    server_.setAborted(message, verdict.message);
+  }
+}
+
+}  // namespace tool_path_stretcher

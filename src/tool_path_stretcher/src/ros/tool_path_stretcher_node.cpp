@@ -1,0 +1,11 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_common/ros/node_main.h"
+#include "stretch_server.h"
+
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(argc, argv, "tool_path_stretcher", [] {
+    const tool_path_stretcher::StretchServer server(ros::NodeHandle("~"));
+    ros::spin();
+  });
+}
