@@ -1,0 +1,140 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "c4g_driver/codec.h"
+#include "c4g_driver/goal.h"
+#include "c4g_driver/limits.h"
+#include "c4g_driver/sequence_monitor.h"
+#include "c4g_driver/udp_socket.h"
+#include "scan_cell_common/clock_map.h"
+
+namespace c4g_driver {
+
+struct ClientOptions {
+  std::string address = "127.0.0.1";  //!< IPv4 of the controller
+  std::uint16_t port = 5410;
+  double link_timeout = 0.5;  //!< [s] a request unanswered for so long is a lost link
+  int tries = 10;             //!< how often a request is sent within link_timeout
+  double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
+  double reconnect_period = 0.5;  //!< [s] between attempts to connect
+  double clock_window = 2.0;      //!< [s] over which the least delay of the wire is sought
+  RobotLimits limits;
+  ArrivalTolerance arrival;
+};
+
+/// How the link is.
+struct LinkReport {
+  bool up = false;
+  std::string message;  //!< why it is down
+  std::uint64_t losses = 0;
+  SequenceCounts stream;
+  std::uint64_t malformed = 0;
+  std::string last_malformed;
+  std::uint64_t foreign = 0;
+  std::uint64_t overlong = 0;
+};
+
+/// The driver's side of docs/c4g_protocol.md. Connects by itself and again after a loss, keeps the
+/// session alive, and hands on every measured pose once, in the order of time.
+///
+/// A lost link drops the goal: nothing of it is sent again, and the new session makes the
+/// controller forget what was on its way. All methods are safe to call from any thread. Requests
+/// throw
+/// - scan_cell_common::Refused if limits or controller refuse; nothing was done then,
+/// - scan_cell_common::ConnectionError if there is no link, or it was lost over the request.
+class Client {
+ public:
+  /// Called from the client's own thread; must not call the client's requests.
+  using Listener = std::function<void(const MeasuredState&)>;
+
+  /// @throw scan_cell_common::InvalidParameter if an option makes no sense
+  Client(const ClientOptions& options, const Listener& listener);
+
+  /// Stops the robot if a goal is under way, and closes the session.
+  ~Client();
+
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  /// Starts a motion; it is sent to the controller once, however often the packet is.
+  void move_to_pose(const Eigen::Isometry3d& flange, double camera_rate);
+  void move_to_joints(const std::vector<double>& joints, double camera_rate);
+
+  /// The robot brakes; wait_for_goal() tells when it stands.
+  void stop();
+
+  void set_override(double percent);
+  void set_linear_speed(double speed);  //!< [m/s]
+  std::string get_parameter(const std::string& name);
+  void set_parameter(const std::string& name, const std::string& json);
+
+  /// @throw scan_cell_common::Refused if the robot moves
+  MeasuredState static_pose();
+
+  Goal goal() const;
+
+  /// The goal as soon as it ended, or as it is after `timeout` [s].
+  Goal wait_for_goal(double timeout) const;
+
+  std::optional<MeasuredState> latest() const;
+  LinkReport link() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void receive();
+  void handle(const UdpSocket::Received& received);
+  void handle(const StreamedState& streamed, scan_cell_common::Nanoseconds arrival);
+  void handle(const Acknowledgement& acknowledgement, scan_cell_common::Nanoseconds arrival);
+  void take(const RobotState& robot, scan_cell_common::Nanoseconds arrival);
+
+  void keep();
+  void connect();
+  void lose(const std::string& reason);
+
+  /// @param target of a motion; it becomes the goal before anything is sent
+  Acknowledgement request(const Request& request, const Goal::Target* target = nullptr);
+  std::optional<Acknowledgement> exchange(const std::string& datagram);
+
+  const ClientOptions options_;
+  const std::string name_;
+  const Listener listener_;
+  UdpSocket socket_;
+
+  std::mutex request_mutex_;  // one request at a time; taken before mutex_
+
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  bool up_ = false;
+  std::string why_down_ = "no answer yet";
+  std::uint64_t losses_ = 0;
+  std::uint64_t session_ = 0;
+  std::uint64_t seq_ = 0;
+  std::optional<Acknowledgement> answer_;
+  Goal goal_;
+  std::optional<MeasuredState> latest_;
+  scan_cell_common::Nanoseconds newest_ = -1;    // controller's time of the latest state
+  scan_cell_common::Nanoseconds handed_on_ = 0;  // host time of the latest one the listener got
+  SequenceMonitor stream_;
+  scan_cell_common::ClockMap clock_;
+  std::uint64_t malformed_ = 0;
+  std::string last_malformed_;
+  bool ending_ = false;
+  std::atomic<bool> deaf_{false};  // after ending_: the receiver hears the last answers
+
+  std::thread receiver_;
+  std::thread keeper_;
+};
+
+}  // namespace c4g_driver

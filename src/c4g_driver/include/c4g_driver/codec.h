@@ -1,0 +1,72 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "c4g_driver/robot_state.h"
+
+/// Packets of docs/c4g_protocol.md to text and back. Nothing here knows of sockets or time.
+namespace c4g_driver {
+
+constexpr std::size_t kMostDatagramBytes = 1400;
+
+struct Open {};
+struct Close {};
+struct MoveCartesian {
+  Eigen::Isometry3d flange;
+  double camera_rate;  //!< [Hz]
+};
+struct MoveJoint {
+  Joints joints;
+  double camera_rate;  //!< [Hz]
+};
+struct Stop {};
+struct SetOverride {
+  double override;  //!< [%]
+};
+struct SetLinearSpeed {
+  double speed;  //!< [m/s]
+};
+struct GetStaticPose {};
+struct GetParameter {
+  std::string name;
+};
+struct SetParameter {
+  std::string name;
+  std::string value;  //!< JSON
+};
+
+using Request = std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride,
+                             SetLinearSpeed, GetStaticPose, GetParameter, SetParameter>;
+
+/// The command's name on the wire.
+std::string name_of(const Request& request);
+
+/// @throw scan_cell_common::Refused if a value is not JSON or the packet gets too long
+std::string build(const Request& request, std::uint64_t session, std::uint64_t seq);
+
+/// A datagram of the position stream.
+struct StreamedState {
+  std::uint64_t session = 0;
+  std::uint64_t number = 0;  //!< in the session's stream, from 1
+  RobotState robot;
+};
+
+struct Acknowledgement {
+  std::uint64_t session = 0;
+  std::uint64_t seq = 0;                 //!< of the request
+  std::optional<ControllerError> error;  //!< if there is one, nothing was done
+  std::optional<RobotState> robot;
+  std::string value;  //!< JSON, of a parameter; empty where there is none
+};
+
+using Reply = std::variant<StreamedState, Acknowledgement>;
+
+/// @throw scan_cell_common::ProtocolError for anything else than such a datagram
+Reply parse(const std::string& datagram);
+
+}  // namespace c4g_driver

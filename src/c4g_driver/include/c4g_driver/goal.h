@@ -1,0 +1,52 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "c4g_driver/robot_state.h"
+
+namespace c4g_driver {
+
+/// How near the measured end of a motion must be to its target.
+struct ArrivalTolerance {
+  double position = 1e-3;  //!< [m]
+  double angle = 5e-3;     //!< [rad] of the flange, or of each joint
+};
+
+/// The motion that was asked for last, and how it ended. A goal that ended stays so: nothing that
+/// comes later brings it back.
+class Goal {
+ public:
+  enum class Outcome { None, Underway, Reached, Stopped, LinkLost, Failed };
+  using Target = std::variant<Eigen::Isometry3d, Joints>;
+
+  Goal() = default;
+  Goal(std::uint64_t motion, const Target& target, const ArrivalTolerance& tolerance);
+
+  /// Takes what the controller says; states of other motions change nothing.
+  void update(const RobotState& state);
+
+  /// Ends it, if it is under way.
+  void end(Outcome outcome, const std::string& message);
+
+  Outcome outcome() const { return outcome_; }
+  bool underway() const { return outcome_ == Outcome::Underway; }
+  double progress() const { return progress_; }
+  const std::string& message() const { return message_; }
+
+ private:
+  std::string missed_by(const RobotState& state) const;
+
+  std::uint64_t motion_ = 0;
+  Target target_;
+  ArrivalTolerance tolerance_;
+  Outcome outcome_ = Outcome::None;
+  double progress_ = 0;
+  std::string message_;
+};
+
+}  // namespace c4g_driver

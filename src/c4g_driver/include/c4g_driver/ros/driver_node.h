@@ -1,0 +1,72 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/GetControllerParameter.h>
+#include <scan_cell_msgs/GetStaticPose.h>
+#include <scan_cell_msgs/MoveAction.h>
+#include <scan_cell_msgs/SetControllerParameter.h>
+#include <scan_cell_msgs/SetLinearSpeed.h>
+#include <scan_cell_msgs/SetOverride.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <vector>
+
+#include "c4g_driver/client.h"
+#include "c4g_driver/ros/driver_parameters.h"
+
+namespace c4g_driver {
+
+/// The robot in ROS: where it is, how it is, and the action that moves it.
+class DriverNode {
+ public:
+  DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
+             const DriverParameters& parameters);
+
+ private:
+  using MoveServer = actionlib::SimpleActionServer<scan_cell_msgs::MoveAction>;
+
+  void publish(const MeasuredState& state);
+  void publish_status();
+  void diagnose_link(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void diagnose_robot(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  void move(const scan_cell_msgs::MoveGoalConstPtr& goal);
+  void start(const scan_cell_msgs::MoveGoal& goal);
+  Goal follow();
+  void finish(std::uint8_t outcome, const std::string& message);
+
+  template <class Service>
+  void advertise(ros::NodeHandle& node, const std::string& name,
+                 void (DriverNode::*handler)(const typename Service::Request&,
+                                             typename Service::Response&));
+  void set_override(const scan_cell_msgs::SetOverride::Request& request,
+                    scan_cell_msgs::SetOverride::Response& response);
+  void set_linear_speed(const scan_cell_msgs::SetLinearSpeed::Request& request,
+                        scan_cell_msgs::SetLinearSpeed::Response& response);
+  void get_static_pose(const scan_cell_msgs::GetStaticPose::Request& request,
+                       scan_cell_msgs::GetStaticPose::Response& response);
+  void get_parameter(const scan_cell_msgs::GetControllerParameter::Request& request,
+                     scan_cell_msgs::GetControllerParameter::Response& response);
+  void set_parameter(const scan_cell_msgs::SetControllerParameter::Request& request,
+                     scan_cell_msgs::SetControllerParameter::Response& response);
+
+  const DriverParameters parameters_;
+  tf2_ros::TransformBroadcaster transforms_;
+  ros::Publisher joint_states_;
+  ros::Publisher status_;
+  bool was_up_ = false;
+  LinkReport diagnosed_;  // at the last diagnosis
+
+  // The later ones use the earlier ones from their own threads.
+  Client client_;
+  MoveServer server_;
+  diagnostic_updater::Updater diagnostics_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Timer status_timer_;
+};
+
+}  // namespace c4g_driver

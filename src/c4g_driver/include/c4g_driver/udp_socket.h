@@ -1,0 +1,52 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <netinet/in.h>
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "scan_cell_common/timed_pose.h"
+
+namespace c4g_driver {
+
+/// UDP to one peer: what comes from any other address or port is dropped and counted, and so are
+/// datagrams longer than allowed. Sending and receiving may happen in different threads.
+class UdpSocket {
+ public:
+  struct Received {
+    std::string datagram;
+    scan_cell_common::Nanoseconds time;  //!< host time at which the kernel got it
+  };
+
+  /// @throw scan_cell_common::InvalidParameter if `address` is no IPv4 address
+  /// @throw scan_cell_common::ConnectionError if there are no sockets left
+  UdpSocket(const std::string& address, std::uint16_t port, std::size_t most_bytes);
+  ~UdpSocket();
+
+  UdpSocket(const UdpSocket&) = delete;
+  UdpSocket& operator=(const UdpSocket&) = delete;
+
+  /// False where the network refuses it now: an unplugged cable is not an error of this class.
+  bool send(const std::string& datagram);
+
+  /// The next datagram of the peer; none within `timeout` [s].
+  std::optional<Received> receive(double timeout);
+
+  std::uint64_t foreign() const { return foreign_; }    //!< datagrams from somebody else
+  std::uint64_t overlong() const { return overlong_; }  //!< datagrams that were too long
+
+ private:
+  std::optional<Received> take();
+
+  int socket_ = -1;
+  sockaddr_in peer_{};
+  std::size_t most_bytes_;
+  std::atomic<std::uint64_t> foreign_{0};
+  std::atomic<std::uint64_t> overlong_{0};
+};
+
+}  // namespace c4g_driver

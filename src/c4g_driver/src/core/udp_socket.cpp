@@ -1,0 +1,111 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "c4g_driver/udp_socket.h"
+
+#include <arpa/inet.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+
+#include "scan_cell_common/errors.h"
+
+namespace c4g_driver {
+namespace {
+
+using scan_cell_common::ConnectionError;
+using scan_cell_common::InvalidParameter;
+using scan_cell_common::Nanoseconds;
+using Clock = std::chrono::steady_clock;
+
+Nanoseconds to_nanoseconds(const timespec& time) {
+  return static_cast<Nanoseconds>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+/// The kernel's time stamp, so that a busy host does not make the datagram look late.
+Nanoseconds arrival(const msghdr& message) {
+  timespec time{};
+  for (const cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
+       part = CMSG_NXTHDR(const_cast<msghdr*>(&message), const_cast<cmsghdr*>(part))) {
+    if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_TIMESTAMPNS) continue;
+    std::memcpy(&time, CMSG_DATA(part), sizeof time);
+    return to_nanoseconds(time);
+  }
+  clock_gettime(CLOCK_REALTIME, &time);
+  return to_nanoseconds(time);
+}
+
+}  // namespace
+
+UdpSocket::UdpSocket(const std::string& address, std::uint16_t port, std::size_t most_bytes)
+    : most_bytes_(most_bytes) {
+  peer_.sin_family = AF_INET;
+  peer_.sin_port = htons(port);
+  if (inet_pton(AF_INET, address.c_str(), &peer_.sin_addr) != 1) {
+    throw InvalidParameter("controller address", "'" + address + "'",
+                           "give an IPv4 address such as 192.168.0.10");
+  }
+  socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  const int on = 1;
+  if (socket_ < 0 || setsockopt(socket_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on) != 0) {
+    const std::string reason = std::strerror(errno);
+    if (socket_ >= 0) close(socket_);
+    throw ConnectionError("UDP socket", reason, "close programs that hold too many sockets");
+  }
+}
+
+UdpSocket::~UdpSocket() {
+  close(socket_);
+}
+
+bool UdpSocket::send(const std::string& datagram) {
+  return sendto(socket_, datagram.data(), datagram.size(), 0,
+                reinterpret_cast<const sockaddr*>(&peer_),
+                sizeof peer_) == static_cast<ssize_t>(datagram.size());
+}
+
+std::optional<UdpSocket::Received> UdpSocket::receive(double timeout) {
+  const Clock::time_point deadline =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                         std::chrono::duration<double>(std::max(timeout, 0.0)));
+  while (true) {
+    if (auto received = take()) return received;
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return std::nullopt;
+    pollfd readable{socket_, POLLIN, 0};
+    poll(&readable, 1, static_cast<int>(left));
+  }
+}
+
+std::optional<UdpSocket::Received> UdpSocket::take() {
+  std::string bytes(most_bytes_, '\0');
+  while (true) {
+    sockaddr_in from{};
+    iovec buffer{bytes.data(), bytes.size()};
+    alignas(cmsghdr) std::array<char, 128> control{};
+    msghdr message{};
+    message.msg_name = &from;
+    message.msg_namelen = sizeof from;
+    message.msg_iov = &buffer;
+    message.msg_iovlen = 1;
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    const ssize_t length = recvmsg(socket_, &message, 0);
+    if (length < 0) return std::nullopt;
+    if (from.sin_addr.s_addr != peer_.sin_addr.s_addr || from.sin_port != peer_.sin_port) {
+      ++foreign_;
+    } else if ((message.msg_flags & MSG_TRUNC) != 0) {
+      ++overlong_;
+    } else {
+      return Received{bytes.substr(0, static_cast<std::size_t>(length)), arrival(message)};
+    }
+  }
+}
+
+}  // namespace c4g_driver

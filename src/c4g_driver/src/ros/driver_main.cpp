@@ -1,0 +1,14 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "c4g_driver/ros/driver_node.h"
+#include "scan_cell_common/ros/node_main.h"
+
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(argc, argv, "c4g_driver", [] {
+    const ros::NodeHandle private_node("~");
+    const c4g_driver::DriverNode driver(ros::NodeHandle(), private_node,
+                                        c4g_driver::DriverParameters::load(private_node));
+    constexpr int kThreads = 2;  // a service that waits for the controller holds up one
+    ros::MultiThreadedSpinner(kThreads).spin();
+  });
+}

@@ -1,0 +1,232 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "c4g_driver/ros/driver_node.h"
+
+#include "c4g_driver/ros/messages.h"
+#include "scan_cell_common/errors.h"
+
+namespace c4g_driver {
+
+using scan_cell_common::ConnectionError;
+using scan_cell_common::Error;
+using scan_cell_common::Refused;
+using scan_cell_msgs::MoveGoal;
+using scan_cell_msgs::MoveResult;
+
+DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
+                       const DriverParameters& parameters)
+    : parameters_(parameters),
+      joint_states_(node.advertise<sensor_msgs::JointState>("joint_states", 100)),
+      status_(private_node.advertise<scan_cell_msgs::RobotStatus>("status", 10)),
+      client_(parameters.client, [this](const MeasuredState& state) { publish(state); }),
+      server_(
+          private_node, "move", [this](const auto& goal) { move(goal); }, false),
+      diagnostics_(node, private_node) {
+  diagnostics_.setHardwareID(parameters.client.address);
+  diagnostics_.add("link", this, &DriverNode::diagnose_link);
+  diagnostics_.add("robot", this, &DriverNode::diagnose_robot);
+  advertise<scan_cell_msgs::SetOverride>(private_node, "set_override", &DriverNode::set_override);
+  advertise<scan_cell_msgs::SetLinearSpeed>(private_node, "set_linear_speed",
+                                            &DriverNode::set_linear_speed);
+  advertise<scan_cell_msgs::GetStaticPose>(private_node, "get_static_pose",
+                                           &DriverNode::get_static_pose);
+  advertise<scan_cell_msgs::GetControllerParameter>(private_node, "get_parameter",
+                                                    &DriverNode::get_parameter);
+  advertise<scan_cell_msgs::SetControllerParameter>(private_node, "set_parameter",
+                                                    &DriverNode::set_parameter);
+  status_timer_ = node.createTimer(ros::Duration(1 / parameters.status_rate),
+                                   [this](const ros::TimerEvent&) { publish_status(); });
+  server_.start();
+}
+
+void DriverNode::publish(const MeasuredState& state) {
+  transforms_.sendTransform(to_transform(state, parameters_.base_frame, parameters_.flange_frame));
+  joint_states_.publish(to_joint_state(state));
+}
+
+void DriverNode::publish_status() {
+  constexpr double kReminder = 10;  // [s]
+  const LinkReport link = client_.link();
+  status_.publish(to_status(link, client_.latest()));
+  if (link.up && !was_up_) ROS_INFO("controller %s: connected", parameters_.client.address.c_str());
+  if (!link.up) {
+    ROS_WARN_THROTTLE(kReminder, "controller %s:%d: %s; trying again every %g s",
+                      parameters_.client.address.c_str(), parameters_.client.port,
+                      link.message.c_str(), parameters_.client.reconnect_period);
+  }
+  was_up_ = link.up;
+}
+
+void DriverNode::diagnose_link(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const LinkReport link = client_.link();
+  const bool faulty = link.stream.lost > diagnosed_.stream.lost ||
+                      link.stream.reordered > diagnosed_.stream.reordered ||
+                      link.stream.repeated > diagnosed_.stream.repeated ||
+                      link.malformed > diagnosed_.malformed || link.foreign > diagnosed_.foreign ||
+                      link.overlong > diagnosed_.overlong;
+  diagnosed_ = link;
+  if (!link.up) {
+    status.summary(DiagnosticStatus::ERROR, "controller " + link.message);
+  } else if (faulty) {
+    status.summary(DiagnosticStatus::WARN, "datagrams were lost, repeated, late or bad");
+  } else {
+    status.summary(DiagnosticStatus::OK, "connected");
+  }
+  status.add("times the link was lost", link.losses);
+  status.add("positions received", link.stream.received);
+  status.add("positions lost", link.stream.lost);
+  status.add("positions repeated", link.stream.repeated);
+  status.add("positions out of order", link.stream.reordered);
+  status.add("datagrams malformed", link.malformed);
+  status.add("latest malformed", link.last_malformed);
+  status.add("datagrams from others", link.foreign);
+  status.add("datagrams too long", link.overlong);
+}
+
+void DriverNode::diagnose_robot(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const auto state = client_.latest();
+  if (!client_.link().up || !state) {
+    status.summary(DiagnosticStatus::STALE, "not known without a link");
+    return;
+  }
+  const RobotState& robot = state->robot;
+  if (robot.e_stop) {
+    status.summary(DiagnosticStatus::ERROR, "emergency stop");
+  } else if (robot.error) {
+    status.summary(DiagnosticStatus::ERROR, robot.error->text);
+  } else if (!robot.drives || !robot.automatic) {
+    status.summary(DiagnosticStatus::WARN, robot.drives ? "manual mode" : "drives off");
+  } else {
+    status.summary(DiagnosticStatus::OK, robot.status == MotionStatus::Moving ? "moving" : "ready");
+  }
+  status.add("override [%]", robot.override);
+  status.add("linear speed [m/s]", robot.linear_speed);
+}
+
+void DriverNode::move(const scan_cell_msgs::MoveGoalConstPtr& goal) {
+  if (server_.isPreemptRequested()) {
+    finish(MoveResult::STOPPED, "cancelled before it began");
+    return;
+  }
+  try {
+    start(*goal);
+  } catch (const ConnectionError& error) {
+    finish(MoveResult::LINK_LOST, error.what());
+    return;
+  } catch (const Error& error) {
+    finish(MoveResult::REFUSED, error.what());
+    return;
+  }
+  const Goal end = follow();
+  switch (end.outcome()) {
+    case Goal::Outcome::Reached:
+      finish(MoveResult::REACHED, end.message());
+      return;
+    case Goal::Outcome::Stopped:
+      finish(MoveResult::STOPPED, end.message());
+      return;
+    case Goal::Outcome::LinkLost:
+      finish(MoveResult::LINK_LOST, end.message());
+      return;
+    case Goal::Outcome::Failed:
+    case Goal::Outcome::None:
+    case Goal::Outcome::Underway:
+      finish(MoveResult::CONTROLLER_ERROR, end.message());
+      return;
+  }
+}
+
+void DriverNode::start(const MoveGoal& goal) {
+  if (goal.kind == MoveGoal::CARTESIAN) {
+    client_.move_to_pose(to_target(goal.pose, parameters_.base_frame), goal.camera_rate);
+  } else if (goal.kind == MoveGoal::JOINT) {
+    client_.move_to_joints(goal.joints, goal.camera_rate);
+  } else {
+    throw Refused("kind of motion", std::to_string(goal.kind), "give CARTESIAN or JOINT");
+  }
+}
+
+Goal DriverNode::follow() {
+  bool stopping = false;
+  while (true) {
+    const Goal goal = client_.wait_for_goal(1 / parameters_.feedback_rate);
+    if (!goal.underway()) return goal;
+    const auto state = client_.latest();
+    if (state) {
+      scan_cell_msgs::MoveFeedback feedback;
+      feedback.progress = goal.progress();
+      feedback.pose = to_pose(*state, parameters_.base_frame);
+      server_.publishFeedback(feedback);
+    }
+    if (stopping || (ros::ok() && !server_.isPreemptRequested())) continue;
+    try {
+      client_.stop();
+      stopping = true;
+    } catch (const Error& error) {
+      ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the goal, else again
+    }
+  }
+}
+
+void DriverNode::finish(std::uint8_t outcome, const std::string& message) {
+  MoveResult result;
+  result.outcome = outcome;
+  result.message = message;
+  const auto state = client_.latest();
+  if (state) result.pose = to_pose(*state, parameters_.base_frame);
+  if (outcome == MoveResult::REACHED) {
+    server_.setSucceeded(result, message);
+  } else if (outcome == MoveResult::STOPPED && server_.isPreemptRequested()) {
+    server_.setPreempted(result, message);
+  } else {
+    server_.setAborted(result, message);
+  }
+}
+
+template <class Service>
+void DriverNode::advertise(ros::NodeHandle& node, const std::string& name,
+                           void (DriverNode::*handler)(const typename Service::Request&,
+                                                       typename Service::Response&)) {
+  const boost::function<bool(typename Service::Request&, typename Service::Response&)> serve =
+      [this, handler](typename Service::Request& request, typename Service::Response& response) {
+        try {
+          (this->*handler)(request, response);
+          response.success = true;
+        } catch (const Error& error) {
+          response.message = error.what();
+        }
+        return true;
+      };
+  services_.push_back(node.advertiseService(name, serve));
+}
+
+void DriverNode::set_override(const scan_cell_msgs::SetOverride::Request& request,
+                              scan_cell_msgs::SetOverride::Response&) {
+  client_.set_override(request.override);
+}
+
+void DriverNode::set_linear_speed(const scan_cell_msgs::SetLinearSpeed::Request& request,
+                                  scan_cell_msgs::SetLinearSpeed::Response&) {
+  client_.set_linear_speed(request.speed);
+}
+
+void DriverNode::get_static_pose(const scan_cell_msgs::GetStaticPose::Request&,
+                                 scan_cell_msgs::GetStaticPose::Response& response) {
+  const MeasuredState state = client_.static_pose();
+  response.pose = to_pose(state, parameters_.base_frame);
+  response.joints = to_joint_state(state);
+}
+
+void DriverNode::get_parameter(const scan_cell_msgs::GetControllerParameter::Request& request,
+                               scan_cell_msgs::GetControllerParameter::Response& response) {
+  response.value = client_.get_parameter(request.name);
+}
+
+void DriverNode::set_parameter(const scan_cell_msgs::SetControllerParameter::Request& request,
+                               scan_cell_msgs::SetControllerParameter::Response&) {
+  client_.set_parameter(request.name, request.value);
+}
+
+}  // namespace c4g_driver

@@ -1,0 +1,84 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "c4g_driver/ros/messages.h"
+
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace c4g_driver {
+
+using scan_cell_common::Refused;
+using scan_cell_common::to_ros;
+using scan_cell_msgs::RobotStatus;
+
+geometry_msgs::TransformStamped to_transform(const MeasuredState& state,
+                                             const std::string& base_frame,
+                                             const std::string& flange_frame) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = to_ros(state.time);
+  message.header.frame_id = base_frame;
+  message.child_frame_id = flange_frame;
+  message.transform = scan_cell_common::to_ros_transform(state.robot.flange);
+  return message;
+}
+
+geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string& base_frame) {
+  geometry_msgs::PoseStamped message;
+  message.header.stamp = to_ros(state.time);
+  message.header.frame_id = base_frame;
+  message.pose = scan_cell_common::to_ros_pose(state.robot.flange);
+  return message;
+}
+
+sensor_msgs::JointState to_joint_state(const MeasuredState& state) {
+  sensor_msgs::JointState message;
+  message.header.stamp = to_ros(state.time);
+  for (int i = 0; i < 6; ++i) {
+    message.name.push_back("joint_" + std::to_string(i + 1));
+    message.position.push_back(state.robot.joints[i]);
+  }
+  return message;
+}
+
+RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>& state) {
+  const auto said = [](bool value) { return value ? RobotStatus::YES : RobotStatus::NO; };
+  RobotStatus message;
+  message.header.stamp = state ? to_ros(state->time) : ros::Time();
+  message.connected = link.up;
+  message.message = link.message;
+  message.mode = RobotStatus::MODE_UNKNOWN;
+  message.e_stopped = message.drives_powered = message.motion_possible = message.in_motion =
+      message.in_error = RobotStatus::UNKNOWN;
+  message.override = message.linear_speed = std::nan("");
+  if (!link.up || !state) return message;
+  const RobotState& robot = state->robot;
+  message.mode = robot.automatic ? RobotStatus::MODE_AUTO : RobotStatus::MODE_MANUAL;
+  message.e_stopped = said(robot.e_stop);
+  message.drives_powered = said(robot.drives);
+  message.motion_possible = said(robot.drives && !robot.e_stop && robot.automatic);
+  message.in_motion = said(robot.status == MotionStatus::Moving);
+  message.in_error = said(robot.error.has_value());
+  message.error_code = robot.error ? robot.error->code : 0;
+  message.override = robot.override;
+  message.linear_speed = robot.linear_speed;
+  if (robot.error) message.message = robot.error->text;
+  return message;
+}
+
+Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame) {
+  constexpr double kUnit = 1e-3;
+  if (pose.header.frame_id != base_frame) {
+    throw Refused("target frame", "'" + pose.header.frame_id + "'",
+                  "give the flange's pose in " + base_frame);
+  }
+  const auto& q = pose.pose.orientation;
+  const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  if (!(std::abs(norm - 1) < kUnit)) {
+    throw Refused("target orientation", "length " + std::to_string(norm), "give a unit quaternion");
+  }
+  return scan_cell_common::from_ros(pose.pose);
+}
+
+}  // namespace c4g_driver
