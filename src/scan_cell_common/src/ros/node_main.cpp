@@ -10,6 +10,8 @@ namespace scan_cell_common {
 
 int node_main(int argc, char** argv, const std::string& name, const std::function<void()>& body) {
   ros::init(argc, argv, name);
+  // The last handle takes the console down with it: without this one the line below is not printed.
+  const ros::NodeHandle keep_console;
   try {
     body();
     return 0;
