@@ -1,0 +1,26 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "laser_trigger/trigger_port.h"
+
+namespace laser_trigger {
+
+/// The simulator's trigger circuit: each write is one UDP datagram of one byte, the data register.
+class LoopbackPort : public TriggerPort {
+ public:
+  /// @param host IPv4 address
+  /// @throw scan_cell_common::InvalidParameter if it is none
+  LoopbackPort(const std::string& host, std::uint16_t port);
+  ~LoopbackPort() override;
+  LoopbackPort(const LoopbackPort&) = delete;
+  LoopbackPort& operator=(const LoopbackPort&) = delete;
+
+  void write(std::uint8_t data) override;
+
+ private:
+  std::string name_;
+  int socket_ = -1;
+};
+
+}  // namespace laser_trigger

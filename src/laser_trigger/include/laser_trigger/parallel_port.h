@@ -1,0 +1,32 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "laser_trigger/trigger_port.h"
+
+namespace laser_trigger {
+
+/// A PC's parallel port through Linux' ppdev. The claim is taken at the first write and held, so no
+/// other program can change the lines meanwhile; the kernel lets it go when the process dies, in
+/// whatever way. It does not clear the data register then: that is the guardian's task.
+class ParallelPort : public TriggerPort {
+ public:
+  /// @throw NoDevice, NoPermission
+  explicit ParallelPort(const std::string& device);
+  ~ParallelPort() override;
+  ParallelPort(const ParallelPort&) = delete;
+  ParallelPort& operator=(const ParallelPort&) = delete;
+
+  /// Claims the port if that has not been done yet.
+  /// @throw DeviceBusy if another program holds it for longer than `timeout` [s]
+  void claim(double timeout);
+
+  void write(std::uint8_t data) override;
+
+ private:
+  std::string device_;
+  int descriptor_ = -1;
+  bool claimed_ = false;
+};
+
+}  // namespace laser_trigger

@@ -1,0 +1,115 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "laser_trigger/guardian.h"
+#include "laser_trigger/trigger_port.h"
+#include "scan_cell_common/timed_pose.h"
+
+namespace laser_trigger {
+
+using scan_cell_common::Nanoseconds;
+
+/// One pulse that was sent.
+struct Pulse {
+  Nanoseconds time = 0;      //!< host time of the rising edge, from just before and after the write
+  std::uint32_t arming = 0;  //!< the first is 1
+  std::uint64_t count = 0;   //!< since this arming; the first is 1
+  std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
+};
+
+struct TriggerStatus {
+  bool armed = false;
+  std::uint32_t arming = 0;  //!< the present or latest
+  std::uint64_t pulses = 0;  //!< sent in it
+  std::uint64_t missed = 0;  //!< deadlines of it that were missed
+  double rate = 0;           //!< [Hz]
+  std::uint8_t lasers = 0;   //!< on now
+  std::string message;       //!< why it was disarmed
+};
+
+/// Pulses the camera at a steady rate with the lasers on, and sees to it that they go off.
+///
+/// Deadlines are absolute and on the monotonic clock. A pulse that would come later than half a
+/// period is left out and counted as missed, so two pulses are never closer than half a period.
+///
+/// All lines are low from the constructor on, and again on disarm(), without a keep_alive() within
+/// its timeout, after the longest-on time, when the port or the guardian fails, and at the end.
+/// While it is idle zero is written again every second.
+class PulseGenerator {
+ public:
+  struct Settings {
+    double pulse_width = 200e-6;      //!< [s] how long the camera's line is high
+    double most_rate = 1000;          //!< [Hz]
+    double keep_alive_timeout = 0.5;  //!< [s]
+    double longest_on = 300;          //!< [s] the longest an arming lasts, whatever was asked for
+    int realtime_priority = 0;        //!< of SCHED_FIFO; 0: the usual scheduling
+  };
+  struct Arming {
+    double rate = 0;          //!< [Hz]
+    std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
+    double longest_on = 0;    //!< [s] 0: the settings'
+  };
+  struct Observer {
+    std::function<void(const Pulse&)> on_pulse;  //!< called by the pulse thread
+    std::function<void()> on_change;             //!< after arming and disarming, by any thread
+  };
+
+  /// @param guardian none only in tests that do not kill the process
+  /// @throw scan_cell_common::InvalidParameter if the real-time priority is not permitted
+  PulseGenerator(TriggerPort& port, Guardian* guardian, const Settings& settings,
+                 const Observer& observer);
+  ~PulseGenerator();
+
+  /// @return its number
+  /// @throw scan_cell_common::Refused if it is armed already, or the rate or the lasers make no
+  /// sense
+  /// @throw scan_cell_common::ConnectionError if circuit or guardian cannot be reached
+  std::uint32_t arm(const Arming& arming);
+
+  /// Lines low, then this.
+  /// @return state of the arming that ended; arming 0 if there was none
+  TriggerStatus disarm(const std::string& reason);
+
+  void keep_alive();
+  TriggerStatus status() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
+
+  void check(const Arming& arming) const;
+  void set_realtime_priority();
+  void run();
+  void idle();
+  void generate();
+  void send_pulse();
+  bool wait_until(Clock::time_point time, std::uint32_t arming);
+  bool still_armed(std::uint32_t arming);
+  std::string reason_to_disarm(Clock::time_point now) const;
+  void disarm_locked(const std::string& reason);
+  void write_low() noexcept;
+
+  TriggerPort& port_;
+  Guardian* guardian_;
+  const Settings settings_;
+  const Observer observer_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  bool ending_ = false;
+  TriggerStatus status_;
+  Arming arming_;
+  Clock::time_point armed_at_;
+  Clock::time_point kept_alive_at_;
+  Clock::time_point guardian_told_at_;
+  std::thread thread_;
+};
+
+}  // namespace laser_trigger

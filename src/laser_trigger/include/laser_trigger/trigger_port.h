@@ -1,0 +1,69 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "scan_cell_common/errors.h"
+
+namespace laser_trigger {
+
+/// Bits of the trigger circuit's data register.
+constexpr std::uint8_t kCameraPulse = 1;
+constexpr std::uint8_t kLaser0 = 2;
+constexpr std::uint8_t kLaser1 = 4;
+
+/// The register's laser bits for a mask as in TriggerEvent (bit 0: laser_0, bit 1: laser_1).
+constexpr std::uint8_t laser_bits(std::uint8_t lasers) {
+  return static_cast<std::uint8_t>(lasers << 1);
+}
+
+/// There is no such port, or it is not of the kind expected.
+class NoDevice : public scan_cell_common::ConnectionError {
+ public:
+  using ConnectionError::ConnectionError;
+};
+
+/// The user may not use the port.
+class NoPermission : public scan_cell_common::ConnectionError {
+ public:
+  using ConnectionError::ConnectionError;
+};
+
+/// Another program holds the port.
+class DeviceBusy : public scan_cell_common::ConnectionError {
+ public:
+  using ConnectionError::ConnectionError;
+};
+
+/// The wire to the trigger circuit: eight output lines.
+class TriggerPort {
+ public:
+  virtual ~TriggerPort() = default;
+
+  /// Sets all lines at once.
+  /// @throw scan_cell_common::ConnectionError if the circuit cannot be reached
+  virtual void write(std::uint8_t data) = 0;
+};
+
+/// Which port to use. Plain data: it travels to the guardian process as bytes.
+struct PortAddress {
+  enum class Kind : std::uint8_t { Parallel, Loopback };
+  Kind kind = Kind::Loopback;
+  char device[64] = "/dev/parport0";  //!< of a parallel port
+  char host[64] = "127.0.0.1";        //!< of a loopback port: IPv4 address
+  std::uint16_t port = 5420;          //!< of a loopback port
+
+  /// @throw scan_cell_common::InvalidParameter if a text does not fit
+  static PortAddress parallel(const std::string& device);
+  static PortAddress loopback(const std::string& host, std::uint16_t port);
+
+  std::string name() const;
+};
+
+/// @throw NoDevice, NoPermission, DeviceBusy, scan_cell_common::InvalidParameter
+std::unique_ptr<TriggerPort> open_port(const PortAddress& address);
+
+}  // namespace laser_trigger

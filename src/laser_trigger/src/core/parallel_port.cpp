@@ -1,0 +1,82 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "laser_trigger/parallel_port.h"
+
+#include <fcntl.h>
+#include <linux/ppdev.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <future>
+#include <thread>
+
+namespace laser_trigger {
+namespace {
+
+[[noreturn]] void fail(const std::string& device, int error) {
+  switch (error) {
+    case EACCES:
+    case EPERM:
+      throw NoPermission(device, "permission denied",
+                         "add the user to the group that owns it (lp) and log in again");
+    case EBUSY:
+    case EAGAIN:
+      throw DeviceBusy(device, "held by another program",
+                       "stop the other program, or unload the printer driver (rmmod lp)");
+    case ENOTTY:
+    case EINVAL:
+      throw NoDevice(device, "not a parallel port",
+                     "give the port's device, such as /dev/parport0");
+    case ENOENT:
+    case ENXIO:
+    case ENODEV:
+      throw NoDevice(device, "no such device",
+                     "check the port in the BIOS and load the drivers (modprobe parport_pc ppdev)");
+    default:
+      throw scan_cell_common::ConnectionError(device, std::strerror(error),
+                                              "check the port and its driver");
+  }
+}
+
+}  // namespace
+
+ParallelPort::ParallelPort(const std::string& device) : device_(device) {
+  descriptor_ = open(device.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor_ < 0) fail(device, errno);
+}
+
+ParallelPort::~ParallelPort() {
+  if (claimed_) ioctl(descriptor_, PPRELEASE);
+  close(descriptor_);
+}
+
+void ParallelPort::claim(double timeout) {
+  if (claimed_) return;
+  // The kernel waits for the port without an end, so a thread of its own does the waiting; where it
+  // is given up it keeps a duplicate of the descriptor and goes with the process.
+  const int descriptor = dup(descriptor_);
+  auto claimed = std::make_shared<std::promise<int>>();
+  std::future<int> answer = claimed->get_future();
+  std::thread([descriptor, claimed] {
+    const int error = ioctl(descriptor, PPCLAIM) == 0 ? 0 : errno;
+    close(descriptor);
+    claimed->set_value(error);
+  }).detach();
+  if (answer.wait_for(std::chrono::duration<double>(timeout)) != std::future_status::ready) {
+    fail(device_, EBUSY);
+  }
+  const int error = answer.get();
+  if (error != 0) fail(device_, error);
+  claimed_ = true;
+}
+
+void ParallelPort::write(std::uint8_t data) {
+  constexpr double kPatience = 2;
+  claim(kPatience);
+  if (ioctl(descriptor_, PPWDATA, &data) != 0) fail(device_, errno);
+}
+
+}  // namespace laser_trigger

@@ -1,0 +1,273 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "laser_trigger/pulse_generator.h"
+
+#include <pthread.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+namespace laser_trigger {
+namespace {
+
+using scan_cell_common::Refused;
+using std::chrono::duration_cast;
+using std::chrono::nanoseconds;
+
+constexpr nanoseconds kLook{20'000'000};            // at most between two looks at the conditions
+constexpr nanoseconds kGuardianPeriod{50'000'000};  // between two signs of life
+constexpr nanoseconds kIdlePeriod{1'000'000'000};
+
+nanoseconds seconds(double value) {
+  return nanoseconds(scan_cell_common::from_seconds(value));
+}
+
+Nanoseconds host_time() {
+  timespec time;
+  clock_gettime(CLOCK_REALTIME, &time);
+  return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+void sleep_until(std::chrono::steady_clock::time_point time) {
+  const auto count = duration_cast<nanoseconds>(time.time_since_epoch()).count();
+  timespec deadline;
+  deadline.tv_sec = count / 1'000'000'000;
+  deadline.tv_nsec = count % 1'000'000'000;
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace
+
+PulseGenerator::PulseGenerator(TriggerPort& port, Guardian* guardian, const Settings& settings,
+                               const Observer& observer)
+    : port_(port), guardian_(guardian), settings_(settings), observer_(observer) {
+  write_low();
+  thread_ = std::thread(&PulseGenerator::run, this);
+  try {
+    set_realtime_priority();
+  } catch (...) {
+    ending_ = true;
+    changed_.notify_all();
+    thread_.join();
+    throw;
+  }
+}
+
+PulseGenerator::~PulseGenerator() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (status_.armed) disarm_locked("the trigger is shut down");
+    ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+  write_low();
+}
+
+void PulseGenerator::set_realtime_priority() {
+  if (settings_.realtime_priority == 0) return;
+  sched_param priority = {};
+  priority.sched_priority = settings_.realtime_priority;
+  const int error = pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &priority);
+  if (error == 0) return;
+  throw scan_cell_common::InvalidParameter(
+      "realtime_priority",
+      std::to_string(settings_.realtime_priority) + " (" + std::strerror(error) + ")",
+      "allow it (rtprio in /etc/security/limits.d), or set 0");
+}
+
+void PulseGenerator::check(const Arming& arming) const {
+  constexpr std::uint8_t kAllLasers = 3;
+  const double most = std::min(settings_.most_rate, 0.5 / settings_.pulse_width);
+  if (!(arming.rate > 0) || !(arming.rate <= most)) {
+    throw Refused("rate", std::to_string(arming.rate) + " Hz",
+                  "give a rate above 0, up to " + std::to_string(most) + " Hz");
+  }
+  if ((arming.lasers & ~kAllLasers) != 0) {
+    throw Refused("lasers", "mask " + std::to_string(arming.lasers),
+                  "bit 0 is laser_0, bit 1 is laser_1, there are no others");
+  }
+  if (!std::isfinite(arming.longest_on) || arming.longest_on < 0) {
+    throw Refused("longest_on", std::to_string(arming.longest_on) + " s",
+                  "give 0 for the node's own limit, or more");
+  }
+  if (status_.armed) {
+    throw Refused("trigger", "armed already", "disarm it first");
+  }
+}
+
+std::uint32_t PulseGenerator::arm(const Arming& arming) {
+  std::uint32_t number = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    check(arming);
+    if (guardian_ != nullptr) guardian_->alive(true);
+    try {
+      port_.write(laser_bits(arming.lasers));
+    } catch (...) {
+      write_low();
+      throw;
+    }
+    arming_ = arming;
+    if (arming_.longest_on == 0 || arming_.longest_on > settings_.longest_on) {
+      arming_.longest_on = settings_.longest_on;
+    }
+    armed_at_ = kept_alive_at_ = guardian_told_at_ = Clock::now();
+    number = status_.arming + 1;
+    status_ = {true, number, 0, 0, arming.rate, arming.lasers, ""};
+  }
+  changed_.notify_all();
+  observer_.on_change();
+  return number;
+}
+
+TriggerStatus PulseGenerator::disarm(const std::string& reason) {
+  TriggerStatus ended;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!status_.armed) {
+      write_low();
+      return ended;
+    }
+    disarm_locked(reason);
+    ended = status_;
+  }
+  changed_.notify_all();
+  observer_.on_change();
+  return ended;
+}
+
+void PulseGenerator::disarm_locked(const std::string& reason) {
+  status_.armed = false;
+  status_.lasers = 0;
+  status_.message = reason;
+  write_low();
+}
+
+void PulseGenerator::write_low() noexcept {
+  try {
+    port_.write(0);
+    if (guardian_ != nullptr) guardian_->alive(false);
+  } catch (const std::exception&) {
+    // A circuit that cannot be reached is written to again every second, and at arming the
+    // error is said.
+  }
+}
+
+void PulseGenerator::keep_alive() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  kept_alive_at_ = Clock::now();
+}
+
+TriggerStatus PulseGenerator::status() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return status_;
+}
+
+void PulseGenerator::run() {
+  while (true) {
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      while (!ending_ && !status_.armed) {
+        if (changed_.wait_for(lock, kIdlePeriod) == std::cv_status::timeout) write_low();
+      }
+      if (ending_) return;
+    }
+    generate();
+  }
+}
+
+std::string PulseGenerator::reason_to_disarm(Clock::time_point now) const {
+  if (now - kept_alive_at_ > seconds(settings_.keep_alive_timeout)) {
+    return "no keep-alive for " + std::to_string(settings_.keep_alive_timeout) + " s";
+  }
+  if (now - armed_at_ > seconds(arming_.longest_on)) {
+    return "longest-on time of " + std::to_string(arming_.longest_on) + " s is over";
+  }
+  return "";
+}
+
+bool PulseGenerator::still_armed(std::uint32_t arming) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!status_.armed || status_.arming != arming) return false;
+    const Clock::time_point now = Clock::now();
+    std::string reason = reason_to_disarm(now);
+    if (reason.empty() && guardian_ != nullptr && now - guardian_told_at_ > kGuardianPeriod) {
+      try {
+        guardian_->alive(true);
+        guardian_told_at_ = now;
+      } catch (const std::exception& error) {
+        reason = error.what();
+      }
+    }
+    if (reason.empty()) return true;
+    disarm_locked(reason);
+  }
+  observer_.on_change();
+  return false;
+}
+
+bool PulseGenerator::wait_until(Clock::time_point time, std::uint32_t arming) {
+  while (true) {
+    if (!still_armed(arming)) return false;
+    const Clock::time_point now = Clock::now();
+    if (now >= time) return true;
+    sleep_until(std::min(time, now + kLook));
+  }
+}
+
+void PulseGenerator::generate() {
+  const TriggerStatus begin = status();
+  if (!begin.armed) return;
+  const nanoseconds period = seconds(1 / begin.rate);
+  Clock::time_point deadline = Clock::now() + period;
+  while (wait_until(deadline, begin.arming)) {
+    const auto late = Clock::now() - deadline;
+    if (late * 2 < period) {
+      send_pulse();
+      deadline += period;
+    } else {
+      const auto missed = (late + period / 2) / period;
+      const std::lock_guard<std::mutex> lock(mutex_);
+      status_.missed += static_cast<std::uint64_t>(missed);
+      deadline += period * missed;
+    }
+  }
+}
+
+void PulseGenerator::send_pulse() {
+  Pulse pulse;
+  std::string failure;
+  const auto write = [this, &failure](std::uint8_t data) {
+    try {
+      port_.write(data);
+    } catch (const std::exception& error) {
+      failure = error.what();
+      disarm_locked(failure);
+    }
+  };
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!status_.armed) return;
+    const Nanoseconds before = host_time();
+    write(laser_bits(status_.lasers) | kCameraPulse);
+    const Nanoseconds after = host_time();
+    if (failure.empty()) {
+      pulse = {before + (after - before) / 2, status_.arming, ++status_.pulses, status_.lasers};
+    }
+  }
+  if (failure.empty()) {
+    sleep_until(Clock::now() + seconds(settings_.pulse_width));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (status_.armed && status_.arming == pulse.arming) write(laser_bits(status_.lasers));
+  }
+  if (pulse.count > 0) observer_.on_pulse(pulse);
+  if (!failure.empty()) observer_.on_change();
+}
+
+}  // namespace laser_trigger

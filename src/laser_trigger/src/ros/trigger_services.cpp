@@ -1,0 +1,96 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trigger_services.h"
+
+#include <scan_cell_msgs/TriggerEvent.h>
+#include <scan_cell_msgs/TriggerState.h>
+
+#include "scan_cell_common/ros/conversions.h"
+
+namespace laser_trigger {
+
+using scan_cell_msgs::ArmTrigger;
+using scan_cell_msgs::DisarmTrigger;
+
+TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& parameters,
+                                 TriggerPort& port, Guardian& guardian) {
+  constexpr std::uint32_t kEvents = 100000;
+  events_ = node.advertise<scan_cell_msgs::TriggerEvent>("events", kEvents);
+  state_ = node.advertise<scan_cell_msgs::TriggerState>("state", 10, true);
+  generator_ = std::make_unique<PulseGenerator>(
+      port, &guardian, parameters.pulses,
+      PulseGenerator::Observer{[this](const Pulse& pulse) { on_pulse(pulse); },
+                               [this] { publish_state(); }});
+  const boost::function<void(const std_msgs::EmptyConstPtr&)> keep_alive =
+      [this](const std_msgs::EmptyConstPtr&) { generator_->keep_alive(); };
+  keep_alive_ = node.subscribe<std_msgs::Empty>("keep_alive", 1, keep_alive);
+  arm_ = node.advertiseService("arm", &TriggerServices::arm, this);
+  disarm_ = node.advertiseService("disarm", &TriggerServices::disarm, this);
+  diagnostics_.setHardwareID(parameters.port.name());
+  diagnostics_.add("trigger", this, &TriggerServices::diagnose);
+  diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
+                                        [this](const ros::TimerEvent&) { diagnostics_.update(); });
+  publish_state();
+}
+
+void TriggerServices::shut_down(const std::string& reason) {
+  generator_->disarm(reason);
+}
+
+bool TriggerServices::arm(ArmTrigger::Request& request, ArmTrigger::Response& response) {
+  try {
+    response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec()});
+    response.success = true;
+  } catch (const scan_cell_common::Error& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+bool TriggerServices::disarm(DisarmTrigger::Request&, DisarmTrigger::Response& response) {
+  const TriggerStatus ended = generator_->disarm("disarmed by the client");
+  response.success = true;
+  response.arming = ended.arming;
+  response.pulses = ended.pulses;
+  return true;
+}
+
+void TriggerServices::on_pulse(const Pulse& pulse) {
+  scan_cell_msgs::TriggerEvent event;
+  event.header.stamp = scan_cell_common::to_ros(pulse.time);
+  event.arming = pulse.arming;
+  event.count = pulse.count;
+  event.lasers = pulse.lasers;
+  events_.publish(event);
+}
+
+void TriggerServices::publish_state() {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  const TriggerStatus status = generator_->status();
+  scan_cell_msgs::TriggerState state;
+  state.header.stamp = ros::Time::now();
+  state.armed = status.armed;
+  state.arming = status.arming;
+  state.pulses = status.pulses;
+  state.rate = status.rate;
+  state.lasers = status.lasers;
+  state.message = status.message;
+  state_.publish(state);
+}
+
+void TriggerServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const TriggerStatus now = generator_->status();
+  status.summary(now.missed == 0 ? Level::OK : Level::WARN,
+                 now.missed == 0 ? (now.armed ? "armed" : "disarmed") : "deadlines missed");
+  status.add("armed", now.armed);
+  status.add("arming", now.arming);
+  status.add("rate [Hz]", now.rate);
+  status.add("lasers", static_cast<int>(now.lasers));
+  status.add("pulses", now.pulses);
+  status.add("missed deadlines", now.missed);
+  status.add("disarmed because", now.message);
+}
+
+}  // namespace laser_trigger

@@ -1,0 +1,48 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <scan_cell_msgs/ArmTrigger.h>
+#include <scan_cell_msgs/DisarmTrigger.h>
+#include <std_msgs/Empty.h>
+
+#include <memory>
+#include <mutex>
+
+#include "laser_trigger/pulse_generator.h"
+#include "parameters.h"
+
+namespace laser_trigger {
+
+/// The trigger's topics, services and diagnostics.
+class TriggerServices {
+ public:
+  TriggerServices(ros::NodeHandle node, const Parameters& parameters, TriggerPort& port,
+                  Guardian& guardian);
+
+  /// Ends what is under way: the lines are low when this returns.
+  void shut_down(const std::string& reason);
+
+ private:
+  bool arm(scan_cell_msgs::ArmTrigger::Request& request,
+           scan_cell_msgs::ArmTrigger::Response& response);
+  bool disarm(scan_cell_msgs::DisarmTrigger::Request& request,
+              scan_cell_msgs::DisarmTrigger::Response& response);
+  void on_pulse(const Pulse& pulse);
+  void publish_state();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  ros::Publisher events_;
+  ros::Publisher state_;
+  std::mutex state_mutex_;  // the state published last is the latest
+  std::unique_ptr<PulseGenerator> generator_;
+  ros::Subscriber keep_alive_;
+  ros::ServiceServer arm_;
+  ros::ServiceServer disarm_;
+  diagnostic_updater::Updater diagnostics_;
+  ros::Timer diagnostics_timer_;
+};
+
+}  // namespace laser_trigger
