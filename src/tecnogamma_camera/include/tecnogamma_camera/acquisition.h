@@ -1,0 +1,172 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "scan_cell_common/clock_map.h"
+#include "tecnogamma_camera/camera.h"
+
+namespace tecnogamma_camera {
+
+/// The thesis' modes (section 3.2).
+enum class AcquisitionMode { STOP, LIVE_ONLY, RELIEF_ONLY, RELIEF_LIVE };
+
+struct AcquisitionParameters {
+  CameraSettings camera;
+  AcquisitionMode mode = AcquisitionMode::STOP;  //!< once the camera is first found
+  Trigger trigger = Trigger::EXTERNAL;
+  double retry_period = 1.0;          //!< [s] from a lost camera to the next try, and between tries
+  double start_timeout = 5.0;         //!< [s] for the camera to be found and stream
+  double arming_time = 0.2;           //!< [s] after a start in which a camera may miss pulses
+  double silence_timeout = 2.0;       //!< [s] without a frame in free run: the camera is lost
+  double clock_window = 10.0;         //!< [s] over which the least delay of the stream is sought
+  bool device_clock_is_host = false;  //!< the camera's clock is synchronised to the host's (PTP)
+};
+
+/// A frame with its place in the run of frames.
+struct NumberedFrame {
+  AcquisitionMode mode;
+  std::uint32_t acquisition;  //!< which start of acquisition it belongs to; the first is 1
+  std::uint64_t counter;      //!< unwrapped
+  Nanoseconds time;           //!< [ns] of the exposure, on the host's clock
+  const Frame& frame;
+  const CameraDescription& camera;
+};
+
+/// Counts since the acquisition was made.
+struct FrameCounts {
+  std::uint64_t received = 0;
+  std::uint64_t incomplete = 0;  //!< received with packets missing
+  std::uint64_t lost = 0;        //!< gaps in the frame counter
+  std::uint64_t repeated = 0;
+  std::uint64_t late = 0;      //!< came after a later one
+  std::uint64_t restarts = 0;  //!< the counter jumped back: the camera was restarted
+  std::uint64_t invalid = 0;   //!< without a frame number: dropped
+};
+
+struct AcquisitionState {
+  bool connected = false;
+  std::string message;  //!< why it is not connected, or was stopped without being asked
+  AcquisitionMode mode = AcquisitionMode::STOP;
+  Trigger trigger = Trigger::EXTERNAL;
+  std::uint32_t acquisition = 0;
+  CameraDescription camera;  //!< the last one that was connected
+  StreamStatistics stream;
+  FrameCounts frames;
+  std::uint64_t times_lost = 0;
+};
+
+/// What an acquisition tells; called from its thread.
+class AcquisitionListener {
+ public:
+  virtual ~AcquisitionListener() = default;
+  virtual void on_frame(const NumberedFrame& frame) = 0;
+  virtual void on_connected(const CameraDescription& camera) = 0;
+  /// Once for each reason: the camera cannot be opened, was lost, or did not start.
+  virtual void on_trouble(const std::string& reason) = 0;
+};
+
+/// Runs a camera in a thread of its own: opens it, keeps it in the mode asked for, numbers its
+/// frames, maps their times to the host's clock, and finds it again when it is lost.
+///
+/// After a loss, an acquisition in external trigger is resumed, with a new number: nothing happens
+/// until the next pulse. One in free run is not, since the camera would run, and drive its strobe
+/// outputs, without anyone having asked for it; it stays in STOP until set() is called.
+class Acquisition {
+ public:
+  using Open = std::function<std::unique_ptr<Camera>()>;
+
+  Acquisition(const AcquisitionParameters& parameters, Open open, AcquisitionListener& listener);
+  ~Acquisition();
+  Acquisition(const Acquisition&) = delete;
+  Acquisition& operator=(const Acquisition&) = delete;
+
+  /// Stops the camera, and starts it in another mode. Returns once it streams: in free run with
+  /// the first frame, in external trigger when it was told to start `arming_time` ago.
+  /// @return number of the acquisition; 0 for STOP
+  /// @throw scan_cell_common::ConnectionError if the camera is not found, or no frame comes,
+  /// within start_timeout
+  /// @throw scan_cell_common::Error as Camera::start
+  std::uint32_t set(AcquisitionMode mode, Trigger trigger);
+
+  /// Safe in every mode. Also holds for a camera that is found again. [s]
+  /// @throw scan_cell_common::Error as Camera::set_exposure; the last exposure stays
+  void set_exposure(double exposure);
+
+  /// @throw scan_cell_common::Refused unless in STOP
+  /// @throw scan_cell_common::Error as Camera::configure; the last region stays
+  void set_region(const Region& region);
+
+  AcquisitionState state() const;
+
+ private:
+  struct Command {
+    std::function<std::uint32_t()> action;
+    bool needs_camera;
+    std::promise<std::uint32_t> result{};
+  };
+  using CommandPtr = std::shared_ptr<Command>;
+
+  std::uint32_t execute(std::function<std::uint32_t()> action, bool needs_camera);
+  CommandPtr take_command();
+  void perform(Command& command);
+  void wait_for_command(double seconds);
+
+  void run();
+  void run_once();
+  void connect();
+  void lose(const std::string& reason);
+  void report(const std::string& reason);
+  void start(AcquisitionMode mode, Trigger trigger);
+  void stop();
+  bool deliver_next(double timeout);
+  void deliver(const Frame& frame);
+  bool number(const Frame& frame, std::uint64_t& counter);
+  Nanoseconds time_of(const Frame& frame);
+  void throw_if_silent() const;
+
+  template <class Change>
+  void change_state(const Change& change) {
+    const std::lock_guard<std::mutex> lock(state_mutex_);
+    change(state_);
+  }
+
+  AcquisitionParameters parameters_;
+  Open open_;
+  AcquisitionListener& listener_;
+
+  // Of the thread alone.
+  std::unique_ptr<Camera> camera_;
+  CameraDescription description_;
+  AcquisitionMode mode_ = AcquisitionMode::STOP;
+  AcquisitionMode wanted_;      // the mode to resume when the camera is found again
+  bool ended_by_loss_ = false;  // wanted_ became STOP because the camera was lost
+  Trigger trigger_;
+  std::uint32_t acquisition_ = 0;
+  CounterUnwrapper unwrapper_{kCounter64};
+  scan_cell_common::ClockMap clock_;
+  Nanoseconds last_device_time_ = 0;
+  std::chrono::steady_clock::time_point last_frame_;
+  std::string reported_;
+
+  mutable std::mutex state_mutex_;
+  AcquisitionState state_;
+
+  std::mutex command_mutex_;
+  std::condition_variable command_arrived_;
+  std::deque<CommandPtr> commands_;
+  bool ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace tecnogamma_camera

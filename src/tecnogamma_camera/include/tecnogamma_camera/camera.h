@@ -1,0 +1,126 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/timed_pose.h"
+#include "tecnogamma_camera/counter_unwrapper.h"
+#include "tecnogamma_camera/image_view.h"
+
+namespace tecnogamma_camera {
+
+using scan_cell_common::Nanoseconds;
+
+/// The camera lacks a feature that was asked for. value() names the feature.
+class MissingFeature : public scan_cell_common::Error {
+ public:
+  using Error::Error;
+};
+
+enum class Trigger {
+  FREE_RUN,  //!< the camera's own clock
+  EXTERNAL   //!< one frame a pulse
+};
+
+/// Part of the sensor that is read out [px]. Width or height 0: all that is right of or below the
+/// offset.
+struct Region {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+inline bool operator==(const Region& a, const Region& b) {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+inline bool operator!=(const Region& a, const Region& b) {
+  return !(a == b);
+}
+
+/// What a camera is set to before it starts. An empty optional leaves the camera's own value.
+struct CameraSettings {
+  Region region;
+  std::optional<double> exposure;        //!< [s]
+  std::optional<double> gain;            //!< [dB], or the camera's own unit
+  std::optional<double> rate;            //!< [Hz] of free run
+  std::string trigger_source = "Line0";  //!< GenICam TriggerSource of the external trigger
+};
+
+struct CameraDescription {
+  std::string id;  //!< by which it can be opened again
+  std::string vendor;
+  std::string model;
+  std::string serial;
+  std::string transport;   //!< GigE Vision, USB3 Vision ...
+  int sensor_columns = 0;  //!< [px]
+  int sensor_rows = 0;     //!< [px]
+  Region region;           //!< as read back, never 0
+  double exposure = 0;     //!< [s] 0 where the camera does not tell
+  int packet_size = 0;     //!< [bytes] of the stream; 0 where it has no packets
+  CounterRule counter{};   //!< of its frame counter
+};
+
+/// Counts since the last start.
+struct StreamStatistics {
+  std::uint64_t completed = 0;        //!< frames received whole
+  std::uint64_t failures = 0;         //!< frames received with packets missing
+  std::uint64_t underruns = 0;        //!< frames for which no buffer was free: lost
+  std::uint64_t missing_packets = 0;  //!< packets that never came
+  std::uint64_t resent_packets = 0;   //!< packets that came when asked for again
+};
+
+/// One frame, 8 bits a pixel. The pixels are the camera's: they are valid until the next grab(),
+/// stop() or the camera's end.
+struct Frame {
+  std::uint64_t counter = 0;       //!< raw, as the camera counts
+  Nanoseconds device_time = 0;     //!< [ns] camera's clock at the exposure; 0: it has none
+  Nanoseconds host_time = 0;       //!< [ns] when it was received
+  std::uint32_t packets_lost = 0;  //!< above 0: some pixels are not of this frame. Do not use them
+  ImageView8 image;
+};
+
+/// A camera that is open. It is in STOP until start(), and parameters are written only then, but
+/// for the exposure. Not safe for use from several threads at once.
+///
+/// Every method throws scan_cell_common::ConnectionError where the camera is lost.
+class Camera {
+ public:
+  virtual ~Camera() = default;
+
+  virtual CameraDescription describe() = 0;
+
+  /// @throw scan_cell_common::Refused while running
+  /// @throw scan_cell_common::InvalidParameter naming the setting and the camera's range
+  /// @throw MissingFeature for a setting that the camera does not have
+  virtual void configure(const CameraSettings& settings) = 0;
+
+  /// Safe while running: the next frames are exposed so. [s]
+  /// @throw as configure
+  virtual void set_exposure(double exposure) = 0;
+
+  /// @throw scan_cell_common::Refused while running
+  /// @throw MissingFeature if the camera cannot be triggered so
+  virtual void start(Trigger trigger) = 0;
+
+  /// Stopping what is stopped does nothing.
+  virtual void stop() = 0;
+
+  /// The next frame, or none within the timeout.
+  virtual std::optional<Frame> grab(std::chrono::microseconds timeout) = 0;
+
+  /// Pulses a camera whose trigger source is "Software".
+  virtual void software_trigger() = 0;
+
+  virtual StreamStatistics statistics() = 0;
+
+  /// @throw scan_cell_common::ConnectionError if the camera is known to be lost. Never waits.
+  virtual void throw_if_lost() = 0;
+};
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,357 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tecnogamma_camera/acquisition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tecnogamma_camera {
+namespace {
+
+using scan_cell_common::ConnectionError;
+using scan_cell_common::Refused;
+using scan_cell_common::UnusableInput;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kPoll = 0.05;  // [s] longest wait before commands are looked at
+
+Clock::duration seconds(double value) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(value));
+}
+
+std::string to_text(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Acquisition::Acquisition(const AcquisitionParameters& parameters, Open open,
+                         AcquisitionListener& listener)
+    : parameters_(parameters),
+      open_(std::move(open)),
+      listener_(listener),
+      wanted_(parameters.mode),
+      trigger_(parameters.trigger),
+      clock_(scan_cell_common::from_seconds(parameters.clock_window)) {
+  state_.message = "the camera was not looked for yet";
+  state_.trigger = trigger_;
+  thread_ = std::thread([this] { run(); });
+}
+
+Acquisition::~Acquisition() {
+  {
+    const std::lock_guard<std::mutex> lock(command_mutex_);
+    ending_ = true;
+  }
+  command_arrived_.notify_all();
+  thread_.join();
+}
+
+std::uint32_t Acquisition::set(AcquisitionMode mode, Trigger trigger) {
+  if (mode == AcquisitionMode::STOP) {
+    return execute(
+        [this] {
+          wanted_ = AcquisitionMode::STOP;
+          ended_by_loss_ = false;
+          stop();
+          return 0U;
+        },
+        false);
+  }
+  return execute(
+      [this, mode, trigger] {
+        wanted_ = AcquisitionMode::STOP;  // where the start fails, its caller knows
+        ended_by_loss_ = false;
+        start(mode, trigger);
+        wanted_ = mode;
+        return acquisition_;
+      },
+      true);
+}
+
+void Acquisition::set_exposure(double exposure) {
+  execute(
+      [this, exposure] {
+        if (camera_) camera_->set_exposure(exposure);
+        parameters_.camera.exposure = exposure;
+        return 0U;
+      },
+      false);
+}
+
+void Acquisition::set_region(const Region& region) {
+  execute(
+      [this, region] {
+        if (mode_ != AcquisitionMode::STOP) {
+          throw Refused("region", "the camera is running", "change it in mode STOP");
+        }
+        CameraSettings changed = parameters_.camera;
+        changed.region = region;
+        if (camera_) camera_->configure(changed);
+        parameters_.camera = changed;
+        if (camera_) {
+          description_ = camera_->describe();
+          change_state([this](AcquisitionState& s) { s.camera = description_; });
+        }
+        return 0U;
+      },
+      false);
+}
+
+AcquisitionState Acquisition::state() const {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  return state_;
+}
+
+std::uint32_t Acquisition::execute(std::function<std::uint32_t()> action, bool needs_camera) {
+  const CommandPtr command(new Command{std::move(action), needs_camera});
+  std::future<std::uint32_t> result = command->result.get_future();
+  {
+    const std::lock_guard<std::mutex> lock(command_mutex_);
+    commands_.push_back(command);
+  }
+  command_arrived_.notify_all();
+  if (result.wait_for(seconds(parameters_.start_timeout)) == std::future_status::timeout) {
+    const std::lock_guard<std::mutex> lock(command_mutex_);
+    const auto waiting = std::find(commands_.begin(), commands_.end(), command);
+    if (waiting != commands_.end()) {
+      commands_.erase(waiting);
+      throw ConnectionError("camera", "not there: " + state().message,
+                            "try again when it was found");
+    }
+  }
+  return result.get();  // what has begun ends soon: the camera's own time-outs bound it
+}
+
+Acquisition::CommandPtr Acquisition::take_command() {
+  const std::lock_guard<std::mutex> lock(command_mutex_);
+  const auto ready = std::find_if(commands_.begin(), commands_.end(), [this](const CommandPtr& c) {
+    return camera_ || !c->needs_camera;
+  });
+  if (ready == commands_.end()) return nullptr;
+  const CommandPtr command = *ready;
+  commands_.erase(ready);
+  return command;
+}
+
+void Acquisition::perform(Command& command) {
+  try {
+    command.result.set_value(command.action());
+  } catch (const ConnectionError& error) {
+    command.result.set_exception(std::current_exception());
+    if (camera_) lose(error.what());
+  } catch (const std::exception&) {
+    command.result.set_exception(std::current_exception());
+  }
+}
+
+void Acquisition::wait_for_command(double duration) {
+  std::unique_lock<std::mutex> lock(command_mutex_);
+  command_arrived_.wait_for(lock, seconds(duration), [this] {
+    return ending_ || std::any_of(commands_.begin(), commands_.end(), [this](const CommandPtr& c) {
+             return camera_ || !c->needs_camera;
+           });
+  });
+}
+
+void Acquisition::run() {
+  for (;;) {
+    {
+      const std::lock_guard<std::mutex> lock(command_mutex_);
+      if (ending_) break;
+    }
+    try {
+      run_once();
+    } catch (const std::exception& error) {
+      lose(error.what());
+    }
+  }
+  camera_.reset();
+}
+
+void Acquisition::run_once() {
+  if (const CommandPtr command = take_command()) {
+    perform(*command);
+  } else if (!camera_) {
+    connect();
+  } else if (mode_ == AcquisitionMode::STOP) {
+    wait_for_command(kPoll);
+    camera_->throw_if_lost();
+  } else {
+    deliver_next(kPoll);
+    throw_if_silent();
+  }
+}
+
+void Acquisition::connect() {
+  camera_ = open_();
+  camera_->configure(parameters_.camera);
+  description_ = camera_->describe();
+  clock_ = scan_cell_common::ClockMap(scan_cell_common::from_seconds(parameters_.clock_window));
+  unwrapper_ = CounterUnwrapper(description_.counter);
+  reported_.clear();
+  change_state([&](AcquisitionState& s) {
+    s.connected = true;
+    s.camera = description_;
+    if (!ended_by_loss_) s.message.clear();
+  });
+  listener_.on_connected(description_);
+  if (wanted_ == AcquisitionMode::STOP) return;
+  try {
+    start(wanted_, trigger_);
+  } catch (const ConnectionError&) {
+    throw;
+  } catch (const scan_cell_common::Error& error) {
+    wanted_ = AcquisitionMode::STOP;
+    report(error.what());
+  }
+}
+
+void Acquisition::lose(const std::string& reason) {
+  const bool was_there = state().connected;
+  const bool ends = was_there && wanted_ != AcquisitionMode::STOP && trigger_ == Trigger::FREE_RUN;
+  if (ends) {
+    wanted_ = AcquisitionMode::STOP;
+    ended_by_loss_ = true;
+  }
+  mode_ = AcquisitionMode::STOP;
+  change_state([&](AcquisitionState& s) {
+    s.connected = false;
+    s.mode = AcquisitionMode::STOP;
+    if (was_there) ++s.times_lost;
+  });
+  report(ends ? reason + " (it ran free: it stays stopped when it is found again)" : reason);
+  camera_.reset();
+
+  const Clock::time_point next_try = Clock::now() + seconds(parameters_.retry_period);
+  while (Clock::now() < next_try) {
+    wait_for_command(scan_cell_common::to_seconds((next_try - Clock::now()).count()));
+    const CommandPtr command = take_command();
+    if (command) perform(*command);
+    const std::lock_guard<std::mutex> lock(command_mutex_);
+    if (ending_) return;
+  }
+}
+
+void Acquisition::report(const std::string& reason) {
+  change_state([&](AcquisitionState& s) { s.message = reason; });
+  if (reason != reported_) listener_.on_trouble(reason);
+  reported_ = reason;
+}
+
+void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
+  stop();
+  camera_->start(trigger);
+  mode_ = mode;
+  trigger_ = trigger;
+  ++acquisition_;
+  unwrapper_.reset();
+  last_device_time_ = 0;
+  last_frame_ = Clock::now();
+  change_state([&](AcquisitionState& s) {
+    s.message.clear();
+    s.mode = mode;
+    s.trigger = trigger;
+    s.acquisition = acquisition_;
+  });
+  const bool free_run = trigger == Trigger::FREE_RUN;
+  const Clock::time_point end =
+      Clock::now() + seconds(free_run ? parameters_.start_timeout : parameters_.arming_time);
+  while (Clock::now() < end) {
+    const double left = scan_cell_common::to_seconds((end - Clock::now()).count());
+    if (deliver_next(std::min(kPoll, std::max(0.0, left))) && free_run) return;
+  }
+  if (!free_run) return;
+  throw ConnectionError("camera", "no frame within " + to_text(parameters_.start_timeout) + " s",
+                        "check its rate, and that the firewall lets its stream through");
+}
+
+void Acquisition::stop() {
+  mode_ = AcquisitionMode::STOP;
+  if (camera_) camera_->stop();
+  change_state([](AcquisitionState& s) {
+    s.mode = AcquisitionMode::STOP;
+    if (s.connected) s.message.clear();
+  });
+}
+
+bool Acquisition::deliver_next(double timeout) {
+  const auto frame =
+      camera_->grab(std::chrono::duration_cast<std::chrono::microseconds>(seconds(timeout)));
+  const StreamStatistics statistics = camera_->statistics();
+  change_state([&](AcquisitionState& s) { s.stream = statistics; });
+  if (!frame) return false;
+  last_frame_ = Clock::now();
+  deliver(*frame);
+  return true;
+}
+
+void Acquisition::deliver(const Frame& frame) {
+  std::uint64_t counter = 0;
+  const bool numbered = number(frame, counter);
+  change_state([&](AcquisitionState& s) {
+    ++s.frames.received;
+    if (frame.packets_lost > 0) ++s.frames.incomplete;
+    s.acquisition = acquisition_;
+  });
+  if (numbered)
+    listener_.on_frame({mode_, acquisition_, counter, time_of(frame), frame, description_});
+}
+
+bool Acquisition::number(const Frame& frame, std::uint64_t& counter) {
+  using Kind = CounterStep::Kind;
+  CounterStep step = unwrapper_.unwrap(frame.counter);
+  FrameCounts found;
+  if (step.kind == Kind::BACKWARD) {
+    // Only a camera that was restarted counts back while its clock goes on.
+    if (frame.device_time > last_device_time_ && frame.packets_lost == 0) {
+      ++acquisition_;
+      ++found.restarts;
+      unwrapper_.reset();
+      step = unwrapper_.unwrap(frame.counter);
+    } else {
+      ++found.late;
+    }
+  }
+  if (step.kind == Kind::REPEATED) ++found.repeated;
+  if (step.kind == Kind::INVALID) ++found.invalid;
+  found.lost = step.lost;
+  last_device_time_ = std::max(last_device_time_, frame.device_time);
+  change_state([&](AcquisitionState& s) {
+    s.frames.lost += found.lost;
+    s.frames.repeated += found.repeated;
+    s.frames.late += found.late;
+    s.frames.restarts += found.restarts;
+    s.frames.invalid += found.invalid;
+  });
+  counter = step.count;
+  return step.kind != Kind::INVALID;
+}
+
+Nanoseconds Acquisition::time_of(const Frame& frame) {
+  if (frame.device_time == 0) return frame.host_time;
+  if (!parameters_.device_clock_is_host) {
+    clock_.add(frame.device_time, frame.host_time);
+    return clock_.to_host(frame.device_time);
+  }
+  const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
+  if (std::abs(off) > 1.0) {
+    throw UnusableInput("device_clock",
+                        "the camera's clock is " + to_text(off) + " s off the host's",
+                        "synchronise it (PTP), or let its clock be mapped");
+  }
+  return frame.device_time;
+}
+
+void Acquisition::throw_if_silent() const {
+  if (trigger_ != Trigger::FREE_RUN ||
+      Clock::now() - last_frame_ < seconds(parameters_.silence_timeout))
+    return;
+  throw ConnectionError("camera", "no frame for " + to_text(parameters_.silence_timeout) + " s",
+                        "check its cable and power");
+}
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,408 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tecnogamma_camera/aravis_camera.h"
+
+#include <atomic>
+#include <cmath>
+
+#include "aravis_support.h"
+
+namespace tecnogamma_camera {
+namespace {
+
+using scan_cell_common::ConnectionError;
+using scan_cell_common::InvalidParameter;
+using scan_cell_common::Refused;
+
+constexpr double kMicroseconds = 1e6;
+
+void check_bounds(const std::string& name, double value, double least, double most,
+                  const std::string& unit) {
+  if (std::isfinite(value) && value >= least && value <= most) return;
+  throw InvalidParameter(
+      name, std::to_string(value) + unit,
+      "this camera takes " + std::to_string(least) + " to " + std::to_string(most) + unit);
+}
+
+class AravisCamera : public Camera {
+ public:
+  AravisCamera(ArvCameraPtr camera, const AravisOptions& options);
+  ~AravisCamera() override;
+
+  CameraDescription describe() override;
+  void configure(const CameraSettings& settings) override;
+  void set_exposure(double exposure) override;
+  void start(Trigger trigger) override;
+  void stop() override;
+  std::optional<Frame> grab(std::chrono::microseconds timeout) override;
+  void software_trigger() override;
+  StreamStatistics statistics() override;
+  void throw_if_lost() override;
+
+ private:
+  static void on_control_lost(ArvDevice* device, gpointer self);
+  static void on_stream_event(void* self, ArvStreamCallbackType type, ArvBuffer* buffer);
+
+  void refuse_while_running(const std::string& what) const;
+  void set_region(const Region& wanted);
+  void set_gain(double gain);
+  void set_rate(double rate);
+  void set_trigger(Trigger trigger);
+  void create_stream();
+  void release_frame();
+  Frame to_frame(ArvBuffer* buffer);
+  std::uint32_t packets_lost_since_last_frame();
+  CounterRule counter_rule();
+
+  AravisOptions options_;
+  ArvCameraPtr camera_;
+  ArvStreamPtr stream_;
+  ArvBuffer* grabbed_ = nullptr;
+  Region region_;
+  std::string trigger_source_;
+  std::uint64_t missing_packets_ = 0;
+  StreamStatistics last_statistics_;
+  gulong control_lost_handler_ = 0;
+  std::atomic<bool> lost_{false};
+};
+
+AravisCamera::AravisCamera(ArvCameraPtr camera, const AravisOptions& options)
+    : options_(options), camera_(std::move(camera)) {
+  ArvCamera* const arv = camera_.get();
+  aravis("PixelFormat Mono8",
+         [&](GError** e) { arv_camera_set_pixel_format(arv, ARV_PIXEL_FORMAT_MONO_8, e); });
+  aravis("AcquisitionMode Continuous", [&](GError** e) {
+    arv_camera_set_acquisition_mode(arv, ARV_ACQUISITION_MODE_CONTINUOUS, e);
+  });
+  if (arv_camera_is_binning_available(arv, nullptr)) {
+    aravis("binning", [&](GError** e) { arv_camera_set_binning(arv, 1, 1, e); });
+  }
+  aravis("region", [&](GError** e) {
+    arv_camera_get_region(arv, &region_.x, &region_.y, &region_.width, &region_.height, e);
+  });
+  control_lost_handler_ = g_signal_connect(arv_camera_get_device(arv), "control-lost",
+                                           G_CALLBACK(&AravisCamera::on_control_lost), this);
+}
+
+AravisCamera::~AravisCamera() {
+  stop();
+  g_signal_handler_disconnect(arv_camera_get_device(camera_.get()), control_lost_handler_);
+}
+
+void AravisCamera::on_control_lost(ArvDevice*, gpointer self) {
+  static_cast<AravisCamera*>(self)->lost_ = true;
+}
+
+void AravisCamera::on_stream_event(void* self, ArvStreamCallbackType type, ArvBuffer*) {
+  if (type != ARV_STREAM_CALLBACK_TYPE_INIT) return;
+  if (!static_cast<AravisCamera*>(self)->options_.realtime) return;
+  constexpr int kPriority = 10;
+  constexpr int kNice = -10;
+  if (!arv_make_thread_realtime(kPriority)) arv_make_thread_high_priority(kNice);
+}
+
+void AravisCamera::throw_if_lost() {
+  if (!lost_) return;
+  throw ConnectionError("camera", "control of it was lost", "check its cable and power");
+}
+
+void AravisCamera::refuse_while_running(const std::string& what) const {
+  if (!stream_) return;
+  throw Refused(what, "the camera is running", "stop it first");
+}
+
+CounterRule AravisCamera::counter_rule() {
+  ArvCamera* const arv = camera_.get();
+  if (!arv_camera_is_gv_device(arv)) return kCounter64;
+  constexpr const char* kExtended = "GevGVSPExtendedIDMode";
+  if (!has_feature(arv, kExtended)) return kGigEVisionBlockId;
+  const std::string mode = to_text(
+      aravis(kExtended, [&](GError** e) { return arv_camera_get_string(arv, kExtended, e); }));
+  return mode == "On" ? kCounter64 : kGigEVisionBlockId;
+}
+
+CameraDescription AravisCamera::describe() {
+  throw_if_lost();
+  ArvCamera* const arv = camera_.get();
+  CameraDescription result;
+  const auto text = [&](const char* what, const auto& get) {
+    return to_text(aravis(what, [&](GError** e) { return get(arv, e); }));
+  };
+  result.vendor = text("vendor name", arv_camera_get_vendor_name);
+  result.model = text("model name", arv_camera_get_model_name);
+  result.serial = text("serial number", arv_camera_get_device_serial_number);
+  result.id = result.vendor + "-" + result.model + "-" + result.serial;
+  result.transport = arv_camera_is_gv_device(arv)   ? "GigE Vision"
+                     : arv_camera_is_uv_device(arv) ? "USB3 Vision"
+                                                    : "other";
+  aravis("sensor size", [&](GError** e) {
+    arv_camera_get_sensor_size(arv, &result.sensor_columns, &result.sensor_rows, e);
+  });
+  result.region = region_;
+  if (arv_camera_is_exposure_time_available(arv, nullptr)) {
+    result.exposure =
+        aravis("exposure", [&](GError** e) { return arv_camera_get_exposure_time(arv, e); }) /
+        kMicroseconds;
+  }
+  if (arv_camera_is_gv_device(arv)) {
+    result.packet_size = static_cast<int>(
+        aravis("packet size", [&](GError** e) { return arv_camera_gv_get_packet_size(arv, e); }));
+  }
+  result.counter = counter_rule();
+  return result;
+}
+
+void AravisCamera::configure(const CameraSettings& settings) {
+  throw_if_lost();
+  refuse_while_running("camera settings");
+  trigger_source_ = settings.trigger_source;
+  set_region(settings.region);
+  if (settings.exposure) set_exposure(*settings.exposure);
+  if (settings.gain) set_gain(*settings.gain);
+  if (settings.rate) set_rate(*settings.rate);
+}
+
+void AravisCamera::set_region(const Region& wanted) {
+  ArvCamera* const arv = camera_.get();
+  int columns = 0, rows = 0;
+  aravis("sensor size", [&](GError** e) { arv_camera_get_sensor_size(arv, &columns, &rows, e); });
+  Region region = wanted;
+  if (region.width == 0) region.width = columns - region.x;
+  if (region.height == 0) region.height = rows - region.y;
+  const std::string text = std::to_string(region.width) + " x " + std::to_string(region.height) +
+                           " at " + std::to_string(region.x) + ", " + std::to_string(region.y);
+  if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
+      region.width > columns - region.x || region.height > rows - region.y) {
+    throw InvalidParameter(
+        "region", text,
+        "the sensor has " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels");
+  }
+  aravis("region " + text, [&](GError** e) {
+    arv_camera_set_region(arv, region.x, region.y, region.width, region.height, e);
+  });
+  aravis("region", [&](GError** e) {
+    arv_camera_get_region(arv, &region_.x, &region_.y, &region_.width, &region_.height, e);
+  });
+  if (region_ != region) {
+    throw InvalidParameter("region", text,
+                           "the camera took " + std::to_string(region_.width) + " x " +
+                               std::to_string(region_.height) + " at " + std::to_string(region_.x) +
+                               ", " + std::to_string(region_.y) + ": give multiples of its steps");
+  }
+}
+
+void AravisCamera::set_exposure(double exposure) {
+  throw_if_lost();
+  ArvCamera* const arv = camera_.get();
+  if (!arv_camera_is_exposure_time_available(arv, nullptr)) require_feature(arv, "ExposureTime");
+  double least = 0, most = 0;
+  aravis("exposure",
+         [&](GError** e) { arv_camera_get_exposure_time_bounds(arv, &least, &most, e); });
+  check_bounds("exposure", exposure, least / kMicroseconds, most / kMicroseconds, " s");
+  aravis("exposure",
+         [&](GError** e) { arv_camera_set_exposure_time(arv, exposure * kMicroseconds, e); });
+}
+
+void AravisCamera::set_gain(double gain) {
+  ArvCamera* const arv = camera_.get();
+  if (!arv_camera_is_gain_available(arv, nullptr)) require_feature(arv, "Gain");
+  double least = 0, most = 0;
+  aravis("gain", [&](GError** e) { arv_camera_get_gain_bounds(arv, &least, &most, e); });
+  check_bounds("gain", gain, least, most, "");
+  aravis("gain", [&](GError** e) { arv_camera_set_gain(arv, gain, e); });
+}
+
+void AravisCamera::set_rate(double rate) {
+  ArvCamera* const arv = camera_.get();
+  if (!arv_camera_is_frame_rate_available(arv, nullptr))
+    require_feature(arv, "AcquisitionFrameRate");
+  double least = 0, most = 0;
+  aravis("rate", [&](GError** e) { arv_camera_get_frame_rate_bounds(arv, &least, &most, e); });
+  check_bounds("rate", rate, least, most, " Hz");
+  aravis("rate", [&](GError** e) { arv_camera_set_frame_rate(arv, rate, e); });
+}
+
+void AravisCamera::set_trigger(Trigger trigger) {
+  ArvCamera* const arv = camera_.get();
+  if (trigger == Trigger::FREE_RUN) {
+    if (!has_feature(arv, "TriggerMode")) return;
+    aravis("TriggerMode Off", [&](GError** e) { arv_camera_clear_triggers(arv, e); });
+    return;
+  }
+  require_feature(arv, "TriggerMode");
+  require_feature(arv, "TriggerSource");
+  aravis("TriggerSource " + trigger_source_,
+         [&](GError** e) { arv_camera_set_trigger(arv, trigger_source_.c_str(), e); });
+}
+
+void AravisCamera::create_stream() {
+  ArvCamera* const arv = camera_.get();
+  if (arv_camera_is_gv_device(arv)) {
+    arv_camera_gv_set_stream_options(arv, options_.packet_socket
+                                              ? ARV_GV_STREAM_OPTION_NONE
+                                              : ARV_GV_STREAM_OPTION_PACKET_SOCKET_DISABLED);
+    if (options_.packet_size > 0) {
+      aravis("packet size",
+             [&](GError** e) { arv_camera_gv_set_packet_size(arv, options_.packet_size, e); });
+    } else {
+      aravis("packet size", [&](GError** e) { arv_camera_gv_auto_packet_size(arv, e); });
+    }
+  }
+  stream_.reset(aravis("stream", [&](GError** e) {
+    return arv_camera_create_stream(arv, &AravisCamera::on_stream_event, this, e);
+  }));
+  if (ARV_IS_GV_STREAM(stream_.get())) {
+    g_object_set(stream_.get(), "socket-buffer", ARV_GV_STREAM_SOCKET_BUFFER_AUTO, "packet-resend",
+                 options_.packet_resend ? ARV_GV_STREAM_PACKET_RESEND_ALWAYS
+                                        : ARV_GV_STREAM_PACKET_RESEND_NEVER,
+                 nullptr);
+  }
+  const auto payload =
+      aravis("PayloadSize", [&](GError** e) { return arv_camera_get_payload(arv, e); });
+  for (int i = 0; i < options_.buffers; ++i)
+    arv_stream_push_buffer(stream_.get(), arv_buffer_new_allocate(payload));
+}
+
+void AravisCamera::start(Trigger trigger) {
+  throw_if_lost();
+  refuse_while_running("camera start");
+  set_trigger(trigger);
+  try {
+    create_stream();
+    aravis("AcquisitionStart", [&](GError** e) { arv_camera_start_acquisition(camera_.get(), e); });
+  } catch (...) {
+    stream_.reset();
+    throw;
+  }
+  missing_packets_ = 0;
+}
+
+void AravisCamera::stop() {
+  if (!stream_) return;
+  release_frame();
+  // A lost camera does not answer: each try would only wait seconds for its time-out.
+  if (!lost_) arv_camera_stop_acquisition(camera_.get(), nullptr);
+  last_statistics_ = statistics();
+  stream_.reset();
+}
+
+void AravisCamera::release_frame() {
+  if (grabbed_) arv_stream_push_buffer(stream_.get(), grabbed_);
+  grabbed_ = nullptr;
+}
+
+std::optional<Frame> AravisCamera::grab(std::chrono::microseconds timeout) {
+  if (!stream_) throw Refused("camera grab", "the camera is stopped", "start it first");
+  release_frame();
+  throw_if_lost();
+  grabbed_ = arv_stream_timeout_pop_buffer(stream_.get(), timeout.count());
+  if (!grabbed_) return std::nullopt;
+  if (arv_buffer_get_status(grabbed_) == ARV_BUFFER_STATUS_ABORTED) return std::nullopt;
+  return to_frame(grabbed_);
+}
+
+std::uint32_t AravisCamera::packets_lost_since_last_frame() {
+  const std::uint64_t now = statistics().missing_packets;
+  const std::uint64_t lost = now - missing_packets_;
+  missing_packets_ = now;
+  return static_cast<std::uint32_t>(lost);
+}
+
+Frame AravisCamera::to_frame(ArvBuffer* buffer) {
+  Frame frame;
+  frame.counter = arv_buffer_get_frame_id(buffer);
+  const bool whole = arv_buffer_get_status(buffer) == ARV_BUFFER_STATUS_SUCCESS &&
+                     arv_buffer_get_image_width(buffer) == region_.width &&
+                     arv_buffer_get_image_height(buffer) == region_.height;
+  if (!whole) {
+    // The times in the buffer may be those of the frame that was in it before.
+    frame.packets_lost = std::max(1U, packets_lost_since_last_frame());
+    frame.host_time = g_get_real_time() * 1000;
+    frame.image.columns = region_.width;
+    frame.image.rows = region_.height;
+    frame.image.first_column = region_.x;
+    frame.image.first_row = region_.y;
+    return frame;
+  }
+  frame.device_time = static_cast<Nanoseconds>(arv_buffer_get_timestamp(buffer));
+  frame.host_time = static_cast<Nanoseconds>(arv_buffer_get_system_timestamp(buffer));
+  int x_padding = 0, y_padding = 0;
+  arv_buffer_get_image_padding(buffer, &x_padding, &y_padding);
+  std::size_t size = 0;
+  frame.image.pixels = static_cast<const std::uint8_t*>(arv_buffer_get_image_data(buffer, &size));
+  frame.image.columns = region_.width;
+  frame.image.rows = region_.height;
+  frame.image.stride = region_.width + x_padding;
+  frame.image.first_column = region_.x;
+  frame.image.first_row = region_.y;
+  return frame;
+}
+
+void AravisCamera::software_trigger() {
+  throw_if_lost();
+  aravis("TriggerSoftware", [&](GError** e) { arv_camera_software_trigger(camera_.get(), e); });
+}
+
+StreamStatistics AravisCamera::statistics() {
+  if (!stream_) return last_statistics_;
+  StreamStatistics result;
+  arv_stream_get_statistics(stream_.get(), &result.completed, &result.failures, &result.underruns);
+  if (ARV_IS_GV_STREAM(stream_.get())) {
+    arv_gv_stream_get_statistics(ARV_GV_STREAM(stream_.get()), &result.resent_packets,
+                                 &result.missing_packets);
+  }
+  return result;
+}
+
+/// The id under which Aravis opens the one camera that `name` means.
+std::string find_camera(const std::string& name) {
+  const std::vector<CameraListing> cameras = list_aravis_cameras();
+  std::string found;
+  std::string all;
+  int matches = 0;
+  for (const CameraListing& camera : cameras) {
+    all += (all.empty() ? "" : ", ") + camera.id;
+    if (name.empty() || name == camera.id || name == camera.serial || name == camera.address) {
+      found = camera.id;
+      ++matches;
+    }
+  }
+  if (matches == 1) return found;
+  throw ConnectionError("camera '" + name + "'",
+                        matches ? "several cameras answer to it" : "no camera answers to it",
+                        cameras.empty() ? "no camera answers at all: check cable, power and address"
+                                        : "the cameras that answer are " + all);
+}
+
+bool is_ip_address(const std::string& name) {
+  return g_hostname_is_ip_address(name.c_str());
+}
+
+}  // namespace
+
+std::vector<CameraListing> list_aravis_cameras() {
+  arv_update_device_list();
+  std::vector<CameraListing> cameras;
+  const unsigned count = arv_get_n_devices();
+  for (unsigned i = 0; i < count; ++i) {
+    cameras.push_back({to_text(arv_get_device_id(i)), to_text(arv_get_device_vendor(i)),
+                       to_text(arv_get_device_model(i)), to_text(arv_get_device_serial_nbr(i)),
+                       to_text(arv_get_device_address(i)), to_text(arv_get_device_protocol(i))});
+  }
+  return cameras;
+}
+
+std::unique_ptr<Camera> open_aravis_camera(const std::string& name, const AravisOptions& options) {
+  // An address is asked directly: that is faster, and works where broadcasts do not come through.
+  const std::string id = is_ip_address(name) ? name : find_camera(name);
+  ArvCameraPtr camera(
+      aravis("camera '" + name + "'", [&](GError** e) { return arv_camera_new(id.c_str(), e); }));
+  ArvDevice* const device = arv_camera_get_device(camera.get());
+  if (ARV_IS_GV_DEVICE(device) && !arv_gv_device_is_controller(ARV_GV_DEVICE(device))) {
+    throw ConnectionError("camera '" + name + "'", "another program holds it",
+                          "end that program, or wait until the camera notices that it ended");
+  }
+  return std::make_unique<AravisCamera>(std::move(camera), options);
+}
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,20 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nodelet/loader.h>
+#include <ros/ros.h>
+
+#include <stdexcept>
+
+#include "scan_cell_common/ros/node_main.h"
+
+/// The nodelet tecnogamma_camera/Camera as a node of its own.
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(argc, argv, "tecnogamma_camera", [] {
+    nodelet::Loader loader(false);
+    if (!loader.load(ros::this_node::getName(), "tecnogamma_camera/Camera",
+                     ros::names::getRemappings(), {})) {
+      throw std::runtime_error("the camera could not be set up; the reason stands above");
+    }
+    ros::spin();
+  });
+}

@@ -1,0 +1,182 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_nodelet.h"
+
+#include <boost/make_shared.hpp>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "diagnostics.h"
+#include "messages.h"
+
+namespace tecnogamma_camera {
+namespace {
+
+using Request = scan_cell_msgs::SetAcquisition::Request;
+
+Region region_of(const CameraConfig& config) {
+  return {config.region_x, config.region_y, config.region_width, config.region_height};
+}
+
+}  // namespace
+
+void CameraNodelet::onInit() {
+  try {
+    parameters_ = Parameters::load(getPrivateNodeHandle());
+    if (!parameters_.scanner_model.empty())
+      model_ = laser_triangulation::load_scanner_model(parameters_.scanner_model);
+    detector_ = make_detector(parameters_.detector, parameters_.detection);
+  } catch (const std::exception& error) {
+    NODELET_FATAL("%s", error.what());
+    throw;
+  }
+  advertise();
+  acquisition_ = std::make_unique<Acquisition>(
+      parameters_.acquisition,
+      [this] { return open_aravis_camera(parameters_.camera, parameters_.stream); }, *this);
+  start_reconfigure();
+  // A start may wait for the camera: the diagnostics, on the other queue, go on.
+  set_acquisition_ = getMTPrivateNodeHandle().advertiseService(
+      "set_acquisition", &CameraNodelet::set_acquisition, this);
+  diagnostics_timer_ = getNodeHandle().createWallTimer(ros::WallDuration(1),
+                                                       &CameraNodelet::publish_diagnostics, this);
+}
+
+void CameraNodelet::advertise() {
+  ros::NodeHandle node = getPrivateNodeHandle();
+  constexpr int kProfileQueue = 1000;
+  constexpr int kImageQueue = 10;
+  profiles_ = node.advertise<scan_cell_msgs::PeakProfile>("profiles", kProfileQueue);
+  images_ = node.advertise<sensor_msgs::Image>("image_raw", kImageQueue);
+  camera_infos_ = node.advertise<sensor_msgs::CameraInfo>("camera_info", kImageQueue);
+  diagnostics_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(),
+                                                               getPrivateNodeHandle(), getName());
+  diagnostics_->setHardwareID(parameters_.camera.empty() ? "any camera" : parameters_.camera);
+  diagnostics_->add("camera", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    const AcquisitionState now = acquisition_->state();
+    write_diagnostics(diagnosed_, now, status);
+    diagnosed_ = now;
+  });
+}
+
+void CameraNodelet::start_reconfigure() {
+  reconfigure_ = std::make_unique<dynamic_reconfigure::Server<CameraConfig>>(
+      reconfigure_mutex_, getMTPrivateNodeHandle());
+  config_.__fromServer__(getPrivateNodeHandle());
+  reconfigure_->setCallback([this](CameraConfig& config, std::uint32_t) { reconfigure(config); });
+}
+
+void CameraNodelet::on_connected(const CameraDescription& camera) {
+  NODELET_INFO("camera %s found: %d x %d pixels, region %d x %d at %d, %d", camera.id.c_str(),
+               camera.sensor_columns, camera.sensor_rows, camera.region.width, camera.region.height,
+               camera.region.x, camera.region.y);
+  if (model_ && (model_->camera.width != camera.sensor_columns ||
+                 model_->camera.height != camera.sensor_rows)) {
+    NODELET_WARN("scanner_model: %s is of a sensor of %d x %d pixels; load that of this camera",
+                 parameters_.scanner_model.c_str(), model_->camera.width, model_->camera.height);
+  }
+}
+
+void CameraNodelet::on_trouble(const std::string& reason) {
+  NODELET_ERROR("%s", reason.c_str());
+}
+
+void CameraNodelet::on_frame(const NumberedFrame& frame) {
+  const bool live_only = frame.mode == AcquisitionMode::LIVE_ONLY;
+  if (!live_only) publish_profile(frame);
+  const bool with_image = live_only || (frame.mode == AcquisitionMode::RELIEF_LIVE &&
+                                        profiles_to_image_++ % parameters_.live_ratio == 0);
+  if (with_image && frame.frame.packets_lost == 0) publish_image(frame);
+}
+
+void CameraNodelet::publish_profile(const NumberedFrame& frame) {
+  std::shared_ptr<const PeakDetector> detector;
+  {
+    const std::lock_guard<std::mutex> lock(detector_mutex_);
+    detector = detector_;
+  }
+  PeakProfile profile;
+  const ImageView8& image = frame.frame.image;
+  if (frame.frame.packets_lost == 0) {
+    detector->detect(image, profile);
+  } else {
+    profile.clear(image.first_row, image.rows);
+  }
+  profiles_.publish(to_message(frame, parameters_.frame_id, std::move(profile)));
+}
+
+void CameraNodelet::publish_image(const NumberedFrame& frame) {
+  if (images_.getNumSubscribers() + camera_infos_.getNumSubscribers() == 0) return;
+  const sensor_msgs::ImagePtr image = to_image_message(frame, parameters_.frame_id);
+  const auto info = boost::make_shared<sensor_msgs::CameraInfo>(
+      to_camera_info(frame.camera, model_ ? &*model_ : nullptr, parameters_.frame_id));
+  info->header = image->header;
+  images_.publish(image);
+  camera_infos_.publish(info);
+}
+
+bool CameraNodelet::set_acquisition(Request& request,
+                                    scan_cell_msgs::SetAcquisition::Response& response) {
+  try {
+    if (request.mode > Request::RELIEF_LIVE) {
+      throw scan_cell_common::InvalidParameter("mode", std::to_string(request.mode),
+                                               "give one of SetAcquisition's");
+    }
+    if (request.trigger > Request::EXTERNAL_TRIGGER) {
+      throw scan_cell_common::InvalidParameter("trigger", std::to_string(request.trigger),
+                                               "give one of SetAcquisition's");
+    }
+    const auto trigger =
+        request.trigger == Request::FREE_RUN ? Trigger::FREE_RUN : Trigger::EXTERNAL;
+    response.acquisition = acquisition_->set(static_cast<AcquisitionMode>(request.mode), trigger);
+    response.success = true;
+  } catch (const scan_cell_common::Error& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+void CameraNodelet::reconfigure(CameraConfig& config) {
+  DetectorSettings settings;
+  settings.trigger_level = config.trigger_level;
+  settings.permanence = config.permanence;
+  settings.window = config.window;
+  {
+    const std::lock_guard<std::mutex> lock(detector_mutex_);
+    detector_ = make_detector(parameters_.detector, settings);
+  }
+  change_exposure(config);
+  change_region(config);
+  config_ = config;
+}
+
+void CameraNodelet::change_exposure(CameraConfig& config) {
+  if (config.exposure == config_.exposure || config.exposure == 0) return;
+  try {
+    acquisition_->set_exposure(config.exposure);
+  } catch (const scan_cell_common::Error& error) {
+    NODELET_ERROR("exposure not changed: %s", error.what());
+    config.exposure = config_.exposure;
+  }
+}
+
+void CameraNodelet::change_region(CameraConfig& config) {
+  if (region_of(config) == region_of(config_)) return;
+  try {
+    acquisition_->set_region(region_of(config));
+  } catch (const scan_cell_common::Error& error) {
+    NODELET_ERROR("region not changed: %s", error.what());
+    config.region_x = config_.region_x;
+    config.region_y = config_.region_y;
+    config.region_width = config_.region_width;
+    config.region_height = config_.region_height;
+  }
+}
+
+void CameraNodelet::publish_diagnostics(const ros::WallTimerEvent&) {
+  diagnostics_->force_update();
+}
+
+}  // namespace tecnogamma_camera
+
+PLUGINLIB_EXPORT_CLASS(tecnogamma_camera::CameraNodelet, nodelet::Nodelet)

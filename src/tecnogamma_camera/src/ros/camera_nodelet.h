@@ -1,0 +1,63 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <dynamic_reconfigure/server.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/SetAcquisition.h>
+#include <tecnogamma_camera/CameraConfig.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "laser_triangulation/scanner_model.h"
+#include "parameters.h"
+
+namespace tecnogamma_camera {
+
+/// Publishes ~profiles, ~image_raw, ~camera_info and diagnostics; serves ~set_acquisition.
+class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
+ private:
+  void onInit() override;
+  void advertise();
+  void start_reconfigure();
+
+  void on_frame(const NumberedFrame& frame) override;
+  void on_connected(const CameraDescription& camera) override;
+  void on_trouble(const std::string& reason) override;
+
+  void publish_profile(const NumberedFrame& frame);
+  void publish_image(const NumberedFrame& frame);
+  bool set_acquisition(scan_cell_msgs::SetAcquisition::Request& request,
+                       scan_cell_msgs::SetAcquisition::Response& response);
+  void reconfigure(CameraConfig& config);
+  void change_exposure(CameraConfig& config);
+  void change_region(CameraConfig& config);
+  void publish_diagnostics(const ros::WallTimerEvent& event);
+
+  Parameters parameters_;
+  std::optional<laser_triangulation::ScannerModel> model_;
+  ros::Publisher profiles_;
+  ros::Publisher images_;
+  ros::Publisher camera_infos_;
+  ros::ServiceServer set_acquisition_;
+  ros::WallTimer diagnostics_timer_;
+  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
+  AcquisitionState diagnosed_;
+  std::uint64_t profiles_to_image_ = 0;
+
+  std::mutex detector_mutex_;
+  std::shared_ptr<const PeakDetector> detector_;
+
+  boost::recursive_mutex reconfigure_mutex_;
+  std::unique_ptr<dynamic_reconfigure::Server<CameraConfig>> reconfigure_;
+  CameraConfig config_;
+
+  std::unique_ptr<Acquisition> acquisition_;  // its thread uses all of the above: ends first
+};
+
+}  // namespace tecnogamma_camera

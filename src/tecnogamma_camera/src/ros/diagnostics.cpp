@@ -1,0 +1,70 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "diagnostics.h"
+
+namespace tecnogamma_camera {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+const char* to_text(AcquisitionMode mode) {
+  switch (mode) {
+    case AcquisitionMode::LIVE_ONLY:
+      return "live only";
+    case AcquisitionMode::RELIEF_ONLY:
+      return "relief only";
+    case AcquisitionMode::RELIEF_LIVE:
+      return "relief and live";
+    default:
+      return "stopped";
+  }
+}
+
+const char* to_text(Trigger trigger) {
+  return trigger == Trigger::FREE_RUN ? "free run" : "external trigger";
+}
+
+/// Frames that are missing or damaged, whatever the reason.
+std::uint64_t damage(const AcquisitionState& state) {
+  return state.frames.incomplete + state.frames.lost + state.frames.invalid;
+}
+
+void summarise(const AcquisitionState& before, const AcquisitionState& now,
+               diagnostic_updater::DiagnosticStatusWrapper& status) {
+  if (!now.connected) return status.summary(DiagnosticStatus::ERROR, now.message);
+  if (!now.message.empty()) return status.summary(DiagnosticStatus::WARN, now.message);
+  if (damage(now) > damage(before)) {
+    return status.summaryf(DiagnosticStatus::WARN, "%lu frames were lost or damaged",
+                           static_cast<unsigned long>(damage(now) - damage(before)));
+  }
+  status.summary(DiagnosticStatus::OK, to_text(now.mode));
+}
+
+}  // namespace
+
+void write_diagnostics(const AcquisitionState& before, const AcquisitionState& now,
+                       diagnostic_updater::DiagnosticStatusWrapper& status) {
+  summarise(before, now, status);
+  status.add("camera", now.camera.id);
+  status.add("sensor [px]", std::to_string(now.camera.sensor_columns) + " x " +
+                                std::to_string(now.camera.sensor_rows));
+  status.add("mode", to_text(now.mode));
+  status.add("trigger", to_text(now.trigger));
+  status.add("acquisition", now.acquisition);
+  status.add("packet size [bytes]", now.camera.packet_size);
+  status.add("frames received", now.frames.received);
+  status.add("frames incomplete", now.frames.incomplete);
+  status.add("frames lost", now.frames.lost);
+  status.add("frames repeated", now.frames.repeated);
+  status.add("frames late", now.frames.late);
+  status.add("frames without number", now.frames.invalid);
+  status.add("counter restarts", now.frames.restarts);
+  status.add("stream completed", now.stream.completed);
+  status.add("stream failures", now.stream.failures);
+  status.add("stream underruns", now.stream.underruns);
+  status.add("packets missing", now.stream.missing_packets);
+  status.add("packets resent", now.stream.resent_packets);
+  status.add("times lost", now.times_lost);
+}
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,71 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "messages.h"
+
+#include <sensor_msgs/distortion_models.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <boost/make_shared.hpp>
+#include <cstring>
+
+#include "scan_cell_common/ros/conversions.h"
+
+namespace tecnogamma_camera {
+
+using scan_cell_common::to_ros;
+
+scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std::string& frame_id,
+                                          PeakProfile&& profile) {
+  const auto message = boost::make_shared<scan_cell_msgs::PeakProfile>();
+  message->header.stamp = to_ros(frame.time);
+  message->header.frame_id = frame_id;
+  message->acquisition = frame.acquisition;
+  message->frame_counter = frame.counter;
+  message->device_time = static_cast<std::uint64_t>(frame.frame.device_time);
+  message->laser = scan_cell_msgs::PeakProfile::LASER_UNKNOWN;
+  message->packets_lost = frame.frame.packets_lost;
+  message->first_row = static_cast<std::uint32_t>(profile.first_row);
+  message->position = std::move(profile.position);
+  message->width = std::move(profile.width);
+  message->intensity = std::move(profile.intensity);
+  return message;
+}
+
+sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id) {
+  const ImageView8& image = frame.frame.image;
+  const auto message = boost::make_shared<sensor_msgs::Image>();
+  message->header.stamp = to_ros(frame.time);
+  message->header.frame_id = frame_id;
+  message->encoding = sensor_msgs::image_encodings::MONO8;
+  message->width = image.columns;
+  message->height = image.rows;
+  message->step = image.columns;
+  message->data.resize(static_cast<std::size_t>(image.columns) * image.rows);
+  for (int row = 0; row < image.rows; ++row)
+    std::memcpy(&message->data[static_cast<std::size_t>(row) * image.columns], image.row(row),
+                image.columns);
+  return message;
+}
+
+sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
+                                       const laser_triangulation::ScannerModel* model,
+                                       const std::string& frame_id) {
+  sensor_msgs::CameraInfo info;
+  info.header.frame_id = frame_id;
+  info.width = camera.sensor_columns;
+  info.height = camera.sensor_rows;
+  info.roi.x_offset = camera.region.x;
+  info.roi.y_offset = camera.region.y;
+  info.roi.width = camera.region.width;
+  info.roi.height = camera.region.height;
+  if (!model) return info;
+  const laser_triangulation::CameraIntrinsics& lens = model->camera;
+  info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
+  info.D.assign(lens.distortion.begin(), lens.distortion.end());
+  info.K = {lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1};
+  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  info.P = {lens.fx, 0, lens.cx, 0, 0, lens.fy, lens.cy, 0, 0, 0, 1, 0};
+  return info;
+}
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,30 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/PeakProfile.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+
+#include <string>
+
+#include "laser_triangulation/scanner_model.h"
+#include "tecnogamma_camera/acquisition.h"
+#include "tecnogamma_camera/peak_profile.h"
+
+namespace tecnogamma_camera {
+
+/// Moves the arrays out of `profile`.
+scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std::string& frame_id,
+                                          PeakProfile&& profile);
+
+/// @pre the frame is complete
+sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id);
+
+/// What does not change from frame to frame: intrinsics where there is a model (else zeros, which
+/// means uncalibrated), sensor size and region of interest.
+sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
+                                       const laser_triangulation::ScannerModel* model,
+                                       const std::string& frame_id);
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,70 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <arv.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "stripes.h"
+
+namespace fake_cameras {
+
+/// Aravis' fake camera in this process: it shows a laser line whose place is known, can be
+/// triggered, and can lack features.
+class LineCamera {
+ public:
+  /// Sensor column of the line's centre in a sensor row.
+  static double line(int row) { return 100 + 0.25 * row; }
+
+  explicit LineCamera(const std::string& genicam_file = "")
+      : camera_(arv_gv_fake_camera_new_full(
+            "127.0.0.1", "LINE", genicam_file.empty() ? nullptr : genicam_file.c_str())) {
+    arv_fake_camera_set_fill_pattern(fake(), &LineCamera::draw, nullptr);
+    constexpr double kPollingRate = 1000;
+    arv_fake_camera_set_trigger_frequency(fake(), kPollingRate);
+  }
+  ~LineCamera() { g_object_unref(camera_); }
+  LineCamera(const LineCamera&) = delete;
+  LineCamera& operator=(const LineCamera&) = delete;
+
+  /// One pulse. A pulse before the last one was noticed is lost, as on a real camera.
+  void pulse() { arv_fake_camera_write_register(fake(), kSoftwareTriggerRegister, 1); }
+
+  /// Its description of itself, with a feature renamed: a camera without that feature.
+  static void save_genicam_without(const std::string& feature, const std::string& path) {
+    ArvFakeCamera* const plain = arv_fake_camera_new("PLAIN");
+    std::size_t size = 0;
+    std::string xml(arv_fake_camera_get_genicam_xml(plain, &size));
+    g_object_unref(plain);
+    for (std::size_t at = 0; (at = xml.find(feature, at)) != std::string::npos;)
+      xml.replace(at, feature.size(), "NoSuchThing");
+    std::ofstream(path) << xml;
+  }
+
+ private:
+  static constexpr guint32 kSoftwareTriggerRegister = 0x30c;
+
+  ArvFakeCamera* fake() { return arv_gv_fake_camera_get_fake_camera(camera_); }
+
+  static void draw(ArvBuffer* buffer, void*, guint32, guint32, ArvPixelFormat) {
+    int x = 0, y = 0, width = 0, height = 0;
+    arv_buffer_get_image_region(buffer, &x, &y, &width, &height);
+    std::size_t size = 0;
+    auto* pixels = static_cast<std::uint8_t*>(
+        const_cast<void*>(arv_buffer_get_data(buffer, &size)));  // its size reads 0 here
+    constexpr double kSigma = 1.5, kHeight = 200, kBackground = 10;
+    for (int row = 0; row < height; ++row) {
+      for (int column = 0; column < width; ++column) {
+        const double light = kHeight * stripes::gaussian_pixel(x + column, line(y + row), kSigma);
+        pixels[row * width + column] = static_cast<std::uint8_t>(std::lround(kBackground + light));
+      }
+    }
+  }
+
+  ArvGvFakeCamera* camera_;
+};
+
+}  // namespace fake_cameras

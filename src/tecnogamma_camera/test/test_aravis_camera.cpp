@@ -1,0 +1,268 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "fake_cameras.h"
+#include "line_camera.h"
+#include "tecnogamma_camera/aravis_camera.h"
+#include "tecnogamma_camera/peak_detector.h"
+
+using fake_cameras::kAddress;
+using fake_cameras::LineCamera;
+using fake_cameras::Program;
+using scan_cell_common::ConnectionError;
+using scan_cell_common::InvalidParameter;
+using scan_cell_common::Refused;
+using tecnogamma_camera::Camera;
+using tecnogamma_camera::CameraSettings;
+using tecnogamma_camera::CounterStep;
+using tecnogamma_camera::Frame;
+using tecnogamma_camera::MissingFeature;
+using tecnogamma_camera::Trigger;
+
+namespace {
+
+/// Opens as soon as the camera answers.
+std::unique_ptr<Camera> open(const std::string& name = kAddress) {
+  std::unique_ptr<Camera> camera;
+  std::string reason;
+  fake_cameras::wait_until([&] {
+    try {
+      camera = tecnogamma_camera::open_aravis_camera(name, {});
+    } catch (const ConnectionError& error) {
+      reason = error.what();
+    }
+    return camera != nullptr;
+  });
+  EXPECT_NE(camera, nullptr) << reason;
+  return camera;
+}
+
+CameraSettings small_region(double rate) {
+  CameraSettings settings;
+  settings.region = {64, 32, 256, 64};
+  settings.rate = rate;
+  settings.trigger_source = "Software";
+  return settings;
+}
+
+std::optional<Frame> grab(Camera& camera) {
+  return camera.grab(std::chrono::seconds(10));
+}
+
+template <class Act>
+std::string refused_parameter(const Act& act) {
+  try {
+    act();
+  } catch (const InvalidParameter& error) {
+    return error.thing();
+  }
+  return "nothing";
+}
+
+}  // namespace
+
+TEST(AravisCamera, IsListedAndOpenedByItsIdSerialNumberOrAddress) {
+  const Program program({"-s", "SERIAL7"});
+  open();
+  const auto cameras = tecnogamma_camera::list_aravis_cameras();
+  ASSERT_EQ(cameras.size(), 1U);
+  EXPECT_EQ(cameras[0].serial, "SERIAL7");
+  EXPECT_EQ(cameras[0].address, kAddress);
+  for (const std::string& name : {cameras[0].id, std::string("SERIAL7"), std::string()}) {
+    const auto description = open(name)->describe();
+    EXPECT_EQ(description.serial, "SERIAL7");
+    EXPECT_EQ(description.transport, "GigE Vision");
+    EXPECT_EQ(description.sensor_columns, 2048);
+    EXPECT_EQ(description.sensor_rows, 2048);
+  }
+}
+
+TEST(AravisCamera, SaysWhichCamerasAnswerWhereTheNamedOneDoesNot) {
+  const Program program;
+  open();
+  try {
+    tecnogamma_camera::open_aravis_camera("NOT-THERE", {});
+    FAIL();
+  } catch (const ConnectionError& error) {
+    EXPECT_NE(std::string(error.what()).find("NOT-THERE"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("GV01"), std::string::npos);
+  }
+  EXPECT_THROW(tecnogamma_camera::open_aravis_camera("127.0.0.9", {}), ConnectionError);
+}
+
+TEST(AravisCamera, SaysThatAnotherProgramHoldsIt) {
+  const Program program;
+  const auto holder = open();
+  EXPECT_THROW(tecnogamma_camera::open_aravis_camera(kAddress, {}), ConnectionError);
+}
+
+TEST(AravisCamera, StreamsEveryFrameAcrossTheTurnOfItsCounter) {
+  const Program program;
+  const auto camera = open();
+  camera->configure(small_region(200));
+  tecnogamma_camera::CounterUnwrapper unwrapper(camera->describe().counter);
+  camera->start(Trigger::FREE_RUN);
+  constexpr int kFrames = 300;  // the counter of the fake camera starts at 65400
+  std::uint64_t lost = 0;
+  for (int i = 0; i < kFrames; ++i) {
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    const CounterStep step = unwrapper.unwrap(frame->counter);
+    using Kind = CounterStep::Kind;
+    ASSERT_TRUE(step.kind == Kind::NEXT || step.kind == Kind::GAP || i == 0);
+    lost += step.lost;
+    if (frame->packets_lost > 0) continue;
+    EXPECT_EQ(frame->image.columns, 256);
+    EXPECT_EQ(frame->image.rows, 64);
+    EXPECT_EQ(frame->image.first_column, 64);
+    EXPECT_EQ(frame->image.first_row, 32);
+    EXPECT_GT(frame->device_time, 0);
+    EXPECT_GE(frame->host_time, frame->device_time);  // the fake camera keeps the host's time
+  }
+  EXPECT_EQ(lost, camera->statistics().underruns);
+  EXPECT_GE(camera->statistics().completed + camera->statistics().failures, kFrames);
+  camera->stop();
+  EXPECT_THROW(grab(*camera), Refused);
+}
+
+TEST(AravisCamera, ShowsWhatIsInFrontOfIt) {
+  LineCamera line;
+  const auto camera = open();
+  camera->configure(small_region(50));
+  camera->start(Trigger::FREE_RUN);
+  const auto frame = grab(*camera);
+  ASSERT_TRUE(frame);
+  ASSERT_EQ(frame->packets_lost, 0U);
+  tecnogamma_camera::PeakProfile profile;
+  tecnogamma_camera::CenterOfGravityDetector({}).detect(frame->image, profile);
+  ASSERT_EQ(profile.rows(), 64);
+  for (int row = 0; row < profile.rows(); ++row)
+    EXPECT_NEAR(profile.position[row], LineCamera::line(profile.first_row + row), 0.02);
+}
+
+TEST(AravisCamera, ExposesOneFrameAPulse) {
+  const Program program;
+  const auto camera = open();
+  camera->configure(small_region(50));
+  camera->start(Trigger::EXTERNAL);
+  EXPECT_FALSE(camera->grab(std::chrono::milliseconds(300)));
+  std::uint64_t counter = 0;
+  for (int i = 0; i < 5; ++i) {
+    camera->software_trigger();
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    EXPECT_TRUE(i == 0 || frame->counter == counter + 1);
+    counter = frame->counter;
+    EXPECT_FALSE(camera->grab(std::chrono::milliseconds(100)));
+  }
+  camera->stop();
+  camera->start(Trigger::FREE_RUN);  // and back
+  EXPECT_TRUE(grab(*camera));
+}
+
+TEST(AravisCamera, TakesParametersOnlyInStopButForTheExposure) {
+  const Program program;
+  const auto camera = open();
+  camera->configure(small_region(50));
+  camera->start(Trigger::FREE_RUN);
+  EXPECT_THROW(camera->configure(small_region(20)), Refused);
+  EXPECT_THROW(camera->start(Trigger::FREE_RUN), Refused);
+  camera->set_exposure(0.004);
+  EXPECT_DOUBLE_EQ(camera->describe().exposure, 0.004);
+  camera->stop();
+  camera->configure(small_region(20));
+}
+
+TEST(AravisCamera, NamesTheParameterThatItDoesNotTake) {
+  const Program program;
+  const auto camera = open();
+  CameraSettings settings;
+  settings.region = {2000, 0, 100, 100};
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "region");
+  settings = {};
+  settings.exposure = 20.0;
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "exposure");
+  settings = {};
+  settings.rate = 5000.0;
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "rate");
+  settings = {};
+  settings.gain = 100.0;
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "gain");
+  settings = {};
+  settings.trigger_source = "Line9";
+  camera->configure(settings);
+  EXPECT_THROW(camera->start(Trigger::EXTERNAL), scan_cell_common::Error);
+}
+
+TEST(AravisCamera, NamesTheFeatureThatItDoesNotHave) {
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("fake_" + std::to_string(getpid()) + ".xml"))
+          .string();
+  LineCamera::save_genicam_without("TriggerSource", file);
+  {
+    LineCamera line(file);
+    const auto camera = open();
+    camera->configure(small_region(50));
+    try {
+      camera->start(Trigger::EXTERNAL);
+      FAIL();
+    } catch (const MissingFeature& error) {
+      EXPECT_EQ(error.value(), "TriggerSource");
+    }
+    camera->start(Trigger::FREE_RUN);  // what it has still works
+    EXPECT_TRUE(grab(*camera));
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, NeverHandsOutPixelsOfAFrameWithPacketsMissing) {
+  const Program program({"-r", "20"});  // of a thousand packets
+  const auto camera = open();
+  CameraSettings settings;
+  settings.region = {0, 0, 512, 128};
+  settings.rate = 100;
+  camera->configure(settings);
+  camera->start(Trigger::FREE_RUN);
+  int whole = 0, incomplete = 0;
+  EXPECT_TRUE(fake_cameras::wait_until([&] {
+    const auto frame = grab(*camera);
+    if (!frame) return false;
+    if (frame->packets_lost > 0) {
+      ++incomplete;
+      EXPECT_EQ(frame->image.pixels, nullptr);
+      EXPECT_EQ(frame->image.rows, 128);
+      EXPECT_NE(frame->counter, 0U);
+    } else {
+      ++whole;
+    }
+    return whole >= 5 && incomplete >= 5;
+  }));
+}
+
+TEST(AravisCamera, IsFoundAgainAfterItWasLost) {
+  auto program = std::make_unique<Program>();
+  auto camera = open();
+  camera->configure(small_region(50));
+  camera->start(Trigger::FREE_RUN);
+  ASSERT_TRUE(grab(*camera));
+  program.reset();
+  EXPECT_TRUE(fake_cameras::wait_until([&] {
+    try {
+      camera->grab(std::chrono::milliseconds(100));
+      return false;
+    } catch (const ConnectionError&) {
+      return true;
+    }
+  }));
+  camera.reset();
+  program = std::make_unique<Program>();
+  camera = open();
+  camera->configure(small_region(50));
+  camera->start(Trigger::FREE_RUN);
+  EXPECT_TRUE(grab(*camera));
+}

@@ -1,0 +1,91 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+
+#include "stripes.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class ExtractPeaks : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// @return the exit code
+  int run(const std::string& options) const {
+    const std::string command = std::string(EXTRACT_PEAKS) + " --image " + image_ + " --output " +
+                                output_ + " " + options + " > " + (folder_ / "log").string() +
+                                " 2>&1";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+  std::string log() const {
+    std::ifstream file(folder_ / "log");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("peaks_" + std::to_string(getpid()));
+  std::string image_ = (folder_ / "line.png").string();
+  std::string output_ = (folder_ / "peaks.csv").string();
+};
+
+void save(const std::string& path, stripes::Image& picture) {
+  const auto view = picture.view();
+  cv::imwrite(path,
+              cv::Mat(view.rows, view.columns, CV_8UC1, const_cast<std::uint8_t*>(view.pixels)));
+}
+
+}  // namespace
+
+TEST_F(ExtractPeaks, WritesOneLineARowWithAPeak) {
+  stripes::Image picture(100, 20, 10);
+  for (int row = 5; row < 20; ++row)
+    picture.add(row, {40 + 0.3 * row, 1.5, 200});
+  save(image_, picture);
+  for (const std::string detector : {"center_of_gravity", "threshold"}) {
+    ASSERT_EQ(run("--detector " + detector), 0) << log();
+    std::ifstream file(output_);
+    std::string line;
+    std::getline(file, line);
+    EXPECT_EQ(line, "row,position,width,intensity");
+    int row = 5;
+    while (std::getline(file, line)) {
+      double values[4];
+      ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &values[0], &values[1], &values[2],
+                            &values[3]),
+                4);
+      EXPECT_EQ(values[0], row);
+      EXPECT_NEAR(values[1], 40 + 0.3 * row, detector == "threshold" ? 0.51 : 0.02);
+      EXPECT_GE(values[2], 3);
+      EXPECT_GT(values[3], 180);
+      ++row;
+    }
+    EXPECT_EQ(row, 20);
+  }
+}
+
+TEST_F(ExtractPeaks, NamesTheFileOrSettingThatIsUnusable) {
+  EXPECT_EQ(run(""), 1);
+  EXPECT_NE(log().find(image_), std::string::npos);
+  std::ofstream(image_) << "no image";
+  EXPECT_EQ(run(""), 1);
+  EXPECT_NE(log().find(image_), std::string::npos);
+  cv::imwrite(image_, cv::Mat(10, 10, CV_8UC3, cv::Scalar(0, 0, 200)));
+  EXPECT_EQ(run(""), 1);
+  EXPECT_NE(log().find("8UC3"), std::string::npos);
+  cv::imwrite(image_, cv::Mat(10, 10, CV_8UC1, cv::Scalar(0)));
+  EXPECT_EQ(run("--detector parabola"), 1);
+  EXPECT_NE(log().find("parabola"), std::string::npos);
+  EXPECT_EQ(run("--trigger-level 300"), 1);
+  EXPECT_NE(log().find("trigger_level"), std::string::npos);
+  EXPECT_FALSE(fs::exists(output_));
+}
