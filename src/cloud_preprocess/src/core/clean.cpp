@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/clean.h"
 
-#include <memory>
+#include <algorithm>
 #include <set>
 
 #include "scan_cell_common/yaml_file.h"

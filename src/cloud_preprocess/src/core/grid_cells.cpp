@@ -18,7 +18,7 @@ std::uint64_t axis_key(double coordinate, double leaf) {
   const double cell = std::floor(coordinate / leaf);
   if (!(std::abs(cell) < kMostCells)) {
     throw scan_cell_common::UnusableInput(
-        "grid", "a point at " + std::to_string(coordinate) + " m lies beyond a million cells",
+        "point", "at " + std::to_string(coordinate) + " m, beyond a million cells",
         "remove outliers first, set limits, or take larger cells");
   }
   return static_cast<std::uint64_t>(cell + kMostCells);
