@@ -1,0 +1,74 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "pose_frame_binder/frame_matcher.h"
+#include "pose_frame_binder/pose_log.h"
+#include "pose_frame_binder/pulse_log.h"
+#include "pose_frame_binder/types.h"
+
+namespace pose_frame_binder {
+
+/// Binds the frames of one scan to the poses at their pulses.
+///
+/// Poses, pulses and frames may come in any order relative to each other: what is decided does not
+/// depend on it. Not safe for use from several threads at once.
+class Binder {
+ public:
+  explicit Binder(const Settings& settings);
+  Binder(const Binder&) = delete;
+  Binder& operator=(const Binder&) = delete;
+
+  /// @throw scan_cell_common::Refused if the pose log is full
+  void add_pose(const TimedPose& pose);
+  void add_pulse(const Pulse& pulse);
+
+  /// @return its number: 0, 1, ... in the order of arrival
+  /// @throw scan_cell_common::Refused if too many frames wait for pulses or poses
+  std::size_t add_frame(const Frame& frame);
+
+  /// No more pulses will come.
+  void end_pulses();
+
+  /// Nothing more will come: all that is left is decided.
+  void end();
+
+  /// What was decided since the last call. Matches come in the order of the frames.
+  std::vector<Decision> take_decisions();
+
+  /// Whether every one of `triggers` pulses is there and bound or named by a dropped frame.
+  bool whole(std::uint64_t triggers) const;
+
+  std::uint64_t pulses() const { return pulses_.size(); }
+
+  /// Of what has been decided; complete after end().
+  Audit audit() const;
+
+ private:
+  enum class Fate : std::uint8_t { Unknown, Dropped, Bound };
+  struct Pending {
+    std::size_t frame;
+    std::size_t pulse;
+  };
+
+  void advance();
+  void take(const FrameMatcher::Result& result);
+  void bind();
+  void settle(std::size_t pulse, Fate fate);
+
+  const Settings settings_;
+  PoseLog poses_;
+  PulseLog pulses_;
+  FrameMatcher matcher_;
+  std::vector<std::uint64_t> counters_;  // of the frames
+  std::deque<Pending> pending_;          // with a pulse, waiting for poses
+  std::vector<Fate> fates_;              // of the pulses
+  std::uint64_t settled_ = 0;            // pulses whose fate is known
+  std::vector<Decision> decisions_;
+  Audit audit_;
+};
+
+}  // namespace pose_frame_binder

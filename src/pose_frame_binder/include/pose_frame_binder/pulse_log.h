@@ -1,0 +1,60 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pose_frame_binder/types.h"
+
+namespace pose_frame_binder {
+
+/// All pulses of a scan, in the order of time.
+class PulseLog {
+ public:
+  /// A pulse that is there already, or earlier than the last, is dropped and counted.
+  void add(const Pulse& pulse);
+
+  /// No more pulses will come.
+  void end() { ended_ = true; }
+  bool ended() const { return ended_; }
+
+  std::size_t size() const { return entries_.size(); }
+  const Pulse& operator[](std::size_t index) const { return entries_[index].pulse; }
+
+  /// Which run of counts the pulse belongs to: an arming of one trigger. A trigger that was started
+  /// again gives the same arming again, and yet another run.
+  std::uint32_t run(std::size_t index) const { return entries_[index].run; }
+
+  /// The pulse with this count in this run.
+  std::optional<std::size_t> find(std::uint32_t run, std::int64_t count) const;
+
+  /// Which pulse happened at an instant.
+  struct Place {
+    std::optional<std::size_t> pulse;  //!< none: no pulse within the tolerance
+    Nanoseconds distance = 0;          //!< from the pulse to the instant
+  };
+
+  /// The pulse within `tolerance`, and within 0.45 of the interval between the pulses around
+  /// `time`, so that there is never a second one.
+  Place locate(Nanoseconds time, Nanoseconds tolerance) const;
+
+  /// Whether locate() would say the same whatever pulses still come.
+  bool settled(Nanoseconds time) const;
+
+  std::uint64_t refused() const { return refused_; }
+
+ private:
+  struct Entry {
+    Pulse pulse;
+    std::uint32_t run;
+  };
+
+  std::size_t first_after(Nanoseconds time) const;
+
+  std::vector<Entry> entries_;
+  bool ended_ = false;
+  std::uint64_t refused_ = 0;
+};
+
+}  // namespace pose_frame_binder

@@ -1,0 +1,61 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/BindingAudit.h>
+#include <scan_cell_msgs/BoundProfile.h>
+#include <scan_cell_msgs/TriggerEvent.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pose_frame_binder/binder.h"
+
+namespace pose_frame_binder {
+
+/// Names and places of the frames between which poses are.
+struct Frames {
+  std::string fixed = "world";
+  std::string base = "base_link";
+  std::string flange = "tool0";
+};
+
+/// Binder for messages: profiles in, profiles with a pose out.
+class ProfileBinder {
+ public:
+  /// @param fixed_to_base pose of the base in the fixed frame
+  ProfileBinder(const Settings& settings, const Frames& frames,
+                const Eigen::Isometry3d& fixed_to_base);
+
+  /// Takes the transforms from base to flange among these.
+  /// @throw scan_cell_common::Refused if the memory allowed is full
+  void add(const tf2_msgs::TFMessage& transforms);
+  void add(const scan_cell_msgs::TriggerEvent& event);
+  void add(const scan_cell_msgs::PeakProfileConstPtr& profile);
+
+  Binder& binder() { return binder_; }
+  const Binder& binder() const { return binder_; }
+
+  /// What was bound since the last call, in the order of the frames.
+  std::vector<scan_cell_msgs::BoundProfile> take();
+
+ private:
+  const Frames frames_;
+  const Eigen::Isometry3d fixed_to_base_;
+  Binder binder_;
+  std::map<std::size_t, scan_cell_msgs::PeakProfileConstPtr> waiting_;
+};
+
+/// Why a profile cannot be used; empty where it can.
+std::string find_fault(const scan_cell_msgs::PeakProfile& profile);
+
+/// @param stamp end of the scan
+scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& scan_id,
+                                        const ros::Time& stamp);
+
+/// For a person: how many frames were bound, and what became of the others.
+std::string summary(const Audit& audit);
+
+}  // namespace pose_frame_binder

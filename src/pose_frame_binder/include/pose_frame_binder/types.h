@@ -1,0 +1,126 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scan_cell_common/timed_pose.h"
+
+namespace pose_frame_binder {
+
+using scan_cell_common::Nanoseconds;
+using scan_cell_common::TimedPose;
+
+/// How a pulse gets its pose (docs/pose_frame_binder.md). Values as in BindingAudit.
+enum class Method : std::uint8_t { FirstPose = 1, Interpolate = 2 };
+
+/// Which rule made a match. Values as in PoseMatch.
+enum class Rule : std::uint8_t {
+  OneToOne = 1,
+  FramesSharePose = 2,
+  PosesShareFrame = 3,
+  Interpolated = 4,
+};
+
+/// Why a frame is not bound. Values as in DroppedFrame.
+enum class DropReason : std::uint8_t {
+  NoTrigger = 1,
+  NoPoseBefore = 2,
+  NoPoseAfter = 3,
+  PoseGap = 4,
+  SharedPose = 5,
+  Repeated = 6,
+  OutOfOrder = 7,
+  Corrupt = 8,
+  NeverArrived = 9,
+  CounterSlip = 10,
+};
+
+/// The word for it, such as "shared_pose".
+const char* name(DropReason reason);
+
+/// One pulse that was sent to the camera, host time.
+struct Pulse {
+  Nanoseconds time = 0;
+  std::uint32_t arming = 0;
+  std::uint64_t count = 0;
+  std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
+};
+
+/// What the binder needs to know of a frame.
+struct Frame {
+  std::uint32_t acquisition = 0;
+  std::uint64_t counter = 0;  //!< unwrapped
+  Nanoseconds stamp = 0;      //!< of the exposure, host time; late by a constant latency
+  std::string corrupt;        //!< why it cannot be used; empty where it can
+};
+
+struct Settings {
+  Method method = Method::Interpolate;
+  double most_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
+  double pose_settle = 0.02;    //!< [s] how far a pose may come behind a later one
+  double camera_latency = 0.004;       //!< [s] frame's stamp - pulse, as expected
+  double latency_tolerance = 0.02;     //!< [s] at most; never above 0.45 of the pulse interval
+  int frames_to_agree = 3;             //!< that fix the counter's offset
+  double most_acceleration = 10;       //!< [m/s^2] of the flange, for the error bound
+  double most_speed = 1.5;             //!< [m/s] of the flange, for the error bound
+  std::size_t most_poses = 2'000'000;  //!< held in memory (160 bytes each)
+  std::size_t most_pending_frames = 20'000;  //!< that wait for pulses or poses
+};
+
+/// A frame with its pulse and pose.
+struct Match {
+  Rule rule = Rule::OneToOne;
+  Pulse pulse;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  double time_to_before = 0;        //!< [s] NaN: that pose was not used
+  double time_to_after = 0;         //!< [s] NaN: that pose was not used
+  double position_error_bound = 0;  //!< [m]
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+struct Drop {
+  DropReason reason = DropReason::NoTrigger;
+  std::optional<std::size_t> frame;  //!< its number; none: the pulse's frame never arrived
+  std::uint64_t frame_counter = 0;
+  std::uint64_t trigger_count = 0;  //!< 0: no pulse belongs to it
+  std::string detail;
+};
+
+/// What became of one frame.
+struct Decision {
+  std::size_t frame = 0;       //!< its number, as Binder::add_frame gave it
+  std::optional<Match> match;  //!< none: dropped
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+/// What became of every frame and every pulse.
+///
+/// frames = frames_bound + drops with a frame. A pulse has a bound frame, or is named by a drop.
+struct Audit {
+  Method method = Method::Interpolate;
+  std::uint64_t triggers = 0;
+  std::uint64_t frames = 0;
+  std::uint64_t poses = 0;  //!< in the log
+  std::uint64_t frames_bound = 0;
+  std::uint64_t frames_dropped = 0;
+  std::uint64_t frames_never_arrived = 0;
+  std::uint64_t by_rule[5] = {};  //!< bound frames by Rule
+  double worst_time_to_pose = 0;
+  double worst_position_error = 0;
+  double latency = 0;       //!< [s] frame's stamp - pulse, as measured; NaN where nothing was bound
+  std::uint64_t slips = 0;  //!< times the counter's offset changed within an acquisition
+  std::uint64_t poses_repeated = 0;  //!< dropped: a pose with that time was there
+  std::uint64_t poses_late = 0;      //!< dropped: further behind than pose_settle
+  std::uint64_t poses_unusable = 0;  //!< dropped: not finite
+  std::uint64_t pulses_refused = 0;  //!< dropped: repeated or out of order
+  std::vector<Drop> dropped;         //!< in the order of the frames' arrival, then of the pulses
+};
+
+}  // namespace pose_frame_binder

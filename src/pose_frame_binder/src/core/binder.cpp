@@ -1,0 +1,162 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_frame_binder/binder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pose_frame_binder/pose_rule.h"
+#include "scan_cell_common/errors.h"
+
+namespace pose_frame_binder {
+
+using scan_cell_common::from_seconds;
+
+const char* name(DropReason reason) {
+  switch (reason) {
+    case DropReason::NoTrigger:
+      return "no_trigger";
+    case DropReason::NoPoseBefore:
+      return "no_pose_before";
+    case DropReason::NoPoseAfter:
+      return "no_pose_after";
+    case DropReason::PoseGap:
+      return "pose_gap";
+    case DropReason::SharedPose:
+      return "shared_pose";
+    case DropReason::Repeated:
+      return "repeated";
+    case DropReason::OutOfOrder:
+      return "out_of_order";
+    case DropReason::Corrupt:
+      return "corrupt";
+    case DropReason::NeverArrived:
+      return "never_arrived";
+    case DropReason::CounterSlip:
+      return "counter_slip";
+  }
+  return "unknown";
+}
+
+Binder::Binder(const Settings& settings)
+    : settings_(settings),
+      poses_(from_seconds(settings.pose_settle), settings.most_poses),
+      matcher_(pulses_, settings) {
+  audit_.method = settings.method;
+}
+
+void Binder::add_pose(const TimedPose& pose) {
+  poses_.add(pose);
+  bind();
+}
+
+void Binder::add_pulse(const Pulse& pulse) {
+  pulses_.add(pulse);
+  fates_.resize(pulses_.size(), Fate::Unknown);
+  advance();
+}
+
+std::size_t Binder::add_frame(const Frame& frame) {
+  if (matcher_.waiting() + pending_.size() >= settings_.most_pending_frames) {
+    throw scan_cell_common::Refused(
+        "frames waiting for pulses and poses", std::to_string(settings_.most_pending_frames),
+        "check that trigger events and poses arrive, or raise most_pending_frames");
+  }
+  const std::size_t number = counters_.size();
+  counters_.push_back(frame.counter);
+  matcher_.add(number, frame);
+  advance();
+  return number;
+}
+
+void Binder::end_pulses() {
+  pulses_.end();
+  advance();
+}
+
+void Binder::end() {
+  pulses_.end();
+  poses_.end();
+  for (const FrameMatcher::Result& result : matcher_.finish())
+    take(result);
+  bind();
+}
+
+std::vector<Decision> Binder::take_decisions() {
+  return std::exchange(decisions_, {});
+}
+
+bool Binder::whole(std::uint64_t triggers) const {
+  return pulses_.size() >= triggers && settled_ == pulses_.size() && matcher_.waiting() == 0;
+}
+
+void Binder::advance() {
+  for (const FrameMatcher::Result& result : matcher_.advance())
+    take(result);
+  bind();
+}
+
+void Binder::take(const FrameMatcher::Result& result) {
+  if (!result.drop) {
+    pending_.push_back({result.frame, *result.pulse});
+    return;
+  }
+  audit_.dropped.push_back(*result.drop);
+  decisions_.push_back({result.frame, std::nullopt});
+  if (result.pulse) settle(*result.pulse, Fate::Dropped);
+}
+
+void Binder::bind() {
+  while (!pending_.empty()) {
+    const auto [frame, pulse] = pending_.front();
+    const std::optional<PoseAnswer> answer = find_pose(pulse, pulses_, poses_, settings_);
+    if (!answer) return;
+    pending_.pop_front();
+    decisions_.push_back({frame, answer->match});
+    if (!answer->match) {
+      audit_.dropped.push_back(
+          {answer->reason, frame, counters_[frame], pulses_[pulse].count, answer->detail});
+      settle(pulse, Fate::Dropped);
+      continue;
+    }
+    settle(pulse, Fate::Bound);
+    const Match& match = *answer->match;
+    ++audit_.frames_bound;
+    ++audit_.by_rule[static_cast<int>(match.rule)];
+    // The nearest pose that was used; fmin passes over the one that was not.
+    audit_.worst_time_to_pose =
+        std::max(audit_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
+    audit_.worst_position_error = std::max(audit_.worst_position_error, match.position_error_bound);
+  }
+}
+
+void Binder::settle(std::size_t pulse, Fate fate) {
+  if (fates_[pulse] == Fate::Unknown) ++settled_;
+  fates_[pulse] = std::max(fates_[pulse], fate);
+}
+
+Audit Binder::audit() const {
+  Audit audit = audit_;
+  audit.triggers = pulses_.size();
+  audit.frames = counters_.size();
+  audit.poses = poses_.size();
+  audit.frames_dropped = audit.dropped.size();
+  audit.latency = matcher_.latency();
+  audit.slips = matcher_.slips();
+  audit.poses_repeated = poses_.repeated();
+  audit.poses_late = poses_.late();
+  audit.poses_unusable = poses_.unusable();
+  audit.pulses_refused = pulses_.refused();
+  std::stable_sort(audit.dropped.begin(), audit.dropped.end(),
+                   [](const Drop& a, const Drop& b) { return a.frame < b.frame; });
+  for (std::size_t i = 0; i < fates_.size(); ++i) {
+    if (fates_[i] != Fate::Unknown) continue;
+    ++audit.frames_never_arrived;
+    audit.dropped.push_back({DropReason::NeverArrived, std::nullopt, 0, pulses_[i].count,
+                             "arming " + std::to_string(pulses_[i].arming)});
+  }
+  return audit;
+}
+
+}  // namespace pose_frame_binder

@@ -1,0 +1,150 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "binder_services.h"
+
+#include <chrono>
+
+#include "scan_cell_common/errors.h"
+
+namespace pose_frame_binder {
+
+using scan_cell_msgs::FinishBinding;
+using scan_cell_msgs::StartScan;
+
+BinderServices::BinderServices(ros::NodeHandle node, const Parameters& parameters)
+    : parameters_(parameters), static_transforms_(node) {
+  constexpr std::uint32_t kBound = 20000;
+  constexpr std::uint32_t kUnbounded = 0;  // what arrived is never thrown away unseen
+  bound_ = node.advertise<scan_cell_msgs::BoundProfile>("bound_profiles", kBound);
+  audit_ = node.advertise<scan_cell_msgs::BindingAudit>("audit", 1, true);
+
+  ros::NodeHandle data;
+  data.setCallbackQueue(&data_queue_);
+  const boost::function<void(const scan_cell_msgs::PeakProfileConstPtr&)> on_profile =
+      [this](const scan_cell_msgs::PeakProfileConstPtr& profile) {
+        take(profile, profiles_ignored_);
+      };
+  const boost::function<void(const scan_cell_msgs::TriggerEventConstPtr&)> on_event =
+      [this](const scan_cell_msgs::TriggerEventConstPtr& event) { take(*event, others_ignored_); };
+  const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> on_poses =
+      [this](const tf2_msgs::TFMessageConstPtr& poses) { take(*poses, others_ignored_); };
+  const auto no_delay = ros::TransportHints().tcpNoDelay();
+  profiles_ = data.subscribe<scan_cell_msgs::PeakProfile>("profiles", kUnbounded, on_profile,
+                                                          ros::VoidConstPtr(), no_delay);
+  events_ = data.subscribe<scan_cell_msgs::TriggerEvent>("trigger_events", kUnbounded, on_event,
+                                                         ros::VoidConstPtr(), no_delay);
+  poses_ = data.subscribe<tf2_msgs::TFMessage>("/tf", kUnbounded, on_poses, ros::VoidConstPtr(),
+                                               no_delay);
+  start_ = node.advertiseService("start", &BinderServices::start, this);
+  finish_ = node.advertiseService("finish", &BinderServices::finish, this);
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("binding", this, &BinderServices::diagnose);
+  diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
+                                        [this](const ros::TimerEvent&) { diagnostics_.update(); });
+  data_spinner_.start();
+}
+
+template <class Data>
+void BinderServices::take(const Data& data, std::uint64_t& ignored) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!scan_ || !failure_.empty()) {
+    ++ignored;
+    return;
+  }
+  try {
+    scan_->add(data);
+  } catch (const scan_cell_common::Error& error) {
+    failure_ = error.what();
+    ROS_ERROR("scan %s: %s", scan_id_.c_str(), error.what());
+  }
+  publish_bound();
+  if (finishing_) news_.notify_all();
+}
+
+void BinderServices::publish_bound() {
+  for (const scan_cell_msgs::BoundProfile& bound : scan_->take())
+    bound_.publish(bound);
+}
+
+bool BinderServices::start(StartScan::Request& request, StartScan::Response& response) {
+  response.success = false;
+  try {
+    const Eigen::Isometry3d fixed_to_base = static_transforms_.look_up(
+        parameters_.frames.fixed, parameters_.frames.base, parameters_.transform_timeout);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (finishing_) {
+      throw scan_cell_common::Refused("scan " + scan_id_, "being finished", "wait for its audit");
+    }
+    scan_ =
+        std::make_unique<ProfileBinder>(parameters_.settings, parameters_.frames, fixed_to_base);
+    scan_id_ = request.scan_id;
+    failure_.clear();
+    profiles_ignored_ = others_ignored_ = 0;
+    response.success = true;
+  } catch (const scan_cell_common::Error& error) {
+    response.message = error.what();
+  }
+  return true;
+}
+
+void BinderServices::wait_for_all(std::unique_lock<std::mutex>& lock, std::uint64_t triggers,
+                                  double timeout) {
+  const auto all = [this, triggers] {
+    Binder& binder = scan_->binder();
+    if (binder.pulses() >= triggers) {
+      binder.end_pulses();
+      publish_bound();
+    }
+    return binder.whole(triggers) || !failure_.empty() || !ros::ok();
+  };
+  finishing_ = true;
+  news_.wait_for(lock, std::chrono::duration<double>(timeout), all);
+  finishing_ = false;
+}
+
+bool BinderServices::finish(FinishBinding::Request& request, FinishBinding::Response& response) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (!scan_ || finishing_) {
+    response.success = false;
+    response.message = scan_ ? "scan " + scan_id_ + " is being finished; wait for its audit"
+                             : "no scan is under way; call start first";
+    return true;
+  }
+  wait_for_all(lock, request.triggers, request.timeout.toSec());
+  scan_->binder().end();
+  publish_bound();
+  last_audit_ = scan_->binder().audit();
+  response.audit = to_message(last_audit_, scan_id_, ros::Time::now());
+  audit_.publish(response.audit);
+  scan_.reset();
+
+  response.success = failure_.empty();
+  response.message = failure_.empty() ? summary(last_audit_) : failure_;
+  if (last_audit_.triggers < request.triggers) {
+    response.message += "; only " + std::to_string(last_audit_.triggers) + " of " +
+                        std::to_string(request.triggers) + " trigger events arrived";
+  }
+  ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
+  return true;
+}
+
+void BinderServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Audit audit = scan_ ? scan_->binder().audit() : last_audit_;
+  status.summary(failure_.empty() ? Level::OK : Level::ERROR,
+                 failure_.empty() ? (scan_ ? "binding scan " + scan_id_ : "idle") : failure_);
+  status.add("frames", audit.frames);
+  status.add("frames bound", audit.frames_bound);
+  status.add("frames dropped", audit.frames_dropped);
+  status.add("pulses", audit.triggers);
+  status.add("poses", audit.poses);
+  status.add("poses late", audit.poses_late);
+  status.add("poses repeated", audit.poses_repeated);
+  status.add("poses not finite", audit.poses_unusable);
+  status.add("counter slips", audit.slips);
+  status.add("stamp after pulse [s]", audit.latency);
+  status.add("profiles outside of a scan", profiles_ignored_);
+}
+
+}  // namespace pose_frame_binder

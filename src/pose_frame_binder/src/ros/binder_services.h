@@ -1,0 +1,66 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <scan_cell_msgs/FinishBinding.h>
+#include <scan_cell_msgs/StartScan.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "parameters.h"
+#include "static_transforms.h"
+
+namespace pose_frame_binder {
+
+/// The binder's topics and services. Data are taken by a thread of their own, so that they come in
+/// while ~finish waits for them.
+class BinderServices {
+ public:
+  BinderServices(ros::NodeHandle node, const Parameters& parameters);
+
+ private:
+  bool start(scan_cell_msgs::StartScan::Request& request,
+             scan_cell_msgs::StartScan::Response& response);
+  bool finish(scan_cell_msgs::FinishBinding::Request& request,
+              scan_cell_msgs::FinishBinding::Response& response);
+
+  template <class Data>
+  void take(const Data& data, std::uint64_t& ignored);
+  void wait_for_all(std::unique_lock<std::mutex>& lock, std::uint64_t triggers, double timeout);
+  void publish_bound();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  const Parameters parameters_;
+  ros::CallbackQueue data_queue_;
+  StaticTransforms static_transforms_;
+
+  std::mutex mutex_;
+  std::condition_variable news_;
+  std::unique_ptr<ProfileBinder> scan_;  // none between scans
+  std::string scan_id_;
+  std::string failure_;  // why the scan under way cannot be bound to its end
+  bool finishing_ = false;
+  std::uint64_t profiles_ignored_ = 0;
+  std::uint64_t others_ignored_ = 0;
+  Audit last_audit_;
+
+  ros::Publisher bound_;
+  ros::Publisher audit_;
+  ros::Subscriber profiles_;
+  ros::Subscriber events_;
+  ros::Subscriber poses_;
+  ros::ServiceServer start_;
+  ros::ServiceServer finish_;
+  diagnostic_updater::Updater diagnostics_;
+  ros::Timer diagnostics_timer_;
+  ros::AsyncSpinner data_spinner_{1, &data_queue_};
+};
+
+}  // namespace pose_frame_binder

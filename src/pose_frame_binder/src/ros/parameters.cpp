@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parameters.h"
+
+#include "scan_cell_common/ros/parameter_reader.h"
+
+namespace pose_frame_binder {
+
+Parameters Parameters::load(const ros::NodeHandle& node) {
+  scan_cell_common::ParameterReader reader(node);
+  Parameters parameters;
+  Settings& settings = parameters.settings;
+  std::string method = "interpolate";
+  auto most_poses = static_cast<int>(settings.most_poses);
+  auto most_pending_frames = static_cast<int>(settings.most_pending_frames);
+  reader.read("fixed_frame", parameters.frames.fixed);
+  reader.read("base_frame", parameters.frames.base);
+  reader.read("flange_frame", parameters.frames.flange);
+  reader.read("transform_timeout", parameters.transform_timeout, {0, 60});
+  reader.read_choice("method", method, {"first_pose", "interpolate"});
+  reader.read("most_pose_gap", settings.most_pose_gap, {1e-4, 10});
+  reader.read("pose_settle", settings.pose_settle, {0, 1});
+  reader.read("camera_latency", settings.camera_latency, {-0.1, 1});
+  reader.read("latency_tolerance", settings.latency_tolerance, {1e-5, 1});
+  reader.read("frames_to_agree", settings.frames_to_agree, {2, 32});
+  reader.read("most_acceleration", settings.most_acceleration, {0.01, 1000});
+  reader.read("most_speed", settings.most_speed, {0.001, 100});
+  reader.read("most_poses", most_poses, {100, 1e9});
+  reader.read("most_pending_frames", most_pending_frames, {10, 1e7});
+  reader.refuse_unknown();
+  settings.method = method == "first_pose" ? Method::FirstPose : Method::Interpolate;
+  settings.most_poses = static_cast<std::size_t>(most_poses);
+  settings.most_pending_frames = static_cast<std::size_t>(most_pending_frames);
+  return parameters;
+}
+
+}  // namespace pose_frame_binder

@@ -1,0 +1,18 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include "binder_services.h"
+#include "scan_cell_common/ros/node_main.h"
+
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(argc, argv, "pose_frame_binder", [] {
+    ros::NodeHandle node("~");
+    constexpr int kThreads = 3;  // diagnostics, and a second call while one waits
+    ros::AsyncSpinner spinner(kThreads);
+    const pose_frame_binder::BinderServices services(node,
+                                                     pose_frame_binder::Parameters::load(node));
+    spinner.start();
+    ros::waitForShutdown();
+  });
+}

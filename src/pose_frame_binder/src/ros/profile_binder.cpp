@@ -1,0 +1,140 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_frame_binder/ros/profile_binder.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "scan_cell_common/ros/conversions.h"
+
+namespace pose_frame_binder {
+
+using scan_cell_common::from_ros;
+using scan_cell_common::to_ros;
+using scan_cell_msgs::BoundProfile;
+using scan_cell_msgs::PeakProfile;
+using scan_cell_msgs::TriggerEvent;
+
+namespace {
+
+std::uint8_t laser_of(const PeakProfile& profile, std::uint8_t lasers_on) {
+  if (profile.laser != PeakProfile::LASER_UNKNOWN) return profile.laser;
+  if (lasers_on == TriggerEvent::LASER_0) return 0;
+  if (lasers_on == TriggerEvent::LASER_1) return 1;
+  return PeakProfile::LASER_UNKNOWN;
+}
+
+BoundProfile to_message(const PeakProfile& profile, const Match& match, const std::string& frame) {
+  BoundProfile bound;
+  bound.header.stamp = to_ros(match.pulse.time);
+  bound.header.frame_id = frame;
+  bound.profile = profile;
+  bound.profile.laser = laser_of(profile, match.pulse.lasers);
+  bound.pose = scan_cell_common::to_ros_pose(match.pose);
+  bound.match.rule = static_cast<std::uint8_t>(match.rule);
+  bound.match.frame_counter = profile.frame_counter;
+  bound.match.arming = match.pulse.arming;
+  bound.match.trigger_count = match.pulse.count;
+  bound.match.time_to_before = match.time_to_before;
+  bound.match.time_to_after = match.time_to_after;
+  bound.match.position_error_bound = match.position_error_bound;
+  return bound;
+}
+
+}  // namespace
+
+std::string find_fault(const PeakProfile& profile) {
+  if (profile.packets_lost > 0) return std::to_string(profile.packets_lost) + " packets missing";
+  if (profile.width.size() != profile.position.size() ||
+      profile.intensity.size() != profile.position.size()) {
+    return "arrays of different lengths";
+  }
+  if (profile.header.stamp.isZero()) return "no stamp";
+  constexpr std::uint64_t kMostCounter = std::uint64_t{1} << 62;
+  if (profile.frame_counter > kMostCounter) return "impossible frame counter";
+  return "";
+}
+
+ProfileBinder::ProfileBinder(const Settings& settings, const Frames& frames,
+                             const Eigen::Isometry3d& fixed_to_base)
+    : frames_(frames), fixed_to_base_(fixed_to_base), binder_(settings) {}
+
+void ProfileBinder::add(const tf2_msgs::TFMessage& transforms) {
+  for (const geometry_msgs::TransformStamped& transform : transforms.transforms) {
+    if (transform.header.frame_id != frames_.base) continue;
+    if (transform.child_frame_id != frames_.flange) continue;
+    binder_.add_pose(
+        {from_ros(transform.header.stamp), fixed_to_base_ * from_ros(transform.transform)});
+  }
+}
+
+void ProfileBinder::add(const TriggerEvent& event) {
+  binder_.add_pulse({from_ros(event.header.stamp), event.arming, event.count, event.lasers});
+}
+
+void ProfileBinder::add(const scan_cell_msgs::PeakProfileConstPtr& profile) {
+  const std::size_t number =
+      binder_.add_frame({profile->acquisition, profile->frame_counter,
+                         from_ros(profile->header.stamp), find_fault(*profile)});
+  waiting_[number] = profile;
+}
+
+std::vector<BoundProfile> ProfileBinder::take() {
+  std::vector<BoundProfile> bound;
+  for (const Decision& decision : binder_.take_decisions()) {
+    const auto profile = waiting_.find(decision.frame);
+    if (decision.match)
+      bound.push_back(to_message(*profile->second, *decision.match, frames_.fixed));
+    waiting_.erase(profile);
+  }
+  return bound;
+}
+
+scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& scan_id,
+                                        const ros::Time& stamp) {
+  scan_cell_msgs::BindingAudit message;
+  message.header.stamp = stamp;
+  message.scan_id = scan_id;
+  message.method = static_cast<std::uint8_t>(audit.method);
+  message.triggers = audit.triggers;
+  message.frames = audit.frames;
+  message.poses = audit.poses;
+  message.frames_bound = audit.frames_bound;
+  message.frames_dropped = audit.frames_dropped;
+  message.frames_never_arrived = audit.frames_never_arrived;
+  const auto count = [&audit](Rule rule) { return audit.by_rule[static_cast<int>(rule)]; };
+  message.one_to_one = count(Rule::OneToOne);
+  message.frames_share_pose = count(Rule::FramesSharePose);
+  message.poses_share_frame = count(Rule::PosesShareFrame);
+  message.interpolated = count(Rule::Interpolated);
+  message.worst_time_to_pose = audit.worst_time_to_pose;
+  message.worst_position_error = audit.worst_position_error;
+  for (const Drop& drop : audit.dropped) {
+    scan_cell_msgs::DroppedFrame dropped;
+    dropped.reason = static_cast<std::uint8_t>(drop.reason);
+    dropped.frame_counter = drop.frame_counter;
+    dropped.trigger_count = drop.trigger_count;
+    dropped.detail = drop.detail;
+    message.dropped.push_back(dropped);
+  }
+  return message;
+}
+
+std::string summary(const Audit& audit) {
+  std::ostringstream text;
+  text << audit.frames_bound << " of " << audit.frames << " frames bound to " << audit.triggers
+       << " pulses and " << audit.poses << " poses";
+  std::map<DropReason, std::uint64_t> reasons;
+  for (const Drop& drop : audit.dropped)
+    ++reasons[drop.reason];
+  for (const auto& [reason, count] : reasons)
+    text << ", " << count << " " << name(reason);
+  if (audit.slips > 0) text << "; the counter slipped " << audit.slips << " times";
+  if (std::isfinite(audit.latency)) {
+    constexpr double kMilliseconds = 1e3;
+    text << "; frames are stamped " << audit.latency * kMilliseconds << " ms after their pulse";
+  }
+  return text.str();
+}
+
+}  // namespace pose_frame_binder

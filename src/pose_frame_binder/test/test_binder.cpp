@@ -1,0 +1,278 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "pose_frame_binder/binder.h"
+#include "scan_cell_common/errors.h"
+#include "synthetic_scan.h"
+
+using namespace pose_frame_binder;  // NOLINT
+
+namespace {
+
+/// No frame has another pulse than the one that exposed it; returns how many have one.
+std::size_t count_right(const SyntheticScan& scan, const Outcome& outcome) {
+  std::size_t right = 0;
+  for (const Decision& decision : outcome.decisions) {
+    if (!decision.match) continue;
+    const std::int64_t truth = scan.truth[decision.frame];
+    EXPECT_GE(truth, 0) << "frame " << decision.frame << " has no pulse";
+    if (truth < 0) continue;
+    EXPECT_EQ(decision.match->pulse.time, scan.pulses[static_cast<std::size_t>(truth)].time)
+        << "frame " << decision.frame;
+    ++right;
+  }
+  return right;
+}
+
+/// Every frame is decided once, and every pulse is bound, or named by a drop, or never arrived.
+void expect_all_accounted(const SyntheticScan& scan, const Outcome& outcome) {
+  const Audit& audit = outcome.audit;
+  EXPECT_EQ(audit.frames, scan.frames.size());
+  EXPECT_EQ(audit.frames, audit.frames_bound + audit.frames_dropped);
+  EXPECT_EQ(audit.triggers, scan.pulses.size());
+  std::set<std::size_t> decided;
+  for (const Decision& decision : outcome.decisions)
+    EXPECT_TRUE(decided.insert(decision.frame).second);
+  EXPECT_EQ(decided.size(), scan.frames.size());
+
+  std::set<std::uint64_t> bound, dropped;
+  for (const Decision& decision : outcome.decisions)
+    if (decision.match) {
+      EXPECT_TRUE(bound.insert(decision.match->pulse.count).second);
+    }
+  std::uint64_t never = 0;
+  for (const Drop& drop : audit.dropped) {
+    if (drop.reason == DropReason::NeverArrived) {
+      ++never;
+      EXPECT_EQ(bound.count(drop.trigger_count) + dropped.count(drop.trigger_count), 0U);
+    } else if (drop.trigger_count > 0 && bound.count(drop.trigger_count) == 0) {
+      dropped.insert(drop.trigger_count);
+    }
+  }
+  EXPECT_EQ(never, audit.frames_never_arrived);
+  EXPECT_EQ(bound.size() + dropped.size() + never, scan.pulses.size());
+}
+
+}  // namespace
+
+TEST(Binder, BindsEveryFrameOfAWholeScan) {
+  const SyntheticScan scan = steady_scan(100);
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 100U);
+  EXPECT_TRUE(outcome.audit.dropped.empty());
+  EXPECT_EQ(outcome.audit.by_rule[static_cast<int>(Rule::Interpolated)], 100U);
+  EXPECT_NEAR(outcome.audit.latency, 4e-3, 1e-6);
+}
+
+TEST(Binder, BindsAScanOfOneFrame) {
+  const SyntheticScan scan = steady_scan(1);
+  EXPECT_EQ(count_right(scan, run(scan, {})), 1U);
+}
+
+TEST(Binder, IsRightWhereTheFirstFramesWereLost) {
+  SyntheticScan scan = steady_scan(50);
+  scan.frames.erase(scan.frames.begin(), scan.frames.begin() + 7);
+  scan.truth.erase(scan.truth.begin(), scan.truth.begin() + 7);
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 43U);
+  EXPECT_EQ(outcome.audit.frames_never_arrived, 7U);
+  expect_all_accounted(scan, outcome);
+}
+
+TEST(Binder, LeavesAGapWhereFramesWereLost) {
+  SyntheticScan scan = steady_scan(50);
+  scan.frames.erase(scan.frames.begin() + 20, scan.frames.begin() + 22);
+  scan.truth.erase(scan.truth.begin() + 20, scan.truth.begin() + 22);
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 48U);
+  EXPECT_EQ(outcome.dropped(DropReason::NeverArrived), 2U);
+  EXPECT_EQ(outcome.audit.dropped[0].trigger_count, 21U);
+}
+
+TEST(Binder, DropsFramesFromBeforeTheArming) {
+  SyntheticScan scan = steady_scan(50);
+  for (int i = 5; i > 0; --i) {
+    const std::uint64_t counter = 101 - static_cast<std::uint64_t>(i);
+    scan.frames.insert(scan.frames.begin() + (5 - i), {1, counter, at(-1000 - 10.0 * i), ""});
+    scan.truth.insert(scan.truth.begin(), -1);
+  }
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 50U);
+  EXPECT_EQ(outcome.dropped(DropReason::NoTrigger), 5U);
+}
+
+TEST(Binder, DropsRepeatedLateAndCorruptFramesByTheirReason) {
+  SyntheticScan scan = steady_scan(50);
+  scan.frames.insert(scan.frames.begin() + 11, scan.frames[10]);
+  scan.truth.insert(scan.truth.begin() + 11, scan.truth[10]);
+  std::swap(scan.frames[20], scan.frames[21]);
+  std::swap(scan.truth[20], scan.truth[21]);
+  scan.frames[30].corrupt = "3 packets missing";
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 48U);
+  EXPECT_EQ(outcome.dropped(DropReason::Repeated), 1U);
+  EXPECT_EQ(outcome.dropped(DropReason::OutOfOrder), 1U);
+  EXPECT_EQ(outcome.dropped(DropReason::Corrupt), 1U);
+  EXPECT_EQ(outcome.audit.frames_never_arrived, 0U);
+  expect_all_accounted(scan, outcome);
+}
+
+TEST(Binder, FindsASlipOfOneThatTheCounterHides) {
+  // The camera does not take the pulse with index 25, and counts on without a gap.
+  SyntheticScan scan = steady_scan(50);
+  scan.frames.erase(scan.frames.begin() + 25);
+  scan.truth.erase(scan.truth.begin() + 25);
+  for (std::size_t i = 25; i < scan.frames.size(); ++i)
+    --scan.frames[i].counter;
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(outcome.audit.slips, 1U);
+  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 2U);  // on both sides
+  EXPECT_EQ(outcome.dropped(DropReason::NeverArrived), 1U);
+  EXPECT_EQ(count_right(scan, outcome), 47U);
+  expect_all_accounted(scan, outcome);
+}
+
+TEST(Binder, DropsAFrameWhoseCounterOrStampIsWrong) {
+  SyntheticScan scan = steady_scan(50);
+  ++scan.frames[12].counter;                   // the next frame has that one too
+  scan.frames[31].stamp += 10 * kMillisecond;  // a whole period
+  scan.frames[40].counter += 1'000'000;
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 47U);
+  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 3U);
+  EXPECT_EQ(outcome.audit.slips, 0U);
+}
+
+TEST(Binder, GoesOnAfterTheCameraWasRestarted) {
+  SyntheticScan scan = steady_scan(60);
+  for (std::size_t i = 30; i < 60; ++i) {
+    scan.frames[i].acquisition = 2;
+    scan.frames[i].counter = i - 30;
+  }
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 60U);
+}
+
+TEST(Binder, GoesOnAfterTheTriggerWasArmedAgain) {
+  SyntheticScan scan = steady_scan(30);
+  for (int i = 0; i < 30; ++i) {
+    scan.add_pulse(1003 + 10.0 * i, 2);
+    scan.add_frame(scan.pulses.size() - 1, static_cast<std::uint64_t>(131 + i));
+  }
+  for (double t = 401; t < 1500; t += 2)
+    scan.poses.push_back(pose_at(t, t / 1000));
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 60U);
+  EXPECT_EQ(outcome.audit.slips, 0U);
+}
+
+TEST(Binder, StandsJitterAndADriftingLatency) {
+  SyntheticScan scan;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> pulse_jitter(-1, 1);
+  std::exponential_distribution<double> late(2.0);  // mean 0.5 ms, never early
+  for (std::size_t i = 0; i < 2000; ++i) {
+    scan.add_pulse(static_cast<double>(i) * 10 + pulse_jitter(random));
+    scan.add_frame(i, i, 3 + 0.004 * static_cast<double>(i) + std::min(late(random), 2.5));
+  }
+  for (double t = -50; t < 20100; t += 4)
+    scan.poses.push_back(pose_at(t, t / 1000));
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 2000U);
+}
+
+TEST(Binder, DropsWhatLostPosesLeaveWithoutOne) {
+  SyntheticScan scan = steady_scan(60);
+  const auto lost = [](const TimedPose& pose) {
+    return pose.time > at(205) && pose.time < at(285);
+  };
+  scan.poses.erase(std::remove_if(scan.poses.begin(), scan.poses.end(), lost), scan.poses.end());
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(outcome.dropped(DropReason::PoseGap), 8U);  // pulses at 210, 220 ... 280 ms
+  EXPECT_EQ(count_right(scan, outcome), 52U);
+  expect_all_accounted(scan, outcome);
+}
+
+TEST(Binder, GivesTheSameWhateverOrderTheTopicsComeIn) {
+  SyntheticScan scan = steady_scan(300);
+  scan.frames.erase(scan.frames.begin() + 100, scan.frames.begin() + 103);
+  scan.frames[200].corrupt = "broken";
+  std::swap(scan.frames[50], scan.frames[51]);
+  for (std::size_t i = 5; i + 1 < scan.poses.size(); i += 7)
+    std::swap(scan.poses[i], scan.poses[i + 1]);
+  for (const Method method : {Method::Interpolate, Method::FirstPose}) {
+    Settings settings;
+    settings.method = method;
+    const Outcome expected = run(scan, settings, 0, {1000, 1, 0.001});
+    EXPECT_GT(expected.audit.frames_bound, 250U);
+    for (const std::array<double, 3>& weights : std::vector<std::array<double, 3>>{
+             {0.001, 1, 1000}, {1, 0.01, 1}, {5, 1, 1}, {0.01, 1, 1}}) {
+      const Outcome other = run(scan, settings, 7, weights);
+      std::vector<const Decision*> a, b;
+      for (const Decision& d : expected.decisions)
+        if (d.match) a.push_back(&d);
+      for (const Decision& d : other.decisions)
+        if (d.match) b.push_back(&d);
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        ASSERT_EQ(a[i]->frame, b[i]->frame);
+        ASSERT_EQ(a[i]->match->pulse.count, b[i]->match->pulse.count);
+        ASSERT_EQ(a[i]->match->rule, b[i]->match->rule);
+        ASSERT_EQ(a[i]->match->pose.matrix(), b[i]->match->pose.matrix());
+        ASSERT_EQ(a[i]->match->position_error_bound, b[i]->match->position_error_bound);
+      }
+      ASSERT_EQ(expected.audit.dropped.size(), other.audit.dropped.size());
+      for (std::size_t i = 0; i < expected.audit.dropped.size(); ++i) {
+        EXPECT_EQ(expected.audit.dropped[i].reason, other.audit.dropped[i].reason);
+        EXPECT_EQ(expected.audit.dropped[i].frame, other.audit.dropped[i].frame);
+        EXPECT_EQ(expected.audit.dropped[i].detail, other.audit.dropped[i].detail);
+      }
+    }
+  }
+}
+
+TEST(Binder, PublishesWhileTheScanRuns) {
+  const SyntheticScan scan = steady_scan(50);
+  Binder binder({});
+  std::size_t pose = 0;
+  std::size_t bound = 0;
+  for (std::size_t i = 0; i < 50; ++i) {
+    binder.add_pulse(scan.pulses[i]);
+    while (scan.poses[pose].time < scan.frames[i].stamp)
+      binder.add_pose(scan.poses[pose++]);
+    binder.add_frame(scan.frames[i]);
+    bound += binder.take_decisions().size();
+    if (i > 10) {
+      EXPECT_GE(bound + 5, i);
+    }
+  }
+}
+
+TEST(Binder, KnowsWhenAScanIsWhole) {
+  const SyntheticScan scan = steady_scan(20);
+  Binder binder({});
+  for (const TimedPose& pose : scan.poses)
+    binder.add_pose(pose);
+  for (const Pulse& pulse : scan.pulses)
+    binder.add_pulse(pulse);
+  for (std::size_t i = 0; i < 19; ++i)
+    binder.add_frame(scan.frames[i]);
+  binder.end_pulses();
+  EXPECT_FALSE(binder.whole(20));
+  binder.add_frame(scan.frames[19]);
+  EXPECT_TRUE(binder.whole(20));
+  EXPECT_FALSE(binder.whole(21));
+}
+
+TEST(Binder, RefusesMoreFramesThanItMayHold) {
+  Settings settings;
+  settings.most_pending_frames = 5;
+  Binder binder(settings);
+  const SyntheticScan scan = steady_scan(10);
+  for (std::size_t i = 0; i < 5; ++i)
+    binder.add_frame(scan.frames[i]);
+  EXPECT_THROW(binder.add_frame(scan.frames[5]), scan_cell_common::Refused);
+}
