@@ -1,0 +1,58 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "scan_cell_sim/world.h"
+
+namespace scan_cell_sim {
+
+/// The surfaces of a world, to shoot rays at. Never changes; all methods may be called from several
+/// threads at once.
+class Scene {
+ public:
+  /// How far a triangle may be off the true surface [m].
+  static constexpr double kTolerance = 4e-6;
+
+  struct Hit {
+    Eigen::Vector3d point;   //!< [m] in world
+    Eigen::Vector3d normal;  //!< unit vector, on the side the ray came from
+    double distance;         //!< [m] from the ray's origin
+    double reflectance;      //!< 0 .. 1
+  };
+
+  /// @throw scan_cell_common::UnusableInput if a part's deformation folds it
+  explicit Scene(const World& world);
+
+  /// A scene of one part alone, without the floor.
+  /// @throw scan_cell_common::UnusableInput as above, or if there is no such part
+  Scene(const World& world, const std::string& part);
+
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+
+  /// First surface along a ray. `direction` is a unit vector.
+  std::optional<Hit> first_hit(const Eigen::Vector3d& origin,
+                               const Eigen::Vector3d& direction) const;
+
+  /// Whether nothing stands between two points, the first of which lies on a surface.
+  bool sees(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& eye) const;
+
+  /// Distance [m] from a point to the nearest surface; infinite where there is none.
+  double distance_to_surface(const Eigen::Vector3d& point) const;
+
+  const std::vector<Mesh>& meshes() const;
+
+ private:
+  struct Implementation;
+
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace scan_cell_sim

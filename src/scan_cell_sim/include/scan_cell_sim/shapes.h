@@ -1,0 +1,53 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "scan_cell_sim/deformation.h"
+
+namespace scan_cell_sim {
+
+/// Triangles over points [m]; seen from outside they turn counter-clockwise.
+struct Mesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A sheet that was put into a frame's opening and bulges.
+struct Sheet {
+  double height = 0.003;  //!< [m] of its border over the frame's underside
+  double bulge = 0;       //!< [m] of its middle over its border
+};
+
+/// Photo frame: a rectangular ring of moulding (moulding.h), centred on its own origin, standing on
+/// z = 0, with a hanger outside its +x side near the +y corner, which no half turn maps to itself.
+struct FrameShape {
+  Eigen::Vector2d size = {0.200, 0.150};  //!< [m] outside
+  std::optional<Sheet> sheet;
+};
+
+/// Box, centred in x and y on its own origin, standing on z = 0.
+struct BoxShape {
+  Eigen::Vector3d size = {0.10, 0.06, 0.04};  //!< [m]
+};
+
+using Shape = std::variant<FrameShape, BoxShape>;
+
+/// Where the hanger of a frame is: lower and upper corner of its foot and its height [m].
+struct Hanger {
+  Eigen::Vector3d least;
+  Eigen::Vector3d most;
+};
+Hanger hanger_of(const FrameShape& frame);
+
+/// Surface of the undeformed shape, cut so finely that no flat triangle is more than `tolerance`
+/// [m] off the surface, also after `deformation` was applied to its vertices.
+Mesh tessellate(const Shape& shape, const Deformation& deformation, double tolerance);
+
+}  // namespace scan_cell_sim

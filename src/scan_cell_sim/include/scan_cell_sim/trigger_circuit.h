@@ -1,0 +1,64 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "scan_cell_common/timed_pose.h"
+
+namespace scan_cell_sim {
+
+/// Emulates the circuit behind the parallel port: whoever drives it sends the port's data register,
+/// one byte a write, as a UDP datagram. Bit 0 is the camera's pulse, bits 1 and 2 are laser_0 and
+/// laser_1; the circuit keeps its state until the next write. It runs in a thread of its own from
+/// construction to destruction. All methods are safe to call from any thread.
+class TriggerCircuit {
+ public:
+  /// A rising edge of the camera's line.
+  struct Pulse {
+    scan_cell_common::Nanoseconds time = 0;  //!< host time at which the byte came
+    std::uint8_t lasers = 0;                 //!< bit mask of the lasers that are on: 1, 2
+  };
+
+  struct State {
+    std::uint8_t lasers = 0;
+    bool pulse_line = false;
+    std::uint64_t pulses = 0;
+    std::uint64_t writes = 0;
+    std::uint64_t refused = 0;      //!< datagrams that were not one byte
+    double longest_on[2] = {0, 0};  //!< [s] of each laser, the present one included
+  };
+
+  /// @param port 0: any free one, see port()
+  /// @param on_pulse called from the circuit's thread
+  /// @throw scan_cell_common::ConnectionError if the address cannot be listened on
+  TriggerCircuit(const std::string& address, std::uint16_t port,
+                 std::function<void(const Pulse&)> on_pulse);
+  ~TriggerCircuit();
+
+  TriggerCircuit(const TriggerCircuit&) = delete;
+  TriggerCircuit& operator=(const TriggerCircuit&) = delete;
+
+  std::uint16_t port() const { return port_; }
+  State state() const;
+
+ private:
+  void listen();
+  void write(std::uint8_t data, scan_cell_common::Nanoseconds time);
+
+  std::function<void(const Pulse&)> on_pulse_;
+  int socket_ = -1;
+  std::uint16_t port_ = 0;
+  mutable std::mutex mutex_;
+  State state_;
+  scan_cell_common::Nanoseconds on_since_[2] = {0, 0};
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,193 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <stdexcept>
+
+namespace scan_cell_sim {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Rays that leave a surface begin this far from it [m]: single precision would see the surface
+/// itself.
+constexpr float kClearance = 1e-4F;
+
+Mesh floor_mesh(const Floor& floor) {
+  const double x = floor.size.x() / 2;
+  const double y = floor.size.y() / 2;
+  const double z = floor.height;
+  return {{{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+/// Nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+Vector3d nearest_on_triangle(const Vector3d& p, const Vector3d& a, const Vector3d& b,
+                             const Vector3d& c) {
+  const Vector3d ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const Vector3d bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+  const Vector3d cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
+  const double sum = va + vb + vc;
+  return a + vb / sum * ab + vc / sum * ac;
+}
+
+RTCRay make_ray(const Vector3d& origin, const Vector3d& direction, float near, float far) {
+  const Eigen::Vector3f o = origin.cast<float>();
+  const Eigen::Vector3f d = direction.cast<float>();
+  RTCRay ray{};
+  ray.org_x = o.x();
+  ray.org_y = o.y();
+  ray.org_z = o.z();
+  ray.dir_x = d.x();
+  ray.dir_y = d.y();
+  ray.dir_z = d.z();
+  ray.tnear = near;
+  ray.tfar = far;
+  ray.mask = 0xFFFFFFFFU;
+  return ray;
+}
+
+}  // namespace
+
+struct Scene::Implementation {
+  Implementation() : device(rtcNewDevice("threads=1")), scene(rtcNewScene(device)) {
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  }
+  ~Implementation() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  void add(Mesh mesh, double reflectance) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* const vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof(float), mesh.vertices.size()));
+    auto* const indices = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), mesh.triangles.size()));
+    if (vertices == nullptr || indices == nullptr) throw std::bad_alloc();
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      Eigen::Map<Eigen::Vector3f>(vertices + 3 * i) = mesh.vertices[i].cast<float>();
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), indices + 3 * i);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);  // numbers geometries from 0, as `meshes`
+    rtcReleaseGeometry(geometry);
+    meshes.push_back(std::move(mesh));
+    reflectances.push_back(reflectance);
+  }
+
+  void commit() { rtcCommitScene(scene); }
+
+  std::array<Vector3d, 3> corners(unsigned geometry, unsigned triangle) const {
+    const Mesh& mesh = meshes[geometry];
+    const auto& corner = mesh.triangles[triangle];
+    return {mesh.vertices[corner[0]], mesh.vertices[corner[1]], mesh.vertices[corner[2]]};
+  }
+
+  RTCDevice device;
+  RTCScene scene;
+  std::vector<Mesh> meshes;
+  std::vector<double> reflectances;
+};
+
+Scene::Scene(const World& world) : implementation_(std::make_unique<Implementation>()) {
+  if (world.floor) implementation_->add(floor_mesh(*world.floor), world.floor->reflectance);
+  for (const Part& part : world.parts) {
+    implementation_->add(part.mesh(kTolerance), part.reflectance);
+  }
+  implementation_->commit();
+}
+
+Scene::Scene(const World& world, const std::string& part)
+    : Scene(World{std::nullopt, {world.part(part)}}) {}
+
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+std::optional<Scene::Hit> Scene::first_hit(const Vector3d& origin,
+                                           const Vector3d& direction) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit ray{};
+  ray.ray = make_ray(origin, direction, 0, std::numeric_limits<float>::infinity());
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(implementation_->scene, &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+
+  // Embree tells the triangle; the point is where the ray meets its plane in double precision.
+  const auto [a, b, c] = implementation_->corners(ray.hit.geomID, ray.hit.primID);
+  Hit hit;
+  hit.normal = (b - a).cross(c - a).normalized();
+  const double towards = hit.normal.dot(direction);
+  hit.distance = towards != 0 ? hit.normal.dot(a - origin) / towards : ray.ray.tfar;
+  if (towards > 0) hit.normal = -hit.normal;
+  hit.point = origin + hit.distance * direction;
+  hit.reflectance = implementation_->reflectances[ray.hit.geomID];
+  return hit;
+}
+
+bool Scene::sees(const Vector3d& surface_point, const Vector3d& eye) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  const Vector3d way = eye - surface_point;
+  const double distance = way.norm();
+  RTCRay ray = make_ray(surface_point, way / distance, kClearance, static_cast<float>(distance));
+  rtcOccluded1(implementation_->scene, &context, &ray);
+  return ray.tfar >= 0;  // Embree sets it to -infinity where something stands in the way
+}
+
+double Scene::distance_to_surface(const Vector3d& point) const {
+  struct Search {
+    const Implementation* scene;
+    Vector3d point;
+    double best;
+  } search{implementation_.get(), point, std::numeric_limits<double>::infinity()};
+
+  RTCPointQuery query{};
+  query.x = static_cast<float>(point.x());
+  query.y = static_cast<float>(point.y());
+  query.z = static_cast<float>(point.z());
+  query.radius = std::numeric_limits<float>::infinity();
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  const auto look = [](RTCPointQueryFunctionArguments* arguments) {
+    auto& s = *static_cast<Search*>(arguments->userPtr);
+    const auto [a, b, c] = s.scene->corners(arguments->geomID, arguments->primID);
+    const double distance = (s.point - nearest_on_triangle(s.point, a, b, c)).norm();
+    if (distance >= s.best) return false;
+    s.best = distance;
+    constexpr double kSinglePrecision = 1e-6;  // [m] triangles at the same distance are looked at
+    arguments->query->radius = static_cast<float>(distance + kSinglePrecision);
+    return true;
+  };
+  rtcPointQuery(implementation_->scene, &query, &context, look, &search);
+  return search.best;
+}
+
+const std::vector<Mesh>& Scene::meshes() const {
+  return implementation_->meshes;
+}
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,144 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/trigger_circuit.h"
+
+#include <arpa/inet.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_sim {
+namespace {
+
+using scan_cell_common::ConnectionError;
+using scan_cell_common::Nanoseconds;
+
+constexpr std::uint8_t kPulseBit = 1;
+
+Nanoseconds to_nanoseconds(const timespec& time) {
+  return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+Nanoseconds host_now() {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  return to_nanoseconds(now);
+}
+
+/// A socket whose datagrams carry the kernel's time of receipt.
+int open_socket(const std::string& address, std::uint16_t port) {
+  sockaddr_in name{};
+  name.sin_family = AF_INET;
+  name.sin_port = htons(port);
+  const int on = 1;
+  const int handle = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (inet_pton(AF_INET, address.c_str(), &name.sin_addr) == 1 &&
+      setsockopt(handle, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on)) == 0 &&
+      bind(handle, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0) {
+    return handle;
+  }
+  const std::string reason = std::strerror(errno);
+  if (handle >= 0) close(handle);
+  throw ConnectionError("trigger circuit on " + address + ":" + std::to_string(port), reason,
+                        "stop the program that holds the port, or give another one");
+}
+
+std::uint16_t port_of(int handle) {
+  sockaddr_in name{};
+  socklen_t size = sizeof(name);
+  getsockname(handle, reinterpret_cast<sockaddr*>(&name), &size);
+  return ntohs(name.sin_port);
+}
+
+/// Receipt time of a message; now, where the kernel gave none.
+Nanoseconds receipt_time(msghdr& message) {
+  for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
+    if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;
+    timespec time{};
+    std::memcpy(&time, CMSG_DATA(c), sizeof(time));
+    return to_nanoseconds(time);
+  }
+  return host_now();
+}
+
+}  // namespace
+
+TriggerCircuit::TriggerCircuit(const std::string& address, std::uint16_t port,
+                               std::function<void(const Pulse&)> on_pulse)
+    : on_pulse_(std::move(on_pulse)), socket_(open_socket(address, port)), port_(port_of(socket_)) {
+  thread_ = std::thread(&TriggerCircuit::listen, this);
+}
+
+TriggerCircuit::~TriggerCircuit() {
+  ending_ = true;
+  thread_.join();
+  close(socket_);
+}
+
+TriggerCircuit::State TriggerCircuit::state() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  State state = state_;
+  const Nanoseconds now = host_now();
+  for (int i = 0; i < 2; ++i) {
+    if ((state.lasers >> i & 1) == 0) continue;
+    state.longest_on[i] =
+        std::max(state.longest_on[i], scan_cell_common::to_seconds(now - on_since_[i]));
+  }
+  return state;
+}
+
+void TriggerCircuit::listen() {
+  constexpr int kPatience = 50;  // [ms] between two looks at ending_
+  while (!ending_) {
+    pollfd wait{socket_, POLLIN, 0};
+    if (poll(&wait, 1, kPatience) <= 0) continue;
+    std::uint8_t data[2];
+    iovec part{data, sizeof(data)};
+    alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
+    msghdr message{};
+    message.msg_iov = &part;
+    message.msg_iovlen = 1;
+    message.msg_control = control;
+    message.msg_controllen = sizeof(control);
+    const ssize_t size = recvmsg(socket_, &message, MSG_DONTWAIT);
+    if (size == 1) {
+      write(data[0], receipt_time(message));
+    } else if (size >= 0) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++state_.refused;
+    }
+  }
+}
+
+void TriggerCircuit::write(std::uint8_t data, Nanoseconds time) {
+  Pulse pulse{time, static_cast<std::uint8_t>(data >> 1 & 3)};
+  bool rising = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (int i = 0; i < 2; ++i) {
+      const bool was_on = (state_.lasers >> i & 1) != 0;
+      const bool is_on = (pulse.lasers >> i & 1) != 0;
+      if (is_on && !was_on) on_since_[i] = time;
+      if (!is_on && was_on) {
+        state_.longest_on[i] =
+            std::max(state_.longest_on[i], scan_cell_common::to_seconds(time - on_since_[i]));
+      }
+    }
+    const bool high = (data & kPulseBit) != 0;
+    rising = high && !state_.pulse_line;
+    state_.pulse_line = high;
+    state_.lasers = pulse.lasers;
+    ++state_.writes;
+    if (rising) ++state_.pulses;
+  }
+  if (rising) on_pulse_(pulse);
+}
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,168 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "scan_cell_common/yaml_file.h"
+
+namespace scan_cell_sim {
+namespace {
+
+using Eigen::Vector3d;
+using scan_cell_common::UnusableInput;
+using scan_cell_common::YamlEntry;
+
+double number(const YamlEntry& entry, double least, double most) {
+  const auto value = entry.as<double>();
+  if (!(value >= least) || !(value <= most)) {
+    entry.refuse(std::to_string(value),
+                 "give " + std::to_string(least) + " .. " + std::to_string(most));
+  }
+  return value;
+}
+
+void read(const YamlEntry& map, const std::string& key, double& value, double least, double most) {
+  if (map.has(key)) value = number(map[key], least, most);
+}
+
+Vector3d direction(const YamlEntry& entry) {
+  const Vector3d value = entry.vector<3>();
+  if (!(value.norm() > 0)) entry.refuse("zero", "give a direction");
+  return value.normalized();
+}
+
+template <int N>
+Eigen::Matrix<double, N, 1> lengths(const YamlEntry& entry, double least) {
+  const Eigen::Matrix<double, N, 1> value = entry.vector<N>();
+  if (!(value.minCoeff() >= least)) {
+    entry.refuse("a length of " + std::to_string(value.minCoeff()) + " m",
+                 "give at least " + std::to_string(least) + " m");
+  }
+  return value;
+}
+
+constexpr double kLeastRadius = 0.001;  // [m]
+constexpr double kMostRadius = 1;       // [m]
+constexpr double kMostShift = 0.05;     // [m]
+
+Bulge read_bulge(const YamlEntry& entry) {
+  entry.refuse_unknown({"kind", "centre", "towards", "radius", "height"});
+  Bulge bulge;
+  bulge.centre = entry["centre"].vector<3>();
+  if (entry.has("towards")) bulge.towards = direction(entry["towards"]);
+  bulge.radius = number(entry["radius"], kLeastRadius, kMostRadius);
+  bulge.height = number(entry["height"], -kMostShift, kMostShift);
+  return bulge;
+}
+
+Bend read_bend(const YamlEntry& entry) {
+  entry.refuse_unknown({"kind", "along", "towards", "curvature"});
+  constexpr double kMostCurvature = 10;  // [1/m]
+  return {direction(entry["along"]), direction(entry["towards"]),
+          number(entry["curvature"], -kMostCurvature, kMostCurvature)};
+}
+
+FiledEdge read_filed_edge(const YamlEntry& entry) {
+  entry.refuse_unknown({"kind", "from", "to", "towards", "radius", "depth"});
+  FiledEdge edge{entry["from"].vector<3>(), entry["to"].vector<3>(), direction(entry["towards"]),
+                 number(entry["radius"], kLeastRadius, kMostRadius),
+                 number(entry["depth"], 0, kMostShift)};
+  if (!((edge.to - edge.from).norm() > 0)) entry["to"].refuse("the same as from", "give a stretch");
+  return edge;
+}
+
+Deformation::Term read_term(const YamlEntry& entry) {
+  const auto kind = entry["kind"].as<std::string>();
+  if (kind == "bulge") return read_bulge(entry);
+  if (kind == "bend") return read_bend(entry);
+  if (kind == "filed_edge") return read_filed_edge(entry);
+  entry["kind"].refuse(kind, "give bulge, bend or filed_edge");
+}
+
+FrameShape read_frame(const YamlEntry& entry) {
+  constexpr double kLeastOutside = 0.1;  // [m] the hanger and an opening fit
+  FrameShape frame;
+  if (entry.has("size")) frame.size = lengths<2>(entry["size"], kLeastOutside);
+  if (!entry.has("sheet")) return frame;
+  const YamlEntry sheet = entry["sheet"];
+  sheet.refuse_unknown({"height", "bulge"});
+  frame.sheet = Sheet{};
+  read(sheet, "height", frame.sheet->height, 0, kMostShift);
+  read(sheet, "bulge", frame.sheet->bulge, -kMostShift, kMostShift);
+  return frame;
+}
+
+BoxShape read_box(const YamlEntry& entry) {
+  constexpr double kLeastSide = 0.001;  // [m]
+  BoxShape box;
+  if (entry.has("size")) box.size = lengths<3>(entry["size"], kLeastSide);
+  if (entry.has("sheet")) entry["sheet"].refuse("in a box", "only a frame can hold a sheet");
+  return box;
+}
+
+Shape read_shape(const YamlEntry& entry) {
+  const auto shape = entry["shape"].as<std::string>();
+  if (shape == "frame") return read_frame(entry);
+  if (shape == "box") return read_box(entry);
+  entry["shape"].refuse(shape, "give frame or box");
+}
+
+Part read_part(const YamlEntry& entry) {
+  entry.refuse_unknown(
+      {"name", "shape", "size", "sheet", "pose", "scale", "reflectance", "deformations"});
+  Part part;
+  part.name = entry["name"].as<std::string>();
+  part.shape = read_shape(entry);
+  if (entry.has("pose")) part.pose = entry["pose"].pose();
+  read(entry, "scale", part.scale, 0.1, 10);
+  read(entry, "reflectance", part.reflectance, 0, 1);
+  if (entry.has("deformations")) {
+    for (const YamlEntry& term : entry["deformations"].elements()) {
+      part.deformation.add(read_term(term));
+    }
+  }
+  return part;
+}
+
+Floor read_floor(const YamlEntry& entry) {
+  entry.refuse_unknown({"height", "size", "reflectance"});
+  Floor floor;
+  read(entry, "height", floor.height, -2, 2);
+  if (entry.has("size")) floor.size = lengths<2>(entry["size"], 0.01);
+  read(entry, "reflectance", floor.reflectance, 0, 1);
+  return floor;
+}
+
+}  // namespace
+
+const Part& World::part(const std::string& name) const {
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&name](const Part& part) { return part.name == name; });
+  if (found != parts.end()) return *found;
+  std::string names;
+  for (const Part& part : parts)
+    names += (names.empty() ? "" : ", ") + part.name;
+  throw UnusableInput("part", name, "this world has: " + (names.empty() ? "none" : names));
+}
+
+World load_world(const std::string& path) {
+  const YamlEntry root = YamlEntry::load(path);
+  root.refuse_unknown({"floor", "parts"});
+  World world;
+  if (root.has("floor")) world.floor = read_floor(root["floor"]);
+  std::set<std::string> names;
+  if (root.has("parts")) {
+    for (const YamlEntry& entry : root["parts"].elements()) {
+      world.parts.push_back(read_part(entry));
+      if (!names.insert(world.parts.back().name).second) {
+        entry["name"].refuse(world.parts.back().name, "give each part a name of its own");
+      }
+    }
+  }
+  return world;
+}
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,126 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <vector>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_sim/trigger_circuit.h"
+
+namespace scan_cell_sim {
+namespace {
+
+using scan_cell_common::Nanoseconds;
+
+Nanoseconds host_now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+class TriggerCircuitTest : public testing::Test {
+ protected:
+  TriggerCircuitTest() {
+    sockaddr_in name{};
+    name.sin_family = AF_INET;
+    name.sin_port = htons(circuit_.port());
+    name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socket_ = socket(AF_INET, SOCK_DGRAM, 0);
+    EXPECT_EQ(connect(socket_, reinterpret_cast<sockaddr*>(&name), sizeof(name)), 0);
+  }
+  ~TriggerCircuitTest() override { close(socket_); }
+
+  void send(const std::vector<std::uint8_t>& bytes) {
+    ASSERT_EQ(::send(socket_, bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
+    ++sent_;
+    wait_until([this] {
+      const TriggerCircuit::State state = circuit_.state();
+      return state.writes + state.refused == sent_;
+    });
+  }
+
+  void wait_until(const std::function<bool()>& condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!condition()) {
+      ASSERT_LT(std::chrono::steady_clock::now(), end);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
+  std::mutex mutex_;
+  std::vector<TriggerCircuit::Pulse> pulses_;
+  TriggerCircuit circuit_{"127.0.0.1", 0, [this](const TriggerCircuit::Pulse& pulse) {
+                            const std::lock_guard<std::mutex> lock(mutex_);
+                            pulses_.push_back(pulse);
+                          }};
+  int socket_ = -1;
+  std::uint64_t sent_ = 0;
+};
+
+TEST_F(TriggerCircuitTest, OnlyARisingEdgeIsAPulse) {
+  for (const std::uint8_t byte : {0, 1, 1, 3, 0, 2, 0, 1})
+    send({byte});
+  EXPECT_EQ(circuit_.state().pulses, 2U);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  EXPECT_EQ(pulses_.size(), 2U);
+}
+
+TEST_F(TriggerCircuitTest, APulseCarriesTheInstantOfTheByteAndTheLasers) {
+  const Nanoseconds before = host_now();
+  send({4 | 1});
+  const Nanoseconds after = host_now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ASSERT_EQ(pulses_.size(), 1U);
+  EXPECT_EQ(pulses_[0].lasers, 2);
+  EXPECT_GE(pulses_[0].time, before);
+  EXPECT_LE(pulses_[0].time, after);
+}
+
+TEST_F(TriggerCircuitTest, KeepsTheLasersUntilTheNextWrite) {
+  EXPECT_EQ(circuit_.state().lasers, 0);
+  send({2});
+  EXPECT_EQ(circuit_.state().lasers, 1);
+  send({6});
+  EXPECT_EQ(circuit_.state().lasers, 3);
+  send({0});
+  EXPECT_EQ(circuit_.state().lasers, 0);
+}
+
+TEST_F(TriggerCircuitTest, RemembersHowLongEachLaserWasOn) {
+  const Nanoseconds begin = host_now();
+  send({2});
+  wait_until([&] { return circuit_.state().longest_on[0] > 0.03; });
+  send({2 | 1});  // a pulse does not interrupt it
+  send({0});
+  const double most = scan_cell_common::to_seconds(host_now() - begin);
+  send({2});
+  send({0});
+  const TriggerCircuit::State state = circuit_.state();
+  EXPECT_GT(state.longest_on[0], 0.03);
+  EXPECT_LE(state.longest_on[0], most);
+  EXPECT_EQ(state.longest_on[1], 0);
+}
+
+TEST_F(TriggerCircuitTest, RefusesDatagramsThatAreNotOneByte) {
+  send({2});
+  send({1, 1});
+  send({});
+  const TriggerCircuit::State state = circuit_.state();
+  EXPECT_EQ(state.refused, 2U);
+  EXPECT_EQ(state.pulses, 0U);
+  EXPECT_EQ(state.lasers, 1);
+}
+
+TEST_F(TriggerCircuitTest, RefusesAPortThatIsTaken) {
+  EXPECT_THROW(TriggerCircuit("127.0.0.1", circuit_.port(), [](const auto&) {}),
+               scan_cell_common::ConnectionError);
+  EXPECT_THROW(TriggerCircuit("nowhere", 0, [](const auto&) {}), scan_cell_common::ConnectionError);
+}
+
+}  // namespace
+}  // namespace scan_cell_sim
