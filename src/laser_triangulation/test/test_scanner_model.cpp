@@ -86,7 +86,8 @@ TEST_F(ScannerModelFile, ComesBackToTheLastDigit) {
 }
 
 TEST_F(ScannerModelFile, IsRefusedWithTheNameOfTheBadEntry) {
-  EXPECT_NE(complaint("fx: [0-9.]+", "fy2: 1").find("camera.fx"), std::string::npos);
+  EXPECT_NE(complaint("fx: [0-9.]+\\n *", "").find("camera.fx"), std::string::npos);
+  EXPECT_NE(complaint("fx:", "focal:").find("camera.focal"), std::string::npos);
   EXPECT_NE(complaint("fx: [0-9.]+", "fx: -3").find("fx"), std::string::npos);
   EXPECT_NE(complaint("fx: [0-9.]+", "fx: wide").find("camera.fx"), std::string::npos);
   EXPECT_NE(complaint("distortion: \\[", "distortion: [1, ").find("camera.distortion"),

@@ -25,6 +25,14 @@ struct CameraIntrinsics {
 
   /// Where a ray (x/z, y/z) comes to lie after the lens's distortion.
   Eigen::Vector2d distort(const Eigen::Vector2d& ray) const;
+
+  /// The ray (x/z, y/z) that the lens puts at `distorted`, by Newton's method to the last digits.
+  /// @param ray where to start from (`distorted` itself is good); the solution on return
+  /// @return false if there is none near: the model folds over beyond some angle
+  bool undistort(const Eigen::Vector2d& distorted, Eigen::Vector2d& ray) const;
+
+  /// Whether a sensor position [px] lies on one of the sensor's pixels.
+  bool contains(const Eigen::Vector2d& pixel) const;
 };
 
 /// Plane of light of one laser, in camera_optical_frame: normal . p = distance, |normal| = 1.

@@ -58,6 +58,42 @@ Eigen::Vector2d CameraIntrinsics::distort(const Eigen::Vector2d& ray) const {
           y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
 }
 
+bool CameraIntrinsics::undistort(const Eigen::Vector2d& distorted, Eigen::Vector2d& ray) const {
+  const double k1 = distortion[0], k2 = distortion[1], p1 = distortion[2], p2 = distortion[3],
+               k3 = distortion[4];
+  constexpr int kMostSteps = 20;
+  constexpr double kConverged = 1e-13;  // of the last step: below a nanometre at any range
+  double x = ray.x();
+  double y = ray.y();
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double r2 = x * x + y * y;
+    const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+    const double slope = k1 + r2 * (2 * k2 + r2 * 3 * k3);  // of radial, over r2
+    const double error_x = x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x) - distorted.x();
+    const double error_y = y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y - distorted.y();
+    const double xx = radial + 2 * x * x * slope + 2 * p1 * y + 6 * p2 * x;
+    const double xy = 2 * x * y * slope + 2 * p1 * x + 2 * p2 * y;
+    const double yy = radial + 2 * y * y * slope + 6 * p1 * y + 2 * p2 * x;
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 0) || !(xx + yy > 0)) return false;
+    const double step_x = (yy * error_x - xy * error_y) / determinant;
+    const double step_y = (xx * error_y - xy * error_x) / determinant;
+    x -= step_x;
+    y -= step_y;
+    if (std::abs(step_x) + std::abs(step_y) < kConverged) {
+      ray = {x, y};
+      return true;
+    }
+  }
+  return false;
+}
+
+bool CameraIntrinsics::contains(const Eigen::Vector2d& pixel) const {
+  constexpr double kHalf = 0.5;
+  return pixel.x() >= -kHalf && pixel.x() <= width - kHalf && pixel.y() >= -kHalf &&
+         pixel.y() <= height - kHalf;
+}
+
 Eigen::Vector2d CameraIntrinsics::project(const Eigen::Vector3d& point) const {
   const Eigen::Vector2d distorted = distort(point.head<2>() / point.z());
   return {fx * distorted.x() + cx, fy * distorted.y() + cy};

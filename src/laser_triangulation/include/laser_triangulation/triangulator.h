@@ -1,0 +1,81 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "laser_triangulation/scanner_model.h"
+
+namespace laser_triangulation {
+
+/// One point of a scan, laid out as in its PointCloud2 (docs/laser_triangulation.md).
+struct ScanPoint {
+  float x = 0;  //!< [m] in the frame of the profiles' poses
+  float y = 0;
+  float z = 0;
+  float intensity = 0;  //!< [grey value] height of the peak
+  std::uint8_t laser = 0;
+  std::uint8_t padding[3] = {0, 0, 0};  // zero, so that the same scan gives the same bytes
+};
+static_assert(sizeof(ScanPoint) == 20);
+
+/// The peaks of one frame, one a row from first_row downwards; NaN where a row has none. The arrays
+/// have `rows` elements and stay the caller's.
+struct ProfileView {
+  std::size_t laser = 0;        //!< index into ScannerModel::lasers
+  std::uint32_t first_row = 0;  //!< [px] sensor row of element 0
+  std::size_t rows = 0;
+  const float* position = nullptr;   //!< [px] sensor column
+  const float* width = nullptr;      //!< [px]
+  const float* intensity = nullptr;  //!< [grey value]
+};
+
+/// Which peaks become points. A width or intensity of NaN is within no limits but infinite ones.
+struct PeakLimits {
+  double least_width = 0;  //!< [px]
+  double most_width = std::numeric_limits<double>::infinity();
+  double least_intensity = 0;  //!< [grey value]
+  double most_intensity = std::numeric_limits<double>::infinity();
+  double least_range = 0.05;  //!< [m] along the camera's axis
+  double most_range = 5;      //!< [m]
+};
+
+/// What became of every row.
+struct PeakCounts {
+  std::uint64_t profiles = 0;
+  std::uint64_t points = 0;
+  std::uint64_t rows_without_peak = 0;
+  std::uint64_t outside_sensor = 0;  //!< or where the lens model cannot be undone, or no such laser
+  std::uint64_t by_width = 0;
+  std::uint64_t by_intensity = 0;
+  std::uint64_t by_range = 0;
+
+  std::uint64_t rejected() const { return outside_sensor + by_width + by_intensity + by_range; }
+};
+
+/// Peaks to points: undistorted ray, its intersection with the plane of light, the flange's pose.
+class Triangulator {
+ public:
+  /// @throw scan_cell_common::UnusableInput if the model makes no sense
+  /// @throw scan_cell_common::InvalidParameter if a least limit is above its most
+  Triangulator(const ScannerModel& model, const PeakLimits& limits);
+
+  /// Appends the profile's points in the order of its rows.
+  /// @param flange pose of tool0 in the frame the points are wanted in
+  void add(const ProfileView& profile, const Eigen::Isometry3d& flange,
+           std::vector<ScanPoint>& points);
+
+  const PeakCounts& counts() const { return counts_; }
+
+ private:
+  bool within_limits(const ProfileView& profile, std::size_t row);
+
+  ScannerModel model_;
+  PeakLimits limits_;
+  PeakCounts counts_;
+};
+
+}  // namespace laser_triangulation

@@ -1,0 +1,107 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "laser_triangulation/ros/cloud_builder.h"
+
+#include <chrono>
+#include <cstring>
+#include <sstream>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace laser_triangulation {
+
+using scan_cell_common::UnusableInput;
+using scan_cell_msgs::BoundProfile;
+using sensor_msgs::PointCloud2;
+using sensor_msgs::PointField;
+
+namespace {
+
+PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
+  PointField result;
+  result.name = name;
+  result.offset = offset;
+  result.datatype = type;
+  result.count = 1;
+  return result;
+}
+
+}  // namespace
+
+CloudBuilder::CloudBuilder(const ScannerModel& model, const PeakLimits& limits,
+                           std::size_t most_points)
+    : triangulator_(model, limits), lasers_(model.lasers.size()), most_points_(most_points) {}
+
+void CloudBuilder::add(const BoundProfile& bound) {
+  const scan_cell_msgs::PeakProfile& profile = bound.profile;
+  const std::string name = "profile of frame " + std::to_string(profile.frame_counter);
+  const std::size_t rows = profile.position.size();
+  if (profile.width.size() != rows || profile.intensity.size() != rows) {
+    throw UnusableInput(name, "arrays of different lengths", "check the camera node");
+  }
+  if (profile.laser >= lasers_) {
+    throw UnusableInput(name, "laser " + std::to_string(profile.laser),
+                        "the scanner model has " + std::to_string(lasers_) +
+                            "; scan with one laser at a time, or say which it is");
+  }
+  if (profiles() > 0 && bound.header.frame_id != header_.frame_id) {
+    throw UnusableInput(name, "in frame " + bound.header.frame_id,
+                        "the scan is in " + header_.frame_id + "; bind it in one frame");
+  }
+  if (points_.size() + rows > most_points_) {
+    throw scan_cell_common::Refused("cloud",
+                                    "full with " + std::to_string(points_.size()) + " points",
+                                    "raise most_points, or scan for less time");
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  header_ = bound.header;
+  triangulator_.add({profile.laser, profile.first_row, rows, profile.position.data(),
+                     profile.width.data(), profile.intensity.data()},
+                    scan_cell_common::from_ros(bound.pose), points_);
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+PointCloud2 CloudBuilder::cloud(std::size_t first) const {
+  const std::size_t count = points_.size() - first;
+  PointCloud2 cloud;
+  cloud.header.stamp = header_.stamp;
+  cloud.header.frame_id = header_.frame_id;
+  cloud.height = 1;
+  cloud.width = static_cast<std::uint32_t>(count);
+  cloud.fields = {field("x", offsetof(ScanPoint, x), PointField::FLOAT32),
+                  field("y", offsetof(ScanPoint, y), PointField::FLOAT32),
+                  field("z", offsetof(ScanPoint, z), PointField::FLOAT32),
+                  field("intensity", offsetof(ScanPoint, intensity), PointField::FLOAT32),
+                  field("laser", offsetof(ScanPoint, laser), PointField::UINT8)};
+  cloud.point_step = sizeof(ScanPoint);
+  cloud.row_step = static_cast<std::uint32_t>(count * sizeof(ScanPoint));
+  cloud.is_dense = true;
+  cloud.data.resize(count * sizeof(ScanPoint));
+  if (count > 0) std::memcpy(cloud.data.data(), &points_[first], cloud.data.size());
+  return cloud;
+}
+
+scan_cell_msgs::CloudStatistics CloudBuilder::statistics(const std::string& scan_id) const {
+  const PeakCounts& counts = triangulator_.counts();
+  scan_cell_msgs::CloudStatistics statistics;
+  statistics.scan_id = scan_id;
+  statistics.profiles = counts.profiles;
+  statistics.points = counts.points;
+  statistics.rows_without_peak = counts.rows_without_peak;
+  statistics.rejected = counts.rejected();
+  statistics.seconds = seconds_;
+  return statistics;
+}
+
+std::string CloudBuilder::summary() const {
+  const PeakCounts& counts = triangulator_.counts();
+  std::ostringstream text;
+  text << counts.points << " points from " << counts.profiles
+       << " profiles; rows without a peak: " << counts.rows_without_peak
+       << "; rejected by width: " << counts.by_width << ", by intensity: " << counts.by_intensity
+       << ", by range: " << counts.by_range << ", outside of the sensor: " << counts.outside_sensor;
+  return text.str();
+}
+
+}  // namespace laser_triangulation

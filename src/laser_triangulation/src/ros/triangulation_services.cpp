@@ -1,0 +1,117 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "triangulation_services.h"
+
+#include <chrono>
+
+#include "scan_cell_common/errors.h"
+
+namespace laser_triangulation {
+
+using scan_cell_msgs::FinishCloud;
+using scan_cell_msgs::StartScan;
+
+TriangulationServices::TriangulationServices(ros::NodeHandle node, const Parameters& parameters)
+    : parameters_(parameters), model_(load_scanner_model(parameters.scanner)) {
+  Triangulator(model_, parameters.limits);  // refuses limits that contradict each other
+  cloud_ = node.advertise<sensor_msgs::PointCloud2>("cloud", 100);
+  whole_cloud_ = node.advertise<sensor_msgs::PointCloud2>("whole_cloud", 1, true);
+
+  constexpr std::uint32_t kUnbounded = 0;  // what arrived is never thrown away unseen
+  ros::NodeHandle data;
+  data.setCallbackQueue(&data_queue_);
+  profiles_ = data.subscribe("bound_profiles", kUnbounded, &TriangulationServices::on_profile, this,
+                             ros::TransportHints().tcpNoDelay());
+  increment_timer_ =
+      data.createWallTimer(ros::WallDuration(1 / parameters.publish_rate),
+                           [this](const ros::WallTimerEvent&) { publish_increment(); });
+  start_ = node.advertiseService("start", &TriangulationServices::start, this);
+  finish_ = node.advertiseService("finish", &TriangulationServices::finish, this);
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("triangulation", this, &TriangulationServices::diagnose);
+  diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
+                                        [this](const ros::TimerEvent&) { diagnostics_.update(); });
+  data_spinner_.start();
+}
+
+void TriangulationServices::on_profile(const scan_cell_msgs::BoundProfile& profile) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!scan_ || !failure_.empty()) {
+    ++ignored_;
+    return;
+  }
+  try {
+    scan_->add(profile);
+  } catch (const scan_cell_common::Error& error) {
+    failure_ = error.what();
+    ROS_ERROR("scan %s: %s", scan_id_.c_str(), error.what());
+  }
+  if (finishing_) news_.notify_all();
+}
+
+void TriangulationServices::publish_increment() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!scan_ || scan_->points().size() == published_) return;
+  if (cloud_.getNumSubscribers() > 0) cloud_.publish(scan_->cloud(published_));
+  published_ = scan_->points().size();
+}
+
+bool TriangulationServices::start(StartScan::Request& request, StartScan::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  response.success = !finishing_;
+  if (finishing_) {
+    response.message = "scan " + scan_id_ + " is being finished; wait for its cloud";
+    return true;
+  }
+  scan_ = std::make_unique<CloudBuilder>(model_, parameters_.limits, parameters_.most_points);
+  scan_id_ = request.scan_id;
+  failure_.clear();
+  published_ = 0;
+  ignored_ = 0;
+  return true;
+}
+
+bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::Response& response) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (!scan_ || finishing_) {
+    response.success = false;
+    response.message = scan_ ? "scan " + scan_id_ + " is being finished; wait for its cloud"
+                             : "no scan is under way; call start first";
+    return true;
+  }
+  finishing_ = true;
+  news_.wait_for(lock, std::chrono::duration<double>(request.timeout.toSec()), [this, &request] {
+    return scan_->profiles() >= request.profiles || !failure_.empty() || !ros::ok();
+  });
+  finishing_ = false;
+  lock.unlock();
+  publish_increment();
+  lock.lock();
+  response.statistics = scan_->statistics(scan_id_);
+  response.cloud = scan_->cloud();
+  response.message = scan_->summary();
+  if (failure_.empty() && scan_->profiles() < request.profiles) {
+    failure_ = "only " + std::to_string(scan_->profiles()) + " of " +
+               std::to_string(request.profiles) + " bound profiles arrived";
+  } else if (failure_.empty() && scan_->points().empty()) {
+    failure_ = "no point: " + response.message;
+  }
+  response.success = failure_.empty();
+  if (!response.success) response.message = failure_;
+  if (!scan_->points().empty()) whole_cloud_.publish(response.cloud);
+  ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
+  scan_.reset();
+  return true;
+}
+
+void TriangulationServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status.summary(failure_.empty() ? Level::OK : Level::ERROR,
+                 failure_.empty() ? (scan_ ? "building scan " + scan_id_ : "idle") : failure_);
+  status.add("profiles", scan_ ? scan_->profiles() : 0);
+  status.add("points", scan_ ? scan_->points().size() : 0);
+  status.add("profiles outside of a scan", ignored_);
+}
+
+}  // namespace laser_triangulation

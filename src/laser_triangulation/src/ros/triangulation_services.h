@@ -1,0 +1,61 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <scan_cell_msgs/FinishCloud.h>
+#include <scan_cell_msgs/StartScan.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "laser_triangulation/ros/cloud_builder.h"
+#include "parameters.h"
+
+namespace laser_triangulation {
+
+/// The triangulation's topics and services. Profiles are taken by a thread of their own, so that
+/// they come in while ~finish waits for them.
+class TriangulationServices {
+ public:
+  TriangulationServices(ros::NodeHandle node, const Parameters& parameters);
+
+ private:
+  bool start(scan_cell_msgs::StartScan::Request& request,
+             scan_cell_msgs::StartScan::Response& response);
+  bool finish(scan_cell_msgs::FinishCloud::Request& request,
+              scan_cell_msgs::FinishCloud::Response& response);
+  void on_profile(const scan_cell_msgs::BoundProfile& profile);
+  void publish_increment();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  const Parameters parameters_;
+  const ScannerModel model_;
+  ros::CallbackQueue data_queue_;
+
+  std::mutex mutex_;
+  std::condition_variable news_;
+  std::unique_ptr<CloudBuilder> scan_;  // none between scans
+  std::string scan_id_;
+  std::string failure_;        // why the scan's cloud cannot be whole
+  std::size_t published_ = 0;  // points on ~cloud
+  bool finishing_ = false;
+  std::uint64_t ignored_ = 0;
+
+  ros::Publisher cloud_;
+  ros::Publisher whole_cloud_;
+  ros::Subscriber profiles_;
+  ros::ServiceServer start_;
+  ros::ServiceServer finish_;
+  ros::WallTimer increment_timer_;
+  diagnostic_updater::Updater diagnostics_;
+  ros::Timer diagnostics_timer_;
+  ros::AsyncSpinner data_spinner_{1, &data_queue_};
+};
+
+}  // namespace laser_triangulation
