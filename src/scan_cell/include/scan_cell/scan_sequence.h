@@ -49,6 +49,7 @@ class ScanSequence {
   struct Timing {
     double poll = 0.01;                   //!< [s] between two looks at the devices
     double keep_alive = 0.1;              //!< [s] between two signs of life to the trigger
+    double readiness = 1.0;               //!< [s] to hear of the robot, before anything moves
     double stall = 5.0;                   //!< [s] without progress after which a motion has failed
     double approach_speed = 0.2;          //!< [m/s] to the start
     double patience = 3.0;                //!< [s] for late frames and poses at the end of a scan
@@ -69,6 +70,7 @@ class ScanSequence {
 
   void step(int number, const std::string& name);
   void start_move(const Eigen::Isometry3d& target, double camera_rate);
+  void wait_until_well();
   void wait_for_motion();
   void wait_until_moving();
   void end_if_stalled(double deadline) const;

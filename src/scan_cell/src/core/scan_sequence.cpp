@@ -62,7 +62,7 @@ ScanEnd ScanSequence::run(const ScanRequest& request, const std::atomic<bool>& c
 void ScanSequence::prepare(const ScanRequest& request) {
   step(1, "read the positions");
   on(ScanOutcome::Refused, [&] { check(request, limits_); });
-  watch();
+  wait_until_well();
   step(2, "move to the start");
   on(ScanOutcome::RobotLost, [&] { robot_.set_linear_motion(timing_.approach_speed); });
   start_move(request.start, 0);
@@ -120,6 +120,14 @@ void ScanSequence::step(int number, const std::string& name) {
 void ScanSequence::start_move(const Eigen::Isometry3d& target, double camera_rate) {
   moving_ = true;
   on(ScanOutcome::RobotLost, [&] { robot_.start_move(target, camera_rate); });
+}
+
+void ScanSequence::wait_until_well() {
+  const double deadline = now() + timing_.readiness;
+  while (!robot_.trouble().empty() && now() < deadline && !*cancel_) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(timing_.poll));
+  }
+  watch();
 }
 
 void ScanSequence::wait_until_moving() {

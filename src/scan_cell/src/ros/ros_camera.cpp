@@ -36,7 +36,6 @@ void RosCamera::set_acquisition(std::uint8_t mode) const {
 
 void RosCamera::start() {
   silence_allowed_ = 0;
-  profiles_ = 0;
   set_acquisition(SetAcquisition::Request::RELIEF_ONLY);
 }
 

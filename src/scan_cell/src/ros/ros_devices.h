@@ -60,8 +60,9 @@ class RosCamera : public Camera {
   void expect_profiles(double rate) override;
   void stop() noexcept override;
 
-  /// Profiles since start().
+  /// Profiles since clear().
   std::uint64_t profiles() const { return profiles_; }
+  void clear() { profiles_ = 0; }
 
  private:
   void set_acquisition(std::uint8_t mode) const;

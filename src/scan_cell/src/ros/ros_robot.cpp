@@ -9,7 +9,6 @@
 
 namespace scan_cell {
 
-using scan_cell_common::ConnectionError;
 using scan_cell_msgs::MoveGoal;
 using scan_cell_msgs::MoveResult;
 
@@ -25,6 +24,9 @@ void RosRobot::on_status(const scan_cell_msgs::RobotStatus& status) {
 }
 
 std::string RosRobot::trouble() const {
+  if (!client_.isServerConnected()) {
+    return "robot: no action server " + parameters_.robot + "/move; is its driver running?";
+  }
   if (!status_.ever() || status_.age() > parameters_.lost_after) {
     return "robot: no status on " + parameters_.robot + "/status; is its driver running?";
   }
@@ -51,10 +53,6 @@ void RosRobot::set_linear_motion(double speed) {
 }
 
 void RosRobot::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
-  if (!client_.isServerConnected()) {
-    throw ConnectionError(parameters_.robot + "/move", "no action server",
-                          "is its driver running?");
-  }
   MoveGoal goal;
   goal.kind = MoveGoal::CARTESIAN;
   goal.pose.header.frame_id = parameters_.base_frame;

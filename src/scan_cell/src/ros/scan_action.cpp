@@ -62,6 +62,7 @@ void ScanAction::on_goal(Server::GoalHandle goal) {
   running_ = true;
   cancel_ = false;
   points_ = 0;
+  camera_.clear();
   stages_.clear();
   thread_ = std::thread(&ScanAction::run, this);
 }

@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every node around scan_cell_node, played by one: it does what it is told and can go silent.
+
+The parameter /fake/silent names the device that goes silent while the laser is on.
+"""
+
+import actionlib
+import rospy
+from scan_cell_msgs import msg, srv
+from std_msgs.msg import Empty, String
+
+SCAN_TIME = 1.5  # [s] a motion takes
+
+
+class FakeCell:
+
+    def __init__(self):
+        self.armed = False
+        self.pulses = 0
+        self.arming = 0
+        self.last_goal = None
+        self.log = rospy.Publisher('/fake/log', String, queue_size=100, latch=True)
+        self.status = rospy.Publisher('/c4g_driver/status', msg.RobotStatus, queue_size=10)
+        self.profiles = rospy.Publisher('/camera/profiles', msg.PeakProfile, queue_size=100)
+        self.events = rospy.Publisher('/laser_trigger/events', msg.TriggerEvent, queue_size=100)
+        self.state = rospy.Publisher('/laser_trigger/state', msg.TriggerState, queue_size=10, latch=True)
+        rospy.Subscriber('/laser_trigger/keep_alive', Empty, lambda _: None)
+        self.serve_stages()
+        self.serve_devices()
+        self.move = actionlib.SimpleActionServer('/c4g_driver/move', msg.MoveAction, self.on_move, False)
+        self.move.start()
+        rospy.Timer(rospy.Duration(0.02), self.tick)
+
+    def serve_devices(self):
+        ok = {'success': True}
+        rospy.Service('/c4g_driver/set_linear_speed', srv.SetLinearSpeed, lambda _: ok)
+        rospy.Service('/c4g_driver/set_parameter', srv.SetControllerParameter, lambda _: ok)
+        rospy.Service('/camera/set_acquisition', srv.SetAcquisition, lambda _: ok)
+        rospy.Service('/laser_trigger/arm', srv.ArmTrigger, self.on_arm)
+        rospy.Service('/laser_trigger/disarm', srv.DisarmTrigger, self.on_disarm)
+
+    def serve_stages(self):
+        for node in ('pose_frame_binder', 'laser_triangulation'):
+            rospy.Service('/%s/start' % node, srv.StartScan, lambda _: {'success': True})
+        rospy.Service('/pose_frame_binder/finish', srv.FinishBinding, self.on_finish_binding)
+        rospy.Service('/laser_triangulation/finish', srv.FinishCloud, self.on_finish_cloud)
+
+    def silent(self, device):
+        return self.armed and self.pulses > 10 and rospy.get_param('/fake/silent', '') == device
+
+    def on_arm(self, request):
+        self.arming += 1
+        self.pulses = 0
+        self.armed = True
+        return {'success': True, 'arming': self.arming}
+
+    def on_disarm(self, _):
+        self.armed = False
+        self.log.publish('disarmed')
+        return {'success': True, 'arming': self.arming, 'pulses': self.pulses}
+
+    def on_finish_binding(self, request):
+        audit = msg.BindingAudit(triggers=request.triggers, frames_bound=request.triggers)
+        return {'success': True, 'audit': audit}
+
+    def on_finish_cloud(self, request):
+        response = srv.FinishCloudResponse(success=True)
+        response.statistics.points = request.profiles
+        response.cloud.data = b'\0' * 12
+        return response
+
+    def on_move(self, goal):
+        start = rospy.Time.now()
+        while not rospy.is_shutdown():
+            share = (rospy.Time.now() - start).to_sec() / SCAN_TIME
+            if self.move.is_preempt_requested():
+                self.log.publish('stopped')
+                self.move.set_preempted(msg.MoveResult(outcome=msg.MoveResult.STOPPED))
+                return
+            if share >= 1:
+                self.move.set_succeeded(msg.MoveResult(outcome=msg.MoveResult.REACHED))
+                return
+            self.move.publish_feedback(msg.MoveFeedback(progress=share))
+            rospy.sleep(0.02)
+
+    def tick(self, _):
+        if not self.silent('robot'):
+            self.status.publish(msg.RobotStatus(connected=True))
+        if not self.armed:
+            return
+        self.pulses += 1
+        if not self.silent('trigger'):
+            self.events.publish(msg.TriggerEvent(arming=self.arming, count=self.pulses))
+        if not self.silent('camera'):
+            self.profiles.publish(msg.PeakProfile(frame_counter=self.pulses))
+
+
+if __name__ == '__main__':
+    rospy.init_node('fake_cell')
+    FakeCell()
+    rospy.spin()
