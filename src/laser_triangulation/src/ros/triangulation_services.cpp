@@ -22,9 +22,11 @@ TriangulationServices::TriangulationServices(ros::NodeHandle node, const Paramet
   data.setCallbackQueue(&data_queue_);
   profiles_ = data.subscribe("bound_profiles", kUnbounded, &TriangulationServices::on_profile, this,
                              ros::TransportHints().tcpNoDelay());
-  increment_timer_ =
-      data.createWallTimer(ros::WallDuration(1 / parameters.publish_rate),
-                           [this](const ros::WallTimerEvent&) { publish_increment(); });
+  increment_timer_ = data.createWallTimer(ros::WallDuration(1 / parameters.publish_rate),
+                                          [this](const ros::WallTimerEvent&) {
+                                            const std::lock_guard<std::mutex> lock(mutex_);
+                                            publish_increment();
+                                          });
   start_ = node.advertiseService("start", &TriangulationServices::start, this);
   finish_ = node.advertiseService("finish", &TriangulationServices::finish, this);
   diagnostics_.setHardwareID("none");
@@ -50,7 +52,6 @@ void TriangulationServices::on_profile(const scan_cell_msgs::BoundProfile& profi
 }
 
 void TriangulationServices::publish_increment() {
-  const std::lock_guard<std::mutex> lock(mutex_);
   if (!scan_ || scan_->points().size() == published_) return;
   if (cloud_.getNumSubscribers() > 0) cloud_.publish(scan_->cloud(published_));
   published_ = scan_->points().size();
@@ -84,9 +85,7 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
     return scan_->profiles() >= request.profiles || !failure_.empty() || !ros::ok();
   });
   finishing_ = false;
-  lock.unlock();
   publish_increment();
-  lock.lock();
   response.statistics = scan_->statistics(scan_id_);
   response.cloud = scan_->cloud();
   response.message = scan_->summary();

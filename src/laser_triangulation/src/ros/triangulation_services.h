@@ -31,7 +31,7 @@ class TriangulationServices {
   bool finish(scan_cell_msgs::FinishCloud::Request& request,
               scan_cell_msgs::FinishCloud::Response& response);
   void on_profile(const scan_cell_msgs::BoundProfile& profile);
-  void publish_increment();
+  void publish_increment();  // call with the mutex held
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const Parameters parameters_;

@@ -22,12 +22,12 @@ BinderServices::BinderServices(ros::NodeHandle node, const Parameters& parameter
   data.setCallbackQueue(&data_queue_);
   const boost::function<void(const scan_cell_msgs::PeakProfileConstPtr&)> on_profile =
       [this](const scan_cell_msgs::PeakProfileConstPtr& profile) {
-        take(profile, profiles_ignored_);
+        if (!take(profile)) ++profiles_ignored_;
       };
   const boost::function<void(const scan_cell_msgs::TriggerEventConstPtr&)> on_event =
-      [this](const scan_cell_msgs::TriggerEventConstPtr& event) { take(*event, others_ignored_); };
+      [this](const scan_cell_msgs::TriggerEventConstPtr& event) { take(*event); };
   const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> on_poses =
-      [this](const tf2_msgs::TFMessageConstPtr& poses) { take(*poses, others_ignored_); };
+      [this](const tf2_msgs::TFMessageConstPtr& poses) { take(*poses); };
   const auto no_delay = ros::TransportHints().tcpNoDelay();
   profiles_ = data.subscribe<scan_cell_msgs::PeakProfile>("profiles", kUnbounded, on_profile,
                                                           ros::VoidConstPtr(), no_delay);
@@ -45,12 +45,9 @@ BinderServices::BinderServices(ros::NodeHandle node, const Parameters& parameter
 }
 
 template <class Data>
-void BinderServices::take(const Data& data, std::uint64_t& ignored) {
+bool BinderServices::take(const Data& data) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!scan_ || !failure_.empty()) {
-    ++ignored;
-    return;
-  }
+  if (!scan_ || !failure_.empty()) return false;
   try {
     scan_->add(data);
   } catch (const scan_cell_common::Error& error) {
@@ -59,6 +56,7 @@ void BinderServices::take(const Data& data, std::uint64_t& ignored) {
   }
   publish_bound();
   if (finishing_) news_.notify_all();
+  return true;
 }
 
 void BinderServices::publish_bound() {
@@ -79,7 +77,7 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
         std::make_unique<ProfileBinder>(parameters_.settings, parameters_.frames, fixed_to_base);
     scan_id_ = request.scan_id;
     failure_.clear();
-    profiles_ignored_ = others_ignored_ = 0;
+    profiles_ignored_ = 0;
     response.success = true;
   } catch (const scan_cell_common::Error& error) {
     response.message = error.what();
@@ -144,7 +142,7 @@ void BinderServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& statu
   status.add("poses not finite", audit.poses_unusable);
   status.add("counter slips", audit.slips);
   status.add("stamp after pulse [s]", audit.latency);
-  status.add("profiles outside of a scan", profiles_ignored_);
+  status.add("profiles outside of a scan", profiles_ignored_.load());
 }
 
 }  // namespace pose_frame_binder

@@ -9,6 +9,7 @@
 #include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/StartScan.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -32,9 +33,9 @@ class BinderServices {
               scan_cell_msgs::FinishBinding::Response& response);
 
   template <class Data>
-  void take(const Data& data, std::uint64_t& ignored);
+  bool take(const Data& data);
   void wait_for_all(std::unique_lock<std::mutex>& lock, std::uint64_t triggers, double timeout);
-  void publish_bound();
+  void publish_bound();  // call with the mutex held
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const Parameters parameters_;
@@ -47,8 +48,7 @@ class BinderServices {
   std::string scan_id_;
   std::string failure_;  // why the scan under way cannot be bound to its end
   bool finishing_ = false;
-  std::uint64_t profiles_ignored_ = 0;
-  std::uint64_t others_ignored_ = 0;
+  std::atomic<std::uint64_t> profiles_ignored_{0};  // since the last start
   Audit last_audit_;
 
   ros::Publisher bound_;

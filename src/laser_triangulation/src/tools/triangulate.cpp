@@ -1,0 +1,74 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "laser_triangulation/cloud_file.h"
+#include "laser_triangulation/ros/cloud_builder.h"
+#include "scan_cell_common/errors.h"
+
+namespace {
+
+struct Options {
+  std::string bag;
+  std::string topic = "/pose_frame_binder/bound_profiles";
+  std::string scanner;
+  std::string output;
+  laser_triangulation::PeakLimits limits;
+};
+
+void triangulate(const Options& options) {
+  using scan_cell_msgs::BoundProfile;
+  constexpr std::size_t kMostPoints = 500'000'000;
+  laser_triangulation::CloudBuilder builder(
+      laser_triangulation::load_scanner_model(options.scanner), options.limits, kMostPoints);
+  rosbag::Bag bag;
+  try {
+    bag.open(options.bag, rosbag::bagmode::Read);
+  } catch (const rosbag::BagException& error) {
+    throw scan_cell_common::FileError(options.bag, error.what(),
+                                      "check the path, or run rosbag reindex");
+  }
+  rosbag::View view(bag, rosbag::TopicQuery(options.topic));
+  for (const rosbag::MessageInstance& message : view) {
+    const auto profile = message.instantiate<BoundProfile>();
+    if (profile) builder.add(*profile);
+  }
+  if (builder.points().empty()) {
+    throw scan_cell_common::UnusableInput(options.bag, "no point (" + builder.summary() + ")",
+                                          "is " + options.topic + " the topic of bound profiles?");
+  }
+  laser_triangulation::save_ply(options.output, builder.points());
+  std::cout << builder.summary() << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Turns the bound profiles of a bag (bind_bag makes one) into a cloud");
+  Options options;
+  app.add_option("--bag", options.bag, "bag with bound profiles")->required();
+  app.add_option("--topic", options.topic, "their topic")->capture_default_str();
+  app.add_option("--scanner", options.scanner, "scanner model, YAML")->required();
+  app.add_option("--output", options.output, "cloud to write, PLY")->required();
+  app.add_option("--least-width", options.limits.least_width, "[px]")->capture_default_str();
+  app.add_option("--most-width", options.limits.most_width, "[px]")->capture_default_str();
+  app.add_option("--least-intensity", options.limits.least_intensity, "[grey value]")
+      ->capture_default_str();
+  app.add_option("--most-intensity", options.limits.most_intensity, "[grey value]")
+      ->capture_default_str();
+  app.add_option("--least-range", options.limits.least_range, "[m] along the camera's axis")
+      ->capture_default_str();
+  app.add_option("--most-range", options.limits.most_range, "[m]")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    triangulate(options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "triangulate: " << error.what() << '\n';
+    return 1;
+  }
+}

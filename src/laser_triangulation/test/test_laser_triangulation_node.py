@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The triangulation node on real topics."""
+import struct
+import subprocess
+import time
+import unittest
+
+import rospy
+import rostest
+from scan_cell_msgs.msg import BoundProfile
+from scan_cell_msgs.srv import FinishCloud, StartScan
+from sensor_msgs.msg import PointCloud2
+
+ROWS = 50
+FIRST_ROW = 300
+
+
+def profile(number, laser=0, frame='world'):
+    """Every fifth row without a peak; the flange stands at x = number [mm]."""
+    bound = BoundProfile()
+    bound.header.stamp = rospy.Time(1700000000, number * 1000000)
+    bound.header.frame_id = frame
+    bound.profile.frame_counter = number
+    bound.profile.laser = laser
+    bound.profile.first_row = FIRST_ROW
+    bound.profile.position = [float('nan') if row % 5 == 0 else 520 + row for row in range(ROWS)]
+    bound.profile.width = [4] * ROWS
+    bound.profile.intensity = [number] * ROWS
+    bound.pose.position.x = number / 1000.0
+    bound.pose.orientation.w = 1
+    return bound
+
+
+def expected(number):
+    """Closed form without distortion, for the plane of test/scanner.yaml."""
+    points = []
+    for row in range(ROWS):
+        if row % 5 == 0:
+            continue
+        x, y = (520 + row - 500) / 800.0, (FIRST_ROW + row - 400) / 800.0
+        depth = -0.2 / (0.8 * x - 0.6)
+        points.append((x * depth + number / 1000.0, y * depth, depth + 0.1, number, 0))
+    return points
+
+
+def points_of(cloud):
+    return [struct.unpack_from('<ffffB', cloud.data, i * cloud.point_step)
+            for i in range(cloud.width)]
+
+
+class LaserTriangulationNode(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('test_laser_triangulation_node')
+        cls.increments = []
+        rospy.Subscriber('/triangulation/cloud', PointCloud2, cls.increments.append)
+        cls.publisher = rospy.Publisher('/binder/bound_profiles', BoundProfile, queue_size=10000)
+        for name in ('start', 'finish'):
+            rospy.wait_for_service('/triangulation/' + name, 30)
+        cls.start = rospy.ServiceProxy('/triangulation/start', StartScan)
+        cls.finish = rospy.ServiceProxy('/triangulation/finish', FinishCloud)
+        end = time.time() + 30
+        while cls.publisher.get_num_connections() == 0:
+            assert time.time() < end, 'the triangulation does not subscribe'
+            time.sleep(0.01)
+
+    def scan(self, profiles, announced=None, timeout=30.0):
+        self.assertTrue(self.start('scan').success)
+        for message in profiles:
+            self.publisher.publish(message)
+        return self.finish(len(profiles) if announced is None else announced,
+                           rospy.Duration(timeout))
+
+    def test_gives_the_whole_cloud_in_the_order_of_the_frames(self):
+        count = 200
+        answer = self.scan([profile(n, frame='moulding') for n in range(count)])
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.cloud.header.frame_id, 'moulding')
+        self.assertEqual(answer.cloud.header.stamp, profile(count - 1).header.stamp)
+        self.assertEqual([f.name for f in answer.cloud.fields],
+                         ['x', 'y', 'z', 'intensity', 'laser'])
+        points = points_of(answer.cloud)
+        truth = [point for n in range(count) for point in expected(n)]
+        self.assertEqual(len(points), len(truth))
+        for point, true in zip(points, truth):
+            for value, right in zip(point, true):
+                self.assertAlmostEqual(value, right, 6)
+        self.assertEqual(answer.statistics.profiles, count)
+        self.assertEqual(answer.statistics.points, len(truth))
+        self.assertEqual(answer.statistics.rows_without_peak, count * ROWS // 5)
+        whole = rospy.wait_for_message('/triangulation/whole_cloud', PointCloud2, 30)
+        self.assertEqual(whole.data, answer.cloud.data)
+        end = time.time() + 30
+        # Increments of a scan before this one may still come.
+        mine = lambda: [c for c in self.increments if c.header.frame_id == 'moulding']
+        while sum(c.width for c in mine()) < whole.width:
+            self.assertLess(time.time(), end, 'the growing cloud is not whole')
+            time.sleep(0.01)
+        self.assertEqual(b''.join(c.data for c in mine()), whole.data)
+
+    def test_gives_the_same_bytes_for_the_same_profiles(self):
+        profiles = [profile(n) for n in range(20)]
+        self.assertEqual(self.scan(profiles).cloud.data, self.scan(profiles).cloud.data)
+
+    def test_says_when_profiles_are_missing_and_keeps_what_came(self):
+        answer = self.scan([profile(n) for n in range(10)], announced=12, timeout=1.0)
+        self.assertFalse(answer.success)
+        self.assertIn('only 10 of 12', answer.message)
+        self.assertEqual(answer.cloud.width, 10 * ROWS * 4 // 5)
+
+    def test_says_when_there_is_no_point(self):
+        answer = self.scan([])
+        self.assertFalse(answer.success)
+        self.assertIn('no point', answer.message)
+
+    def test_refuses_a_laser_that_the_scanner_model_does_not_have(self):
+        answer = self.scan([profile(0, laser=255)], timeout=5.0)
+        self.assertFalse(answer.success)
+        self.assertIn('laser 255', answer.message)
+
+    def test_refuses_to_start_without_a_scanner_model(self):
+        for arguments, words in (([], '/bad_triangulation/scanner: not set'),
+                                 (['_scanner:=/no/such.yaml'], '/no/such.yaml: cannot be read')):
+            run = subprocess.run(['rosrun', 'laser_triangulation', 'laser_triangulation_node',
+                                  '__name:=bad_triangulation'] + arguments, timeout=60,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(words, run.stdout.decode())
+
+
+if __name__ == '__main__':
+    rostest.rosrun('laser_triangulation', 'laser_triangulation_node', LaserTriangulationNode)

@@ -1,0 +1,139 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2/buffer_core.h>
+#include <tf2/exceptions.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "pose_frame_binder/ros/profile_binder.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace {
+
+using scan_cell_common::FileError;
+using scan_cell_common::UnusableInput;
+
+struct Options {
+  std::string bag;
+  std::string output;
+  std::string events = "/laser_trigger/events";
+  std::string profiles = "/camera/profiles";
+  std::string poses = "/tf";
+  std::string static_transforms = "/tf_static";
+  std::string method = "interpolate";
+  pose_frame_binder::Frames frames;
+  pose_frame_binder::Settings settings;
+};
+
+void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mode) {
+  try {
+    bag.open(path, mode);
+  } catch (const rosbag::BagException& error) {
+    throw FileError(path, error.what(), "check the path, or run rosbag reindex");
+  }
+}
+
+Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) {
+  if (options.frames.fixed == options.frames.base) return Eigen::Isometry3d::Identity();
+  tf2::BufferCore buffer;
+  rosbag::View view(bag, rosbag::TopicQuery(options.static_transforms));
+  for (const rosbag::MessageInstance& message : view) {
+    const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+    if (!transforms) continue;
+    for (const geometry_msgs::TransformStamped& transform : transforms->transforms)
+      buffer.setTransform(transform, "bag", true);
+  }
+  try {
+    return scan_cell_common::from_ros(
+        buffer.lookupTransform(options.frames.fixed, options.frames.base, ros::Time(0)).transform);
+  } catch (const tf2::TransformException& error) {
+    throw UnusableInput(
+        options.bag, error.what(),
+        "record " + options.static_transforms + ", or give --fixed-frame " + options.frames.base);
+  }
+}
+
+/// Binds all that the bag holds, as one scan.
+void bind(const Options& options) {
+  rosbag::Bag bag;
+  open(bag, options.bag, rosbag::bagmode::Read);
+  pose_frame_binder::ProfileBinder scan(options.settings, options.frames,
+                                        fixed_to_base(bag, options));
+  rosbag::View view(bag, rosbag::TopicQuery({options.events, options.profiles, options.poses}));
+  for (const rosbag::MessageInstance& message : view) {
+    if (const auto event = message.instantiate<scan_cell_msgs::TriggerEvent>()) {
+      scan.add(*event);
+    } else if (const auto profile = message.instantiate<scan_cell_msgs::PeakProfile>()) {
+      scan.add(profile);
+    } else if (const auto poses = message.instantiate<tf2_msgs::TFMessage>()) {
+      scan.add(*poses);
+    }
+  }
+  scan.binder().end();
+  const pose_frame_binder::Audit audit = scan.binder().audit();
+  if (audit.frames_bound == 0) {
+    throw UnusableInput(options.bag, summary(audit),
+                        "check that it holds " + options.events + ", " + options.profiles +
+                            " and " + options.poses);
+  }
+  const std::string partial = options.output + ".partial";
+  rosbag::Bag output;
+  open(output, partial, rosbag::bagmode::Write);
+  ros::Time last;
+  for (const scan_cell_msgs::BoundProfile& bound : scan.take()) {
+    last = bound.header.stamp;
+    output.write("/pose_frame_binder/bound_profiles", last, bound);
+  }
+  const std::string scan_id = std::filesystem::path(options.bag).stem().string();
+  output.write("/pose_frame_binder/audit", last, to_message(audit, scan_id, last));
+  output.close();
+  std::filesystem::rename(partial, options.output);
+  std::cout << summary(audit) << '\n';
+  for (const pose_frame_binder::Drop& drop : audit.dropped) {
+    std::cout << name(drop.reason) << ": frame " << drop.frame_counter << ", pulse "
+              << drop.trigger_count << ", " << drop.detail << '\n';
+  }
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--bag", options.bag, "recorded scan")->required();
+  app.add_option("--output", options.output, "bag to write: bound profiles and audit")->required();
+  app.add_option("--events", options.events, "topic of the trigger events")->capture_default_str();
+  app.add_option("--profiles", options.profiles, "topic of the profiles")->capture_default_str();
+  app.add_option("--poses", options.poses, "topic of the robot's transforms")
+      ->capture_default_str();
+  app.add_option("--static-transforms", options.static_transforms, "topic of what stands still")
+      ->capture_default_str();
+  app.add_option("--fixed-frame", options.frames.fixed)->capture_default_str();
+  app.add_option("--base-frame", options.frames.base)->capture_default_str();
+  app.add_option("--flange-frame", options.frames.flange)->capture_default_str();
+  app.add_option("--method", options.method)
+      ->check(CLI::IsMember({"interpolate", "first_pose"}))
+      ->capture_default_str();
+  app.add_option("--camera-latency", options.settings.camera_latency, "[s]")->capture_default_str();
+  app.add_option("--most-pose-gap", options.settings.most_pose_gap, "[s]")->capture_default_str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Binds the frames of a recorded scan to poses, as the node does");
+  Options options;
+  declare(app, options);
+  CLI11_PARSE(app, argc, argv);
+  if (options.method == "first_pose") {
+    options.settings.method = pose_frame_binder::Method::FirstPose;
+  }
+  try {
+    bind(options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "bind_bag: " << error.what() << '\n';
+    return 1;
+  }
+}

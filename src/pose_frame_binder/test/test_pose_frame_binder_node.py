@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The binder node on real topics."""
+import io
+import subprocess
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import TransformStamped
+from scan_cell_msgs.msg import (BindingAudit, BoundProfile, DroppedFrame, PeakProfile, PoseMatch,
+                                TriggerEvent)
+from scan_cell_msgs.srv import FinishBinding, StartScan
+from tf2_msgs.msg import TFMessage
+
+START = 1700000000
+SPEED = 0.2       # [m/s] of the flange along y of the base
+PERIOD = 0.01     # [s] of the pulses
+LATENCY = 0.004   # [s] of the camera's stamps
+
+
+def stamp(seconds):
+    return rospy.Time(START, 0) + rospy.Duration(seconds)
+
+
+def transform(parent, child, seconds, xyz, q=(0, 0, 0, 1)):
+    message = TransformStamped()
+    message.header.stamp = stamp(seconds)
+    message.header.frame_id = parent
+    message.child_frame_id = child
+    t = message.transform
+    t.translation.x, t.translation.y, t.translation.z = xyz
+    t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w = q
+    return TFMessage([message])
+
+
+def poses(count):
+    """Every 4 ms from before the first pulse to after the last."""
+    times = [-0.05 + 0.004 * i for i in range(int((count * PERIOD + 0.2) / 0.004))]
+    return [transform('base_link', 'tool0', t, (0.5, SPEED * t, 0.7)) for t in times]
+
+
+def events(count):
+    messages = []
+    for i in range(count):
+        event = TriggerEvent(arming=1, count=i + 1, lasers=TriggerEvent.LASER_1)
+        event.header.stamp = stamp(i * PERIOD)
+        messages.append(event)
+    return messages
+
+
+def profiles(count, lost=()):
+    messages = []
+    for i in range(count):
+        if i in lost:
+            continue
+        profile = PeakProfile(acquisition=1, frame_counter=65530 + i, laser=PeakProfile.LASER_UNKNOWN,
+                              position=[1.5, 2.5], width=[3, 3], intensity=[9, 9])
+        profile.header.stamp = stamp(i * PERIOD + LATENCY)
+        messages.append(profile)
+    return messages
+
+
+class PoseFrameBinderNode(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('test_pose_frame_binder_node')
+        cls.bound = []
+        cls.audits = []
+        rospy.Subscriber('/binder/bound_profiles', BoundProfile, cls.bound.append)
+        rospy.Subscriber('/binder/audit', BindingAudit, cls.audits.append)
+        cls.publishers = {
+            'poses': rospy.Publisher('/tf', TFMessage, queue_size=10000),
+            'events': rospy.Publisher('/laser_trigger/events', TriggerEvent, queue_size=10000),
+            'profiles': rospy.Publisher('/camera/profiles', PeakProfile, queue_size=10000)}
+        cls.static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
+        # The base is turned by 90 degrees about z and stands at x = -1 in the world.
+        half = 0.5 ** 0.5
+        cls.static.publish(transform('world', 'base_link', 0, (-1, 0, 0), (0, 0, half, half)))
+        for node in ('binder', 'lost_binder'):
+            for name in ('start', 'finish'):
+                rospy.wait_for_service('/%s/%s' % (node, name), 30)
+        cls.start = rospy.ServiceProxy('/binder/start', StartScan)
+        cls.finish = rospy.ServiceProxy('/binder/finish', FinishBinding)
+        end = time.time() + 30
+        while any(p.get_num_connections() == 0 for p in cls.publishers.values()):
+            assert time.time() < end, 'the binder does not subscribe'
+            time.sleep(0.01)
+
+    def scan(self, data, order, triggers, timeout=30.0):
+        """Publishes topic after topic; what comes after the first waits for ~finish."""
+        del self.bound[:]
+        self.assertTrue(self.start('scan').success)
+
+        def publish():
+            for name in order:
+                for message in data[name]:
+                    self.publishers[name].publish(message)
+                time.sleep(0.3)  # so that the topics really come in this order
+
+        thread = threading.Thread(target=publish)
+        thread.start()
+        answer = self.finish(triggers, rospy.Duration(timeout))
+        thread.join()
+        end = time.time() + 30
+        while len(self.bound) < answer.audit.frames_bound:
+            self.assertLess(time.time(), end, 'bound profiles are missing')
+            time.sleep(0.01)
+        return answer
+
+    def test_binds_to_the_pose_at_the_pulse_in_the_fixed_frame(self):
+        count = 60
+        data = {'poses': poses(count), 'events': events(count), 'profiles': profiles(count)}
+        answer = self.scan(data, ('poses', 'events', 'profiles'), count)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.audit.frames_bound, count)
+        self.assertEqual(answer.audit.interpolated, count)
+        self.assertEqual(answer.audit.dropped, [])
+        for i, bound in enumerate(self.bound):
+            self.assertEqual(bound.header.frame_id, 'world')
+            self.assertEqual(bound.header.stamp, stamp(i * PERIOD))
+            self.assertEqual(bound.match.trigger_count, i + 1)
+            self.assertEqual(bound.match.frame_counter, 65530 + i)
+            self.assertEqual(bound.match.rule, PoseMatch.INTERPOLATED)
+            self.assertEqual(bound.profile.laser, 1)
+            self.assertEqual(list(bound.profile.position), [1.5, 2.5])
+            y = SPEED * i * PERIOD
+            self.assertAlmostEqual(bound.pose.position.x, -1 - y, 8)
+            self.assertAlmostEqual(bound.pose.position.y, 0.5, 8)
+            self.assertAlmostEqual(bound.pose.position.z, 0.7, 8)
+            self.assertAlmostEqual(bound.pose.orientation.z, 0.5 ** 0.5, 8)
+
+    def test_gives_the_same_bytes_whatever_topic_comes_first(self):
+        count = 40
+        data = {'poses': poses(count), 'events': events(count),
+                'profiles': profiles(count, lost=(7, 8, 21))}
+        results = []
+        for order in (('poses', 'events', 'profiles'), ('profiles', 'events', 'poses'),
+                      ('events', 'poses', 'profiles')):
+            answer = self.scan(data, order, count, 3.0)
+            self.assertEqual(answer.audit.frames_bound, count - 3)
+            self.assertEqual(answer.audit.frames_never_arrived, 3)
+            self.assertEqual([(d.reason, d.trigger_count) for d in answer.audit.dropped],
+                             [(DroppedFrame.NEVER_ARRIVED, n) for n in (8, 9, 22)])
+            buffer = io.BytesIO()
+            for bound in self.bound:
+                bound.header.seq = bound.profile.header.seq = 0  # roscpp's own count
+                bound.serialize(buffer)
+            results.append(buffer.getvalue())
+        self.assertEqual(results[0], results[1])
+        self.assertEqual(results[0], results[2])
+
+    def test_says_which_frames_no_pose_was_measured_for(self):
+        data = {'poses': poses(20), 'events': events(60), 'profiles': profiles(60)}
+        answer = self.scan(data, ('poses', 'events', 'profiles'), 60, 1.0)
+        reasons = {d.reason for d in answer.audit.dropped}
+        self.assertEqual(reasons, {DroppedFrame.NO_POSE_AFTER})
+        self.assertEqual(answer.audit.frames_bound + len(answer.audit.dropped), 60)
+
+    def test_says_when_trigger_events_are_missing(self):
+        data = {'poses': poses(20), 'events': events(20), 'profiles': profiles(20)}
+        answer = self.scan(data, ('poses', 'events', 'profiles'), 25, 1.0)
+        self.assertIn('only 20 of 25 trigger events', answer.message)
+
+    def test_keeps_the_audit_latched(self):
+        data = {'poses': poses(5), 'events': events(5), 'profiles': profiles(5)}
+        self.scan(data, ('poses', 'events', 'profiles'), 5)
+        late = rospy.wait_for_message('/binder/audit', BindingAudit, 30)
+        self.assertEqual(late.scan_id, 'scan')
+
+    def test_refuses_to_finish_what_was_not_started(self):
+        answer = self.finish(0, rospy.Duration(0.1))
+        self.assertFalse(answer.success)
+        self.assertIn('no scan is under way', answer.message)
+
+    def test_refuses_to_start_without_the_static_transform_and_names_it(self):
+        answer = rospy.ServiceProxy('/lost_binder/start', StartScan)('scan')
+        self.assertFalse(answer.success)
+        self.assertIn('static transform from nowhere to base_link', answer.message)
+
+    def test_refuses_a_bad_parameter_by_name(self):
+        run = subprocess.run(['rosrun', 'pose_frame_binder', 'pose_frame_binder_node',
+                              '__name:=bad_binder', '_method:=guess'], timeout=60,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn('/bad_binder/method', run.stdout.decode())
+
+
+if __name__ == '__main__':
+    rostest.rosrun('pose_frame_binder', 'pose_frame_binder_node', PoseFrameBinderNode)
