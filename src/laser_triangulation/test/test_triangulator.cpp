@@ -100,6 +100,22 @@ TEST(Undistort, SaysWhereTheLensModelFoldsOver) {
   EXPECT_FALSE(camera.undistort({0.7, 0}, ray));
 }
 
+TEST(RayTable, IsExactBetweenItsNodesToo) {
+  for (const double k1 : {-0.081, -0.25, 0.2}) {
+    CameraIntrinsics camera = scanner().camera;
+    camera.distortion[0] = k1;
+    const RayTable table(camera);
+    for (int row = 0; row < camera.height; row += 41) {
+      for (double column = -0.5; column <= camera.width - 0.5; column += 3.7) {
+        const Eigen::Vector2d ray = table.ray(static_cast<std::size_t>(row), column);
+        const Eigen::Vector2d pixel = camera.project({ray.x(), ray.y(), 1});
+        EXPECT_NEAR(pixel.x(), column, 2e-5);  // 12 nm at 0.5 m
+        EXPECT_NEAR(pixel.y(), row, 2e-5);
+      }
+    }
+  }
+}
+
 TEST(Triangulator, FindsAPlaneAtAKnownDepthWithBothLasersToAMicrometre) {
   const ScannerModel model = scanner();
   const Eigen::Isometry3d flange =

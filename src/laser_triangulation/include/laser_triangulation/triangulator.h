@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "laser_triangulation/ray_table.h"
 #include "laser_triangulation/scanner_model.h"
 
 namespace laser_triangulation {
@@ -74,6 +75,7 @@ class Triangulator {
   bool within_limits(const ProfileView& profile, std::size_t row);
 
   ScannerModel model_;
+  RayTable rays_;
   PeakLimits limits_;
   PeakCounts counts_;
 };

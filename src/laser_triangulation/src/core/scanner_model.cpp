@@ -14,7 +14,8 @@ void refuse(const std::string& entry, const std::string& value, const std::strin
 }
 
 void check(const CameraIntrinsics& camera) {
-  if (camera.width < 1 || camera.height < 1) {
+  constexpr int kMost = 16384;  // pixels a side
+  if (camera.width < 1 || camera.height < 1 || camera.width > kMost || camera.height > kMost) {
     refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
            "give the sensor's columns and rows");
   }

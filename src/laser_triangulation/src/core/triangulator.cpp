@@ -21,11 +21,15 @@ bool within(float value, double least, double most) {
   return (value >= least && value <= most) || (std::isnan(value) && least <= 0 && std::isinf(most));
 }
 
+const ScannerModel& checked(const ScannerModel& model) {
+  check(model);
+  return model;
+}
+
 }  // namespace
 
 Triangulator::Triangulator(const ScannerModel& model, const PeakLimits& limits)
-    : model_(model), limits_(limits) {
-  check(model_);
+    : model_(checked(model)), rays_(model_.camera), limits_(limits) {
   check_order("width", limits.least_width, limits.most_width);
   check_order("intensity", limits.least_intensity, limits.most_intensity);
   check_order("range", limits.least_range, limits.most_range);
@@ -45,36 +49,27 @@ bool Triangulator::within_limits(const ProfileView& profile, std::size_t row) {
 
 void Triangulator::add(const ProfileView& profile, const Eigen::Isometry3d& flange,
                        std::vector<ScanPoint>& points) {
-  const CameraIntrinsics& camera = model_.camera;
   const bool laser_known = profile.laser < model_.lasers.size();
   const LaserPlane plane = laser_known ? model_.lasers[profile.laser] : LaserPlane();
   const Eigen::Isometry3d to_frame = flange * model_.flange_to_camera;
   ++counts_.profiles;
-  // Neighbouring rows have neighbouring rays, so the last one is a good start for the next.
-  Eigen::Vector2d distorted = Eigen::Vector2d::Zero();
-  Eigen::Vector2d ray = Eigen::Vector2d::Zero();
   for (std::size_t row = 0; row < profile.rows; ++row) {
-    const Eigen::Vector2d pixel(profile.position[row],
-                                profile.first_row + static_cast<double>(row));
-    if (std::isnan(pixel.x())) {
+    const double column = profile.position[row];
+    if (std::isnan(column)) {
       ++counts_.rows_without_peak;
       continue;
     }
     if (!within_limits(profile, row)) continue;
-    const Eigen::Vector2d next((pixel.x() - camera.cx) / camera.fx,
-                               (pixel.y() - camera.cy) / camera.fy);
-    const Eigen::Vector2d guess = ray + (next - distorted);
-    Eigen::Vector2d undistorted = guess;
-    if (!laser_known || !camera.contains(pixel) || !camera.undistort(next, undistorted)) {
+    const std::size_t sensor_row = profile.first_row + row;
+    if (!laser_known || !model_.camera.contains({column, static_cast<double>(sensor_row)})) {
       ++counts_.outside_sensor;
       continue;
     }
-    distorted = next;
-    ray = undistorted;
+    const Eigen::Vector2d ray = rays_.ray(sensor_row, column);
     const Eigen::Vector3d direction(ray.x(), ray.y(), 1);
     const double depth = plane.distance / plane.normal.dot(direction);
     if (!(depth >= limits_.least_range && depth <= limits_.most_range)) {
-      ++counts_.by_range;
+      ++(std::isnan(depth) ? counts_.outside_sensor : counts_.by_range);
       continue;
     }
     const Eigen::Vector3f point = (to_frame * (depth * direction)).cast<float>();
