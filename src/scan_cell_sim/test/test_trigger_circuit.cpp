@@ -26,6 +26,10 @@ Nanoseconds host_now() {
 class TriggerCircuitTest : public testing::Test {
  protected:
   TriggerCircuitTest() {
+    circuit_.observe([this](const TriggerCircuit::Pulse& pulse) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      pulses_.push_back(pulse);
+    });
     sockaddr_in name{};
     name.sin_family = AF_INET;
     name.sin_port = htons(circuit_.port());
@@ -52,12 +56,14 @@ class TriggerCircuitTest : public testing::Test {
     }
   }
 
+  std::size_t told() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return pulses_.size();
+  }
+
   std::mutex mutex_;
   std::vector<TriggerCircuit::Pulse> pulses_;
-  TriggerCircuit circuit_{"127.0.0.1", 0, [this](const TriggerCircuit::Pulse& pulse) {
-                            const std::lock_guard<std::mutex> lock(mutex_);
-                            pulses_.push_back(pulse);
-                          }};
+  TriggerCircuit circuit_{"127.0.0.1", 0};
   int socket_ = -1;
   std::uint64_t sent_ = 0;
 };
@@ -66,16 +72,15 @@ TEST_F(TriggerCircuitTest, OnlyARisingEdgeIsAPulse) {
   for (const std::uint8_t byte : {0, 1, 1, 3, 0, 2, 0, 1})
     send({byte});
   EXPECT_EQ(circuit_.state().pulses, 2U);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  EXPECT_EQ(pulses_.size(), 2U);
+  wait_until([this] { return told() == 2; });
 }
 
 TEST_F(TriggerCircuitTest, APulseCarriesTheInstantOfTheByteAndTheLasers) {
   const Nanoseconds before = host_now();
   send({4 | 1});
   const Nanoseconds after = host_now();
+  wait_until([this] { return told() == 1; });
   const std::lock_guard<std::mutex> lock(mutex_);
-  ASSERT_EQ(pulses_.size(), 1U);
   EXPECT_EQ(pulses_[0].lasers, 2);
   EXPECT_GE(pulses_[0].time, before);
   EXPECT_LE(pulses_[0].time, after);
@@ -117,9 +122,8 @@ TEST_F(TriggerCircuitTest, RefusesDatagramsThatAreNotOneByte) {
 }
 
 TEST_F(TriggerCircuitTest, RefusesAPortThatIsTaken) {
-  EXPECT_THROW(TriggerCircuit("127.0.0.1", circuit_.port(), [](const auto&) {}),
-               scan_cell_common::ConnectionError);
-  EXPECT_THROW(TriggerCircuit("nowhere", 0, [](const auto&) {}), scan_cell_common::ConnectionError);
+  EXPECT_THROW(TriggerCircuit("127.0.0.1", circuit_.port()), scan_cell_common::ConnectionError);
+  EXPECT_THROW(TriggerCircuit("nowhere", 0), scan_cell_common::ConnectionError);
 }
 
 }  // namespace

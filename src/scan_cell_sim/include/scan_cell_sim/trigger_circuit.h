@@ -34,27 +34,32 @@ class TriggerCircuit {
     double longest_on[2] = {0, 0};  //!< [s] of each laser, the present one included
   };
 
+  using Observer = std::function<void(const Pulse&)>;
+
   /// @param port 0: any free one, see port()
-  /// @param on_pulse called from the circuit's thread
   /// @throw scan_cell_common::ConnectionError if the address cannot be listened on
-  TriggerCircuit(const std::string& address, std::uint16_t port,
-                 std::function<void(const Pulse&)> on_pulse);
+  TriggerCircuit(const std::string& address, std::uint16_t port);
   ~TriggerCircuit();
 
   TriggerCircuit(const TriggerCircuit&) = delete;
   TriggerCircuit& operator=(const TriggerCircuit&) = delete;
 
   std::uint16_t port() const { return port_; }
+
+  /// Who hears of each pulse, in the circuit's thread; none if empty. When this returns, the
+  /// observer before is not called any more.
+  void observe(const Observer& observer);
   State state() const;
 
  private:
   void listen();
   void write(std::uint8_t data, scan_cell_common::Nanoseconds time);
 
-  std::function<void(const Pulse&)> on_pulse_;
   int socket_ = -1;
   std::uint16_t port_ = 0;
-  mutable std::mutex mutex_;
+  std::mutex observer_mutex_;  // held while the observer is called
+  Observer observer_;
+  mutable std::mutex mutex_;  // what follows
   State state_;
   scan_cell_common::Nanoseconds on_since_[2] = {0, 0};
   std::atomic<bool> ending_{false};

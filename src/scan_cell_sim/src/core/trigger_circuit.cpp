@@ -70,9 +70,8 @@ Nanoseconds receipt_time(msghdr& message) {
 
 }  // namespace
 
-TriggerCircuit::TriggerCircuit(const std::string& address, std::uint16_t port,
-                               std::function<void(const Pulse&)> on_pulse)
-    : on_pulse_(std::move(on_pulse)), socket_(open_socket(address, port)), port_(port_of(socket_)) {
+TriggerCircuit::TriggerCircuit(const std::string& address, std::uint16_t port)
+    : socket_(open_socket(address, port)), port_(port_of(socket_)) {
   thread_ = std::thread(&TriggerCircuit::listen, this);
 }
 
@@ -80,6 +79,11 @@ TriggerCircuit::~TriggerCircuit() {
   ending_ = true;
   thread_.join();
   close(socket_);
+}
+
+void TriggerCircuit::observe(const Observer& observer) {
+  const std::lock_guard<std::mutex> lock(observer_mutex_);
+  observer_ = observer;
 }
 
 TriggerCircuit::State TriggerCircuit::state() const {
@@ -138,7 +142,9 @@ void TriggerCircuit::write(std::uint8_t data, Nanoseconds time) {
     ++state_.writes;
     if (rising) ++state_.pulses;
   }
-  if (rising) on_pulse_(pulse);
+  if (!rising) return;
+  const std::lock_guard<std::mutex> lock(observer_mutex_);
+  if (observer_) observer_(pulse);
 }
 
 }  // namespace scan_cell_sim

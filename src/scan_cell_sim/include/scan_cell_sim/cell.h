@@ -1,0 +1,63 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "scan_cell_sim/flange_motion.h"
+#include "scan_cell_sim/gige_camera.h"
+
+namespace scan_cell_sim {
+
+struct CellOptions {
+  laser_triangulation::ScannerModel scanner;
+  Eigen::Isometry3d base_link_in_world = Eigen::Isometry3d::Identity();
+  Optics optics;
+  CameraOptions camera;  //!< its sensor's size is taken from the scanner
+  std::string trigger_address = "127.0.0.1";
+  std::uint16_t trigger_port = 5420;  //!< 0: any free one
+};
+
+/// The scanner on the robot's flange in its world: each pulse of the trigger circuit makes the
+/// camera show what is lit at the robot's true pose at that instant. All methods are safe to call
+/// from any thread.
+class Cell {
+ public:
+  /// @param motion must outlive the cell
+  /// @throw as GigeCamera, TriggerCircuit and Scene
+  Cell(const CellOptions& options, const World& world, const FlangeMotion& motion);
+  ~Cell();
+
+  Cell(const Cell&) = delete;
+  Cell& operator=(const Cell&) = delete;
+
+  /// The next frame shows this world.
+  /// @throw as Scene; the old world stays
+  void set_world(const World& world);
+
+  std::shared_ptr<const Scene> scene() const;
+  GigeCamera& camera() { return camera_; }
+  const TriggerCircuit& circuit() const { return circuit_; }
+
+  /// True pose of camera_optical_frame in world at an instant of the host's clock.
+  Eigen::Isometry3d camera_at(scan_cell_common::Nanoseconds host) const;
+
+ private:
+  void render(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels) const;
+
+  const CellOptions options_;
+  const FlangeMotion& motion_;
+  const LaserLineRenderer renderer_;
+  mutable std::mutex mutex_;  // of scene_
+  std::shared_ptr<const Scene> scene_;
+  TriggerCircuit circuit_;
+  GigeCamera camera_;
+};
+
+/// Pose of base_link in world, from a cell file (config/cell.yaml).
+/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput
+Eigen::Isometry3d load_base_link_in_world(const std::string& path);
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,84 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "scan_cell_sim/laser_line_renderer.h"
+#include "scan_cell_sim/trigger_circuit.h"
+
+namespace scan_cell_sim {
+
+struct CameraOptions {
+  std::string address =
+      "127.0.0.1";  //!< IPv4 of the interface to serve on; GigE Vision's port is fixed
+  std::string serial = "SIM001";
+  std::string genicam_file;               //!< config/gige_camera.xml
+  int sensor_width = 1696;                //!< [px]
+  int sensor_height = 1710;               //!< [px]
+  Region region = {336, 599, 1024, 512};  //!< at power-up
+  double least_period = 0.002;  //!< [s] of the sensor: a pulse sooner after the last one is lost
+  int most_pending = 200;       //!< frames kept for sending; a pulse beyond them is lost
+};
+
+struct CameraFaults {
+  double lost_frames = 0;   //!< share of the pulses whose frame never leaves the camera
+  double lost_packets = 0;  //!< share of the packets that never leave it; there is no resend
+  unsigned seed = 1;
+};
+
+/// A GigE Vision camera served by Aravis, with the sensor's image given by a function. Free running
+/// or, in trigger mode (source Line0), one frame for each pulse; a frame's device time is the
+/// instant of its pulse, on the host's clock. All methods are safe to call from any thread.
+class GigeCamera {
+ public:
+  /// What to render: at which instant, with which lasers.
+  struct Shot {
+    scan_cell_common::Nanoseconds time = 0;  //!< host time
+    std::uint8_t lasers = 0;
+    double exposure = 0;      //!< [s]
+    double gain = 1;          //!< factor
+    std::uint64_t frame = 0;  //!< counts from 1, never wraps
+  };
+  using Render = std::function<void(const Shot&, const Region&, std::uint8_t* pixels)>;
+
+  /// What became of the pulses.
+  struct Counts {
+    std::uint64_t pulses = 0;   //!< all
+    std::uint64_t ignored = 0;  //!< not acquiring, or not in trigger mode
+    std::uint64_t overrun = 0;  //!< too soon after the one before, or too many pending
+    std::uint64_t lost_on_purpose = 0;
+    std::uint64_t discarded = 0;  //!< pending when acquisition stopped
+    std::uint64_t frames = 0;     //!< sent, free-running ones included
+  };
+
+  /// Serves at once.
+  /// @param lasers_now bit mask of the lasers that are on, for frames without a pulse
+  /// @throw scan_cell_common::InvalidParameter if the region does not fit the sensor
+  /// @throw scan_cell_common::FileError if the GenICam file cannot be read
+  /// @throw scan_cell_common::ConnectionError if the address cannot be served
+  GigeCamera(const CameraOptions& options, Render render, std::function<std::uint8_t()> lasers_now);
+  ~GigeCamera();
+
+  GigeCamera(const GigeCamera&) = delete;
+  GigeCamera& operator=(const GigeCamera&) = delete;
+
+  void pulse(const TriggerCircuit::Pulse& pulse);
+  void set_faults(const CameraFaults& faults);
+
+  /// Without power it does not answer; powered up again it has forgotten its settings.
+  /// @throw scan_cell_common::ConnectionError if the address cannot be served
+  void set_power(bool on);
+  bool has_power() const;
+
+  Counts counts() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,67 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/cell.h"
+
+#include "scan_cell_common/yaml_file.h"
+
+namespace scan_cell_sim {
+namespace {
+
+CameraOptions on_the_scanners_sensor(CameraOptions options,
+                                     const laser_triangulation::ScannerModel& scanner) {
+  options.sensor_width = scanner.camera.width;
+  options.sensor_height = scanner.camera.height;
+  return options;
+}
+
+}  // namespace
+
+Cell::Cell(const CellOptions& options, const World& world, const FlangeMotion& motion)
+    : options_(options),
+      motion_(motion),
+      renderer_(options.scanner, options.optics),
+      scene_(std::make_shared<const Scene>(world)),
+      circuit_(options.trigger_address, options.trigger_port),
+      camera_(
+          on_the_scanners_sensor(options.camera, options.scanner),
+          [this](const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels) {
+            render(shot, region, pixels);
+          },
+          [this] { return circuit_.state().lasers; }) {
+  circuit_.observe([this](const TriggerCircuit::Pulse& pulse) { camera_.pulse(pulse); });
+}
+
+Cell::~Cell() {
+  circuit_.observe(nullptr);
+}
+
+void Cell::set_world(const World& world) {
+  auto scene = std::make_shared<const Scene>(world);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scene_ = std::move(scene);
+}
+
+std::shared_ptr<const Scene> Cell::scene() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return scene_;
+}
+
+Eigen::Isometry3d Cell::camera_at(scan_cell_common::Nanoseconds host) const {
+  return options_.base_link_in_world * motion_.flange_at(host) * options_.scanner.flange_to_camera;
+}
+
+void Cell::render(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels) const {
+  Exposure exposure;
+  exposure.camera = camera_at(shot.time);
+  exposure.lasers = shot.lasers;
+  exposure.duration = shot.exposure;
+  exposure.gain = shot.gain;
+  exposure.frame = shot.frame;
+  renderer_.render(*scene(), exposure, region, pixels);
+}
+
+Eigen::Isometry3d load_base_link_in_world(const std::string& path) {
+  return scan_cell_common::YamlEntry::load(path)["base_link_in_world"].pose();
+}
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,14 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include "scan_cell_common/ros/node_main.h"
+#include "simulator_services.h"
+
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(argc, argv, "scan_cell_sim", [] {
+    const ros::NodeHandle node("~");
+    const scan_cell_sim::SimulatorServices simulator(node, scan_cell_sim::Parameters::load(node));
+    ros::spin();
+  });
+}

@@ -1,0 +1,157 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulator_services.h"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell_sim {
+namespace {
+
+using scan_cell_common::InvalidParameter;
+
+CellOptions cell_options(const Parameters& parameters) {
+  CellOptions options = parameters.options;
+  options.scanner = laser_triangulation::load_scanner_model(parameters.scanner);
+  options.base_link_in_world = load_base_link_in_world(parameters.cell);
+  return options;
+}
+
+void check_share(const std::string& name, double share) {
+  if (share >= 0 && share <= 1) return;
+  throw InvalidParameter(name, std::to_string(share), "give 0 .. 1");
+}
+
+void check(const scan_cell_msgs::SetFaults::Request& faults) {
+  check_share("camera_lost_frames", faults.camera_lost_frames);
+  check_share("camera_lost_packets", faults.camera_lost_packets);
+  check_share("robot_lost_packets", faults.robot_lost_packets);
+  check_share("robot_repeated_packets", faults.robot_repeated_packets);
+  check_share("robot_delayed_packets", faults.robot_delayed_packets);
+  constexpr double kMostDelay = 10, kMostDrift = 0.1;
+  if (!(faults.robot_delay >= 0 && faults.robot_delay <= kMostDelay)) {
+    throw InvalidParameter("robot_delay", std::to_string(faults.robot_delay) + " s",
+                           "give 0 .. 10 s");
+  }
+  if (!(std::abs(faults.robot_clock_drift) <= kMostDrift)) {
+    throw InvalidParameter("robot_clock_drift", std::to_string(faults.robot_clock_drift),
+                           "give -0.1 .. 0.1");
+  }
+}
+
+ControllerFaults controller_faults(const scan_cell_msgs::SetFaults::Request& request) {
+  ControllerFaults faults;
+  faults.to_client.lost = request.robot_lost_packets;
+  faults.to_client.repeated = request.robot_repeated_packets;
+  faults.to_client.delayed = request.robot_delayed_packets;
+  if (request.robot_delay > 0) faults.to_client.delay = request.robot_delay;
+  faults.to_client.link_down = faults.from_client.link_down = request.robot_link_down;
+  faults.clock_drift = request.robot_clock_drift;
+  return faults;
+}
+
+visualization_msgs::Marker marker(const Part& part, int id) {
+  constexpr double kTolerance = 1e-4;  // [m] enough to look at
+  visualization_msgs::Marker result;
+  result.header.frame_id = "world";
+  result.header.stamp = ros::Time::now();
+  result.ns = part.name;
+  result.id = id;
+  result.type = visualization_msgs::Marker::TRIANGLE_LIST;
+  result.pose.orientation.w = 1;
+  result.scale.x = result.scale.y = result.scale.z = 1;
+  result.color.r = result.color.g = result.color.b = static_cast<float>(part.reflectance);
+  result.color.a = 1;
+  const Mesh mesh = part.mesh(kTolerance);
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      const Eigen::Vector3d& vertex = mesh.vertices[corner];
+      geometry_msgs::Point point;
+      point.x = vertex.x();
+      point.y = vertex.y();
+      point.z = vertex.z();
+      result.points.push_back(point);
+    }
+  }
+  return result;
+}
+
+/// Runs what a service was asked for, and tells the caller how it went.
+template <class Response, class Call>
+bool answer(Response& response, const Call& call) {
+  try {
+    call();
+    response.success = true;
+  } catch (const scan_cell_common::Error& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+}  // namespace
+
+SimulatorServices::SimulatorServices(ros::NodeHandle node, const Parameters& parameters)
+    : controller_(parameters.controller),
+      cell_(cell_options(parameters), load_world(parameters.world), controller_),
+      parts_(node.advertise<visualization_msgs::MarkerArray>("parts", 1, true)),
+      flange_(node.advertise<geometry_msgs::PoseStamped>("true_flange", 1)),
+      load_world_(node.advertiseService("load_world", &SimulatorServices::load, this)),
+      set_faults_(node.advertiseService("set_faults", &SimulatorServices::set, this)),
+      timer_(node.createWallTimer(ros::WallDuration(1 / parameters.true_flange_rate),
+                                  &SimulatorServices::publish_flange, this)) {
+  publish_parts(load_world(parameters.world));
+}
+
+bool SimulatorServices::load(scan_cell_msgs::LoadWorld::Request& request,
+                             scan_cell_msgs::LoadWorld::Response& response) {
+  return answer(response, [&] {
+    const World world = load_world(request.path);
+    cell_.set_world(world);
+    publish_parts(world);
+  });
+}
+
+bool SimulatorServices::set(scan_cell_msgs::SetFaults::Request& request,
+                            scan_cell_msgs::SetFaults::Response& response) {
+  return answer(response, [&] {
+    check(request);
+    apply(request);
+  });
+}
+
+void SimulatorServices::apply(const scan_cell_msgs::SetFaults::Request& request) {
+  cell_.camera().set_power(!request.camera_off);  // the only one that may fail
+  cell_.camera().set_faults(
+      {request.camera_lost_frames, request.camera_lost_packets, request.seed});
+  controller_.set_faults(controller_faults(request));
+  if (request.robot_e_stop != e_stop_) {
+    request.robot_e_stop ? controller_.press_e_stop() : controller_.release_e_stop();
+    e_stop_ = request.robot_e_stop;
+  }
+  if (!request.robot_motion_error.empty()) controller_.fail_motion(request.robot_motion_error);
+}
+
+void SimulatorServices::publish_parts(const World& world) {
+  visualization_msgs::MarkerArray markers;
+  markers.markers.emplace_back();
+  markers.markers.back().action = visualization_msgs::Marker::DELETEALL;
+  for (const Part& part : world.parts) {
+    markers.markers.push_back(marker(part, static_cast<int>(markers.markers.size())));
+  }
+  parts_.publish(markers);
+}
+
+void SimulatorServices::publish_flange(const ros::WallTimerEvent&) {
+  geometry_msgs::PoseStamped message;
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = "base_link";
+  message.pose = scan_cell_common::to_ros_pose(
+      controller_.flange_at(scan_cell_common::from_ros(message.header.stamp)));
+  flange_.publish(message);
+}
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,40 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <scan_cell_msgs/LoadWorld.h>
+#include <scan_cell_msgs/SetFaults.h>
+
+#include <string>
+
+#include "parameters.h"
+
+namespace scan_cell_sim {
+
+/// The simulated hardware, and what tests may do to it and see of it over ROS.
+class SimulatorServices {
+ public:
+  /// @throw as Controller, Cell, load_world() and load_scanner_model()
+  SimulatorServices(ros::NodeHandle node, const Parameters& parameters);
+
+ private:
+  bool load(scan_cell_msgs::LoadWorld::Request& request,
+            scan_cell_msgs::LoadWorld::Response& response);
+  bool set(scan_cell_msgs::SetFaults::Request& request,
+           scan_cell_msgs::SetFaults::Response& response);
+  void apply(const scan_cell_msgs::SetFaults::Request& request);
+  void publish_parts(const World& world);
+  void publish_flange(const ros::WallTimerEvent& event);
+
+  Controller controller_;
+  Cell cell_;
+  bool e_stop_ = false;
+  ros::Publisher parts_;
+  ros::Publisher flange_;
+  ros::ServiceServer load_world_;
+  ros::ServiceServer set_faults_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace scan_cell_sim
