@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "synthetic_parts.h"
 
+#include <pcl/conversions.h>
+#include <pcl/point_types.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -138,6 +141,36 @@ Points scan(const Part& part, const Similarity& similarity, const Deformation& d
     const Eigen::Vector3d noise =
         how.noise * Eigen::Vector3d(normal(engine), normal(engine), normal(engine));
     points.push_back(similarity * (at + deformation(at)) + noise);
+  }
+  return points;
+}
+
+Points scan_mesh(const pcl::PolygonMesh& mesh, const Similarity& similarity, const Scan& how) {
+  pcl::PointCloud<pcl::PointXYZ> vertices;
+  pcl::fromPCLPointCloud2(mesh.cloud, vertices);
+  const auto corner = [&](const pcl::Vertices& polygon, std::size_t i) {
+    return Eigen::Vector3d(
+        vertices[static_cast<std::size_t>(polygon.vertices[i])].getVector3fMap().cast<double>());
+  };
+  std::vector<double> areas;
+  for (const pcl::Vertices& polygon : mesh.polygons) {
+    const Eigen::Vector3d a = corner(polygon, 0);
+    areas.push_back((corner(polygon, 1) - a).cross(corner(polygon, 2) - a).norm());
+  }
+  std::mt19937 engine(how.seed);
+  std::discrete_distribution<std::size_t> triangle(areas.begin(), areas.end());
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::normal_distribution<double> normal(0, how.noise);
+  Points points;
+  for (std::size_t i = 0; i < how.points; ++i) {
+    const pcl::Vertices& polygon = mesh.polygons[triangle(engine)];
+    const double edge = std::sqrt(uniform(engine));
+    const double along = uniform(engine);
+    const Eigen::Vector3d at = (1 - edge) * corner(polygon, 0) +
+                               edge * (1 - along) * corner(polygon, 1) +
+                               edge * along * corner(polygon, 2);
+    const Eigen::Vector3d noise(normal(engine), normal(engine), normal(engine));
+    points.push_back(similarity * at + noise);
   }
   return points;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/PolygonMesh.h>
+
 #include <functional>
 #include <random>
 #include <string>
@@ -59,6 +61,9 @@ struct Scan {
 /// Points on the deformed part, moved by the similarity.
 Points scan(const Part& part, const Similarity& similarity, const Deformation& deformation,
             const Scan& how);
+
+/// Points of a mesh drawn at random by area, independent of the product's own sampling, moved.
+Points scan_mesh(const pcl::PolygonMesh& mesh, const Similarity& similarity, const Scan& how);
 
 /// `count` waypoints in two segments on the part, z along the normal, with process values.
 ToolPath path_on(const Part& part, std::size_t count);

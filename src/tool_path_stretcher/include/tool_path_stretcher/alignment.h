@@ -28,10 +28,13 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
 
 enum class ScaleMode { kFree, kFixed };
 
+/// How many points of each surface are compared (Samples).
+enum class Density { kFew, kMany };
+
 /// Refines a pose by robust point-to-plane ICP in both directions (Chen and Medioni 1992; Tukey's
-/// biweight) on at most `most_points` points of each surface.
+/// biweight), with the rims held on each other.
 Similarity refine(const Surface& reference, const Surface& object, Similarity start, ScaleMode mode,
-                  std::size_t most_points, int iterations);
+                  Density density, int iterations);
 
 /// Initial scale of the thesis (9.3): the ratio of the deviations along the principal axes, of
 /// points spread evenly.

@@ -64,8 +64,9 @@ struct Mapping {
 
 /// Follows a smooth deformation of the object, where one is there: fields of rising degree are
 /// fitted to one half of the scan (in blocks) and kept only while they explain the other half
-/// better, so that noise is not followed. No field if none does.
-SmoothField fit_smooth_field(const Surface& reference, const Surface& object,
-                             const Similarity& similarity, int highest_degree);
+/// better, so that noise is not followed. No field if none does; otherwise the similarity is the
+/// one nearest to the whole mapping.
+Mapping fit_smooth_field(const Surface& reference, const Surface& object,
+                         const Similarity& similarity, int highest_degree);
 
 }  // namespace tool_path_stretcher

@@ -26,4 +26,8 @@ struct Similarity {
 /// Root mean square distance [m] between where the two put the points.
 double distance(const Similarity& a, const Similarity& b, const Points& points);
 
+/// Least squares over pairs of points, with the symmetric scale of Horn 1987, which wrong pairs do
+/// not shrink.
+Similarity fit_similarity(const Points& from, const Points& to);
+
 }  // namespace tool_path_stretcher

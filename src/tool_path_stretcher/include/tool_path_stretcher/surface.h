@@ -12,6 +12,21 @@
 
 namespace tool_path_stretcher {
 
+/// Where a surface ends or has a sharp edge: it shows a position along the surface that a smooth
+/// surface itself does not.
+struct Rim {
+  Points points;   //!< [m]
+  Points outward;  //!< unit length, in the surface and away from it
+  std::shared_ptr<const KdTree> tree;
+};
+
+/// Points spread evenly over a surface, whatever its own density.
+struct Samples {
+  std::vector<std::size_t> few;   //!< at most 1000
+  std::vector<std::size_t> many;  //!< at most 6000
+  std::vector<std::size_t> most;  //!< at most 20,000
+};
+
 /// A surface known by points on it, with the normal at each.
 struct Surface {
   Points points;          //!< [m]
@@ -20,6 +35,8 @@ struct Surface {
   double spacing = 0;     //!< [m] typical distance of neighbouring points
   double size = 0;        //!< [m] root mean square distance from the centroid
   std::shared_ptr<const KdTree> tree;
+  Samples samples;
+  Rim rim;
 };
 
 /// A surface from a cloud: its points are reduced on the grid, normals come from the neighbours.

@@ -35,19 +35,21 @@ std::vector<Candidate> distinct(std::vector<Candidate> candidates, const Points&
 /// Root mean square residual of both directions, each point counted up to a cap; of the reference
 /// only the share that any scan covers.
 double cost_of(const Surface& reference, const Surface& object, const Similarity& similarity,
-               std::size_t most_points) {
+               Density density) {
   constexpr double kCap = 0.05;  // of the object's size
   constexpr double kReferenceShare = 0.5;
   const double cap = kCap * object.size;
   const Mapping mapping{similarity, {}};
   double forth = 0;
-  const Points object_points = select(object.points, spread_evenly(object.points, most_points));
+  const bool few = density == Density::kFew;
+  const Points object_points =
+      select(object.points, few ? object.samples.few : object.samples.many);
   for (const Residual& residual : residuals_of(reference, mapping, object_points)) {
     const double distance = similarity.scale * std::hypot(residual.along_normal, residual.beside);
     forth += std::pow(std::min(distance, cap), 2);
   }
   std::vector<double> back;
-  for (const std::size_t i : spread_evenly(reference.points, most_points)) {
+  for (const std::size_t i : few ? reference.samples.few : reference.samples.many) {
     const double squared = object.tree->nearest(similarity * reference.points[i]).squared_distance;
     back.push_back(std::pow(std::min(std::max(0.0, std::sqrt(squared) - object.spacing), cap), 2));
   }
@@ -83,17 +85,17 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
   }
   progress(0.5);
   candidates = distinct(candidates, probes, 0.05 * object.size, 12);
-  const auto refine_all = [&](std::size_t most_points, int iterations) {
+  const auto refine_all = [&](Density density, int iterations) {
     for (Candidate& candidate : candidates) {
-      candidate.similarity = refine(reference, object, candidate.similarity, ScaleMode::kFree,
-                                    most_points, iterations);
-      candidate.cost = cost_of(reference, object, candidate.similarity, most_points);
+      candidate.similarity =
+          refine(reference, object, candidate.similarity, ScaleMode::kFree, density, iterations);
+      candidate.cost = cost_of(reference, object, candidate.similarity, density);
     }
   };
-  refine_all(1000, 15);
+  refine_all(Density::kFew, 15);
   progress(0.8);
   candidates = distinct(candidates, probes, 0.03 * object.size, 5);
-  refine_all(5000, 10);
+  refine_all(Density::kMany, 10);
   candidates = distinct(candidates, probes, 0.01 * object.size, candidates.size());
   progress(1);
   return candidates;

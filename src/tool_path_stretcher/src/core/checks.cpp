@@ -156,11 +156,12 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
          "scan more of what breaks the part's symmetry");
 }
 
-void check_placement(const std::vector<WaypointQuality>& quality,
+void check_placement(const std::vector<WaypointQuality>& quality, const Surface& object,
                      const StretchParameters& parameters) {
+  constexpr double kSparse = 3;  // spacings: a sparse scan is not a hole
+  const double most_hole = std::max(parameters.max_hole_distance, kSparse * object.spacing);
   const Found holes = find(
-      quality, [](const WaypointQuality& q) { return q.measured ? 0 : q.hole; },
-      parameters.max_hole_distance);
+      quality, [](const WaypointQuality& q) { return q.measured ? 0 : q.hole; }, most_hole);
   if (!holes.waypoints.empty()) {
     refuse(Reason::kPathNotScanned, "object",
            of_all(holes, quality) + " lie where it was not scanned, up to " +

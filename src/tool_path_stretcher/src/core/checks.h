@@ -34,7 +34,7 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
                        const Explanation& other_explanation, const StretchParameters& parameters);
 
 /// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED
-void check_placement(const std::vector<WaypointQuality>& quality,
+void check_placement(const std::vector<WaypointQuality>& quality, const Surface& object,
                      const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypotheses.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -49,10 +48,9 @@ std::vector<Eigen::Matrix3d> even_rotations(int count) {
 }  // namespace
 
 CoarseSurface coarsen(const Surface& surface) {
-  constexpr std::size_t kTreePoints = 2000;
   constexpr std::size_t kQueryPoints = 300;
   CoarseSurface coarse;
-  const Points dense = select(surface.points, spread_evenly(surface.points, kTreePoints));
+  const Points dense = select(surface.points, surface.samples.few);
   coarse.frame = principal_frame(dense);
   coarse.queries = select(dense, spread_evenly(dense, kQueryPoints));
   coarse.tree = std::make_shared<const KdTree>(dense);
@@ -114,35 +112,6 @@ void match(const CoarseSurface& reference, const CoarseSurface& object,
   keep_nearest(back, kReferenceShare);
 }
 
-/// Least squares with the symmetric scale of Horn 1987, which wrong pairs do not shrink.
-Similarity fit(const Points& from, const Points& to) {
-  Eigen::Vector3d from_mean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d to_mean = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    from_mean += from[i];
-    to_mean += to[i];
-  }
-  from_mean /= static_cast<double>(from.size());
-  to_mean /= static_cast<double>(to.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double from_squares = 0;
-  double to_squares = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    covariance += (to[i] - to_mean) * (from[i] - from_mean).transpose();
-    from_squares += (from[i] - from_mean).squaredNorm();
-    to_squares += (to[i] - to_mean).squaredNorm();
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d handed = Eigen::Matrix3d::Identity();
-  handed(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  Similarity result;
-  result.rotation = svd.matrixU() * handed * svd.matrixV().transpose();
-  result.scale = from_squares > 0 ? std::sqrt(to_squares / from_squares) : 1;
-  result.translation = to_mean - result.scale * (result.rotation * from_mean);
-  return result;
-}
-
 }  // namespace
 
 Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,
@@ -161,7 +130,7 @@ Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& 
       from.push_back(reference.queries[pair.query]);
       to.push_back(object.tree->points()[pair.match]);
     }
-    guess = fit(from, to);
+    guess = fit_similarity(from, to);
   }
   match(reference, object, guess, forth, back);
   double squares = 0;

@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "local_surface.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
 #include "robust.h"
 
 namespace tool_path_stretcher {
-namespace {
-
-constexpr int kReweightings = 4;
-
-}  // namespace
-
 LocalSurfaceFitter::LocalSurfaceFitter(const Surface& reference, const Surface& object,
                                        const Mapping& mapping, double radius, int min_support)
     : reference_(reference),
@@ -47,6 +41,53 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_around(
   return heights;
 }
 
+namespace {
+
+/// A plane through heights: solution[0] + (solution[1] x + solution[2] y) / radius.
+struct LinearFit {
+  Eigen::Vector3d solution = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // of the normal equations
+  double rms = 0;                                     // [m] weighted
+};
+
+template <class Heights>
+LinearFit fit_linearly(const Heights& heights, double radius) {
+  constexpr int kReweightings = 4;
+  LinearFit fit;
+  double cut = std::numeric_limits<double>::infinity();
+  const auto row_of = [radius](const auto& height) {
+    return Eigen::Vector3d(1, height.at.x() / radius, height.at.y() / radius);
+  };
+  for (int i = 0; i < kReweightings; ++i) {
+    Eigen::Matrix3d matrix = 1e-9 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+    for (const auto& height : heights) {
+      const Eigen::Vector3d row = row_of(height);
+      const double weight =
+          height.weight * tukey_weight(height.height - row.dot(fit.solution), cut);
+      matrix += weight * row * row.transpose();
+      right_side += weight * height.height * row;
+    }
+    fit.inverse = matrix.inverse();
+    fit.solution = fit.inverse * right_side;
+    std::vector<double> errors;
+    for (const auto& height : heights)
+      errors.push_back(height.height - row_of(height).dot(fit.solution));
+    cut = kTukeyCut * robust_deviation(errors) + 1e-9;
+    double weights = 1e-12;
+    double squares = 0;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const double weight = heights[k].weight * tukey_weight(errors[k], cut);
+      weights += weight;
+      squares += weight * errors[k] * errors[k];
+    }
+    fit.rms = std::sqrt(squares / weights);
+  }
+  return fit;
+}
+
+}  // namespace
+
 LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
   LocalSurface local;
   const std::size_t nearest = reference_.tree->nearest(point).index;
@@ -57,48 +98,21 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
   const std::vector<Height> heights = heights_around(local, tangent, bitangent);
   local.support = heights.size();
-  if (local.support < std::max<std::size_t>(min_support_, 4)) return local;
+  if (local.support < min_support_) return local;
 
-  double cut = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d solution = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < kReweightings; ++i) {
-    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-    double weights = 0;
-    double squares = 0;
-    std::vector<double> errors;
-    for (const Height& height : heights) {
-      const Eigen::Vector3d row(1, height.at.x() / radius_, height.at.y() / radius_);
-      const double error = height.height - row.dot(solution);
-      const double weight = height.weight * (i == 0 ? 1 : tukey_weight(error, cut));
-      matrix += weight * row * row.transpose();
-      right_side += weight * height.height * row;
-    }
-    matrix.diagonal().array() += 1e-9 * matrix.trace() + 1e-12;
-    inverse = matrix.inverse();
-    solution = inverse * right_side;
-    for (const Height& height : heights) {
-      const Eigen::Vector3d row(1, height.at.x() / radius_, height.at.y() / radius_);
-      errors.push_back(height.height - row.dot(solution));
-      const double weight = height.weight * (i == 0 ? 1 : tukey_weight(errors.back(), cut));
-      weights += weight;
-      squares += weight * errors.back() * errors.back();
-    }
-    local.residual = std::sqrt(squares / std::max(weights, 1e-12));
-    cut = kTukeyCut * robust_deviation(errors) + 1e-9;
-  }
+  const LinearFit fit = fit_linearly(heights, radius_);
+  local.residual = fit.rms;
+  local.height = fit.solution[0];
+  local.slope = (fit.solution[1] * tangent + fit.solution[2] * bitangent) / radius_;
   // Errors of neighbouring points are not quite independent: part of the noise stays.
-  constexpr double kCommon = 0.1;
-  const double variance = local.residual * local.residual;
-  local.height = solution[0];
-  local.height_variance = variance * (inverse(0, 0) + kCommon * kCommon);
-  local.slope = (solution[1] * tangent + solution[2] * bitangent) / radius_;
+  constexpr double kCommon = 0.1 * 0.1;
+  const double variance = fit.rms * fit.rms;
+  local.height_variance = variance * (fit.inverse(0, 0) + kCommon);
   local.slope_variance =
-      variance * (0.5 * (inverse(1, 1) + inverse(2, 2)) + kCommon * kCommon) / (radius_ * radius_);
+      variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius_ * radius_);
   // Points on one side only tell little of the height here.
-  constexpr double kMostVariance = 0.5;
-  local.measured = inverse(0, 0) < kMostVariance;
+  constexpr double kMostLeverage = 0.5;
+  local.measured = fit.inverse(0, 0) < kMostLeverage;
   return local;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "complete_surface.h"
 #include "scan_cell_common/errors.h"
 #include "tool_path_stretcher/surface.h"
 
@@ -15,7 +16,7 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 constexpr double kFewestSamples = 20000;
-constexpr double kMostSamples = 200000;
+constexpr double kMostSamples = 100000;
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -118,9 +119,7 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
   Surface surface;
   sample(vertices, triangles, area, count, surface);
   surface.oriented = consistently_wound(triangles);
-  surface.spacing = std::sqrt(area / static_cast<double>(count));
-  surface.tree = std::make_shared<const KdTree>(surface.points);
-  surface.size = principal_frame(surface.points).deviation.norm();
+  complete(surface);
   return surface;
 }
 

@@ -79,18 +79,18 @@ std::vector<std::size_t> spread_evenly(const Points& points, std::size_t most) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points)
     box.extend(point);
-  double least = 0;
-  double greatest = box.diagonal().norm();  // cells so large leave at most eight points
+  // A surface fills cells by the inverse square of their edge.
+  double leaf = box.diagonal().norm() / std::sqrt(static_cast<double>(most));
+  constexpr int kTries = 20;
+  constexpr double kEnough = 0.8;
   std::vector<std::size_t> best;
-  for (int step = 0; step < 12; ++step) {
-    const double leaf = (least + greatest) / 2;
+  for (int i = 0; i < kTries; ++i) {
     std::vector<std::size_t> chosen = one_of_each_cell(points, leaf);
-    if (chosen.size() > most) {
-      least = leaf;
-    } else {
-      greatest = leaf;
-      best = std::move(chosen);
-    }
+    const double share = static_cast<double>(chosen.size()) / static_cast<double>(most);
+    if (share <= 1 && chosen.size() > best.size()) best = std::move(chosen);
+    if (share <= 1 && share >= kEnough) break;
+    constexpr double kAim = 0.9;
+    leaf *= std::sqrt(share / kAim);
   }
   return best;
 }

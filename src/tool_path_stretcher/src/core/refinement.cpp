@@ -13,8 +13,6 @@ namespace {
 using Vector7d = Eigen::Matrix<double, 7, 1>;
 using Matrix7d = Eigen::Matrix<double, 7, 7>;
 
-constexpr double kReach = 3;  // spacings beside a surface, beyond which a point is none of it
-
 /// A point of the mapped reference that should move by `error` along `direction`, in the object's
 /// frame.
 struct Constraint {
@@ -22,49 +20,70 @@ struct Constraint {
   Eigen::Vector3d direction;  // unit length
   double error;               // [m]
 };
+using Constraints = std::vector<Constraint>;
 
-/// What one direction of the comparison asks for.
-struct Constraints {
-  std::vector<Constraint> along_normal;
-  std::vector<Constraint> beside;  // object points past the rim of the reference, or the reverse
-};
-
-/// Splits the way from a mapped reference point to an object point into both kinds.
-void add(const Eigen::Vector3d& mapped, const Eigen::Vector3d& object,
-         const Eigen::Vector3d& normal, double spacing, double reach, Constraints& constraints) {
+/// Adds the way from a mapped reference point to an object point along the first normal, where the
+/// two may be the same place: beside each other by little, and on surfaces that face alike.
+void add_pair(const Eigen::Vector3d& mapped, const Eigen::Vector3d& object,
+              const Eigen::Vector3d& normal, const Eigen::Vector3d& other_normal, double spacing,
+              Constraints& constraints) {
+  constexpr double kReach = 4;         // spacings
+  constexpr double kFacesAlike = 0.7;  // cosine
+  if (std::abs(normal.dot(other_normal)) < kFacesAlike) return;
   const Eigen::Vector3d way = object - mapped;
   const double along = normal.dot(way);
-  const Eigen::Vector3d tangential = way - along * normal;
-  const double beside = tangential.norm() - spacing;
-  if (beside < reach) constraints.along_normal.push_back({mapped, normal, along});
-  if (beside > 0 && beside < reach) {
-    constraints.beside.push_back({mapped, tangential.normalized(), beside});
-  }
+  const double beside = (way - along * normal).norm();
+  if (beside < kReach * spacing) constraints.push_back({mapped, normal, along});
 }
 
-Constraints object_to_reference(const Surface& reference, const Points& object_points,
+Constraints object_to_reference(const Surface& reference, const Surface& object,
+                                const std::vector<std::size_t>& sample,
                                 const Similarity& similarity) {
   Constraints constraints;
-  const double spacing = similarity.scale * reference.spacing;
-  for (const Eigen::Vector3d& point : object_points) {
-    const auto nearest = reference.tree->nearest(similarity.inverse(point));
-    add(similarity * reference.points[nearest.index], point,
-        similarity.rotation * reference.normals[nearest.index], spacing, kReach * spacing,
-        constraints);
+  for (const std::size_t i : sample) {
+    const auto nearest = reference.tree->nearest(similarity.inverse(object.points[i]));
+    add_pair(similarity * reference.points[nearest.index], object.points[i],
+             similarity.rotation * reference.normals[nearest.index], object.normals[i],
+             similarity.scale * reference.spacing, constraints);
   }
   return constraints;
 }
 
-Constraints reference_to_object(const Surface& object, const Points& reference_points,
+Constraints reference_to_object(const Surface& reference, const Surface& object,
+                                const std::vector<std::size_t>& sample,
                                 const Similarity& similarity) {
   Constraints constraints;
-  for (const Eigen::Vector3d& point : reference_points) {
-    const Eigen::Vector3d mapped = similarity * point;
+  for (const std::size_t i : sample) {
+    const Eigen::Vector3d mapped = similarity * reference.points[i];
     const auto nearest = object.tree->nearest(mapped);
-    add(mapped, object.points[nearest.index], object.normals[nearest.index], object.spacing,
-        kReach * object.spacing, constraints);
+    add_pair(mapped, object.points[nearest.index], object.normals[nearest.index],
+             similarity.rotation * reference.normals[i], object.spacing, constraints);
   }
   return constraints;
+}
+
+/// The object's rim should lie on the reference's, but may slide along it.
+Constraints rim_to_rim(const Surface& reference, const Surface& object,
+                       const Similarity& similarity) {
+  constexpr double kReach = 0.08;  // of the object's size
+  Constraints constraints;
+  if (!reference.rim.tree) return constraints;
+  for (const Eigen::Vector3d& point : object.rim.points) {
+    const auto nearest = reference.rim.tree->nearest(similarity.inverse(point));
+    const Eigen::Vector3d mapped = similarity * reference.rim.points[nearest.index];
+    if ((point - mapped).norm() > kReach * object.size) continue;
+    const Eigen::Vector3d outward = similarity.rotation * reference.rim.outward[nearest.index];
+    constraints.push_back({mapped, outward, outward.dot(point - mapped)});
+  }
+  return constraints;
+}
+
+double deviation_of(const Constraints& constraints, double least) {
+  std::vector<double> errors;
+  errors.reserve(constraints.size());
+  for (const Constraint& constraint : constraints)
+    errors.push_back(constraint.error);
+  return std::max(robust_deviation(std::move(errors)), least);
 }
 
 /// Normal equations of a small similarity about `centre`: turn, shift, relative growth.
@@ -72,12 +91,11 @@ class Equations {
  public:
   explicit Equations(const Eigen::Vector3d& centre) : centre_(centre) {}
 
-  /// All constraints together weigh `share`, however many they are.
-  void add(const std::vector<Constraint>& constraints, double cut, double share) {
-    if (constraints.empty()) return;
-    const double each = share / static_cast<double>(constraints.size());
+  /// Each constraint counts by its deviation [m], and not at all far beyond it.
+  void add(const Constraints& constraints, double deviation) {
     for (const Constraint& constraint : constraints) {
-      const double weight = each * tukey_weight(constraint.error, cut);
+      const double weight =
+          tukey_weight(constraint.error, kTukeyCut * deviation) / (deviation * deviation);
       if (weight == 0) continue;
       const Eigen::Vector3d arm = constraint.point - centre_;
       Vector7d row;
@@ -91,7 +109,7 @@ class Equations {
     constexpr double kDamping = 1e-9;  // pins what the surfaces do not show
     Matrix7d matrix = matrix_;
     for (int i = 0; i < 7; ++i)
-      matrix(i, i) += kDamping * matrix_(i, i) + 1e-15;
+      matrix(i, i) += kDamping * matrix_(i, i) + 1e-12;
     Vector7d step = Vector7d::Zero();
     if (mode == ScaleMode::kFixed) {
       step.head<6>() = matrix.topLeftCorner<6, 6>().ldlt().solve(right_side_.head<6>());
@@ -123,40 +141,25 @@ Similarity moved(const Similarity& similarity, const Eigen::Vector3d& centre,
   return result;
 }
 
-double cut_of(const std::vector<Constraint>& constraints, double least) {
-  std::vector<double> errors;
-  for (const Constraint& constraint : constraints)
-    errors.push_back(constraint.error);
-  return std::max(kTukeyCut * robust_deviation(std::move(errors)), least);
-}
-
 }  // namespace
 
 Similarity refine(const Surface& reference, const Surface& object, Similarity start, ScaleMode mode,
-                  std::size_t most_points, int iterations) {
-  constexpr double kWhole = 0.95;  // share of the reference covered, from which its rim counts too
-  constexpr double kBesideShare = 0.1;  // weight of the rims
+                  Density density, int iterations) {
   constexpr double kConverged = 1e-8;
-  const Points object_points = select(object.points, spread_evenly(object.points, most_points));
-  const Points reference_points =
-      select(reference.points, spread_evenly(reference.points, most_points));
-  const Eigen::Vector3d centre = principal_frame(object_points).centroid;
-  const double least_cut = 1e-6 * object.size;
+  constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
+  const auto sample_of = [density](const Surface& surface) -> const std::vector<std::size_t>& {
+    return density == Density::kFew ? surface.samples.few : surface.samples.many;
+  };
+  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
+  const double least = 1e-7 * object.size;
   for (int i = 0; i < iterations; ++i) {
-    const Constraints forth = object_to_reference(reference, object_points, start);
-    const Constraints back = reference_to_object(object, reference_points, start);
+    const Constraints forth = object_to_reference(reference, object, sample_of(object), start);
+    const Constraints back = reference_to_object(reference, object, sample_of(reference), start);
+    const Constraints rim = rim_to_rim(reference, object, start);
     Equations equations(centre);
-    equations.add(forth.along_normal, cut_of(forth.along_normal, least_cut), 1);
-    equations.add(back.along_normal, cut_of(back.along_normal, least_cut), 1);
-    const auto rim_share = [](const Constraints& constraints, std::size_t points) {
-      return kBesideShare * static_cast<double>(constraints.beside.size()) /
-             static_cast<double>(points);
-    };
-    equations.add(forth.beside, kReach * object.spacing, rim_share(forth, object_points.size()));
-    if (static_cast<double>(back.along_normal.size()) >
-        kWhole * static_cast<double>(reference_points.size())) {
-      equations.add(back.beside, kReach * object.spacing, rim_share(back, reference_points.size()));
-    }
+    equations.add(forth, deviation_of(forth, least));
+    equations.add(back, deviation_of(back, least));
+    equations.add(rim, deviation_of(rim, kRimDeviation * object.spacing));
     const Vector7d step = equations.solve(mode);
     start = moved(start, centre, step);
     const double motion =

@@ -50,7 +50,8 @@ Explanation explain(const Surface& reference, const Surface& object, const Mappi
   Explanation result;
   double squares = 0;
   std::size_t inliers = 0;
-  for (const Residual& residual : residuals_of(reference, mapping, object.points)) {
+  for (const Residual& residual :
+       residuals_of(reference, mapping, select(object.points, object.samples.most))) {
     const double distance =
         mapping.similarity.scale * std::hypot(residual.along_normal, residual.beside);
     result.object_distance.push_back(distance);
@@ -59,14 +60,16 @@ Explanation explain(const Surface& reference, const Surface& object, const Mappi
     ++inliers;
   }
   std::size_t covered = 0;
-  for (const Eigen::Vector3d& point : reference.points) {
-    result.reference_distance.push_back(distance_to_scan(object, mapping * point));
+  for (const std::size_t i : reference.samples.most) {
+    result.reference_distance.push_back(distance_to_scan(object, mapping * reference.points[i]));
     if (result.reference_distance.back() <= inlier_distance) ++covered;
   }
   result.noise = robust_deviation(result.object_distance);
   result.rms = inliers == 0 ? 0 : std::sqrt(squares / static_cast<double>(inliers));
-  result.inlier_ratio = static_cast<double>(inliers) / static_cast<double>(object.points.size());
-  result.overlap = static_cast<double>(covered) / static_cast<double>(reference.points.size());
+  result.inlier_ratio =
+      static_cast<double>(inliers) / static_cast<double>(object.samples.most.size());
+  result.overlap =
+      static_cast<double>(covered) / static_cast<double>(reference.samples.most.size());
   return result;
 }
 

@@ -8,7 +8,6 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr std::size_t kPoints = 1500;
 constexpr int kIterations = 6;
 
 /// The start, grown to another scale about the object's centre.
@@ -47,7 +46,7 @@ Scored sweep(const Surface& reference, const Surface& object, const Similarity& 
   for (int i = -steps; i <= steps; ++i) {
     const double tried = scale * (1 + range * i / static_cast<double>(steps));
     const Similarity similarity = refine(reference, object, at_scale(start, tried, centre),
-                                         ScaleMode::kFixed, kPoints, kIterations);
+                                         ScaleMode::kFixed, Density::kFew, kIterations);
     const double score = score_of(reference, object, similarity, inlier_distance);
     if (score > best.score) best = {similarity, score, i};
   }
@@ -57,10 +56,8 @@ Scored sweep(const Surface& reference, const Surface& object, const Similarity& 
 }  // namespace
 
 double principal_scale(const Surface& reference, const Surface& object) {
-  constexpr std::size_t kSpread = 5000;
   const auto deviation = [](const Surface& surface) {
-    return principal_frame(select(surface.points, spread_evenly(surface.points, kSpread)))
-        .deviation[0];
+    return principal_frame(select(surface.points, surface.samples.many)).deviation[0];
   };
   return deviation(object) / deviation(reference);
 }

@@ -62,9 +62,8 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
   std::vector<Fitted> fitted;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].cost > kHopeless * candidates.front().cost) break;
-    const Similarity& similarity = candidates[i].similarity;
-    const Mapping mapping{
-        similarity, fit_smooth_field(reference, object, similarity, parameters.deformation_degree)};
+    const Mapping mapping = fit_smooth_field(reference, object, candidates[i].similarity,
+                                             parameters.deformation_degree);
     fitted.push_back({mapping, explain(reference, object, mapping, parameters.inlier_distance)});
     stages.report("refine",
                   0.5 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(candidates.size()));
@@ -125,7 +124,7 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
       path, reference, object, mapping,
       {parameters.support_radius, parameters.min_support, parameters.method == Method::kGeneral});
   result.quality = placement.quality;
-  check_placement(placement.quality, parameters);
+  check_placement(placement.quality, object, parameters);
   stages.report("done", 1);
   result.path = std::move(placement.path);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "complete_surface.h"
 #include "scan_cell_common/errors.h"
 
 namespace tool_path_stretcher {
@@ -14,6 +15,7 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 constexpr std::size_t kNormalNeighbours = 12;
+constexpr std::size_t kRimNeighbours = 20;
 
 void check_finite(const Points& points, const std::string& name) {
   const auto bad = std::count_if(points.begin(), points.end(),
@@ -34,8 +36,9 @@ void check_extent(const Points& points, const std::string& name) {
                       "give a scan that covers the surface of the part");
 }
 
-/// Normal of the plane through the neighbours (total least squares).
-Eigen::Vector3d normal_of(const Points& points, const std::vector<KdTree::Neighbour>& neighbours) {
+/// Normal of the plane through the nearest neighbours (total least squares).
+Eigen::Vector3d normal_of(const Points& points, std::vector<KdTree::Neighbour> neighbours) {
+  neighbours.resize(std::min(neighbours.size(), kNormalNeighbours));
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& neighbour : neighbours)
     mean += points[neighbour.index];
@@ -50,27 +53,66 @@ Eigen::Vector3d normal_of(const Points& points, const std::vector<KdTree::Neighb
   return solver.eigenvectors().col(0).normalized();
 }
 
-double root_mean_square_radius(const Points& points) {
-  return principal_frame(points).deviation.norm();
+/// Unit vector in the surface away from the neighbours; zero where they lie all around the point.
+/// A smooth surface ends where the directions to the neighbours leave a wide gap.
+Eigen::Vector3d outward_at(const Points& points, const Eigen::Vector3d& at,
+                           const Eigen::Vector3d& normal,
+                           const std::vector<KdTree::Neighbour>& neighbours) {
+  constexpr double kGap = 2.4;  // [rad] 20 neighbours placed at random leave it in 0.2 % of cases
+  const Eigen::Vector3d tangent = normal.unitOrthogonal();
+  const Eigen::Vector3d bitangent = normal.cross(tangent);
+  std::vector<double> angles;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& neighbour : neighbours) {
+    const Eigen::Vector3d way = points[neighbour.index] - at;
+    const Eigen::Vector2d flat(way.dot(tangent), way.dot(bitangent));
+    if (flat.squaredNorm() == 0) continue;
+    angles.push_back(std::atan2(flat.y(), flat.x()));
+    sum += flat.x() * tangent + flat.y() * bitangent;
+  }
+  if (angles.empty()) return Eigen::Vector3d::Zero();
+  std::sort(angles.begin(), angles.end());
+  double gap = angles.front() + 2 * M_PI - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    gap = std::max(gap, angles[i] - angles[i - 1]);
+  return gap > kGap ? Eigen::Vector3d(-sum.normalized()) : Eigen::Vector3d::Zero();
 }
 
-/// Normals of all points, and the typical spacing from the area that the neighbours fill.
-void add_normals(Surface& surface) {
-  std::vector<double> spacings;
-  std::vector<KdTree::Neighbour> neighbours;
-  surface.normals.reserve(surface.points.size());
-  for (const Eigen::Vector3d& point : surface.points) {
-    surface.tree->nearest(point, kNormalNeighbours, neighbours);
-    surface.normals.push_back(normal_of(surface.points, neighbours));
-    spacings.push_back(std::sqrt(M_PI * neighbours.back().squared_distance /
-                                 static_cast<double>(neighbours.size())));
-  }
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  surface.spacing = *middle;
+double middle_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace
+
+void complete(Surface& surface) {
+  const bool needs_normals = surface.normals.empty();
+  surface.tree = std::make_shared<const KdTree>(surface.points);
+  surface.size = principal_frame(surface.points).deviation.norm();
+  std::vector<double> spacings;
+  std::vector<KdTree::Neighbour> neighbours;
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    const Eigen::Vector3d& point = surface.points[i];
+    surface.tree->nearest(point, kRimNeighbours, neighbours);
+    // The area that the neighbours fill, shared among them.
+    spacings.push_back(std::sqrt(M_PI * neighbours.back().squared_distance /
+                                 static_cast<double>(neighbours.size())));
+    if (needs_normals) surface.normals.push_back(normal_of(surface.points, neighbours));
+    const Eigen::Vector3d outward =
+        outward_at(surface.points, point, surface.normals[i], neighbours);
+    if (outward.isZero()) continue;
+    surface.rim.points.push_back(point);
+    surface.rim.outward.push_back(outward);
+  }
+  surface.spacing = middle_of(std::move(spacings));
+  if (!surface.rim.points.empty()) {
+    surface.rim.tree = std::make_shared<const KdTree>(surface.rim.points);
+  }
+  surface.samples.most = spread_evenly(surface.points, 20000);
+  surface.samples.many = spread_evenly(surface.points, 6000);
+  surface.samples.few = spread_evenly(surface.points, 1000);
+}
 
 Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
                            const std::string& name) {
@@ -79,9 +121,7 @@ Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
   Surface surface;
   surface.points = reduce_on_grid(cloud, leaf);
   check_extent(surface.points, name);
-  surface.tree = std::make_shared<const KdTree>(surface.points);
-  surface.size = root_mean_square_radius(surface.points);
-  add_normals(surface);
+  complete(surface);
   return surface;
 }
 

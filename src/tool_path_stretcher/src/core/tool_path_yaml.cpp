@@ -70,9 +70,9 @@ class Reader {
 
   /// An alias can make a small text stand for an endless one.
   void count_visit(const YAML::Node& node) {
-    constexpr std::size_t kMostNodes = 20000000;
+    constexpr std::size_t kMostNodes = 3000000;
     if (++visited_ > kMostNodes) {
-      throw UnusableInput(where(node), "more than 20 million entries", "give a shorter path");
+      throw UnusableInput(where(node), "more than 3 million entries", "give a shorter path");
     }
   }
 

@@ -1,11 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conversions.h"
+#include "tool_path_stretcher/ros/conversions.h"
 
 #include <cmath>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "tool_path_stretcher/report.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -171,6 +172,7 @@ scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
   message.rms = result.rms;
   message.inlier_ratio = result.inlier_ratio;
   message.seconds = result.seconds;
+  message.report = report_to_json(result);
   return message;
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stretch_server.h"
 
-#include "conversions.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
+#include "tool_path_stretcher/ros/conversions.h"
 
 namespace tool_path_stretcher {
 

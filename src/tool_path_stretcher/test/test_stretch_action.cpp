@@ -1,0 +1,205 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <actionlib/client/simple_action_client.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Path.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/StretchToolPathAction.h>
+#include <sys/wait.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cstdlib>
+#include <mutex>
+
+#include "scan_cell_common/ros/cloud_messages.h"
+#include "scan_cell_common/ros/conversions.h"
+#include "synthetic_parts.h"
+
+using scan_cell_msgs::StretchToolPathGoal;
+using scan_cell_msgs::StretchVerdict;
+using Client = actionlib::SimpleActionClient<scan_cell_msgs::StretchToolPathAction>;
+using State = actionlib::SimpleClientGoalState;
+
+namespace {
+
+constexpr double kLong = 120;  // [s] for a busy machine
+constexpr std::size_t kWaypoints = 60;
+
+sensor_msgs::PointCloud2 cloud_message(const synthetic::Points& points) {
+  scan_cell_common::Cloud cloud;
+  for (const Eigen::Vector3d& p : points) {
+    cloud.push_back(
+        {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+  }
+  std_msgs::Header header;
+  header.frame_id = "world";
+  return scan_cell_common::to_message(cloud, header);
+}
+
+scan_cell_msgs::ToolPath path_message(const synthetic::ToolPath& path) {
+  scan_cell_msgs::ToolPath message;
+  message.name = path.name;
+  message.has_orientation = path.has_orientation;
+  message.process_names = path.process_names;
+  for (const auto& segment : path.segments) {
+    message.segments.emplace_back();
+    message.segments.back().name = segment.name;
+    for (const auto& waypoint : segment.waypoints) {
+      scan_cell_msgs::ToolPathWaypoint to;
+      to.pose = scan_cell_common::to_ros_pose(waypoint.pose);
+      to.process_values = waypoint.process_values;
+      message.segments.back().waypoints.push_back(to);
+    }
+  }
+  return message;
+}
+
+class StretchAction : public testing::Test {
+ protected:
+  StretchAction() : client_("/tool_path_stretcher/stretch", true) {
+    EXPECT_TRUE(client_.waitForServer(ros::Duration(kLong)));
+  }
+
+  StretchToolPathGoal goal(const synthetic::Part& scanned) const {
+    synthetic::Scan whole;
+    whole.seed = 11;
+    StretchToolPathGoal goal;
+    goal.reference = cloud_message(synthetic::scan(part_, {}, synthetic::no_deformation(), whole));
+    goal.object = cloud_message(synthetic::scan(scanned, moved_, synthetic::no_deformation(), {}));
+    goal.path = path_message(path_);
+    return goal;
+  }
+
+  /// The result, after exactly one terminal state.
+  scan_cell_msgs::StretchToolPathResult finish(const StretchToolPathGoal& goal, State expected) {
+    client_.sendGoal(goal);
+    EXPECT_TRUE(client_.waitForResult(ros::Duration(kLong)));
+    EXPECT_EQ(client_.getState().toString(), expected.toString());
+    return *client_.getResult();
+  }
+
+  synthetic::Part part_ = synthetic::photo_frame();
+  synthetic::ToolPath path_ = synthetic::path_on(part_, kWaypoints);
+  tool_path_stretcher::Similarity moved_ = synthetic::similarity(
+      1.08, Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitZ()).toRotationMatrix(), {0.3, 0.1, 0});
+  Client client_;
+};
+
+/// The latest message of a latched topic.
+template <class Message>
+boost::shared_ptr<Message const> latched(const std::string& topic) {
+  return ros::topic::waitForMessage<Message>(topic, ros::Duration(kLong));
+}
+
+}  // namespace
+
+TEST_F(StretchAction, AdaptsThePathAndShowsIt) {
+  const auto result = finish(goal(part_), State::SUCCEEDED);
+  EXPECT_EQ(result.verdict.reason, StretchVerdict::ACCEPTED);
+  EXPECT_EQ(result.verdict.name, "accepted");
+  EXPECT_EQ(result.quality.size(), kWaypoints);
+  EXPECT_NEAR(result.similarity.scale, 1.08, 0.001);
+  EXPECT_EQ(result.path.header.frame_id, "world");
+  const auto truth = synthetic::truth(path_, moved_, synthetic::no_deformation());
+  ASSERT_EQ(result.path.segments.size(), truth.segments.size());
+  for (std::size_t s = 0; s < truth.segments.size(); ++s) {
+    ASSERT_EQ(result.path.segments[s].waypoints.size(), truth.segments[s].waypoints.size());
+    for (std::size_t w = 0; w < truth.segments[s].waypoints.size(); ++w) {
+      const auto& is = result.path.segments[s].waypoints[w];
+      const auto& should = truth.segments[s].waypoints[w];
+      EXPECT_LT(
+          (scan_cell_common::from_ros(is.pose).translation() - should.pose.translation()).norm(),
+          0.0003);
+      EXPECT_EQ(is.process_values, should.process_values);
+    }
+  }
+  const auto shown = latched<nav_msgs::Path>("/tool_path_stretcher/adapted_path");
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->poses.size(), kWaypoints);
+  ASSERT_TRUE(latched<nav_msgs::Path>("/tool_path_stretcher/reference_path"));
+  const auto markers = latched<visualization_msgs::MarkerArray>("/tool_path_stretcher/markers");
+  ASSERT_TRUE(markers);
+  EXPECT_EQ(markers->markers.at(0).points.size(), 2 * kWaypoints);
+  EXPECT_EQ(markers->markers.at(0).color.g, 1);
+  EXPECT_TRUE(latched<sensor_msgs::PointCloud2>("/tool_path_stretcher/object"));
+  EXPECT_TRUE(latched<sensor_msgs::PointCloud2>("/tool_path_stretcher/reference"));
+}
+
+TEST_F(StretchAction, RefusesAWrongPartWithAReasonAndNoPath) {
+  const auto result = finish(goal(synthetic::box_lid()), State::ABORTED);
+  EXPECT_EQ(result.verdict.reason, StretchVerdict::WRONG_PART);
+  EXPECT_EQ(result.verdict.name, "wrong_part");
+  EXPECT_FALSE(result.verdict.message.empty());
+  EXPECT_TRUE(result.path.segments.empty());
+  const auto shown = latched<nav_msgs::Path>("/tool_path_stretcher/adapted_path");
+  ASSERT_TRUE(shown);
+  EXPECT_TRUE(shown->poses.empty());
+}
+
+TEST_F(StretchAction, RefusesUnusableInputByName) {
+  StretchToolPathGoal empty = goal(part_);
+  empty.object = cloud_message({});
+  EXPECT_EQ(finish(empty, State::ABORTED).verdict.reason, StretchVerdict::UNUSABLE_INPUT);
+  StretchToolPathGoal method = goal(part_);
+  method.method = "magic";
+  const auto refused = finish(method, State::ABORTED);
+  EXPECT_EQ(refused.verdict.reason, StretchVerdict::UNUSABLE_INPUT);
+  EXPECT_NE(refused.verdict.message.find("magic"), std::string::npos);
+  StretchToolPathGoal turned = goal(part_);
+  turned.path.segments[0].waypoints[2].pose.orientation.w = 5;
+  EXPECT_NE(finish(turned, State::ABORTED).verdict.message.find("segment 0 waypoint 2"),
+            std::string::npos);
+  StretchToolPathGoal frames = goal(part_);
+  frames.object.header.frame_id = "elsewhere";
+  EXPECT_NE(finish(frames, State::ABORTED).verdict.message.find("elsewhere"), std::string::npos);
+  StretchToolPathGoal no_path = goal(part_);
+  no_path.path.segments.clear();
+  EXPECT_EQ(finish(no_path, State::ABORTED).verdict.reason, StretchVerdict::UNUSABLE_INPUT);
+}
+
+TEST_F(StretchAction, UsesTheMethodOfTheGoal) {
+  StretchToolPathGoal affine = goal(part_);
+  affine.method = "affine";
+  EXPECT_EQ(finish(affine, State::SUCCEEDED).verdict.reason, StretchVerdict::ACCEPTED);
+}
+
+TEST_F(StretchAction, EndsSoonWhenCancelledAndTellsItsStages) {
+  std::mutex mutex;
+  std::vector<std::string> stages;
+  std::vector<double> progress;
+  client_.sendGoal(goal(part_), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                   [&](const scan_cell_msgs::StretchToolPathFeedbackConstPtr& feedback) {
+                     const std::lock_guard<std::mutex> lock(mutex);
+                     stages.push_back(feedback->stage);
+                     progress.push_back(feedback->progress);
+                     client_.cancelGoal();
+                   });
+  ASSERT_TRUE(client_.waitForResult(ros::Duration(kLong)));
+  EXPECT_EQ(client_.getState().toString(), State(State::PREEMPTED).toString());
+  EXPECT_EQ(client_.getResult()->verdict.reason, StretchVerdict::CANCELLED);
+  EXPECT_TRUE(client_.getResult()->path.segments.empty());
+  const std::lock_guard<std::mutex> lock(mutex);
+  EXPECT_FALSE(stages.empty());
+  EXPECT_LT(progress.back(), 1);
+}
+
+TEST(StretchNode, RefusesToStartOnABadParameter) {
+  const auto start = [](const std::string& parameter) {
+    const std::string command =
+        std::string(STRETCHER_NODE) + " __name:=refused _" + parameter + " > /dev/null 2>&1";
+    const int status = std::system(command.c_str());
+    ros::NodeHandle().deleteParam("/refused");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  EXPECT_EQ(start("tolerance:=-1"), 1);
+  EXPECT_EQ(start("method:=magic"), 1);
+  EXPECT_EQ(start("leaf:=[0.002]"), 1);
+  EXPECT_EQ(start("tolerence:=0.001"), 1);
+}
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "test_stretch_action");
+  const ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,344 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+#include "synthetic_parts.h"
+#include "tool_path_stretcher/report.h"
+#include "tool_path_stretcher/stretcher.h"
+#include "tool_path_stretcher/tool_path_files.h"
+
+using namespace tool_path_stretcher;
+using synthetic::Part;
+
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+constexpr std::size_t kWaypoints = 200;
+
+Eigen::Matrix3d about_vertical(double degrees) {
+  return Eigen::AngleAxisd(degrees * kDegree, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/// One case with its truth; tests change what they are about.
+struct Case {
+  Part part = synthetic::photo_frame();
+  Part scanned_part = part;
+  Similarity moved = synthetic::similarity(1.08, about_vertical(30), {0.4, -0.2, 0.1});
+  synthetic::Deformation deformation = synthetic::no_deformation();
+  synthetic::Scan scan;
+  StretchParameters parameters;
+  ToolPath path = synthetic::path_on(part, kWaypoints);
+
+  Surface reference() const {
+    synthetic::Scan whole;
+    whole.seed = 11;
+    return surface_from_cloud(synthetic::scan(part, {}, synthetic::no_deformation(), whole),
+                              parameters.leaf, "reference");
+  }
+
+  Surface object() const {
+    return surface_from_cloud(synthetic::scan(scanned_part, moved, deformation, scan),
+                              parameters.leaf, "object");
+  }
+
+  StretchResult run(const Progress& progress = {}) const {
+    return stretch(reference(), object(), path, parameters, progress);
+  }
+
+  synthetic::PathError error(const StretchResult& result) const {
+    return synthetic::error_of(result.path, synthetic::truth(path, moved, deformation));
+  }
+};
+
+void expect_refused(const StretchResult& result, Reason reason) {
+  EXPECT_EQ(to_string(result.verdict.reason), to_string(reason)) << result.verdict.message;
+  EXPECT_TRUE(result.path.segments.empty());
+  EXPECT_FALSE(result.verdict.message.empty());
+}
+
+void expect_adapted(const Case& each, double position_rms, double orientation_rms) {
+  const StretchResult result = each.run();
+  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+  const synthetic::PathError error = each.error(result);
+  EXPECT_LE(error.rms, position_rms);
+  EXPECT_LE(error.orientation, orientation_rms);
+}
+
+}  // namespace
+
+TEST(Stretcher, StandsAnyRotationAboutTheVertical) {
+  for (const double degrees : {0.0, 95.0, 178.0, 260.0, 359.0}) {
+    SCOPED_TRACE(degrees);
+    Case each;
+    each.moved.rotation = about_vertical(degrees);
+    expect_adapted(each, 0.0001, 0.5 * kDegree);
+  }
+}
+
+TEST(Stretcher, StandsAnyRotationAndScale) {
+  const std::vector<double> scales = {0.5, 0.8, 1.25, 2.0};
+  for (unsigned i = 0; i < scales.size(); ++i) {
+    SCOPED_TRACE(scales[i]);
+    Case frame;
+    frame.moved = synthetic::similarity(scales[i], synthetic::random_rotation(i + 1), {5, -3, 2});
+    expect_adapted(frame, 0.0001, 1.0 * kDegree);
+    Case panel;
+    panel.part = panel.scanned_part = synthetic::curved_panel();
+    panel.path = synthetic::path_on(panel.part, kWaypoints);
+    panel.moved = synthetic::similarity(scales[i], synthetic::random_rotation(i + 31), {5, -3, 2});
+    expect_adapted(panel, 0.0003, 1.0 * kDegree);
+  }
+}
+
+TEST(Stretcher, FindsThePoseFromTheOneSmallFeatureOfABentHalfSeenFrame) {
+  for (const double degrees : {20.0, 200.0}) {
+    SCOPED_TRACE(degrees);
+    Case each;
+    each.moved.rotation = about_vertical(degrees);
+    each.deformation = synthetic::bend(0.004, 0.200);
+    each.scan.view = {0.6, 0, 1};
+    each.scan.least_facing = 0.6;
+    expect_adapted(each, 0.0003, 1.0 * kDegree);
+  }
+}
+
+TEST(Stretcher, IsNotMisledByUnevenDensity) {
+  Case each;
+  each.scan.uneven = true;
+  expect_adapted(each, 0.0001, 0.5 * kDegree);
+}
+
+TEST(Stretcher, FollowsABentPanel) {
+  Case each;
+  each.part = each.scanned_part = synthetic::curved_panel();
+  each.path = synthetic::path_on(each.part, kWaypoints);
+  each.deformation = synthetic::bend(0.004, 0.300);
+  expect_adapted(each, 0.0006, 1.0 * kDegree);
+}
+
+TEST(Stretcher, FollowsNoDeformationWhereThereIsNone) {
+  const Case each;
+  const StretchResult result = each.run();
+  EXPECT_EQ(result.deformation_degree, 0);
+  for (const WaypointQuality& quality : result.quality)
+    EXPECT_LT(quality.displacement, 0.0001);
+}
+
+TEST(Stretcher, SetsThePathIntoALocalDent) {
+  Case each;
+  // A dent of 1 mm, narrower than any smooth field of the whole part follows.
+  each.deformation = [](const Eigen::Vector3d& at) {
+    const double away = std::hypot(at.x() + 0.0875, at.y() - 0.01) / 0.015;
+    return Eigen::Vector3d(0, 0, -0.001 * std::exp(-away * away));
+  };
+  expect_adapted(each, 0.0002, 2.0 * kDegree);
+}
+
+TEST(Stretcher, KeepsOrderCountNamesAndProcessValues) {
+  const Case each;
+  const StretchResult result = each.run();
+  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+  EXPECT_EQ(result.path.name, each.path.name);
+  EXPECT_EQ(result.path.process_names, each.path.process_names);
+  ASSERT_EQ(result.path.segments.size(), each.path.segments.size());
+  ASSERT_EQ(result.quality.size(), kWaypoints);
+  for (std::size_t s = 0; s < each.path.segments.size(); ++s) {
+    const Segment& before = each.path.segments[s];
+    const Segment& after = result.path.segments[s];
+    EXPECT_EQ(before.name, after.name);
+    ASSERT_EQ(before.waypoints.size(), after.waypoints.size());
+    for (std::size_t w = 0; w < before.waypoints.size(); ++w) {
+      EXPECT_EQ(before.waypoints[w].process_values, after.waypoints[w].process_values);
+      const Eigen::Matrix3d rotation = after.waypoints[w].pose.linear();
+      EXPECT_TRUE((rotation.transpose() * rotation).isIdentity(1e-12));
+    }
+    const auto quaternions = continuous_quaternions(after);
+    for (std::size_t w = 1; w < quaternions.size(); ++w)
+      EXPECT_GE(quaternions[w].dot(quaternions[w - 1]), 0);
+  }
+}
+
+TEST(Stretcher, LeavesAPathWithoutOrientationWithout) {
+  Case each;
+  each.path.has_orientation = false;
+  for (Segment& segment : each.path.segments) {
+    for (Waypoint& waypoint : segment.waypoints)
+      waypoint.pose.linear().setIdentity();
+  }
+  const StretchResult result = each.run();
+  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+  EXPECT_FALSE(result.path.has_orientation);
+  EXPECT_TRUE(result.path.segments[0].waypoints[0].pose.linear().isIdentity(0));
+}
+
+TEST(Stretcher, GivesTheSameBytesForTheSameInput) {
+  Case each;
+  each.deformation = synthetic::bend(0.004, 0.200);
+  const std::string first = tool_path_to_csv(each.run().path);
+  EXPECT_GT(first.size(), 1000U);
+  EXPECT_EQ(first, tool_path_to_csv(each.run().path));
+}
+
+TEST(AffineMethod, FindsTheScaleAndMovesThePathTheRightWay) {
+  Case each;
+  each.parameters.method = Method::kAffine;
+  each.moved = synthetic::similarity(0.9, synthetic::random_rotation(5), {0.1, 0.2, 0.3});
+  expect_adapted(each, 0.0002, 0.5 * kDegree);
+}
+
+TEST(AffineMethod, SaysWhereTheBestScaleIsAnEndOfTheRange) {
+  Case each;
+  each.parameters.method = Method::kAffine;
+  each.parameters.scale_range = 0.002;
+  each.scan.uneven = true;  // the principal axes are biased by more than the range
+  expect_refused(each.run(), Reason::kScaleAtBound);
+}
+
+TEST(AffineMethod, IsRefusedWhereTheObjectIsBent) {
+  Case each;
+  each.parameters.method = Method::kAffine;
+  each.deformation = synthetic::bend(0.006, 0.200);
+  const StretchResult result = each.run();
+  EXPECT_FALSE(result.verdict.accepted());
+  EXPECT_TRUE(result.path.segments.empty());
+}
+
+TEST(Refusal, OfAWrongPart) {
+  Case panel;
+  panel.scanned_part = synthetic::curved_panel();
+  expect_refused(panel.run(), Reason::kWrongPart);
+  Case box;
+  box.scanned_part = synthetic::box_lid();
+  expect_refused(box.run(), Reason::kWrongPart);
+}
+
+TEST(Refusal, OfASymmetricPart) {
+  Case each;
+  each.part = each.scanned_part = synthetic::photo_frame(0);
+  expect_refused(each.run(), Reason::kAmbiguous);
+}
+
+TEST(Refusal, OfAScaleOutOfBounds) {
+  Case each;
+  each.moved.scale = 2.6;
+  expect_refused(each.run(), Reason::kScaleAtBound);
+}
+
+TEST(Refusal, OfCloudsInDifferentUnits) {
+  Case each;
+  each.moved.scale = 1000;
+  each.scan.noise = 0.1;
+  const StretchResult result = each.run();
+  expect_refused(result, Reason::kUnusableInput);
+  EXPECT_NE(result.verdict.message.find("millimetres"), std::string::npos);
+}
+
+TEST(Refusal, OfAPathOffTheReferenceNamesTheWaypoints) {
+  Case each;
+  each.path.segments[1].waypoints[3].pose.translation().z() += 0.5;
+  const StretchResult result = each.run();
+  expect_refused(result, Reason::kPathOffReference);
+  EXPECT_EQ(result.verdict.waypoints, std::vector<std::size_t>{kWaypoints / 2 + 3});
+}
+
+TEST(Refusal, OfAPathThatWasNotScannedNamesTheWaypoints) {
+  Case each;
+  const auto is_hole = [](const Eigen::Vector3d& at) { return at.x() > 0.02 && at.y() < -0.03; };
+  each.scan.is_hole = is_hole;
+  const StretchResult result = each.run();
+  expect_refused(result, Reason::kPathNotScanned);
+  std::size_t index = 0;
+  std::vector<std::size_t> inside;
+  for (const Segment& segment : each.path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      if (is_hole(waypoint.pose.translation())) inside.push_back(index);
+      ++index;
+    }
+  }
+  ASSERT_FALSE(result.verdict.waypoints.empty());
+  for (const std::size_t waypoint : result.verdict.waypoints)
+    EXPECT_EQ(std::count(inside.begin(), inside.end(), waypoint), 1) << waypoint;
+}
+
+TEST(Stretcher, InfersWaypointsOverASmallHoleAndFlagsThem) {
+  Case each;
+  each.scan.is_hole = [](const Eigen::Vector3d& at) {
+    return at.y() < -0.05 && std::abs(at.x()) < 0.008;
+  };
+  const StretchResult result = each.run();
+  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+  EXPECT_LE(each.error(result).max, 0.0003);
+  const auto inferred = std::count_if(result.quality.begin(), result.quality.end(),
+                                      [](const WaypointQuality& q) { return !q.measured; });
+  EXPECT_GE(inferred, 2);
+  EXPECT_LE(inferred, 8);
+}
+
+TEST(Refusal, OfTooFewPoints) {
+  Case each;
+  each.scan.points = 100;
+  expect_refused(each.run(), Reason::kTooFewPoints);
+}
+
+TEST(Refusal, OfUnusablePaths) {
+  Case each;
+  each.path.segments.clear();
+  expect_refused(each.run(), Reason::kUnusableInput);
+  Case nan;
+  nan.path.segments[0].waypoints[0].pose.translation().x() = std::nan("");
+  expect_refused(nan.run(), Reason::kUnusableInput);
+}
+
+TEST(Refusal, OfAToleranceThatIsExceeded) {
+  Case each;
+  each.deformation = synthetic::bend(0.004, 0.200);
+  each.parameters.max_displacement = 0.0005;
+  const StretchResult result = each.run();
+  expect_refused(result, Reason::kToleranceExceeded);
+  EXPECT_FALSE(result.verdict.waypoints.empty());
+}
+
+TEST(Stretcher, CanBeCancelledAtEveryStage) {
+  const Case each;
+  std::vector<std::string> stages;
+  each.run([&stages](const std::string& stage, double) {
+    stages.push_back(stage);
+    return true;
+  });
+  ASSERT_GE(stages.size(), 5U);
+  for (std::size_t stop = 0; stop < stages.size(); ++stop) {
+    std::size_t calls = 0;
+    const StretchResult result =
+        each.run([&calls, stop](const std::string&, double) { return calls++ < stop; });
+    expect_refused(result, Reason::kCancelled);
+    EXPECT_EQ(calls, stop + 1);
+  }
+}
+
+TEST(Stretcher, ReportsProgressThatOnlyRises) {
+  double last = 0;
+  const Case each;
+  each.run([&last](const std::string&, double progress) {
+    EXPECT_GE(progress, last);
+    last = progress;
+    return true;
+  });
+  EXPECT_EQ(last, 1);
+}
+
+TEST(StretchParameters, AreRefusedByName) {
+  const Case each;
+  StretchParameters parameters;
+  parameters.max_scale = 0.1;
+  EXPECT_THROW(check(parameters), scan_cell_common::InvalidParameter);
+  parameters = {};
+  parameters.leaf.y() = 0;
+  EXPECT_THROW(check(parameters), scan_cell_common::InvalidParameter);
+  parameters = {};
+  parameters.tolerance = std::nan("");
+  EXPECT_THROW(check(parameters), scan_cell_common::InvalidParameter);
+  EXPECT_THROW(method_from_string("magic"), scan_cell_common::InvalidParameter);
+}
