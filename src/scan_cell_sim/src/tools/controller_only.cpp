@@ -3,8 +3,11 @@
 
 /// The emulated robot controller alone, for people who want to try the driver without a camera.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
+#include <cstring>
 #include <iostream>
+#include <vector>
 
 #include "scan_cell_sim/controller/controller.h"
 
@@ -14,6 +17,15 @@ namespace {
 void wait_for_end(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
+}
+
+/// roslaunch adds names for ROS (__name:=...), which mean nothing here.
+std::vector<char*> without_ros_names(int argc, char** argv) {
+  std::vector<char*> rest(argv, argv + argc);
+  rest.erase(std::remove_if(rest.begin(), rest.end(),
+                            [](const char* word) { return std::strstr(word, ":=") != nullptr; }),
+             rest.end());
+  return rest;
 }
 
 }  // namespace
@@ -43,7 +55,8 @@ int main(int argc, char** argv) {
   app.add_option("--delayed", faults.to_client.delayed, "probability that it is overtaken")
       ->capture_default_str();
   app.add_option("--delay", delay_ms, "[ms] of a delayed datagram")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  const std::vector<char*> words = without_ros_names(argc, argv);
+  CLI11_PARSE(app, static_cast<int>(words.size()), words.data());
   options.stream_period = stream_period_ms * 1e-3;
   options.noise.position = noise_mm * 1e-3;
   options.noise.orientation = noise_deg * M_PI / 180;

@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
+#include "scan_cell_sim/controller/controller_parameters.h"
 #include "scan_cell_sim/controller/datagram.h"
 #include "scan_cell_sim/controller/motion_control.h"
-#include "scan_cell_sim/controller/wire_pose.h"
 
 namespace scan_cell_sim {
 
@@ -55,7 +55,7 @@ class ProtocolServer {
   std::optional<std::string> stream(Nanoseconds now);
 
   const std::optional<Peer>& client() const { return client_; }
-  double stream_period() const { return stream_period_; }
+  double stream_period() const { return parameters_.stream_period(); }
   DriftingClock& clock() { return clock_; }
 
  private:
@@ -64,14 +64,11 @@ class ProtocolServer {
   Json reply(const Json& request, const Peer& from, Nanoseconds now);
   void open(const Json& request, const Peer& from, Nanoseconds now);
   Json perform(const Json& request, Nanoseconds now);
-  Json get_parameter(const std::string& name) const;
-  void set_parameter(const std::string& name, const Json& value, Nanoseconds now);
-  void set_speed_parameter(const std::string& name, double value, Nanoseconds now);
   Json state(const MotionState& truth, Nanoseconds now);
   Eigen::Isometry3d measured(const Eigen::Isometry3d& flange);
 
   MotionControl& motion_;
-  double stream_period_;  // [s]
+  ControllerParameters parameters_;
   MeasurementNoise noise_;
   std::mt19937 random_;
   DriftingClock clock_;
@@ -83,9 +80,6 @@ class ProtocolServer {
   Nanoseconds last_heard_ = 0;
   std::uint64_t streamed_ = 0;
   Nanoseconds last_moving_ = 0;
-  WireSix base_frame_{};
-  WireSix tool_frame_{};
-  WireSix user_frame_{};
 };
 
 }  // namespace scan_cell_sim

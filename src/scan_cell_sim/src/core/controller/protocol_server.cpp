@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scan_cell_sim/controller/wire_json.h"
+
 namespace scan_cell_sim {
 namespace {
 
@@ -18,54 +20,18 @@ constexpr Nanoseconds kClientSilence = 1'000'000'000;
 constexpr Nanoseconds kStreamTail = 200'000'000;
 constexpr double kPercent = 0.01;
 constexpr double kMillimetre = 1e-3;
-constexpr double kDegree = M_PI / 180;
 
-double number(const json& value, const std::string& name, double least, double most) {
-  if (!value.is_number()) throw ControllerRefusal(Code::Malformed, name + " is not a number");
-  const auto result = value.get<double>();
-  if (result >= least && result <= most) return result;
-  throw ControllerRefusal(Code::OutOfRange,
-                          name + " is outside " + json(least).dump() + " .. " + json(most).dump());
+/// [Hz]
+double camera_rate(const json& request) {
+  constexpr double kMost = 1e5;
+  return number(entry(request, "camera_fps"), "camera_fps", 0, kMost);
 }
 
-const json& entry(const json& request, const std::string& name) {
-  const auto found = request.find(name);
-  if (found == request.end()) throw ControllerRefusal(Code::Malformed, name + " is missing");
-  return *found;
-}
-
-double number(const json& request, const char* name, double least, double most) {
-  return number(entry(request, name), std::string(name), least, most);
-}
-
-std::string text(const json& value, const std::string& name) {
-  if (!value.is_string()) throw ControllerRefusal(Code::Malformed, name + " is not a text");
-  return value.get<std::string>();
-}
-
-WireSix six(const json& value, const std::string& name) {
-  constexpr double kMost = 1e6;
-  if (!value.is_array() || value.size() != 6) {
-    throw ControllerRefusal(Code::Malformed, name + " is not six numbers");
-  }
-  WireSix result{};
-  for (std::size_t i = 0; i < 6; ++i)
-    result[i] = number(value[i], name, -kMost, kMost);
-  return result;
-}
-
-std::uint64_t whole(const json& request, const char* name) {
-  const json& value = entry(request, name);
-  if (!value.is_number_unsigned()) {
-    throw ControllerRefusal(Code::Malformed, std::string(name) + " is not a whole number");
-  }
-  return value.get<std::uint64_t>();
-}
-
+/// @param linear, angular steps in a unit @param first_angle where the angles begin
 WireSix rounded(WireSix values, double linear, double angular, int first_angle) {
   for (int i = 0; i < 6; ++i) {
-    const double unit = i < first_angle ? linear : angular;
-    values[i] = std::round(values[i] / unit) * unit;
+    const double steps = i < first_angle ? linear : angular;
+    values[i] = std::round(values[i] * steps) / steps;
   }
   return values;
 }
@@ -106,7 +72,7 @@ void DriftingClock::set_drift(double drift, Nanoseconds host) {
 ProtocolServer::ProtocolServer(MotionControl& motion, double stream_period,
                                const MeasurementNoise& noise, Nanoseconds start)
     : motion_(motion),
-      stream_period_(stream_period),
+      parameters_(motion, stream_period),
       noise_(noise),
       random_(noise.seed),
       clock_(start) {}
@@ -139,8 +105,8 @@ json ProtocolServer::reply(const json& request, const Peer& from, Nanoseconds no
     throw ControllerRefusal(Code::Version, "this controller speaks version 1");
   }
   const std::string command = text(entry(request, "cmd"), "cmd");
-  const std::uint64_t session = whole(request, "session");
-  const std::uint64_t seq = whole(request, "seq");
+  const std::uint64_t session = whole(entry(request, "session"), "session");
+  const std::uint64_t seq = whole(entry(request, "seq"), "seq");
   const bool from_client = client_ && from == *client_;
   if (command == "OPEN" && !(from_client && session == session_)) open(request, from, now);
   if (!client_ || !(from == *client_) || session != session_) {
@@ -159,7 +125,7 @@ json ProtocolServer::reply(const json& request, const Peer& from, Nanoseconds no
 }
 
 void ProtocolServer::open(const json& request, const Peer& from, Nanoseconds now) {
-  const std::uint64_t session = whole(request, "session");
+  const std::uint64_t session = whole(entry(request, "session"), "session");
   if (client_ && !(from == *client_)) {
     throw ControllerRefusal(Code::Busy, "another client has the controller");
   }
@@ -175,26 +141,25 @@ void ProtocolServer::open(const json& request, const Peer& from, Nanoseconds now
 }
 
 json ProtocolServer::perform(const json& request, Nanoseconds now) {
-  constexpr double kMostRate = 1e5;
   const std::string command = request["cmd"].get<std::string>();
   if (command.compare(0, 4, "MOVE") == 0)
     last_moving_ = now;  // the shortest motion is streamed too
   if (command == "MOVE_CARTESIAN") {
     motion_.move_to_pose(last_seq_, pose_from_wire(six(entry(request, "pose"), "pose")),
-                         number(request, "camera_fps", 0, kMostRate), now);
+                         camera_rate(request), now);
   } else if (command == "MOVE_JOINT") {
     motion_.move_to_joints(last_seq_, joints_from_wire(six(entry(request, "joints"), "joints")),
-                           number(request, "camera_fps", 0, kMostRate), now);
+                           camera_rate(request), now);
   } else if (command == "STOP") {
     motion_.stop(std::nullopt, now);
   } else if (command == "SET_OVERRIDE") {
-    set_parameter("override", entry(request, "override"), now);
+    parameters_.set("override", entry(request, "override"), now);
   } else if (command == "SET_LINSPEED") {
-    set_parameter("linear_speed", entry(request, "linear_speed"), now);
+    parameters_.set("linear_speed", entry(request, "linear_speed"), now);
   } else if (command == "GET_PARAMETER") {
-    return {{"value", get_parameter(text(entry(request, "name"), "name"))}};
+    return {{"value", parameters_.get(text(entry(request, "name"), "name"))}};
   } else if (command == "SET_PARAMETER") {
-    set_parameter(text(entry(request, "name"), "name"), entry(request, "value"), now);
+    parameters_.set(text(entry(request, "name"), "name"), entry(request, "value"), now);
   } else if (command == "CLOSE") {
     motion_.forget(now);
     client_.reset();
@@ -202,61 +167,6 @@ json ProtocolServer::perform(const json& request, Nanoseconds now) {
     throw ControllerRefusal(Code::UnknownCommand, "unknown command " + command);
   }
   return json::object();
-}
-
-json ProtocolServer::get_parameter(const std::string& name) const {
-  const MotionSettings settings = motion_.settings();
-  if (name == "motion_type") return settings.in_joints ? "joint" : "linear";
-  if (name == "interpolation") return settings.line.euler ? "euler" : "linear";
-  if (name == "override") return settings.override / kPercent;
-  if (name == "linear_speed") return settings.line.speed / kMillimetre;
-  if (name == "linear_acceleration") return settings.line.acceleration / kMillimetre;
-  if (name == "rotational_speed") return settings.line.rotational_speed / kDegree;
-  if (name == "stream_period") return stream_period_ * 1000;
-  if (name == "base_frame") return base_frame_;
-  if (name == "tool_frame") return tool_frame_;
-  if (name == "user_frame") return user_frame_;
-  if (name == "model") return "smart5_six (simulated)";
-  if (name == "joint_lower") return to_wire(joint_limits().lower);
-  if (name == "joint_upper") return to_wire(joint_limits().upper);
-  if (name == "joint_speed") return to_wire(joint_limits().speed);
-  throw ControllerRefusal(Code::UnknownParameter, "no parameter " + name);
-}
-
-void ProtocolServer::set_parameter(const std::string& name, const json& value, Nanoseconds now) {
-  MotionSettings settings = motion_.settings();
-  if (name == "motion_type" || name == "interpolation") {
-    const std::string word = text(value, name);
-    const std::string other = name == "motion_type" ? "joint" : "euler";
-    if (word != "linear" && word != other) {
-      throw ControllerRefusal(Code::OutOfRange, name + " is linear or " + other);
-    }
-    (name == "motion_type" ? settings.in_joints : settings.line.euler) = word == other;
-    motion_.set(settings, now);
-  } else if (name == "base_frame") {
-    base_frame_ = six(value, name);
-  } else if (name == "tool_frame") {
-    tool_frame_ = six(value, name);
-  } else if (name == "user_frame") {
-    user_frame_ = six(value, name);
-  } else if (name == "override") {
-    settings.override = number(value, name, 0.01, 100) * kPercent;
-    motion_.set(settings, now);
-  } else if (name == "linear_speed") {
-    settings.line.speed = number(value, name, 0.01, 1500) * kMillimetre;
-    motion_.set(settings, now);
-  } else if (name == "linear_acceleration") {
-    settings.line.acceleration = number(value, name, 10, 5000) * kMillimetre;
-    motion_.set(settings, now);
-  } else if (name == "rotational_speed") {
-    settings.line.rotational_speed = number(value, name, 1, 180) * kDegree;
-    motion_.set(settings, now);
-  } else if (name == "stream_period") {
-    stream_period_ = number(value, name, 2, 10) / 1000;
-  } else {
-    get_parameter(name);  // throws where there is none
-    throw ControllerRefusal(Code::ReadOnly, name + " is read-only");
-  }
 }
 
 Eigen::Isometry3d ProtocolServer::measured(const Eigen::Isometry3d& flange) {
@@ -275,11 +185,11 @@ Eigen::Isometry3d ProtocolServer::measured(const Eigen::Isometry3d& flange) {
 }
 
 json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
-  constexpr double kMicrometre = 1e-3;  // [mm]
-  constexpr double kAngleStep = 1e-4;   // [deg]
+  constexpr double kMicrometres = 1000;  // in a millimetre
+  constexpr double kAngleSteps = 10000;  // in a degree
   json result = {{"t", clock_.microseconds(now)},
-                 {"pose", rounded(to_wire(measured(truth.flange)), kMicrometre, kAngleStep, 3)},
-                 {"joints", rounded(to_wire(truth.joints), kAngleStep, kAngleStep, 0)},
+                 {"pose", rounded(to_wire(measured(truth.flange)), kMicrometres, kAngleSteps, 3)},
+                 {"joints", rounded(to_wire(truth.joints), kAngleSteps, kAngleSteps, 0)},
                  {"status", name_of(truth.status)},
                  {"motion", truth.motion},
                  {"progress", truth.progress},

@@ -1,0 +1,35 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "scan_cell_sim/controller/motion_control.h"
+#include "scan_cell_sim/controller/wire_pose.h"
+
+namespace scan_cell_sim {
+
+/// The controller's parameters by name, in wire units; docs/c4g_protocol.md lists them.
+class ControllerParameters {
+ public:
+  /// @param stream_period [s]
+  ControllerParameters(MotionControl& motion, double stream_period);
+
+  /// @throw ControllerRefusal if there is no such parameter
+  nlohmann::json get(const std::string& name) const;
+
+  /// @throw ControllerRefusal if there is none, it is read-only, or the value makes no sense
+  void set(const std::string& name, const nlohmann::json& value, scan_cell_common::Nanoseconds now);
+
+  double stream_period() const { return stream_period_; }  //!< [s]
+
+ private:
+  MotionControl& motion_;
+  double stream_period_;
+  WireSix base_frame_{};
+  WireSix tool_frame_{};
+  WireSix user_frame_{};
+};
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,51 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/controller/wire_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "scan_cell_sim/controller/refusal.h"
+
+namespace scan_cell_sim {
+
+using nlohmann::json;
+using Code = ControllerErrorCode;
+
+double number(const json& value, const std::string& name, double least, double most) {
+  if (!value.is_number()) throw ControllerRefusal(Code::Malformed, name + " is not a number");
+  const auto result = value.get<double>();
+  if (result >= least && result <= most) return result;
+  throw ControllerRefusal(Code::OutOfRange,
+                          name + " is outside " + json(least).dump() + " .. " + json(most).dump());
+}
+
+const json& entry(const json& request, const std::string& name) {
+  const auto found = request.find(name);
+  if (found == request.end()) throw ControllerRefusal(Code::Malformed, name + " is missing");
+  return *found;
+}
+
+std::string text(const json& value, const std::string& name) {
+  if (!value.is_string()) throw ControllerRefusal(Code::Malformed, name + " is not a text");
+  return value.get<std::string>();
+}
+
+WireSix six(const json& value, const std::string& name) {
+  constexpr double kMost = 1e6;
+  if (!value.is_array() || value.size() != 6) {
+    throw ControllerRefusal(Code::Malformed, name + " is not six numbers");
+  }
+  WireSix result{};
+  for (std::size_t i = 0; i < 6; ++i)
+    result[i] = number(value[i], name, -kMost, kMost);
+  return result;
+}
+
+std::uint64_t whole(const json& value, const std::string& name) {
+  if (!value.is_number_unsigned()) {
+    throw ControllerRefusal(Code::Malformed, name + " is not a whole number");
+  }
+  return value.get<std::uint64_t>();
+}
+
+}  // namespace scan_cell_sim
