@@ -55,6 +55,7 @@ void DriverNode::publish_status() {
                       link.message.c_str(), parameters_.client.reconnect_period);
   }
   was_up_ = link.up;
+  diagnostics_.update();  // once a second, however often it is called
 }
 
 void DriverNode::diagnose_link(diagnostic_updater::DiagnosticStatusWrapper& status) {

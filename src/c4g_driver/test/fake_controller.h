@@ -1,0 +1,57 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <netinet/in.h>
+
+#include <functional>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+/// A controller on a real socket that does what a test tells it, and behaves well otherwise: every
+/// request is acknowledged, a motion stays "moving" until the test says more.
+class FakeController {
+ public:
+  using Json = nlohmann::json;
+  /// What to send back to a request; none: the good answer.
+  using Script = std::function<std::optional<std::vector<Json>>(const Json& request)>;
+
+  explicit FakeController(std::uint16_t port = 0);
+  ~FakeController();
+
+  std::uint16_t port() const { return port_; }
+
+  void play(const Script& script);
+  /// Entries of every state from now on.
+  void set_state(const Json& entries);
+
+  /// Streams a state to the client.
+  void stream(std::uint64_t number, std::int64_t microseconds, const Json& entries = {});
+  void send(const std::string& text);
+  /// As a stranger, to somebody else's client.
+  void send_to_client_of(const FakeController& other, const std::string& text);
+
+  Json acknowledge(const Json& request);
+
+  /// Requests so far; of one kind where `command` is given.
+  std::vector<Json> requests(const std::string& command = "") const;
+
+ private:
+  void serve();
+  Json state_at(std::int64_t microseconds) const;
+
+  int socket_;
+  std::uint16_t port_ = 0;
+  mutable std::recursive_mutex mutex_;
+  Script script_;
+  Json state_;
+  std::int64_t clock_ = 0;  // [us] goes on by a millisecond a request
+  std::vector<Json> requests_;
+  sockaddr_in client_{};
+  bool ending_ = false;
+  std::thread thread_;
+};

@@ -1,0 +1,213 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "c4g_driver/codec.h"
+#include "scan_cell_common/errors.h"
+
+using c4g_driver::Acknowledgement;
+using c4g_driver::StreamedState;
+using nlohmann::json;
+using scan_cell_common::ProtocolError;
+using scan_cell_common::Refused;
+
+namespace {
+
+// as in docs/c4g_protocol.md
+const char* const kState = R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204,
+  "t": 48123456, "pose": [800, 0, 600, 0, 180, 180], "joints": [0, -3.2, -93.4, 0, 89.8, 0],
+  "status": "moving", "motion": 17, "progress": 0.42, "camera_fps": 100, "e_stop": false,
+  "drives": true, "mode": "auto", "override": 100, "linear_speed": 250, "error": null})";
+
+json ack() {
+  json state = json::parse(kState);
+  return {{"c4g", 1},         {"session", 1790000000000000},
+          {"type", "ack"},    {"seq", 17},
+          {"error", nullptr}, {"state", state}};
+}
+
+json built(const c4g_driver::Request& request) {
+  return json::parse(c4g_driver::build(request, 1790000000000000, 17));
+}
+
+std::string complaint(const std::string& datagram) {
+  try {
+    c4g_driver::parse(datagram);
+  } catch (const ProtocolError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Build, WritesAMoveInJointsAsTheProtocolSays) {
+  c4g_driver::Joints joints;
+  joints << 0, 0, -M_PI / 2, 0, M_PI / 2, 0;
+  EXPECT_EQ(built(c4g_driver::MoveJoint{joints, 0}), json::parse(R"({"c4g": 1,
+    "session": 1790000000000000, "seq": 17, "cmd": "MOVE_JOINT",
+    "joints": [0.0, 0.0, -90.0, 0.0, 90.0, 0.0], "camera_fps": 0.0})"));
+}
+
+TEST(Build, PutsTheCamerasRateIntoTheMove) {
+  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
+  flange.translation() << 0.8, 0.1, 0.6;
+  const json packet = built(c4g_driver::MoveCartesian{flange, 100});
+  EXPECT_EQ(packet["cmd"], "MOVE_CARTESIAN");
+  EXPECT_EQ(packet["camera_fps"], 100);
+  EXPECT_NEAR(packet["pose"][1].get<double>(), 100, 1e-12);
+}
+
+TEST(Build, WritesEveryOtherRequest) {
+  EXPECT_EQ(built(c4g_driver::Open{})["cmd"], "OPEN");
+  EXPECT_EQ(built(c4g_driver::Close{})["cmd"], "CLOSE");
+  EXPECT_EQ(built(c4g_driver::Stop{})["cmd"], "STOP");
+  EXPECT_EQ(built(c4g_driver::GetStaticPose{})["cmd"], "GET_STATIC_POSE");
+  EXPECT_EQ(built(c4g_driver::SetOverride{42})["override"], 42);
+  EXPECT_EQ(built(c4g_driver::SetLinearSpeed{0.125})["linear_speed"], 125);
+  EXPECT_EQ(built(c4g_driver::GetParameter{"motion_type"})["name"], "motion_type");
+  const json set = built(c4g_driver::SetParameter{"motion_type", "\"joint\""});
+  EXPECT_EQ(set["cmd"], "SET_PARAMETER");
+  EXPECT_EQ(set["value"], "joint");
+}
+
+TEST(Build, RefusesAParameterThatIsNotJsonOrTooLong) {
+  EXPECT_THROW(built(c4g_driver::SetParameter{"motion_type", "joint"}), Refused);
+  EXPECT_THROW(built(c4g_driver::SetParameter{"x", "\"" + std::string(1400, 'a') + "\""}), Refused);
+  EXPECT_NO_THROW(built(c4g_driver::GetParameter{"\xff\xfe"}));
+}
+
+TEST(Parse, ReadsAStateIntoSiUnits) {
+  const auto state = std::get<StreamedState>(c4g_driver::parse(kState));
+  EXPECT_EQ(state.session, 1790000000000000u);
+  EXPECT_EQ(state.number, 1204u);
+  EXPECT_EQ(state.robot.controller_time, 48123456000);
+  EXPECT_TRUE(state.robot.flange.translation().isApprox(Eigen::Vector3d(0.8, 0, 0.6)));
+  EXPECT_TRUE(state.robot.flange.linear().isApprox(
+      Eigen::Matrix3d(Eigen::Vector3d(1, -1, -1).asDiagonal())));
+  EXPECT_NEAR(state.robot.joints[2], -93.4 * M_PI / 180, 1e-12);
+  EXPECT_EQ(state.robot.status, c4g_driver::MotionStatus::Moving);
+  EXPECT_EQ(state.robot.motion, 17u);
+  EXPECT_EQ(state.robot.linear_speed, 0.25);
+  EXPECT_EQ(state.robot.override, 100);
+  EXPECT_TRUE(state.robot.automatic);
+  EXPECT_FALSE(state.robot.error);
+}
+
+TEST(Parse, ReadsAcknowledgements) {
+  const auto good = std::get<Acknowledgement>(c4g_driver::parse(ack().dump()));
+  EXPECT_EQ(good.seq, 17u);
+  EXPECT_FALSE(good.error);
+  EXPECT_TRUE(good.robot);
+  json refused = ack();
+  refused["error"] = {{"code", 12}, {"text", "J3 5 deg is outside -170 .. 0"}};
+  refused.erase("state");
+  const auto bad = std::get<Acknowledgement>(c4g_driver::parse(refused.dump()));
+  EXPECT_EQ(bad.error->code, 12);
+  EXPECT_FALSE(bad.robot);
+  json value = ack();
+  value["value"] = {1, 2};
+  EXPECT_EQ(std::get<Acknowledgement>(c4g_driver::parse(value.dump())).value, "[1,2]");
+}
+
+TEST(Parse, NamesTheKeyThatIsMissing) {
+  const json whole = json::parse(kState);
+  for (const auto& [key, value] : whole.items()) {
+    json state = whole;
+    state.erase(key);
+    EXPECT_NE(complaint(state.dump()).find(key), std::string::npos) << key;
+  }
+}
+
+TEST(Parse, NamesTheKeyThatMakesNoSense) {
+  const std::vector<std::pair<std::string, json>> changes = {
+      {"c4g", 2},
+      {"session", -1},
+      {"session", "x"},
+      {"type", "hello"},
+      {"n", 1.5},
+      {"t", -5},
+      {"t", 1e18},
+      {"pose", {1, 2, 3}},
+      {"pose", "here"},
+      {"joints", nullptr},
+      {"status", "flying"},
+      {"motion", -1},
+      {"progress", 1.5},
+      {"progress", "half"},
+      {"e_stop", 0},
+      {"drives", "yes"},
+      {"mode", "auto-ish"},
+      {"override", {}},
+      {"linear_speed", 1e9},
+      {"error", 7},
+      {"error", {{"code", "x"}, {"text", ""}}}};
+  for (const auto& [key, value] : changes) {
+    json state = json::parse(kState);
+    state[key] = value;
+    const std::string what = complaint(state.dump());
+    const bool named = what.find(key) != std::string::npos || (key == "c4g" && !what.empty()) ||
+                       (key == "error" && what.find("code") != std::string::npos);
+    EXPECT_TRUE(named) << key << " = " << value << ": " << what;
+  }
+  json pose = json::parse(kState);
+  pose["pose"][2] = nullptr;  // how JSON libraries write NaN
+  EXPECT_NE(complaint(pose.dump()).find("pose"), std::string::npos);
+}
+
+TEST(Parse, RefusesNumbersThatOverflow) {
+  std::string text = kState;
+  text.replace(text.find("800"), 3, "1e999");
+  EXPECT_NE(complaint(text), "");
+}
+
+TEST(Parse, SurvivesMutatedPackets) {
+  std::mt19937 random(20261121);
+  const std::vector<std::string> seeds = {json::parse(kState).dump(), ack().dump()};
+  const auto draw = [&random](std::size_t below) {
+    return std::uniform_int_distribution<std::size_t>(0, below - 1)(random);
+  };
+  int read = 0;
+  for (int round = 0; round < 50000; ++round) {
+    std::string text = seeds[draw(seeds.size())];
+    for (std::size_t change = 0; change <= draw(4); ++change) {
+      const std::size_t at = draw(text.size());
+      switch (draw(4)) {
+        case 0:
+          text[at] = static_cast<char>(draw(256));
+          break;
+        case 1:
+          text.erase(at, draw(20));
+          break;
+        case 2:
+          text.insert(at, text.substr(draw(text.size()), draw(20)));
+          break;
+        default:
+          text[at] = "0123456789-+.eE[]{},:\"\\nul"[draw(27)];
+      }
+      if (text.empty()) text = " ";
+    }
+    try {
+      c4g_driver::parse(text);
+      ++read;
+    } catch (const ProtocolError&) {
+    }
+  }
+  EXPECT_GT(read, 0);
+  EXPECT_LT(read, 50000);
+}
+
+TEST(Parse, SurvivesRandomBytes) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 20000; ++round) {
+    std::string text(random() % 1500, '\0');
+    for (char& byte : text)
+      byte = static_cast<char>(random());
+    EXPECT_THROW(c4g_driver::parse(text), ProtocolError);
+  }
+  EXPECT_THROW(c4g_driver::parse(std::string(1400, '[')), ProtocolError);
+  EXPECT_THROW(c4g_driver::parse(std::string(1401, ' ')), ProtocolError);
+}

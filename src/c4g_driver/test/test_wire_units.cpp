@@ -1,0 +1,106 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "c4g_driver/wire_units.h"
+
+using c4g_driver::WireSix;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+Matrix3d rz(double angle) {
+  Matrix3d m;
+  m << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+  return m;
+}
+
+Matrix3d ry(double angle) {
+  Matrix3d m;
+  m << std::cos(angle), 0, std::sin(angle), 0, 1, 0, -std::sin(angle), 0, std::cos(angle);
+  return m;
+}
+
+/// Columns are the flange's axes in the base.
+Matrix3d axes(const Vector3d& x, const Vector3d& z) {
+  Matrix3d m;
+  m << x, z.cross(x), z;
+  return m;
+}
+
+void expect_same(const Matrix3d& a, const Matrix3d& b, double tolerance) {
+  EXPECT_LT((a - b).norm(), tolerance) << a << "\n\n" << b;
+}
+
+}  // namespace
+
+TEST(EulerAngles, AreThoseOfTheProtocolsTable) {
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  const std::vector<std::pair<WireSix, Matrix3d>> table = {
+      {{0, 0, 0, 0, 0, 0}, Matrix3d::Identity()}, {{0, 0, 0, 0, 180, 180}, axes(x, -z)},
+      {{0, 0, 0, 90, 180, -90}, axes(x, -z)},     {{0, 0, 0, 0, 180, 90}, axes(y, -z)},
+      {{0, 0, 0, 0, 90, 0}, axes(-z, x)},         {{0, 0, 0, 90, 90, 0}, axes(-z, y)}};
+  for (const auto& [wire, rotation] : table) {
+    expect_same(c4g_driver::pose_from_wire(wire).linear(), rotation, 1e-12);
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = rotation;
+    expect_same(c4g_driver::pose_from_wire(c4g_driver::to_wire(pose)).linear(), rotation, 1e-12);
+  }
+}
+
+TEST(EulerAngles, AreTheProductOfThreeTurns) {
+  for (double a = -170; a < 180; a += 35) {
+    for (double e = 10; e < 180; e += 25) {
+      for (double r = -175; r < 180; r += 50) {
+        const Matrix3d product = rz(a * kDegree) * ry(e * kDegree) * rz(r * kDegree);
+        const auto angles = c4g_driver::to_euler(product);
+        EXPECT_NEAR(angles.a, a * kDegree, 1e-12);
+        EXPECT_NEAR(angles.e, e * kDegree, 1e-12);
+        EXPECT_NEAR(angles.r, r * kDegree, 1e-12);
+        expect_same(c4g_driver::from_euler({a * kDegree, e * kDegree, r * kDegree}), product,
+                    1e-12);
+      }
+    }
+  }
+}
+
+TEST(EulerAngles, LoseNothingAtAndNearTheirDegenerateEnds) {
+  for (const double e : {0.0, 1e-15, 1e-13, 1e-12, 1e-9, 1e-6, M_PI - 1e-6, M_PI - 1e-9,
+                         M_PI - 1e-12, M_PI - 1e-13, M_PI}) {
+    for (double a = -3; a < 3.1; a += 0.7) {
+      for (double r = -3; r < 3.1; r += 0.7) {
+        const Matrix3d product = rz(a) * ry(e) * rz(r);
+        const auto angles = c4g_driver::to_euler(product);
+        EXPECT_GE(angles.e, 0);
+        EXPECT_LE(angles.e, M_PI);
+        expect_same(rz(angles.a) * ry(angles.e) * rz(angles.r), product, 5e-12);
+      }
+    }
+  }
+}
+
+TEST(EulerAngles, HaveNoFirstTurnWhereOnlyTheSumIsDefined) {
+  EXPECT_EQ(c4g_driver::to_euler(rz(0.5)).a, 0);
+  EXPECT_NEAR(c4g_driver::to_euler(rz(0.5)).r, 0.5, 1e-15);
+  const Matrix3d down = Vector3d(1, -1, -1).asDiagonal();
+  EXPECT_EQ(c4g_driver::to_euler(down).a, 0);
+  EXPECT_NEAR(std::abs(c4g_driver::to_euler(down).r), M_PI, 1e-15);
+}
+
+TEST(WireUnits, AreMillimetresAndDegrees) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() << 0.8, -0.02, 0.6;
+  EXPECT_EQ(c4g_driver::to_wire(pose), (WireSix{800, -20, 600, 0, 0, 0}));
+  c4g_driver::Joints joints;
+  joints << 0, M_PI / 2, -M_PI, 0.1, 0, -47;
+  const WireSix wire = c4g_driver::to_wire(joints);
+  EXPECT_NEAR(wire[1], 90, 1e-12);
+  EXPECT_NEAR(wire[2], -180, 1e-12);
+  EXPECT_TRUE(c4g_driver::joints_from_wire(wire).isApprox(joints, 1e-15));
+}
