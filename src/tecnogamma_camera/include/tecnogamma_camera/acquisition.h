@@ -46,12 +46,12 @@ struct NumberedFrame {
 /// Counts since the acquisition was made.
 struct FrameCounts {
   std::uint64_t received = 0;
-  std::uint64_t incomplete = 0;  //!< received with packets missing
-  std::uint64_t lost = 0;        //!< gaps in the frame counter
+  std::uint64_t incomplete = 0;  //!< of them, with packets missing; delivered without pixels
+  std::uint64_t lost = 0;        //!< missing in the frame counter
   std::uint64_t repeated = 0;
   std::uint64_t late = 0;      //!< came after a later one
   std::uint64_t restarts = 0;  //!< the counter jumped back: the camera was restarted
-  std::uint64_t invalid = 0;   //!< without a frame number: dropped
+  std::uint64_t invalid = 0;   //!< number lost with its packets: dropped, and in lost as well
 };
 
 struct AcquisitionState {

@@ -32,7 +32,7 @@ struct AravisOptions {
 };
 
 /// Opens a GenICam camera with 8 bit grey pixels through Aravis.
-/// @param name id, serial number, hardware (MAC) or IP address; empty where only one camera answers
+/// @param name id, serial number or IP address; empty where only one camera answers
 /// @throw scan_cell_common::ConnectionError if it does not answer, is held by another program, or
 /// `name` is empty and there is not exactly one
 /// @throw MissingFeature if it lacks what every GenICam camera should have

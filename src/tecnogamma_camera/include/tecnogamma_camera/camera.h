@@ -75,13 +75,17 @@ struct StreamStatistics {
   std::uint64_t resent_packets = 0;   //!< packets that came when asked for again
 };
 
+/// The counter of a frame whose number was lost with its packets.
+constexpr std::uint64_t kNoFrameNumber = UINT64_MAX;
+
 /// One frame, 8 bits a pixel. The pixels are the camera's: they are valid until the next grab(),
-/// stop() or the camera's end.
+/// stop() or the camera's end. Where packets are missing there are none, since some would be of an
+/// earlier frame; image then tells only their place.
 struct Frame {
-  std::uint64_t counter = 0;       //!< raw, as the camera counts
-  Nanoseconds device_time = 0;     //!< [ns] camera's clock at the exposure; 0: it has none
-  Nanoseconds host_time = 0;       //!< [ns] when it was received
-  std::uint32_t packets_lost = 0;  //!< above 0: some pixels are not of this frame. Do not use them
+  std::uint64_t counter = kNoFrameNumber;  //!< raw, as the camera counts
+  Nanoseconds device_time = 0;             //!< [ns] camera's clock at the exposure; 0: not known
+  Nanoseconds host_time = 0;               //!< [ns] when it was received
+  std::uint32_t packets_lost = 0;          //!< packets missing from it
   ImageView8 image;
 };
 

@@ -294,7 +294,7 @@ void Acquisition::deliver(const Frame& frame) {
   const bool numbered = number(frame, counter);
   change_state([&](AcquisitionState& s) {
     ++s.frames.received;
-    if (frame.packets_lost > 0) ++s.frames.incomplete;
+    if (numbered && frame.packets_lost > 0) ++s.frames.incomplete;
     s.acquisition = acquisition_;
   });
   if (numbered)
@@ -307,7 +307,7 @@ bool Acquisition::number(const Frame& frame, std::uint64_t& counter) {
   FrameCounts found;
   if (step.kind == Kind::BACKWARD) {
     // Only a camera that was restarted counts back while its clock goes on.
-    if (frame.device_time > last_device_time_ && frame.packets_lost == 0) {
+    if (frame.device_time > last_device_time_) {
       ++acquisition_;
       ++found.restarts;
       unwrapper_.reset();
@@ -332,7 +332,7 @@ bool Acquisition::number(const Frame& frame, std::uint64_t& counter) {
 }
 
 Nanoseconds Acquisition::time_of(const Frame& frame) {
-  if (frame.device_time == 0) return frame.host_time;
+  if (frame.device_time == 0) return frame.host_time;  // no clock, or lost with its packets
   if (!parameters_.device_clock_is_host) {
     clock_.add(frame.device_time, frame.host_time);
     return clock_.to_host(frame.device_time);

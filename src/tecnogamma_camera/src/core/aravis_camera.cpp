@@ -3,25 +3,23 @@
 #include "tecnogamma_camera/aravis_camera.h"
 
 #include <atomic>
-#include <cmath>
 
+#include "aravis_settings.h"
 #include "aravis_support.h"
 
 namespace tecnogamma_camera {
 namespace {
 
 using scan_cell_common::ConnectionError;
-using scan_cell_common::InvalidParameter;
 using scan_cell_common::Refused;
 
-constexpr double kMicroseconds = 1e6;
-
-void check_bounds(const std::string& name, double value, double least, double most,
-                  const std::string& unit) {
-  if (std::isfinite(value) && value >= least && value <= most) return;
-  throw InvalidParameter(
-      name, std::to_string(value) + unit,
-      "this camera takes " + std::to_string(least) + " to " + std::to_string(most) + unit);
+/// Gives a buffer to the stream, without what its last frame left in it: where the first packet of
+/// a frame is lost, Aravis leaves number and times as they are.
+void push_clean(ArvStream* stream, ArvBuffer* buffer) {
+  arv_buffer_set_frame_id(buffer, kNoFrameNumber);
+  arv_buffer_set_timestamp(buffer, 0);
+  arv_buffer_set_system_timestamp(buffer, 0);
+  arv_stream_push_buffer(stream, buffer);
 }
 
 class AravisCamera : public Camera {
@@ -44,10 +42,6 @@ class AravisCamera : public Camera {
   static void on_stream_event(void* self, ArvStreamCallbackType type, ArvBuffer* buffer);
 
   void refuse_while_running(const std::string& what) const;
-  void set_region(const Region& wanted);
-  void set_gain(double gain);
-  void set_rate(double rate);
-  void set_trigger(Trigger trigger);
   void create_stream();
   void release_frame();
   Frame to_frame(ArvBuffer* buffer);
@@ -77,9 +71,7 @@ AravisCamera::AravisCamera(ArvCameraPtr camera, const AravisOptions& options)
   if (arv_camera_is_binning_available(arv, nullptr)) {
     aravis("binning", [&](GError** e) { arv_camera_set_binning(arv, 1, 1, e); });
   }
-  aravis("region", [&](GError** e) {
-    arv_camera_get_region(arv, &region_.x, &region_.y, &region_.width, &region_.height, e);
-  });
+  region_ = read_region(arv);
   control_lost_handler_ = g_signal_connect(arv_camera_get_device(arv), "control-lost",
                                            G_CALLBACK(&AravisCamera::on_control_lost), this);
 }
@@ -156,83 +148,15 @@ void AravisCamera::configure(const CameraSettings& settings) {
   throw_if_lost();
   refuse_while_running("camera settings");
   trigger_source_ = settings.trigger_source;
-  set_region(settings.region);
-  if (settings.exposure) set_exposure(*settings.exposure);
-  if (settings.gain) set_gain(*settings.gain);
-  if (settings.rate) set_rate(*settings.rate);
-}
-
-void AravisCamera::set_region(const Region& wanted) {
-  ArvCamera* const arv = camera_.get();
-  int columns = 0, rows = 0;
-  aravis("sensor size", [&](GError** e) { arv_camera_get_sensor_size(arv, &columns, &rows, e); });
-  Region region = wanted;
-  if (region.width == 0) region.width = columns - region.x;
-  if (region.height == 0) region.height = rows - region.y;
-  const std::string text = std::to_string(region.width) + " x " + std::to_string(region.height) +
-                           " at " + std::to_string(region.x) + ", " + std::to_string(region.y);
-  if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
-      region.width > columns - region.x || region.height > rows - region.y) {
-    throw InvalidParameter(
-        "region", text,
-        "the sensor has " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels");
-  }
-  aravis("region " + text, [&](GError** e) {
-    arv_camera_set_region(arv, region.x, region.y, region.width, region.height, e);
-  });
-  aravis("region", [&](GError** e) {
-    arv_camera_get_region(arv, &region_.x, &region_.y, &region_.width, &region_.height, e);
-  });
-  if (region_ != region) {
-    throw InvalidParameter("region", text,
-                           "the camera took " + std::to_string(region_.width) + " x " +
-                               std::to_string(region_.height) + " at " + std::to_string(region_.x) +
-                               ", " + std::to_string(region_.y) + ": give multiples of its steps");
-  }
+  region_ = write_region(camera_.get(), settings.region);
+  if (settings.exposure) write_exposure(camera_.get(), *settings.exposure);
+  if (settings.gain) write_gain(camera_.get(), *settings.gain);
+  if (settings.rate) write_rate(camera_.get(), *settings.rate);
 }
 
 void AravisCamera::set_exposure(double exposure) {
   throw_if_lost();
-  ArvCamera* const arv = camera_.get();
-  if (!arv_camera_is_exposure_time_available(arv, nullptr)) require_feature(arv, "ExposureTime");
-  double least = 0, most = 0;
-  aravis("exposure",
-         [&](GError** e) { arv_camera_get_exposure_time_bounds(arv, &least, &most, e); });
-  check_bounds("exposure", exposure, least / kMicroseconds, most / kMicroseconds, " s");
-  aravis("exposure",
-         [&](GError** e) { arv_camera_set_exposure_time(arv, exposure * kMicroseconds, e); });
-}
-
-void AravisCamera::set_gain(double gain) {
-  ArvCamera* const arv = camera_.get();
-  if (!arv_camera_is_gain_available(arv, nullptr)) require_feature(arv, "Gain");
-  double least = 0, most = 0;
-  aravis("gain", [&](GError** e) { arv_camera_get_gain_bounds(arv, &least, &most, e); });
-  check_bounds("gain", gain, least, most, "");
-  aravis("gain", [&](GError** e) { arv_camera_set_gain(arv, gain, e); });
-}
-
-void AravisCamera::set_rate(double rate) {
-  ArvCamera* const arv = camera_.get();
-  if (!arv_camera_is_frame_rate_available(arv, nullptr))
-    require_feature(arv, "AcquisitionFrameRate");
-  double least = 0, most = 0;
-  aravis("rate", [&](GError** e) { arv_camera_get_frame_rate_bounds(arv, &least, &most, e); });
-  check_bounds("rate", rate, least, most, " Hz");
-  aravis("rate", [&](GError** e) { arv_camera_set_frame_rate(arv, rate, e); });
-}
-
-void AravisCamera::set_trigger(Trigger trigger) {
-  ArvCamera* const arv = camera_.get();
-  if (trigger == Trigger::FREE_RUN) {
-    if (!has_feature(arv, "TriggerMode")) return;
-    aravis("TriggerMode Off", [&](GError** e) { arv_camera_clear_triggers(arv, e); });
-    return;
-  }
-  require_feature(arv, "TriggerMode");
-  require_feature(arv, "TriggerSource");
-  aravis("TriggerSource " + trigger_source_,
-         [&](GError** e) { arv_camera_set_trigger(arv, trigger_source_.c_str(), e); });
+  write_exposure(camera_.get(), exposure);
 }
 
 void AravisCamera::create_stream() {
@@ -260,13 +184,13 @@ void AravisCamera::create_stream() {
   const auto payload =
       aravis("PayloadSize", [&](GError** e) { return arv_camera_get_payload(arv, e); });
   for (int i = 0; i < options_.buffers; ++i)
-    arv_stream_push_buffer(stream_.get(), arv_buffer_new_allocate(payload));
+    push_clean(stream_.get(), arv_buffer_new_allocate(payload));
 }
 
 void AravisCamera::start(Trigger trigger) {
   throw_if_lost();
   refuse_while_running("camera start");
-  set_trigger(trigger);
+  write_trigger(camera_.get(), trigger, trigger_source_);
   try {
     create_stream();
     aravis("AcquisitionStart", [&](GError** e) { arv_camera_start_acquisition(camera_.get(), e); });
@@ -287,7 +211,7 @@ void AravisCamera::stop() {
 }
 
 void AravisCamera::release_frame() {
-  if (grabbed_) arv_stream_push_buffer(stream_.get(), grabbed_);
+  if (grabbed_) push_clean(stream_.get(), grabbed_);
   grabbed_ = nullptr;
 }
 
@@ -311,30 +235,25 @@ std::uint32_t AravisCamera::packets_lost_since_last_frame() {
 Frame AravisCamera::to_frame(ArvBuffer* buffer) {
   Frame frame;
   frame.counter = arv_buffer_get_frame_id(buffer);
+  frame.device_time = static_cast<Nanoseconds>(arv_buffer_get_timestamp(buffer));
+  frame.host_time = static_cast<Nanoseconds>(arv_buffer_get_system_timestamp(buffer));
+  if (frame.host_time == 0) frame.host_time = g_get_real_time() * 1000;
+  frame.image.columns = region_.width;
+  frame.image.rows = region_.height;
+  frame.image.first_column = region_.x;
+  frame.image.first_row = region_.y;
   const bool whole = arv_buffer_get_status(buffer) == ARV_BUFFER_STATUS_SUCCESS &&
                      arv_buffer_get_image_width(buffer) == region_.width &&
                      arv_buffer_get_image_height(buffer) == region_.height;
   if (!whole) {
-    // The times in the buffer may be those of the frame that was in it before.
     frame.packets_lost = std::max(1U, packets_lost_since_last_frame());
-    frame.host_time = g_get_real_time() * 1000;
-    frame.image.columns = region_.width;
-    frame.image.rows = region_.height;
-    frame.image.first_column = region_.x;
-    frame.image.first_row = region_.y;
     return frame;
   }
-  frame.device_time = static_cast<Nanoseconds>(arv_buffer_get_timestamp(buffer));
-  frame.host_time = static_cast<Nanoseconds>(arv_buffer_get_system_timestamp(buffer));
   int x_padding = 0, y_padding = 0;
   arv_buffer_get_image_padding(buffer, &x_padding, &y_padding);
   std::size_t size = 0;
   frame.image.pixels = static_cast<const std::uint8_t*>(arv_buffer_get_image_data(buffer, &size));
-  frame.image.columns = region_.width;
-  frame.image.rows = region_.height;
   frame.image.stride = region_.width + x_padding;
-  frame.image.first_column = region_.x;
-  frame.image.first_row = region_.y;
   return frame;
 }
 
@@ -354,47 +273,15 @@ StreamStatistics AravisCamera::statistics() {
   return result;
 }
 
-/// The id under which Aravis opens the one camera that `name` means.
-std::string find_camera(const std::string& name) {
-  const std::vector<CameraListing> cameras = list_aravis_cameras();
-  std::string found;
-  std::string all;
-  int matches = 0;
-  for (const CameraListing& camera : cameras) {
-    all += (all.empty() ? "" : ", ") + camera.id;
-    if (name.empty() || name == camera.id || name == camera.serial || name == camera.address) {
-      found = camera.id;
-      ++matches;
-    }
-  }
-  if (matches == 1) return found;
-  throw ConnectionError("camera '" + name + "'",
-                        matches ? "several cameras answer to it" : "no camera answers to it",
-                        cameras.empty() ? "no camera answers at all: check cable, power and address"
-                                        : "the cameras that answer are " + all);
-}
-
 bool is_ip_address(const std::string& name) {
   return g_hostname_is_ip_address(name.c_str());
 }
 
 }  // namespace
 
-std::vector<CameraListing> list_aravis_cameras() {
-  arv_update_device_list();
-  std::vector<CameraListing> cameras;
-  const unsigned count = arv_get_n_devices();
-  for (unsigned i = 0; i < count; ++i) {
-    cameras.push_back({to_text(arv_get_device_id(i)), to_text(arv_get_device_vendor(i)),
-                       to_text(arv_get_device_model(i)), to_text(arv_get_device_serial_nbr(i)),
-                       to_text(arv_get_device_address(i)), to_text(arv_get_device_protocol(i))});
-  }
-  return cameras;
-}
-
 std::unique_ptr<Camera> open_aravis_camera(const std::string& name, const AravisOptions& options) {
   // An address is asked directly: that is faster, and works where broadcasts do not come through.
-  const std::string id = is_ip_address(name) ? name : find_camera(name);
+  const std::string id = is_ip_address(name) ? name : find_aravis_camera(name);
   ArvCameraPtr camera(
       aravis("camera '" + name + "'", [&](GError** e) { return arv_camera_new(id.c_str(), e); }));
   ArvDevice* const device = arv_camera_get_device(camera.get());

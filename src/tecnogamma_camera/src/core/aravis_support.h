@@ -40,6 +40,10 @@ void require_feature(ArvCamera* camera, const char* feature);
 
 bool has_feature(ArvCamera* camera, const char* feature);
 
+/// The id under which Aravis opens the one camera that `name` means (open_aravis_camera).
+/// @throw scan_cell_common::ConnectionError if there is not exactly one
+std::string find_aravis_camera(const std::string& name);
+
 /// nullptr as "".
 inline std::string to_text(const char* text) {
   return text ? text : "";

@@ -26,7 +26,7 @@ const char* to_text(Trigger trigger) {
 
 /// Frames that are missing or damaged, whatever the reason.
 std::uint64_t damage(const AcquisitionState& state) {
-  return state.frames.incomplete + state.frames.lost + state.frames.invalid;
+  return state.frames.incomplete + state.frames.lost;
 }
 
 void summarise(const AcquisitionState& before, const AcquisitionState& now,

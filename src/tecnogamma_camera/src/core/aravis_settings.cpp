@@ -1,0 +1,104 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aravis_settings.h"
+
+#include <cmath>
+
+#include "aravis_support.h"
+
+namespace tecnogamma_camera {
+namespace {
+
+using scan_cell_common::InvalidParameter;
+
+void check_bounds(const std::string& name, double value, double least, double most,
+                  const std::string& unit) {
+  if (std::isfinite(value) && value >= least && value <= most) return;
+  throw InvalidParameter(
+      name, std::to_string(value) + unit,
+      "this camera takes " + std::to_string(least) + " to " + std::to_string(most) + unit);
+}
+
+}  // namespace
+
+Region read_region(ArvCamera* arv) {
+  Region region;
+  aravis("region", [&](GError** e) {
+    arv_camera_get_region(arv, &region.x, &region.y, &region.width, &region.height, e);
+  });
+  return region;
+}
+
+Region write_region(ArvCamera* arv, const Region& wanted) {
+  int columns = 0, rows = 0;
+  aravis("sensor size", [&](GError** e) { arv_camera_get_sensor_size(arv, &columns, &rows, e); });
+  Region region = wanted;
+  if (region.width == 0) region.width = columns - region.x;
+  if (region.height == 0) region.height = rows - region.y;
+  const std::string text = std::to_string(region.width) + " x " + std::to_string(region.height) +
+                           " at " + std::to_string(region.x) + ", " + std::to_string(region.y);
+  if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
+      region.width > columns - region.x || region.height > rows - region.y) {
+    throw InvalidParameter(
+        "region", text,
+        "the sensor has " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels");
+  }
+  aravis("region " + text, [&](GError** e) {
+    arv_camera_set_region(arv, region.x, region.y, region.width, region.height, e);
+  });
+  const Region taken = read_region(arv);
+  if (taken != region) {
+    throw InvalidParameter("region", text,
+                           "the camera took " + std::to_string(taken.width) + " x " +
+                               std::to_string(taken.height) + " at " + std::to_string(taken.x) +
+                               ", " + std::to_string(taken.y) + ": give multiples of its steps");
+  }
+  return taken;
+}
+
+void write_exposure(ArvCamera* arv, double exposure) {
+  if (!arv_camera_is_exposure_time_available(arv, nullptr)) require_feature(arv, "ExposureTime");
+  double least = 0, most = 0;
+  aravis("exposure",
+         [&](GError** e) { arv_camera_get_exposure_time_bounds(arv, &least, &most, e); });
+  if (arv_camera_is_exposure_auto_available(arv, nullptr)) {
+    aravis("ExposureAuto Off",
+           [&](GError** e) { arv_camera_set_exposure_time_auto(arv, ARV_AUTO_OFF, e); });
+  }
+  check_bounds("exposure", exposure, least / kMicroseconds, most / kMicroseconds, " s");
+  aravis("exposure",
+         [&](GError** e) { arv_camera_set_exposure_time(arv, exposure * kMicroseconds, e); });
+}
+
+void write_gain(ArvCamera* arv, double gain) {
+  if (!arv_camera_is_gain_available(arv, nullptr)) require_feature(arv, "Gain");
+  double least = 0, most = 0;
+  aravis("gain", [&](GError** e) { arv_camera_get_gain_bounds(arv, &least, &most, e); });
+  if (arv_camera_is_gain_auto_available(arv, nullptr))
+    aravis("GainAuto Off", [&](GError** e) { arv_camera_set_gain_auto(arv, ARV_AUTO_OFF, e); });
+  check_bounds("gain", gain, least, most, "");
+  aravis("gain", [&](GError** e) { arv_camera_set_gain(arv, gain, e); });
+}
+
+void write_rate(ArvCamera* arv, double rate) {
+  if (!arv_camera_is_frame_rate_available(arv, nullptr))
+    require_feature(arv, "AcquisitionFrameRate");
+  double least = 0, most = 0;
+  aravis("rate", [&](GError** e) { arv_camera_get_frame_rate_bounds(arv, &least, &most, e); });
+  check_bounds("rate", rate, least, most, " Hz");
+  aravis("rate", [&](GError** e) { arv_camera_set_frame_rate(arv, rate, e); });
+}
+
+void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source) {
+  if (trigger == Trigger::FREE_RUN) {
+    if (!has_feature(arv, "TriggerMode")) return;
+    aravis("TriggerMode Off", [&](GError** e) { arv_camera_clear_triggers(arv, e); });
+    return;
+  }
+  require_feature(arv, "TriggerMode");
+  require_feature(arv, "TriggerSource");
+  aravis("TriggerSource " + source,
+         [&](GError** e) { arv_camera_set_trigger(arv, source.c_str(), e); });
+}
+
+}  // namespace tecnogamma_camera
