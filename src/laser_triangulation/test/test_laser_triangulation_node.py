@@ -2,11 +2,14 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The triangulation node on real topics."""
+import os
 import struct
 import subprocess
+import tempfile
 import time
 import unittest
 
+import rosbag
 import rospy
 import rostest
 from scan_cell_msgs.msg import BoundProfile
@@ -103,6 +106,27 @@ class LaserTriangulationNode(unittest.TestCase):
     def test_gives_the_same_bytes_for_the_same_profiles(self):
         profiles = [profile(n) for n in range(20)]
         self.assertEqual(self.scan(profiles).cloud.data, self.scan(profiles).cloud.data)
+
+    def test_gives_the_same_points_from_a_bag(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with rosbag.Bag(folder + '/bound.bag', 'w') as bag:
+                for n in range(3):
+                    bag.write('/pose_frame_binder/bound_profiles', profile(n))
+            scanner = os.path.dirname(os.path.abspath(__file__)) + '/scanner.yaml'
+            arguments = ['rosrun', 'laser_triangulation', 'triangulate', '--scanner', scanner,
+                         '--output', folder + '/cloud.ply', '--bag', folder + '/bound.bag']
+            subprocess.run(arguments, check=True, timeout=60)
+            with open(folder + '/cloud.ply', 'rb') as file:
+                header, data = file.read().split(b'end_header\n', 1)
+            truth = [point for n in range(3) for point in expected(n)]
+            self.assertIn(b'element vertex %d\n' % len(truth), header)
+            for i, true in enumerate(truth):
+                for value, right in zip(struct.unpack_from('<ffffB', data, 17 * i), true):
+                    self.assertAlmostEqual(value, right, 6)
+            run = subprocess.run(arguments + ['--topic', '/other'], stderr=subprocess.PIPE,
+                                 timeout=60)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn('no point', run.stderr.decode())
 
     def test_says_when_profiles_are_missing_and_keeps_what_came(self):
         answer = self.scan([profile(n) for n in range(10)], announced=12, timeout=1.0)

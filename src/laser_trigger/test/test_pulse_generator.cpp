@@ -53,6 +53,30 @@ class PulseGeneratorTest : public testing::Test {
 
 }  // namespace
 
+TEST(PulseGenerator, HasTheLinesLowBeforeItSaysThatItIsDisarmed) {
+  struct : TriggerPort {
+    std::atomic<int> data{255};
+    void write(std::uint8_t value) override { data = value; }
+  } port;
+  PulseGenerator::Settings settings;
+  settings.keep_alive_timeout = 0.1;
+  std::vector<int> at_change;
+  std::atomic<int> changes{0};
+  PulseGenerator generator(port, nullptr, settings,
+                           {[](const Pulse&) {},
+                            [&] {
+                              at_change.push_back(port.data);
+                              ++changes;
+                            }});
+  generator.arm({100, kBoth, 0});
+  generator.disarm("enough");
+  EXPECT_EQ(port.data, 0);
+  generator.arm({100, kBoth, 0});
+  ASSERT_TRUE(wait_for([&] { return changes == 4; }));  // by itself, without a keep-alive
+  EXPECT_EQ(at_change[1], 0);
+  EXPECT_EQ(at_change[3], 0);
+}
+
 TEST_F(PulseGeneratorTest, SetsAllLinesLowAtTheStart) {
   port_->write(0xff);
   make(patient());

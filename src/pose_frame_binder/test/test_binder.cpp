@@ -234,6 +234,16 @@ TEST(Binder, GivesTheSameWhateverOrderTheTopicsComeIn) {
   }
 }
 
+TEST(Binder, SaysWhenTheLatencyItWasToldIsProbablyWrongByAPeriod) {
+  const SyntheticScan scan = steady_scan(50);
+  Settings settings;
+  EXPECT_FALSE(run(scan, settings).audit.latency_doubtful);
+  settings.camera_latency = 14e-3;
+  EXPECT_TRUE(run(scan, settings).audit.latency_doubtful);
+  settings.camera_latency = -6e-3;
+  EXPECT_TRUE(run(scan, settings).audit.latency_doubtful);
+}
+
 TEST(Binder, PublishesWhileTheScanRuns) {
   const SyntheticScan scan = steady_scan(50);
   Binder binder({});

@@ -4,10 +4,12 @@
 """The binder node on real topics."""
 import io
 import subprocess
+import tempfile
 import threading
 import time
 import unittest
 
+import rosbag
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
@@ -170,6 +172,34 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.scan(data, ('poses', 'events', 'profiles'), 5)
         late = rospy.wait_for_message('/binder/audit', BindingAudit, 30)
         self.assertEqual(late.scan_id, 'scan')
+
+    def test_binds_the_same_from_a_bag(self):
+        count = 30
+        with tempfile.TemporaryDirectory() as folder:
+            with rosbag.Bag(folder + '/scan.bag', 'w') as bag:
+                half = 0.5 ** 0.5
+                bag.write('/tf_static', transform('world', 'base_link', 0, (-1, 0, 0),
+                                                  (0, 0, half, half)), stamp(0))
+                for topic, messages in (('/laser_trigger/events', events(count)),
+                                        ('/camera/profiles', profiles(count, lost=(4,))),
+                                        ('/tf', poses(count))):
+                    for message in messages:
+                        bag.write(topic, message, stamp(1))
+            arguments = ['rosrun', 'pose_frame_binder', 'bind_bag', '--bag', folder + '/scan.bag']
+            subprocess.run(arguments + ['--output', folder + '/bound.bag'], check=True, timeout=60)
+            with rosbag.Bag(folder + '/bound.bag') as bag:
+                bound = [m for _, m, _ in bag.read_messages('/pose_frame_binder/bound_profiles')]
+                audits = [m for _, m, _ in bag.read_messages('/pose_frame_binder/audit')]
+            self.assertEqual([b.match.trigger_count for b in bound],
+                             [n for n in range(1, count + 1) if n != 5])
+            for b in bound:
+                self.assertAlmostEqual(b.pose.position.x,
+                                       -1 - SPEED * PERIOD * (b.match.trigger_count - 1), 8)
+            self.assertEqual(audits[0].frames_never_arrived, 1)
+            run = subprocess.run(arguments + ['--output', folder + '/none.bag', '--profiles', '/no'],
+                                 stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn('check that it holds', run.stderr.decode())
 
     def test_refuses_to_finish_what_was_not_started(self):
         answer = self.finish(0, rospy.Duration(0.1))

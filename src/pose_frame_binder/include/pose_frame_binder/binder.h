@@ -58,6 +58,7 @@ class Binder {
   void take(const FrameMatcher::Result& result);
   void bind();
   void settle(std::size_t pulse, Fate fate);
+  bool latency_doubtful() const;
 
   const Settings settings_;
   PoseLog poses_;

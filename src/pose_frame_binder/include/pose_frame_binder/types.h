@@ -68,7 +68,7 @@ struct Settings {
   int frames_to_agree = 3;             //!< that fix the counter's offset
   double most_acceleration = 10;       //!< [m/s^2] of the flange, for the error bound
   double most_speed = 1.5;             //!< [m/s] of the flange, for the error bound
-  std::size_t most_poses = 2'000'000;  //!< held in memory (160 bytes each)
+  std::size_t most_poses = 2'000'000;  //!< held in memory (144 bytes each)
   std::size_t most_pending_frames = 20'000;  //!< that wait for pulses or poses
 };
 
@@ -114,8 +114,9 @@ struct Audit {
   std::uint64_t by_rule[5] = {};  //!< bound frames by Rule
   double worst_time_to_pose = 0;
   double worst_position_error = 0;
-  double latency = 0;       //!< [s] frame's stamp - pulse, as measured; NaN where nothing was bound
-  std::uint64_t slips = 0;  //!< times the counter's offset changed within an acquisition
+  double latency = 0;  //!< [s] frame's stamp - pulse, as measured; NaN where nothing was bound
+  bool latency_doubtful = false;     //!< frames and pulses overhang at opposite ends of the scan
+  std::uint64_t slips = 0;           //!< times the counter's offset changed within an acquisition
   std::uint64_t poses_repeated = 0;  //!< dropped: a pose with that time was there
   std::uint64_t poses_late = 0;      //!< dropped: further behind than pose_settle
   std::uint64_t poses_unusable = 0;  //!< dropped: not finite

@@ -136,6 +136,17 @@ void Binder::settle(std::size_t pulse, Fate fate) {
   fates_[pulse] = std::max(fates_[pulse], fate);
 }
 
+bool Binder::latency_doubtful() const {
+  if (fates_.empty() || audit_.frames_bound == 0) return false;
+  const auto without_pulse = [this](std::size_t frame) {
+    return std::any_of(audit_.dropped.begin(), audit_.dropped.end(), [frame](const Drop& drop) {
+      return drop.frame == frame && drop.reason == DropReason::NoTrigger;
+    });
+  };
+  return (fates_.front() == Fate::Unknown && without_pulse(counters_.size() - 1)) ||
+         (fates_.back() == Fate::Unknown && without_pulse(0));
+}
+
 Audit Binder::audit() const {
   Audit audit = audit_;
   audit.triggers = pulses_.size();
@@ -143,6 +154,7 @@ Audit Binder::audit() const {
   audit.poses = poses_.size();
   audit.frames_dropped = audit.dropped.size();
   audit.latency = matcher_.latency();
+  audit.latency_doubtful = latency_doubtful();
   audit.slips = matcher_.slips();
   audit.poses_repeated = poses_.repeated();
   audit.poses_late = poses_.late();

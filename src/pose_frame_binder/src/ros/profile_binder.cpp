@@ -134,6 +134,10 @@ std::string summary(const Audit& audit) {
     constexpr double kMilliseconds = 1e3;
     text << "; frames are stamped " << audit.latency * kMilliseconds << " ms after their pulse";
   }
+  if (audit.latency_doubtful) {
+    text << "; pulses without a frame at one end of the scan and frames without a pulse at the "
+            "other: camera_latency is probably wrong by a pulse interval";
+  }
   return text.str();
 }
 

@@ -58,12 +58,20 @@ Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) 
   }
 }
 
+void write_bound(pose_frame_binder::ProfileBinder& scan, rosbag::Bag& output, ros::Time& last) {
+  for (const scan_cell_msgs::BoundProfile& bound : scan.take()) {
+    last = bound.header.stamp;
+    output.write("/pose_frame_binder/bound_profiles", last, bound);
+  }
+}
+
 /// Binds all that the bag holds, as one scan.
-void bind(const Options& options) {
+pose_frame_binder::Audit bind(const Options& options, rosbag::Bag& output) {
   rosbag::Bag bag;
   open(bag, options.bag, rosbag::bagmode::Read);
   pose_frame_binder::ProfileBinder scan(options.settings, options.frames,
                                         fixed_to_base(bag, options));
+  ros::Time last(1);  // bags know no time of zero
   rosbag::View view(bag, rosbag::TopicQuery({options.events, options.profiles, options.poses}));
   for (const rosbag::MessageInstance& message : view) {
     if (const auto event = message.instantiate<scan_cell_msgs::TriggerEvent>()) {
@@ -73,26 +81,36 @@ void bind(const Options& options) {
     } else if (const auto poses = message.instantiate<tf2_msgs::TFMessage>()) {
       scan.add(*poses);
     }
+    write_bound(scan, output, last);
   }
   scan.binder().end();
+  write_bound(scan, output, last);
   const pose_frame_binder::Audit audit = scan.binder().audit();
   if (audit.frames_bound == 0) {
     throw UnusableInput(options.bag, summary(audit),
                         "check that it holds " + options.events + ", " + options.profiles +
                             " and " + options.poses);
   }
-  const std::string partial = options.output + ".partial";
-  rosbag::Bag output;
-  open(output, partial, rosbag::bagmode::Write);
-  ros::Time last;
-  for (const scan_cell_msgs::BoundProfile& bound : scan.take()) {
-    last = bound.header.stamp;
-    output.write("/pose_frame_binder/bound_profiles", last, bound);
-  }
   const std::string scan_id = std::filesystem::path(options.bag).stem().string();
   output.write("/pose_frame_binder/audit", last, to_message(audit, scan_id, last));
-  output.close();
-  std::filesystem::rename(partial, options.output);
+  return audit;
+}
+
+/// Writes the output whole or not at all.
+void run(const Options& options) {
+  const std::string partial = options.output + ".partial";
+  pose_frame_binder::Audit audit;
+  try {
+    rosbag::Bag output;
+    open(output, partial, rosbag::bagmode::Write);
+    audit = bind(options, output);
+    output.close();
+    std::filesystem::rename(partial, options.output);
+  } catch (...) {
+    std::error_code not_there;
+    std::filesystem::remove(partial, not_there);
+    throw;
+  }
   std::cout << summary(audit) << '\n';
   for (const pose_frame_binder::Drop& drop : audit.dropped) {
     std::cout << name(drop.reason) << ": frame " << drop.frame_counter << ", pulse "
@@ -130,7 +148,7 @@ int main(int argc, char** argv) {
     options.settings.method = pose_frame_binder::Method::FirstPose;
   }
   try {
-    bind(options);
+    run(options);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "bind_bag: " << error.what() << '\n';
