@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <urdf/model.h>
 
+#include <array>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl_parser/kdl_parser.hpp>
 #include <random>
-#include <set>
 
 #include "c4g_driver/limits.h"
 #include "closed_form.h"

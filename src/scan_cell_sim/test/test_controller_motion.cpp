@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "scan_cell_sim/controller/motion_control.h"
@@ -279,20 +281,18 @@ TEST_F(Motion, RefusesWhatTheRobotCannotDo) {
   EXPECT_EQ(control_.motions_begun(), 1u);
 }
 
-TEST_F(Motion, RefusesALineOverWhichTheWristWouldFlip) {
-  // wrist straight half way: pointing forward above, below the forearm's line
-  MotionControl control(degrees(0, 0, -90, 0, 30, 0));
-  const Isometry3d mirrored = scan_cell_sim::flange_of(degrees(0.6, 0, -90, 0, -30, 0));
-  try {
-    control.move_to_pose(1, mirrored, 0, kStart);
-    for (double time = 0; time < 20; time += 0.004) {  // if it goes, then without a jump
-      const Joints step = control.state(kStart + from_seconds(time + 0.004)).joints -
-                          control.state(kStart + from_seconds(time)).joints;
-      ASSERT_LT(step.cwiseAbs().maxCoeff(), 550 * kDegree * 0.004 * 1.5);
-    }
-  } catch (const ControllerRefusal& refused) {
-    EXPECT_EQ(refused.code(), ControllerErrorCode::Singular);
-  }
+TEST(Line, IsRefusedWhereTheWristWouldFlipOver) {
+  // the flange's axis swings past the forearm's at one degree: J4 would have to turn half around
+  const Joints from = degrees(0, 0, -90, 3, 20, 0);
+  const Joints past = degrees(0, 0, -90, -3, -20, 0);
+  EXPECT_EQ(refusal([&] { scan_cell_sim::plan_line(from, scan_cell_sim::flange_of(past), {}); }),
+            ControllerErrorCode::Singular);
+  // straight through it, no axis jumps
+  const Joints through = degrees(0, 0, -90, 0, -20, 0);
+  const auto plan =
+      scan_cell_sim::plan_line(degrees(0, 0, -90, 0, 20, 0), scan_cell_sim::flange_of(through), {});
+  expect_same(product_of_exponentials(plan.path->joints(1)), scan_cell_sim::flange_of(through),
+              2e-9);
 }
 
 TEST_F(Motion, RemembersWhereItWas) {
