@@ -27,6 +27,13 @@ configure: dependencies src/CMakeLists.txt
 build: configure
 	@cmake --build build --parallel $(JOBS)
 
+demo: build
+	@scripts/demo.sh
+
+bench: build
+	@cmake --build build --parallel $(JOBS) --target benchmarks
+	@$(IN_WORKSPACE) for bench in devel/lib/*/bench_*; do echo "== $$(basename $$bench)"; $$bench || exit 1; done
+
 test: build
 	@cmake --build build --parallel $(JOBS) --target tests
 	@rm -rf build/test_results

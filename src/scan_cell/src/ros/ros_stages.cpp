@@ -41,10 +41,11 @@ void RosStages::finish(std::uint64_t pulses, double patience) {
   FinishCloud::Request cloud;
   cloud.profiles = audit_.frames_bound;
   cloud.timeout = ros::Duration(patience);
-  const auto response =
-      call<FinishCloud>(triangulation_ + "/finish", cloud, call_timeout_ + patience);
+  const std::string finish_cloud = triangulation_ + "/finish";
+  const auto response = ask<FinishCloud>(finish_cloud, cloud, call_timeout_ + patience);
   statistics_ = response.statistics;
-  cloud_ = response.cloud;
+  cloud_ = response.cloud;  // also where it failed: what was captured is kept
+  check_answer(finish_cloud, response);
 }
 
 }  // namespace scan_cell

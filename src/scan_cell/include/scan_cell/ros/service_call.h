@@ -14,12 +14,11 @@
 
 namespace scan_cell {
 
-/// Calls a service and waits at most `timeout` [s]: roscpp alone would wait for ever on a node that
+/// Asks a service and waits at most `timeout` [s]: roscpp alone would wait for ever on a node that
 /// hangs.
 /// @throw ConnectionError if there is no such service, or no answer in time
-/// @throw Refused with the service's own message if it answers success: false
 template <class Service>
-typename Service::Response call(const std::string& name, const typename Service::Request& request,
+typename Service::Response ask(const std::string& name, const typename Service::Request& request,
                                 double timeout) {
   if (!ros::service::exists(name, false)) {
     throw scan_cell_common::ConnectionError(name, "no such service", "is its node running?");
@@ -39,10 +38,23 @@ typename Service::Response call(const std::string& name, const typename Service:
     throw scan_cell_common::ConnectionError(
         name, "no answer within " + std::to_string(timeout) + " s", "is its node alive?");
   }
-  if (!shared->service.response.success) {
-    throw scan_cell_common::Refused(name, "refused", shared->service.response.message);
-  }
   return shared->service.response;
+}
+
+/// Throws what a service answered, if it was success: false.
+template <class Response>
+void check_answer(const std::string& name, const Response& response) {
+  if (!response.success) throw scan_cell_common::Refused(name, "refused", response.message);
+}
+
+/// As ask(), for services whose answer is only good where they succeed.
+/// @throw Refused with the service's own message if it answers success: false
+template <class Service>
+typename Service::Response call(const std::string& name, const typename Service::Request& request,
+                                double timeout) {
+  const typename Service::Response response = ask<Service>(name, request, timeout);
+  check_answer(name, response);
+  return response;
 }
 
 }  // namespace scan_cell

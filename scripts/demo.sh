@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# The whole cell without hardware: scans a reference and a changed part, adapts the tool path, compares it
+# with the truth. Leaves clouds, paths, picture and report in out/.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck disable=SC1091
+set +u && source devel/setup.bash && set -u
+
+out="$PWD/out"
+mkdir -p "$out"
+rm -f "$out"/*.ply "$out"/*.csv "$out"/*.png "$out"/*.json "$out"/*.bag
+
+export ROS_IP=127.0.0.1 ROS_HOME="$out/ros"
+export ROS_MASTER_URI="http://127.0.0.1:${DEMO_MASTER_PORT:-11321}"  # not the cell's own master, if one runs
+rviz=false
+[ -n "${DISPLAY:-}" ] && rviz=true
+
+echo "Starting the simulated cell (log: out/cell.log)"
+roslaunch --wait launch/scan_cell.launch sim:=true rviz:=$rviz record:="$out/demo.bag" \
+  >"$out/cell.log" 2>&1 &
+cell=$!
+roscore -p "${DEMO_MASTER_PORT:-11321}" >"$out/roscore.log" 2>&1 &
+core=$!
+trap 'kill -INT $cell 2>/dev/null; wait $cell 2>/dev/null; kill -INT $core 2>/dev/null; wait $core 2>/dev/null || true' EXIT
+
+status=0
+rosrun scan_cell_demo demo --output "$out" || status=$?
+if [ "$status" -eq 0 ]; then
+  rosrun scan_cell_demo plot_result.py --reference "$out/reference.ply" --object "$out/object.ply" \
+    --path "$out/tool_path.csv" --adapted "$out/adapted_path.csv" --truth "$out/true_path.csv" \
+    --output "$out/result.png"
+  echo "Left in out/: $(cd "$out" && ls ./*.ply ./*.csv ./*.png ./*.json | sed 's,^./,,' | tr '\n' ' ')"
+else
+  echo "The demo failed; the cell's last words:" >&2
+  tail -n 25 "$out/cell.log" >&2
+fi
+exit "$status"

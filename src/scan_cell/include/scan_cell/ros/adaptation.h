@@ -1,0 +1,28 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include <string>
+
+#include "scan_cell/ros/cell_client.h"
+
+namespace scan_cell {
+
+/// What a path is adapted from, and where the results go.
+struct AdaptationFiles {
+  std::string reference;  //!< cloud of the reference part, PLY or PCD
+  std::string path;       //!< tool path proven on it, CSV or YAML
+  std::string output;     //!< folder for object.ply, adapted_path.csv and report.json
+};
+
+/// Adapts the path to an object with the running stretcher and writes the results. A path that was
+/// there from an earlier run is removed first: a refusal leaves none.
+/// @return the verdict
+/// @throw scan_cell_common::Error if a file cannot be used, or the stretcher is not there
+scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& files,
+                                     const sensor_msgs::PointCloud2& object, double timeout,
+                                     const CellClient::Progress& progress);
+
+}  // namespace scan_cell

@@ -1,0 +1,61 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "scan_cell/progress_bar.h"
+#include "scan_cell/ros/adaptation.h"
+#include "scan_cell_common/errors.h"
+
+namespace {
+
+struct Options {
+  std::string program;
+  scan_cell::AdaptationFiles files;
+  double timeout = 60;
+};
+
+/// @return the process's exit code
+int adapt(const Options& options) {
+  const auto program = scan_cell::load_scan_program(options.program);
+  scan_cell::CellClient client(ros::NodeHandle(), {});
+  scan_cell_msgs::ScanResult scan;
+  scan_cell::ProgressBar bar("adapt");
+  const auto object = client.scan_clean(
+      program, "", options.timeout,
+      [&bar](const std::string& what, double share) { bar.show(what, 0.7 * share); }, scan);
+  const auto verdict = scan_cell::adapt(
+      client, options.files, object, options.timeout,
+      [&bar](const std::string& what, double share) { bar.show(what, 0.7 + 0.3 * share); });
+  if (verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED) return 0;
+  std::fprintf(stderr, "\nadapt: refused: %s: %s\n", verdict.name.c_str(), verdict.message.c_str());
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "adapt", ros::init_options::AnonymousName);
+  Options options;
+  CLI::App app("Scans the part in the running cell and adapts a tool path to it");
+  app.add_option("--program", options.program, "scan program (YAML)")->required();
+  app.add_option("--reference", options.files.reference, "clean cloud of the reference part")
+      ->required();
+  app.add_option("--path", options.files.path, "tool path proven on it (.csv, .yaml)")->required();
+  app.add_option("--output", options.files.output, "folder for cloud, path and report")->required();
+  app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    return adapt(options);
+  } catch (const scan_cell_common::Refused& error) {
+    std::fprintf(stderr, "\nadapt: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "\nadapt: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,94 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include <cstdio>
+
+#include "scan_cell/progress_bar.h"
+#include "scan_cell/ros/adaptation.h"
+#include "scan_cell/ros/bag_replay.h"
+#include "scan_cell/ros/clean_cloud_watch.h"
+#include "scan_cell/ros/ros_stages.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/node_main.h"
+#include "scan_cell_common/ros/parameter_reader.h"
+
+namespace {
+
+struct Parameters {
+  std::string bag;
+  std::string scan_id;  //!< empty: the last in the bag
+  scan_cell::AdaptationFiles files;
+  double speed = 4;      //!< times real time
+  double timeout = 60;   //!< [s] to wait for nodes, clouds and the stretcher
+  double patience = 10;  //!< [s] for data that is late
+  std::string binder = "/pose_frame_binder";
+  std::string triangulation = "/laser_triangulation";
+
+  static Parameters load(const ros::NodeHandle& node) {
+    scan_cell_common::ParameterReader reader(node);
+    Parameters parameters;
+    reader.require("bag", parameters.bag);
+    reader.read("scan_id", parameters.scan_id);
+    reader.require("reference", parameters.files.reference);
+    reader.require("path", parameters.files.path);
+    reader.require("output", parameters.files.output);
+    reader.read("speed", parameters.speed, {0.01, 1000});
+    reader.read("timeout", parameters.timeout, {1, 3600});
+    reader.read("patience", parameters.patience, {0.1, 600});
+    reader.read("binder", parameters.binder);
+    reader.read("triangulation", parameters.triangulation);
+    reader.refuse_unknown();
+    return parameters;
+  }
+};
+
+void wait_for_services(const Parameters& parameters) {
+  for (const std::string& name :
+       {parameters.binder + "/start", parameters.binder + "/finish",
+        parameters.triangulation + "/start", parameters.triangulation + "/finish"}) {
+    if (!ros::service::waitForService(name, ros::Duration(parameters.timeout))) {
+      throw scan_cell_common::ConnectionError(name, "no such service", "is its node running?");
+    }
+  }
+}
+
+/// @throw Refused if the path was refused, or preprocessing failed
+void replay(const Parameters& parameters) {
+  const scan_cell::CellClient::Names names;
+  ros::NodeHandle node;
+  scan_cell::BagReplay bag(parameters.bag, parameters.scan_id, {});
+  scan_cell::RosStages stages(parameters.binder, parameters.triangulation, parameters.timeout);
+  scan_cell::CleanCloudWatch watch(node, names.clean_cloud, names.report);
+  scan_cell::CellClient client(node, names);
+  scan_cell::ProgressBar bar("replay '" + bag.scan().scan_id + "'");
+
+  wait_for_services(parameters);
+  stages.start(bag.scan().scan_id);
+  bag.play(node, parameters.speed, parameters.timeout,
+           [&bar](double share) { bar.show("play", 0.5 * share); });
+  bar.show("bind and triangulate", 0.5);
+  stages.finish(bag.pulses(), parameters.patience);
+  bar.show("clean", 0.6);
+  const auto object = watch.wait(stages.cloud().header.stamp, parameters.timeout);
+  const auto verdict = scan_cell::adapt(
+      client, parameters.files, object, parameters.timeout,
+      [&bar](const std::string& stage, double share) { bar.show(stage, 0.7 + 0.3 * share); });
+  std::printf("%lu frames bound, %lu dropped, %lu never arrived; path %s\n",
+              stages.audit().frames_bound, stages.audit().frames_dropped,
+              stages.audit().frames_never_arrived, verdict.name.c_str());
+  if (verdict.reason != scan_cell_msgs::StretchVerdict::ACCEPTED) {
+    throw scan_cell_common::Refused("path", verdict.name, verdict.message);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(argc, argv, "replay", [] {
+    const Parameters parameters = Parameters::load(ros::NodeHandle("~"));
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    replay(parameters);
+  });
+}

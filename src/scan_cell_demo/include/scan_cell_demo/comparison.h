@@ -1,0 +1,39 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "scan_cell_common/cloud_files.h"
+#include "tool_path_stretcher/tool_path.h"
+
+namespace scan_cell_demo {
+
+/// How far an adapted path lies from the true one.
+struct PathError {
+  double rms = 0;              //!< [m] of the positions
+  double max = 0;              //!< [m]
+  double orientation_rms = 0;  //!< [rad] of the angles between the orientations
+};
+
+/// @throw scan_cell_common::UnusableInput if the paths differ in their segments or waypoints
+PathError compare(const tool_path_stretcher::ToolPath& path,
+                  const tool_path_stretcher::ToolPath& truth);
+
+/// A path on the reference part, carried to where the object's deformation, scale and pose truly
+/// take it: the simulator's ground truth.
+/// @param reference, object world files; `part` is the part's name in both
+tool_path_stretcher::ToolPath true_path(const tool_path_stretcher::ToolPath& path,
+                                        const std::string& reference, const std::string& object,
+                                        const std::string& part);
+
+/// A path that is right on the part of that world: along the crest of the frame's moulding.
+tool_path_stretcher::ToolPath proven_path(const std::string& world, const std::string& part);
+
+/// Root mean square distance [m] of a cloud in `world` from the true surfaces.
+double cloud_rms(const scan_cell_common::Cloud& cloud, const std::string& world);
+
+/// How much larger the part truly is in the object's world than in the reference's.
+double true_scale(const std::string& reference, const std::string& object, const std::string& part);
+
+}  // namespace scan_cell_demo

@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws what an adapted path looks like: both clouds, both paths, and the error against the truth."""
+
+import argparse
+
+import matplotlib
+
+matplotlib.use('Agg')
+import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first: there may be no display)
+import numpy as np  # noqa: E402
+
+MOST_POINTS = 15000
+MM = 1e3
+
+
+def read_ply(path):
+    """Points [m] of a binary little-endian PLY whose vertices start with float x, y, z."""
+    with open(path, 'rb') as file:
+        count, stride = 0, 0
+        sizes = {'float': 4, 'float32': 4, 'double': 8, 'uchar': 1, 'uint8': 1, 'int': 4, 'uint': 4}
+        in_vertex = False
+        while True:
+            words = file.readline().split()
+            if words[0] == b'end_header':
+                break
+            if words[0] == b'element':
+                in_vertex = words[1] == b'vertex'
+                count = int(words[2]) if in_vertex else count
+            if words[0] == b'property' and in_vertex:
+                stride += sizes[words[1].decode()]
+        data = np.frombuffer(file.read(count * stride), dtype=np.uint8).reshape(count, stride)
+    return data[:, :12].copy().view('<f4').astype(float)
+
+
+def read_path(path):
+    """Positions [m], one row a waypoint, and the index of each one's segment."""
+    table = np.genfromtxt(path, delimiter=',', names=True, dtype=None, encoding='utf-8')
+    return np.stack([table['x'], table['y'], table['z']], axis=1)
+
+
+def thin(points):
+    return points[:: max(1, len(points) // MOST_POINTS)]
+
+
+def show_both(axes, reference, object_cloud, path, adapted):
+    shift = np.array([0, np.ptp(reference[:, 1]) * 0.6 + np.ptp(object_cloud[:, 1]) * 0.6, 0])
+    left, right = thin(reference) * MM, thin(object_cloud + shift) * MM
+    axes.scatter(*left.T, s=0.6, c='0.6', linewidths=0)
+    axes.scatter(*right.T, s=0.6, c='steelblue', linewidths=0)
+    start, end = path * MM, (adapted + shift) * MM
+    axes.plot(*start.T, c='black', lw=1.2, label='path on the reference')
+    axes.plot(*end.T, c='crimson', lw=1.2, label='adapted path on the object')
+    for i in range(0, len(start), max(1, len(start) // 25)):
+        axes.plot(*np.stack([start[i], end[i]]).T, c='limegreen', lw=0.6)
+    everything = np.vstack([left, right])
+    for set_limits, values in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), everything.T):
+        set_limits(values.min(), values.max())
+    axes.set_box_aspect(np.ptp(everything, axis=0), zoom=1.55)
+    axes.view_init(elev=40, azim=-20)
+    axes.set_axis_off()
+    axes.legend(loc='upper left', fontsize=8)
+
+
+def show_top(axes, object_cloud, adapted, truth):
+    error = np.linalg.norm(adapted - truth, axis=1) * MM
+    cloud = thin(object_cloud) * MM
+    axes.scatter(cloud[:, 0], cloud[:, 1], s=0.3, c='0.75', linewidths=0)
+    dots = axes.scatter(adapted[:, 0] * MM, adapted[:, 1] * MM, s=7, c=error, cmap='viridis')
+    plt.colorbar(dots, ax=axes, label='error of the waypoint [mm]', shrink=0.8)
+    axes.set_aspect('equal')
+    axes.set_xlabel('x [mm]')
+    axes.set_ylabel('y [mm]')
+    axes.set_title('adapted path against the truth')
+
+
+def show_errors(axes, adapted, truth):
+    difference = (adapted - truth) * MM
+    axes.plot(np.linalg.norm(difference, axis=1), c='black', lw=1, label='whole')
+    axes.plot(np.abs(difference[:, 2]), c='crimson', lw=0.8, label='along z')
+    axes.set_xlabel('waypoint')
+    axes.set_ylabel('error [mm]')
+    axes.set_ylim(bottom=0)
+    axes.legend(fontsize=8)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ('reference', 'object', 'path', 'adapted', 'truth', 'output'):
+        parser.add_argument('--' + name, required=True)
+    names = parser.parse_args()
+    reference, object_cloud = read_ply(names.reference), read_ply(names.object)
+    path, adapted, truth = (read_path(p) for p in (names.path, names.adapted, names.truth))
+
+    figure = plt.figure(figsize=(14, 6.5))
+    grid = figure.add_gridspec(2, 2, width_ratios=[1.5, 1], height_ratios=[2.2, 1])
+    show_both(figure.add_subplot(grid[:, 0], projection='3d'), reference, object_cloud, path, adapted)
+    show_top(figure.add_subplot(grid[0, 1]), object_cloud, adapted, truth)
+    show_errors(figure.add_subplot(grid[1, 1]), adapted, truth)
+    figure.tight_layout()
+    figure.savefig(names.output, dpi=110)
+
+
+if __name__ == '__main__':
+    main()

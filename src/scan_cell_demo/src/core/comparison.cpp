@@ -1,0 +1,95 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_demo/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_sim/ground_truth.h"
+#include "scan_cell_sim/tool_paths.h"
+#include "scan_cell_sim/world.h"
+
+namespace scan_cell_demo {
+
+using tool_path_stretcher::ToolPath;
+using tool_path_stretcher::Waypoint;
+
+namespace {
+
+std::vector<const Waypoint*> waypoints(const ToolPath& path) {
+  std::vector<const Waypoint*> all;
+  for (const auto& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints)
+      all.push_back(&waypoint);
+  }
+  return all;
+}
+
+}  // namespace
+
+PathError compare(const ToolPath& path, const ToolPath& truth) {
+  const auto ours = waypoints(path);
+  const auto theirs = waypoints(truth);
+  if (ours.size() != theirs.size() || ours.empty()) {
+    throw scan_cell_common::UnusableInput(
+        "adapted path", std::to_string(ours.size()) + " waypoints",
+        "compare it with a path of as many, not " + std::to_string(theirs.size()));
+  }
+  PathError error;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const Eigen::Isometry3d difference = theirs[i]->pose.inverse() * ours[i]->pose;
+    const double distance = difference.translation().norm();
+    const double angle = Eigen::AngleAxisd(difference.linear()).angle();
+    error.rms += distance * distance;
+    error.max = std::max(error.max, distance);
+    error.orientation_rms += angle * angle;
+  }
+  const auto count = static_cast<double>(ours.size());
+  error.rms = std::sqrt(error.rms / count);
+  error.orientation_rms = std::sqrt(error.orientation_rms / count);
+  return error;
+}
+
+ToolPath true_path(const ToolPath& path, const std::string& reference, const std::string& object,
+                   const std::string& part) {
+  const scan_cell_sim::World from = scan_cell_sim::load_world(reference);
+  const scan_cell_sim::World to = scan_cell_sim::load_world(object);
+  ToolPath truth = path;
+  for (auto& segment : truth.segments) {
+    for (Waypoint& waypoint : segment.waypoints) {
+      waypoint.pose = scan_cell_sim::true_image(from.part(part), to.part(part), waypoint.pose);
+    }
+  }
+  return truth;
+}
+
+ToolPath proven_path(const std::string& world, const std::string& part) {
+  constexpr double kSpacing = 2e-3;  // [m]
+  const scan_cell_sim::World cell = scan_cell_sim::load_world(world);
+  ToolPath path;
+  path.name = "crest of " + part;
+  path.has_orientation = true;
+  path.segments.push_back({"crest", {}});
+  for (const Eigen::Isometry3d& pose : scan_cell_sim::crest_path(cell.part(part), kSpacing)) {
+    path.segments.front().waypoints.push_back({pose, {}});
+  }
+  return path;
+}
+
+double cloud_rms(const scan_cell_common::Cloud& cloud, const std::string& world) {
+  const scan_cell_sim::Scene truth(scan_cell_sim::load_world(world));
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(cloud.size());
+  for (const pcl::PointXYZ& point : cloud)
+    points.emplace_back(point.x, point.y, point.z);
+  return scan_cell_sim::compare(truth, points).rms;
+}
+
+double true_scale(const std::string& reference, const std::string& object,
+                  const std::string& part) {
+  return scan_cell_sim::load_world(object).part(part).scale /
+         scan_cell_sim::load_world(reference).part(part).scale;
+}
+
+}  // namespace scan_cell_demo

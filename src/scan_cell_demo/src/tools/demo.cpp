@@ -1,0 +1,187 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/package.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/LoadWorld.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "scan_cell/progress_bar.h"
+#include "scan_cell/ros/cell_client.h"
+#include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/cloud_messages.h"
+#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_demo/comparison.h"
+#include "tool_path_stretcher/ros/conversions.h"
+#include "tool_path_stretcher/tool_path_files.h"
+
+namespace {
+
+using scan_cell_common::Cloud;
+using tool_path_stretcher::ToolPath;
+
+constexpr double kMillimetres = 1e3;
+
+struct Options {
+  std::string output = "out";
+  std::string reference = ros::package::getPath("scan_cell_sim") + "/config/reference_frame.yaml";
+  std::string object = ros::package::getPath("scan_cell_sim") + "/config/object_frame.yaml";
+  std::string program = ros::package::getPath("scan_cell") + "/config/scan_line.yaml";
+  std::string part = "frame";
+  std::string simulator = "/scan_cell_sim";
+  double timeout = 60;  // [s] for the cell to come up
+};
+
+/// What one scan left.
+struct Scanned {
+  Cloud clean;
+  std_msgs::Header header;
+  scan_cell_msgs::ScanResult result;
+};
+
+class Demo {
+ public:
+  explicit Demo(const Options& options)
+      : options_(options), program_(scan_cell::load_scan_program(options.program)) {}
+
+  /// @return the process's exit code
+  int run() {
+    const Scanned reference = scan("reference", options_.reference);
+    const Scanned object = scan("object", options_.object);
+    const ToolPath path = proven_path();
+    const auto stretched = stretch(reference, object, path);
+    report(reference, object, path, stretched);
+    if (is_accepted(stretched)) return 0;
+    std::fprintf(stderr, "refused: %s\n", stretched.verdict.message.c_str());
+    return 2;
+  }
+
+ private:
+  std::string out(const std::string& name) const { return options_.output + "/" + name; }
+
+  Scanned scan(const std::string& name, const std::string& world) {
+    scan_cell_msgs::LoadWorld::Request request;
+    request.path = world;
+    wait_for_service(options_.simulator + "/load_world");
+    scan_cell::call<scan_cell_msgs::LoadWorld>(options_.simulator + "/load_world", request,
+                                               options_.timeout);
+    Scanned scanned;
+    scan_cell::ProgressBar bar("scan the " + name);
+    const sensor_msgs::PointCloud2 clean = client_.scan_clean(
+        program_, name, options_.timeout,
+        [&bar](const std::string& what, double share) { bar.show(what, share); }, scanned.result);
+    scanned.header = clean.header;
+    scanned.clean = scan_cell_common::from_message(clean);
+    scan_cell_common::save_cloud(out(name + ".ply"), scanned.clean);
+    return scanned;
+  }
+
+  void wait_for_service(const std::string& name) const {
+    if (!ros::service::waitForService(name, ros::Duration(options_.timeout))) {
+      throw scan_cell_common::ConnectionError(name, "no such service",
+                                              "start the cell with sim:=true");
+    }
+  }
+
+  ToolPath proven_path() const {
+    const ToolPath path = scan_cell_demo::proven_path(options_.reference, options_.part);
+    tool_path_stretcher::save_tool_path(out("tool_path.csv"), path);
+    return path;
+  }
+
+  scan_cell_msgs::StretchToolPathResult stretch(const Scanned& reference, const Scanned& object,
+                                                const ToolPath& path) {
+    scan_cell_msgs::StretchToolPathGoal goal;
+    goal.reference = scan_cell_common::to_message(reference.clean, reference.header);
+    goal.object = scan_cell_common::to_message(object.clean, object.header);
+    goal.path = tool_path_stretcher::to_message(path, reference.header);
+    scan_cell::ProgressBar bar("adapt the path");
+    return client_.stretch(goal, options_.timeout, [&bar](const std::string& what, double share) {
+      bar.show(what, share);
+    });
+  }
+
+  void report(const Scanned& reference, const Scanned& object, const ToolPath& path,
+              const scan_cell_msgs::StretchToolPathResult& stretched) const {
+    nlohmann::ordered_json json;
+    json["verdict"] = is_accepted(stretched) ? "accepted" : "refused";
+    json["reason"] = stretched.verdict.name;
+    json["message"] = stretched.verdict.message;
+    json["scale"] = stretched.similarity.scale;
+    json["scale_true"] =
+        scan_cell_demo::true_scale(options_.reference, options_.object, options_.part);
+    add_cloud_errors(json, reference, object);
+    if (is_accepted(stretched)) add_path_errors(json, path, stretched);
+    json["frames"] = reference.result.audit.frames + object.result.audit.frames;
+    json["frames_bound"] = reference.result.audit.frames_bound + object.result.audit.frames_bound;
+    json["frames_dropped"] =
+        reference.result.audit.frames_dropped + object.result.audit.frames_dropped;
+    json["frames_never_arrived"] =
+        reference.result.audit.frames_never_arrived + object.result.audit.frames_never_arrived;
+    json["scan_s"] = reference.result.seconds + object.result.seconds;
+    json["stretch_s"] = stretched.seconds;
+    scan_cell_common::save_text(out("report.json"), json.dump(2) + "\n");
+    std::printf("%s\n", json.dump(2).c_str());
+  }
+
+  /// The worse of the two clouds counts: both carry the path.
+  void add_cloud_errors(nlohmann::ordered_json& json, const Scanned& reference,
+                        const Scanned& object) const {
+    const double of_reference = scan_cell_demo::cloud_rms(reference.clean, options_.reference);
+    const double of_object = scan_cell_demo::cloud_rms(object.clean, options_.object);
+    json["cloud_rms_mm"] = std::max(of_reference, of_object) * kMillimetres;
+    json["cloud_rms_reference_mm"] = of_reference * kMillimetres;
+    json["cloud_rms_object_mm"] = of_object * kMillimetres;
+  }
+
+  void add_path_errors(nlohmann::ordered_json& json, const ToolPath& path,
+                       const scan_cell_msgs::StretchToolPathResult& stretched) const {
+    const ToolPath adapted = tool_path_stretcher::from_message(stretched.path);
+    const ToolPath truth =
+        scan_cell_demo::true_path(path, options_.reference, options_.object, options_.part);
+    tool_path_stretcher::save_tool_path(out("adapted_path.csv"), adapted);
+    tool_path_stretcher::save_tool_path(out("true_path.csv"), truth);
+    const scan_cell_demo::PathError error = scan_cell_demo::compare(adapted, truth);
+    json["path_rms_mm"] = error.rms * kMillimetres;
+    json["path_max_mm"] = error.max * kMillimetres;
+    json["path_orientation_rms_deg"] = error.orientation_rms * 180 / M_PI;
+  }
+
+  static bool is_accepted(const scan_cell_msgs::StretchToolPathResult& stretched) {
+    return stretched.verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED;
+  }
+
+  Options options_;
+  scan_cell::ScanProgram program_;
+  scan_cell::CellClient client_{ros::NodeHandle(), {}};
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "demo", ros::init_options::AnonymousName);
+  Options options;
+  CLI::App app(
+      "Scans two parts in the simulated cell, adapts the path, and compares with the truth");
+  app.add_option("--output", options.output, "folder for clouds, paths and report");
+  app.add_option("--reference", options.reference, "world file of the reference part");
+  app.add_option("--object", options.object, "world file of the changed part");
+  app.add_option("--program", options.program, "scan program");
+  app.add_option("--part", options.part, "name of the part in both worlds");
+  app.add_option("--simulator", options.simulator, "node of the simulator");
+  app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    return Demo(options).run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "demo: %s\n", error.what());
+    return 1;
+  }
+}
