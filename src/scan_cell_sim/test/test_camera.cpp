@@ -9,8 +9,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
-#include <map>
-#include <set>
+#include <random>
 #include <thread>
 
 #include "scan_cell_common/errors.h"
@@ -79,7 +78,6 @@ class Client {
     arv_camera_gv_set_packet_size(camera_, kPacketSize, nullptr);
     stream_ = arv_camera_create_stream(camera_, nullptr, nullptr, nullptr);
     ASSERT_NE(stream_, nullptr);
-    g_object_set(stream_, "packet-resend", ARV_GV_STREAM_PACKET_RESEND_NEVER, nullptr);
     const std::size_t payload = arv_camera_get_payload(camera_, nullptr);
     for (int i = 0; i < kBuffers; ++i)
       arv_stream_push_buffer(stream_, arv_buffer_new_allocate(payload));
@@ -110,6 +108,13 @@ class Client {
   }
 
   int broken() const { return broken_; }
+
+  /// Packets that came because they were asked for again.
+  std::uint64_t resent() const {
+    guint64 resent = 0, missing = 0;
+    arv_gv_stream_get_statistics(ARV_GV_STREAM(stream_), &resent, &missing);
+    return resent;
+  }
 
  private:
   static Received take(ArvBuffer* buffer) {
@@ -235,11 +240,11 @@ TEST_F(CameraTest, BlockIdsWrapToOne) {
   ASSERT_TRUE(client.connected());
   arv_camera_set_region(client.get(), 0, 0, 64, 8, nullptr);
   client.start(true);
-  first_pulse(1);
+  Nanoseconds time = first_pulse(1);
   std::uint64_t last = client.next().block;
   bool wrapped = false;
   for (int i = 0; i < 200; ++i) {
-    camera_.pulse({host_now() + i * 10'000'000, 1});
+    camera_.pulse({time += 10'000'000, 1});
     const std::uint64_t block = client.next().block;
     EXPECT_EQ(block, last == 65535 ? 1 : last + 1);
     wrapped = wrapped || block < last;
@@ -323,6 +328,46 @@ TEST_F(CameraTest, LostPacketsBreakFrames) {
   }));
 }
 
+TEST_F(CameraTest, PacketsLostOnceComeWhenTheyAreAskedForAgain) {
+  Client client;
+  ASSERT_TRUE(client.connected());
+  CameraFaults faults;
+  faults.packets_lost_once = 0.03;
+  camera_.set_faults(faults);
+  client.start(true);
+  Nanoseconds time = first_pulse(1);
+  constexpr int kFrames = 30;
+  for (int i = 1; i < kFrames; ++i)
+    camera_.pulse({time += 10'000'000, 1});
+  for (int i = 0; i < kFrames; ++i)
+    EXPECT_FALSE(client.next().pixels.empty());
+  EXPECT_EQ(client.broken(), 0);
+  EXPECT_GT(client.resent(), 0U);
+}
+
+TEST_F(CameraTest, AnswersTestPacketsUpToJumboFrames) {
+  const Client client;
+  ASSERT_TRUE(client.connected());
+  GError* error = nullptr;
+  const guint size = arv_camera_gv_auto_packet_size(client.get(), &error);
+  ASSERT_EQ(error, nullptr) << error->message;
+  EXPECT_GT(size, 1400U);
+  EXPECT_LE(size, 9000U);
+}
+
+TEST_F(CameraTest, ASoftwareTriggerIsAFrameNow) {
+  Client client;
+  ASSERT_TRUE(client.connected());
+  client.start(true);
+  arv_camera_set_trigger_source(client.get(), "Software", nullptr);
+  const Nanoseconds before = host_now();
+  arv_camera_software_trigger(client.get(), nullptr);
+  const Received received = client.next();
+  EXPECT_GE(received.time, before);
+  camera_.pulse({host_now(), 1});
+  EXPECT_EQ(camera_.counts().ignored, 1U);
+}
+
 TEST_F(CameraTest, WithoutPowerItIsLostAndWithPowerItCanBeUsedAgain) {
   {
     const Client client;
@@ -337,6 +382,36 @@ TEST_F(CameraTest, WithoutPowerItIsLostAndWithPowerItCanBeUsedAgain) {
   ASSERT_TRUE(again.connected());
   again.start(false);
   EXPECT_FALSE(again.next().pixels.empty());
+}
+
+TEST_F(CameraTest, GarbageOnTheControlPortHarmsNothing) {
+  const int handle = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in name{};
+  name.sin_family = AF_INET;
+  name.sin_port = htons(3956);
+  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::mt19937 random(1);
+  constexpr std::array<std::uint8_t, 6> kCodes = {0x02, 0x40, 0x80, 0x82, 0x84, 0x86};
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<std::uint8_t> packet(random() % 64);
+    for (std::uint8_t& byte : packet)
+      byte = static_cast<std::uint8_t>(random());
+    if (packet.size() >= 8 && i % 2 == 0) {  // a command that is good up to its data
+      packet[0] = 0x42;
+      packet[1] = packet[2] = packet[4] = 0;
+      packet[3] = kCodes[static_cast<std::size_t>(i / 2) % kCodes.size()];
+      packet[5] = static_cast<std::uint8_t>(packet.size() - 8);
+      if (packet.size() > 11 && i % 4 == 0) packet[8] = packet[9] = 0;  // and an address in range
+      if (packet[3] == 0x82 || packet[3] == 0x86) continue;             // would claim control
+    }
+    sendto(handle, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&name),
+           sizeof(name));
+  }
+  close(handle);
+  Client client;
+  ASSERT_TRUE(client.connected());
+  client.start(false);
+  EXPECT_FALSE(client.next().pixels.empty());
 }
 
 /// Takes control with plain packets and starts the camera, then never speaks again.

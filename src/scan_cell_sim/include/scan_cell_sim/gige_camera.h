@@ -21,18 +21,22 @@ struct CameraOptions {
   int sensor_height = 1710;               //!< [px]
   Region region = {336, 599, 1024, 512};  //!< at power-up
   double least_period = 0.002;  //!< [s] of the sensor: a pulse sooner after the last one is lost
+  double wire_rate = 125e6;     //!< [bytes/s] Gigabit Ethernet
   int most_pending = 200;       //!< frames kept for sending; a pulse beyond them is lost
 };
 
 struct CameraFaults {
-  double lost_frames = 0;   //!< share of the pulses whose frame never leaves the camera
-  double lost_packets = 0;  //!< share of the packets that never leave it; there is no resend
+  double lost_frames = 0;        //!< share of the pulses whose frame never leaves the camera
+  double lost_packets = 0;       //!< share of the packets that never arrive, however often sent
+  double packets_lost_once = 0;  //!< share that arrives only when asked for again
   unsigned seed = 1;
 };
 
-/// A GigE Vision camera served by Aravis, with the sensor's image given by a function. Free running
-/// or, in trigger mode (source Line0), one frame for each pulse; a frame's device time is the
-/// instant of its pulse, on the host's clock. All methods are safe to call from any thread.
+/// A GigE Vision camera with Aravis' registers and features (gige/control_server.h), whose sensor's
+/// image is given by a function. It runs freely or, in trigger mode with the source Line0, makes
+/// one frame for each pulse. A frame's device time is the instant of its pulse on the host's clock.
+/// Frames go out at the pace of a real wire, and packets that got lost are sent again on request.
+/// All methods are safe to call from any thread.
 class GigeCamera {
  public:
   /// What to render: at which instant, with which lasers.

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/gige_camera.h"
 
-#include <arpa/inet.h>
 #include <arv.h>
-#include <sys/socket.h>
+#include <poll.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
-#include <cmath>
-#include <cstring>
 #include <deque>
 #include <fstream>
 #include <mutex>
@@ -20,21 +17,18 @@
 #include <thread>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_sim/gige/frame_sender.h"
 
 namespace scan_cell_sim {
 namespace {
 
-using scan_cell_common::ConnectionError;
+using gige::ControlServer;
+using gige::FrameSender;
 using scan_cell_common::from_seconds;
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::Nanoseconds;
 
-constexpr std::uint16_t kControlPort = 3956;  // GigE Vision 1.2, section 7
-constexpr guint32 kOn = 1;
-/// Aravis looks for a trigger this often. It sleeps whole milliseconds and spins the rest: a little
-/// more than a whole number of them keeps the spinning short.
-constexpr double kLookPeriod = 0.0042;  // [s]
-/// The counter starts where Aravis' own does: it wraps soon, as it does in every long scan.
+/// The counter starts where Aravis' own fake camera's does: it wraps soon, as in every long scan.
 constexpr std::uint16_t kFirstBlock = 65400;
 
 Nanoseconds host_now() {
@@ -43,37 +37,10 @@ Nanoseconds host_now() {
       .count();
 }
 
-/// A UDP socket that is closed at the end.
-class UdpSocket {
- public:
-  UdpSocket() : handle_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {}
-  ~UdpSocket() { close(handle_); }
-  UdpSocket(const UdpSocket&) = delete;
-  UdpSocket& operator=(const UdpSocket&) = delete;
-  int handle() const { return handle_; }
-
- private:
-  int handle_;
-};
-
-sockaddr_in control_address(const std::string& address) {
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(kControlPort);
-  if (inet_pton(AF_INET, address.c_str(), &name.sin_addr) != 1) {
-    throw InvalidParameter("camera address", address, "give an IPv4 address such as 127.0.0.1");
-  }
-  return name;
-}
-
-/// Aravis says nothing if it cannot bind.
-void throw_if_taken(const std::string& address) {
-  const sockaddr_in name = control_address(address);
-  const UdpSocket probe;
-  if (bind(probe.handle(), reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0) return;
-  throw ConnectionError("camera on " + address + ":" + std::to_string(kControlPort),
-                        std::strerror(errno),
-                        "stop the other camera or simulator on this address, or give another one");
+/// 16 bits, and 0 is no number.
+std::uint16_t block_of(std::uint64_t frame) {
+  constexpr std::uint64_t kBlocks = 65535;
+  return static_cast<std::uint16_t>((kFirstBlock + frame - 2) % kBlocks + 1);
 }
 
 void check(const CameraOptions& options) {
@@ -86,16 +53,52 @@ void check(const CameraOptions& options) {
                            "the sensor has " + std::to_string(options.sensor_width) + " x " +
                                std::to_string(options.sensor_height) + " pixels");
   }
+  if (!(options.wire_rate > 0)) {
+    throw InvalidParameter("camera wire rate", std::to_string(options.wire_rate) + " bytes/s",
+                           "give more than 0");
+  }
   if (!std::ifstream(options.genicam_file)) {
     throw scan_cell_common::FileError(options.genicam_file, "cannot be read",
                                       "give the path of gige_camera.xml");
   }
 }
 
+void power_up(ControlServer& server, const CameraOptions& options) {
+  const auto set = [&server](std::uint32_t address, int value) {
+    server.set_register(address, static_cast<std::uint32_t>(value));
+  };
+  constexpr int kExposure = 1000;  // [us]
+  set(ARV_FAKE_CAMERA_REGISTER_SENSOR_WIDTH, options.sensor_width);
+  set(ARV_FAKE_CAMERA_REGISTER_SENSOR_HEIGHT, options.sensor_height);
+  set(ARV_FAKE_CAMERA_REGISTER_WIDTH, options.region.width);
+  set(ARV_FAKE_CAMERA_REGISTER_HEIGHT, options.region.height);
+  set(ARV_FAKE_CAMERA_REGISTER_X_OFFSET, options.region.x);
+  set(ARV_FAKE_CAMERA_REGISTER_Y_OFFSET, options.region.y);
+  set(ARV_FAKE_CAMERA_REGISTER_EXPOSURE_TIME_US, kExposure);
+}
+
+/// Wakes a thread that waits in poll().
+class Bell {
+ public:
+  Bell() : handle_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+  ~Bell() { close(handle_); }
+  Bell(const Bell&) = delete;
+  Bell& operator=(const Bell&) = delete;
+
+  int handle() const { return handle_; }
+  void ring() const { eventfd_write(handle_, 1); }
+  void quiet() const {
+    eventfd_t value = 0;
+    eventfd_read(handle_, &value);
+  }
+
+ private:
+  int handle_;
+};
+
 }  // namespace
 
-/// Aravis' camera asks for frames in its own thread; pulses come in another, and a third keeps
-/// house.
+/// Pulses come in any thread; the camera's own thread answers its client, renders and sends.
 class GigeCamera::Implementation {
  public:
   Implementation(const CameraOptions& options, Render render,
@@ -103,19 +106,14 @@ class GigeCamera::Implementation {
       : options_(options), render_(std::move(render)), lasers_now_(std::move(lasers_now)) {
     check(options_);
     set_power(true);
-    keeper_ = std::thread(&Implementation::keep_house, this);
   }
 
-  ~Implementation() {
-    ending_ = true;
-    keeper_.join();
-    set_power(false);
-  }
+  ~Implementation() { set_power(false); }
 
   void pulse(const TriggerCircuit::Pulse& pulse) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++counts_.pulses;
-    if (!waits_for_pulses()) {
+    if (!waits_for_pulses_) {
       ++counts_.ignored;
       return;
     }
@@ -134,26 +132,34 @@ class GigeCamera::Implementation {
       return;
     }
     pending_.push_back(shot);
-    request_frame();
+    bell_.ring();
   }
 
   void set_faults(const CameraFaults& faults) {
     const std::lock_guard<std::mutex> lock(mutex_);
     faults_ = faults;
     random_.seed(faults.seed);
-    if (camera_ != nullptr) lose_packets();
   }
 
   void set_power(bool on) {
     const std::lock_guard<std::mutex> power_lock(power_mutex_);
-    if (on == has_power()) return;
-    on ? switch_on() : switch_off();
+    if (on == powered_) return;
+    if (on) {
+      auto server =
+          std::make_unique<ControlServer>(options_.address, options_.serial, options_.genicam_file);
+      power_up(*server, options_);
+      auto sender = std::make_unique<FrameSender>(options_.address, options_.wire_rate);
+      frames_ = 0;
+      powered_ = true;
+      thread_ = std::thread([this, s = std::move(server), f = std::move(sender)] { run(*s, *f); });
+    } else {
+      powered_ = false;
+      bell_.ring();
+      thread_.join();
+    }
   }
 
-  bool has_power() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return camera_ != nullptr;
-  }
+  bool has_power() const { return powered_; }
 
   Counts counts() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -161,158 +167,117 @@ class GigeCamera::Implementation {
   }
 
  private:
-  ArvFakeCamera* registers() const { return arv_gv_fake_camera_get_fake_camera(camera_); }
-
-  void write(guint32 address, int value) {
-    arv_fake_camera_write_register(registers(), address, static_cast<guint32>(value));
-  }
-
-  bool acquires() const {
-    return camera_ != nullptr && arv_fake_camera_get_control_channel_privilege(registers()) != 0 &&
-           arv_fake_camera_get_acquisition_status(registers()) != 0;
-  }
-
-  bool waits_for_pulses() const {
-    return acquires() && arv_fake_camera_is_in_software_trigger_mode(registers()) != 0;
-  }
-
-  void request_frame() { write(ARV_FAKE_CAMERA_REGISTER_TRIGGER_SOFTWARE, kOn); }
-
-  void lose_packets() { g_object_set(camera_, "gvsp-lost-ratio", faults_.lost_packets, nullptr); }
-
-  void switch_on() {
-    throw_if_taken(options_.address);
-    ArvGvFakeCamera* const camera = arv_gv_fake_camera_new_full(
-        options_.address.c_str(), options_.serial.c_str(), options_.genicam_file.c_str());
-    if (arv_gv_fake_camera_is_running(camera) == 0) {
-      g_object_unref(camera);
-      throw ConnectionError("camera on " + options_.address, "cannot be served",
-                            "give the address of a network interface of this machine");
+  void run(ControlServer& server, FrameSender& sender) {
+    Nanoseconds next_free = 0;  // frame of the free run
+    while (powered_) {
+      const Nanoseconds now = host_now();
+      server.serve(now, [&sender](const auto& request) { sender.request(request); });
+      follow(server, sender);
+      if (!sender.busy()) {
+        if (const std::optional<Shot> shot = next_shot(server, now, next_free)) {
+          expose(*shot, server, sender);
+        }
+      }
+      if (sender.busy()) sender.send(host_now(), server.stream_peer());
+      const bool free_run = server.acquires() && !server.in_trigger_mode();
+      wait(server, sender.busy() ? sender.next() : free_run ? next_free : now + kIdle);
     }
+    stop(sender);
+  }
+
+  /// Frames of an acquisition that ended are not sent in the next.
+  void follow(const ControlServer& server, FrameSender& sender) {
+    if (!server.acquires()) stop(sender);
     const std::lock_guard<std::mutex> lock(mutex_);
-    camera_ = camera;
-    frames_ = 0;
-    power_up_registers();
-    lose_packets();
-    arv_fake_camera_set_trigger_frequency(registers(), 1 / kLookPeriod);
-    arv_fake_camera_set_fill_pattern(registers(), &Implementation::fill, this);
+    waits_for_pulses_ = server.acquires() && server.in_trigger_mode() && server.triggered_by_line();
   }
 
-  void power_up_registers() {
-    write(ARV_FAKE_CAMERA_REGISTER_SENSOR_WIDTH, options_.sensor_width);
-    write(ARV_FAKE_CAMERA_REGISTER_SENSOR_HEIGHT, options_.sensor_height);
-    write(ARV_FAKE_CAMERA_REGISTER_WIDTH, options_.region.width);
-    write(ARV_FAKE_CAMERA_REGISTER_HEIGHT, options_.region.height);
-    write(ARV_FAKE_CAMERA_REGISTER_X_OFFSET, options_.region.x);
-    write(ARV_FAKE_CAMERA_REGISTER_Y_OFFSET, options_.region.y);
-    constexpr int kExposure = 1000;  // [us]
-    write(ARV_FAKE_CAMERA_REGISTER_EXPOSURE_TIME_US, kExposure);
-    write(ARV_FAKE_CAMERA_REGISTER_TRIGGER_SOURCE, kOn);
-    write_text(0x48, "ScanCell");  // vendor and model, as the discovery packet tells them
-    write_text(0x68, "SimulatedCamera");
-  }
-
-  void write_text(guint32 address, const char* text) {
-    std::array<char, 32> field{};
-    std::strncpy(field.data(), text, field.size() - 1);
-    arv_fake_camera_write_memory(registers(), address, field.size(), field.data());
-  }
-
-  void switch_off() {
-    ArvGvFakeCamera* camera = nullptr;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      std::swap(camera, camera_);
-      discard_pending();
-    }
-    g_object_unref(camera);  // waits for its thread, which may be in fill()
-  }
-
-  void discard_pending() {
+  void stop(FrameSender& sender) {
+    sender.abort();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waits_for_pulses_ = false;
     counts_.discarded += pending_.size();
     pending_.clear();
     last_pulse_ = 0;
   }
 
-  static void fill(ArvBuffer* buffer, void* self, guint32 exposure_us, guint32 gain,
-                   ArvPixelFormat) noexcept {
-    static_cast<Implementation*>(self)->fill(buffer, exposure_us * 1e-6,
-                                             std::pow(10, gain / 10.0 / 20));
-  }
-
-  void fill(ArvBuffer* buffer, double exposure, double gain) {
-    Shot shot = next_shot();
-    shot.exposure = exposure;
-    shot.gain = gain;
-    Region region;
-    arv_buffer_get_image_region(buffer, &region.x, &region.y, &region.width, &region.height);
-    std::size_t size = 0;  // reads 0 here; Aravis made room for the region
-    auto* const pixels =
-        static_cast<std::uint8_t*>(const_cast<void*>(arv_buffer_get_data(buffer, &size)));
-    render_(shot, region, pixels);
-    arv_buffer_set_timestamp(buffer, static_cast<guint64>(shot.time));
-    arv_buffer_set_frame_id(buffer, block_of(shot.frame));
-  }
-
-  /// The oldest pulse's; now, if it runs freely or a client sent a software trigger.
-  Shot next_shot() {
-    Shot shot;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    ++counts_.frames;
-    if (pending_.empty()) {
-      shot.time = host_now();
-      shot.lasers = lasers_now_();
-      shot.frame = ++frames_;
-      return shot;
+  std::optional<Shot> next_shot(ControlServer& server, Nanoseconds now, Nanoseconds& next_free) {
+    if (!server.acquires()) return std::nullopt;
+    if (!server.in_trigger_mode()) {
+      if (now < next_free) return std::nullopt;
+      const Nanoseconds period = from_seconds(server.period());
+      next_free = std::max(next_free + period, now);
+      return shot_now();
     }
-    shot = pending_.front();
+    if (server.take_software_trigger()) return shot_now();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (pending_.empty()) return std::nullopt;
+    const Shot shot = pending_.front();
     pending_.pop_front();
-    if (!pending_.empty() && camera_ != nullptr) request_frame();
     return shot;
   }
 
-  /// 16 bits, and 0 is no number.
-  static std::uint16_t block_of(std::uint64_t frame) {
-    constexpr std::uint64_t kBlocks = 65535;
-    return static_cast<std::uint16_t>((kFirstBlock + frame - 2) % kBlocks + 1);
+  Shot shot_now() {
+    Shot shot;
+    shot.time = host_now();
+    shot.lasers = lasers_now_();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    shot.frame = ++frames_;
+    return shot;
   }
 
-  /// What a real camera does by itself: frames of the last acquisition are not sent in the next,
-  /// and a client that vanished loses control, which Aravis notices only when some packet comes.
-  void keep_house() {
-    constexpr auto kPeriod = std::chrono::milliseconds(5);
-    constexpr int kKnockEvery = 50;
-    for (int round = 0; !ending_; ++round) {
-      if (round % kKnockEvery == 0) knock();
-      {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (camera_ != nullptr && arv_fake_camera_get_control_channel_privilege(registers()) == 0) {
-          write(ARV_FAKE_CAMERA_REGISTER_ACQUISITION, 0);
-        }
-        if (camera_ != nullptr && !waits_for_pulses() && !pending_.empty()) {
-          discard_pending();
-          write(ARV_FAKE_CAMERA_REGISTER_TRIGGER_SOFTWARE, 0);
-        }
-      }
-      std::this_thread::sleep_for(kPeriod);
+  void expose(Shot shot, const ControlServer& server, FrameSender& sender) {
+    gige::PacketFaults faults;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++counts_.frames;
+      faults = {faults_.lost_packets, faults_.packets_lost_once, faults_.seed};
     }
+    shot.exposure = server.exposure();
+    shot.gain = server.gain();
+    gige::Frame frame;
+    frame.block = block_of(shot.frame);
+    frame.time = shot.time;
+    frame.region = on_sensor(server.region());
+    frame.pixels = sender.spare_pixels();
+    frame.pixels.resize(static_cast<std::size_t>(frame.region.width) *
+                        static_cast<std::size_t>(frame.region.height));
+    render_(shot, frame.region, frame.pixels.data());
+    sender.begin(std::move(frame), server.packet_size(), faults);
   }
 
-  void knock() const {
-    constexpr std::array<std::uint8_t, 8> kDiscovery = {0x42, 1, 0, 2, 0, 0, 0, 1};
-    const sockaddr_in name = control_address(options_.address);
-    const UdpSocket socket;
-    sendto(socket.handle(), kDiscovery.data(), kDiscovery.size(), 0,
-           reinterpret_cast<const sockaddr*>(&name), sizeof(name));
+  /// A client may write any number into a register.
+  Region on_sensor(Region region) const {
+    region.width = std::clamp(region.width, 1, options_.sensor_width);
+    region.height = std::clamp(region.height, 1, options_.sensor_height);
+    region.x = std::clamp(region.x, 0, options_.sensor_width - region.width);
+    region.y = std::clamp(region.y, 0, options_.sensor_height - region.height);
+    return region;
   }
+
+  void wait(const ControlServer& server, Nanoseconds until) const {
+    const auto [unicast, broadcast] = server.handles();
+    std::array<pollfd, 3> events = {
+        {{unicast, POLLIN, 0}, {broadcast, POLLIN, 0}, {bell_.handle(), POLLIN, 0}}};
+    constexpr Nanoseconds kSecond = 1'000'000'000;
+    const Nanoseconds left = std::clamp<Nanoseconds>(until - host_now(), 0, kIdle);
+    const timespec timeout = {left / kSecond, left % kSecond};
+    ppoll(events.data(), events.size(), &timeout, nullptr);
+    bell_.quiet();
+  }
+
+  static constexpr Nanoseconds kIdle = 50'000'000;
 
   const CameraOptions options_;
   const Render render_;
   const std::function<std::uint8_t()> lasers_now_;
+  const Bell bell_;
 
   std::mutex power_mutex_;
-  mutable std::mutex mutex_;  // all below
-  ArvGvFakeCamera* camera_ = nullptr;
+  std::atomic<bool> powered_{false};
+
+  mutable std::mutex mutex_;  // what follows, up to the thread
+  bool waits_for_pulses_ = false;
   std::deque<Shot> pending_;
   Nanoseconds last_pulse_ = 0;
   std::uint64_t frames_ = 0;  // exposed since power-up
@@ -320,8 +285,7 @@ class GigeCamera::Implementation {
   CameraFaults faults_;
   std::mt19937_64 random_{1};
 
-  std::atomic<bool> ending_{false};
-  std::thread keeper_;
+  std::thread thread_;
 };
 
 GigeCamera::GigeCamera(const CameraOptions& options, Render render,

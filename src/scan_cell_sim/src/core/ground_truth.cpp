@@ -8,6 +8,7 @@
 #include <random>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_sim/scramble.h"
 
 namespace scan_cell_sim {
 namespace {
@@ -38,7 +39,7 @@ std::vector<Triangle> upper_triangles(const Scene& scene) {
 
 /// Uniform in 0 .. 1; std::uniform_real_distribution may differ between libraries.
 double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11U) * 0x1p-53;
+  return to_unit(random());
 }
 
 /// Standard normal (Box and Muller 1958).

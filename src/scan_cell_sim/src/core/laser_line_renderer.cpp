@@ -8,6 +8,8 @@
 #include <cstring>
 #include <random>
 
+#include "scan_cell_sim/scramble.h"
+
 namespace scan_cell_sim {
 namespace {
 
@@ -20,14 +22,6 @@ constexpr double kRaysPerRow = 2;          // further rays are added where the s
 constexpr double kJump = 0.0006;           // [m] neighbours this close are on one surface
 constexpr int kDeepest = 7;                // a gap that stays when cut into 2^7 is a jump
 constexpr std::size_t kNoise = 1U << 18U;  // kept samples of noise
-
-/// Scrambles a number (SplitMix64, Steele et al. 2014): neighbours give unrelated numbers.
-std::uint64_t scramble(std::uint64_t number) {
-  number += 0x9E3779B97F4A7C15U;
-  number = (number ^ (number >> 30U)) * 0xBF58476D1CE4E5B9U;
-  number = (number ^ (number >> 27U)) * 0x94D049BB133111EBU;
-  return number ^ (number >> 31U);
-}
 
 std::uint8_t to_grey(double value) {
   return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));

@@ -26,6 +26,7 @@ void read_camera(ParameterReader& reader, CameraOptions& camera) {
   reader.read("camera/region_width", camera.region.width, {1, 65535});
   reader.read("camera/region_height", camera.region.height, {1, 65535});
   reader.read("camera/least_period", camera.least_period, {0, 1});
+  reader.read("camera/wire_rate", camera.wire_rate, {1e6, 1e10});
   reader.read("camera/most_pending", camera.most_pending, {1, 10000});
 }
 

@@ -125,8 +125,11 @@ bool SimulatorServices::set(scan_cell_msgs::SetFaults::Request& request,
 
 void SimulatorServices::apply(const scan_cell_msgs::SetFaults::Request& request) {
   cell_.camera().set_power(!request.camera_off);  // the only one that may fail
-  cell_.camera().set_faults(
-      {request.camera_lost_frames, request.camera_lost_packets, request.seed});
+  CameraFaults camera;
+  camera.lost_frames = request.camera_lost_frames;
+  camera.lost_packets = request.camera_lost_packets;
+  camera.seed = request.seed;
+  cell_.camera().set_faults(camera);
   controller_.set_faults(controller_faults(request));
   if (request.robot_e_stop != e_stop_) {
     request.robot_e_stop ? controller_.press_e_stop() : controller_.release_e_stop();
