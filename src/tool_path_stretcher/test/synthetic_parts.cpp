@@ -142,6 +142,11 @@ Points scan(const Part& part, const Similarity& similarity, const Deformation& d
         how.noise * Eigen::Vector3d(normal(engine), normal(engine), normal(engine));
     points.push_back(similarity * (at + deformation(at)) + noise);
   }
+  for (std::size_t i = 0; i < how.outliers; ++i) {
+    const double x = uniform(engine), y = uniform(engine), z = uniform(engine);
+    points.push_back(similarity *
+                     Eigen::Vector3d(1.2 * part.width * x, 1.2 * part.depth * y, 0.1 * z));
+  }
   return points;
 }
 

@@ -54,7 +54,8 @@ struct Scan {
   double least_facing = -1;                         //!< cosine of normal and view; -1: all
   bool uneven = false;                              //!< four times as dense at one end
   std::function<bool(const Eigen::Vector3d&)> is_hole =
-      {};  //!< not scanned, on the undeformed part
+      {};                    //!< not scanned, on the undeformed part
+  std::size_t outliers = 0;  //!< more points, anywhere around
   unsigned seed = 1;
 };
 

@@ -20,7 +20,8 @@ struct Rim {
   std::shared_ptr<const KdTree> tree;
 };
 
-/// Points spread evenly over a surface, whatever its own density.
+/// Points spread evenly over a surface, whatever its own density, without loose ones far from all
+/// others.
 struct Samples {
   std::vector<std::size_t> few;   //!< at most 1000
   std::vector<std::size_t> many;  //!< at most 6000

@@ -63,6 +63,23 @@ double cost_of(const Surface& reference, const Surface& object, const Similarity
                    2);
 }
 
+/// The best pose, with the reference turned within itself as a cube is: the poses that a nearly
+/// symmetric part is most easily taken for. They must have been looked at before one is believed.
+std::vector<Candidate> turned_in_itself(const CoarseSurface& reference, const CoarseSurface& object,
+                                        const Candidate& best) {
+  constexpr int kIterations = 6;
+  const PrincipalFrame& frame = reference.frame;
+  std::vector<Candidate> turned;
+  for (const Eigen::Matrix3d& turn : cube_turns()) {
+    Similarity guess = best.similarity;
+    const Eigen::Vector3d centre = guess * frame.centroid;
+    guess.rotation = guess.rotation * frame.axes * turn * frame.axes.transpose();
+    guess.translation = centre - guess.scale * (guess.rotation * frame.centroid);
+    turned.push_back(improve_coarsely(reference, object, guess, kIterations));
+  }
+  return turned;
+}
+
 }  // namespace
 
 std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
@@ -93,7 +110,16 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
     }
   };
   refine_all(Density::kFew, 15);
-  progress(0.8);
+  progress(0.7);
+  candidates = distinct(candidates, probes, 0.03 * object.size, 5);
+  if (candidates.empty()) return candidates;
+  for (const Candidate& turned :
+       turned_in_itself(coarse_reference, coarse_object, candidates.front())) {
+    candidates.push_back(turned);
+  }
+  candidates = distinct(candidates, probes, 0.05 * object.size, 12);
+  refine_all(Density::kFew, 10);
+  progress(0.85);
   candidates = distinct(candidates, probes, 0.03 * object.size, 5);
   refine_all(Density::kMany, 10);
   candidates = distinct(candidates, probes, 0.01 * object.size, candidates.size());

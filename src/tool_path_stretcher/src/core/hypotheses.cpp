@@ -10,22 +10,6 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// The 24 turns of a cube.
-std::vector<Eigen::Matrix3d> cube_turns() {
-  std::vector<Eigen::Matrix3d> turns;
-  const std::array<std::array<int, 3>, 6> orders = {
-      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-  for (const auto& order : orders) {
-    for (int signs = 0; signs < 8; ++signs) {
-      Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-      for (int axis = 0; axis < 3; ++axis)
-        turn(order[static_cast<std::size_t>(axis)], axis) = (signs >> axis) & 1 ? -1 : 1;
-      if (turn.determinant() > 0) turns.push_back(turn);
-    }
-  }
-  return turns;
-}
-
 /// An even cover of all rotations: the super-Fibonacci spiral (Alexa 2022).
 std::vector<Eigen::Matrix3d> even_rotations(int count) {
   const double phi = std::sqrt(2.0);
@@ -46,6 +30,21 @@ std::vector<Eigen::Matrix3d> even_rotations(int count) {
 }
 
 }  // namespace
+
+std::vector<Eigen::Matrix3d> cube_turns() {
+  std::vector<Eigen::Matrix3d> turns;
+  const std::array<std::array<int, 3>, 6> orders = {
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  for (const auto& order : orders) {
+    for (int signs = 0; signs < 8; ++signs) {
+      Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+        turn(order[static_cast<std::size_t>(axis)], axis) = (signs >> axis) & 1 ? -1 : 1;
+      if (turn.determinant() > 0) turns.push_back(turn);
+    }
+  }
+  return turns;
+}
 
 CoarseSurface coarsen(const Surface& surface) {
   constexpr std::size_t kQueryPoints = 300;

@@ -15,6 +15,9 @@ struct CoarseSurface {
 
 CoarseSurface coarsen(const Surface& surface);
 
+/// The 24 turns of a cube.
+std::vector<Eigen::Matrix3d> cube_turns();
+
 /// Poses to start from: the principal frames in all the turns of a cube (flips and near equal axes
 /// included), a sweep about the vertical, and an even cover of all rotations.
 std::vector<Similarity> first_guesses(const PrincipalFrame& reference,

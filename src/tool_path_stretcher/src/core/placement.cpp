@@ -30,13 +30,23 @@ struct Signal {
   double slope_variance = 0;
 };
 
+/// The same surface with the normal to its other side.
+void turn_over(LocalSurface& surface) {
+  surface.normal = -surface.normal;
+  surface.height = -surface.height;
+  surface.slope = -surface.slope;
+}
+
 Track survey(const Segment& segment, const LocalSurfaceFitter& fitter, double scale) {
   Track track;
   double length = 0;
   for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {
     const Eigen::Vector3d at = segment.waypoints[i].pose.translation();
     if (i > 0) length += scale * (at - segment.waypoints[i - 1].pose.translation()).norm();
-    track.surfaces.push_back(fitter.fit(at));
+    LocalSurface surface = fitter.fit(at);
+    // The sign of a cloud's normal is free; heights are compared along the path.
+    if (i > 0 && surface.normal.dot(track.surfaces.back().normal) < 0) turn_over(surface);
+    track.surfaces.push_back(surface);
     track.arc_length.push_back(length);
   }
   return track;
@@ -59,9 +69,12 @@ Signal signal_of(const std::vector<Track>& tracks) {
 }
 
 /// Part of a measurement that is followed: all of it where the signal is far above its variance,
-/// nothing where it is noise (Wiener 1949).
-double trust(double signal, double variance) {
-  return signal > 0 ? signal / (signal + variance) : 0;
+/// nothing where it is noise (Wiener 1949). The signal is that of the whole path, or that of this
+/// place where it alone stands out, as in a dent.
+double trust(double signal, double square, double variance) {
+  constexpr double kStandsOut = 9;  // three standard deviations
+  const double here = std::max(signal, square - kStandsOut * variance);
+  return here > 0 ? here / (here + variance) : 0;
 }
 
 /// Mean of the neighbours along the path, by their variance and a Gaussian of the arc length.
@@ -84,8 +97,10 @@ Correction smoothed(const Track& track, std::size_t at, double width, const Sign
   if (height_weight == 0) return {};
   // Neighbours share scanned points: their mean is trusted no more than the best one of them.
   const LocalSurface& own = track.surfaces[at];
-  return {trust(signal.height_variance, own.height_variance) * sum.height / height_weight,
-          trust(signal.slope_variance, own.slope_variance) * sum.slope / slope_weight};
+  const double height = sum.height / height_weight;
+  const Eigen::Vector3d slope = sum.slope / slope_weight;
+  return {trust(signal.height_variance, height * height, own.height_variance) * height,
+          trust(signal.slope_variance, slope.squaredNorm() / 2, own.slope_variance) * slope};
 }
 
 /// Between the measured waypoints before and after, by arc length; nothing past the last one.
@@ -175,10 +190,12 @@ Placement place(const ToolPath& path, const Surface& reference, const Surface& o
   std::vector<Track> tracks;
   for (const Segment& segment : path.segments)
     tracks.push_back(survey(segment, fitter, mapping.similarity.scale));
-  const Signal signal = parameters.set_on_surface ? signal_of(tracks) : Signal{};
+  const Signal signal = signal_of(tracks);
   Placement placement{path, {}};
   for (std::size_t s = 0; s < tracks.size(); ++s) {
-    const std::vector<Correction> corrections = corrections_of(tracks[s], radius / 2, signal);
+    const std::vector<Correction> corrections =
+        parameters.set_on_surface ? corrections_of(tracks[s], radius / 2, signal)
+                                  : std::vector<Correction>(tracks[s].surfaces.size());
     for (std::size_t w = 0; w < corrections.size(); ++w) {
       Eigen::Isometry3d& pose = placement.path.segments[s].waypoints[w].pose;
       const Eigen::Vector3d from = pose.translation();

@@ -84,6 +84,23 @@ double middle_of(std::vector<double> values) {
   return *middle;
 }
 
+/// Loose points are left out: spread over space, few of them would fill half of a sample.
+Samples samples_of(const Points& points, const std::vector<double>& spacings, double typical) {
+  constexpr double kLoose = 3;  // times the typical spacing
+  std::vector<std::size_t> dense;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (spacings[i] < kLoose * typical) dense.push_back(i);
+  }
+  const Points dense_points = select(points, dense);
+  const auto sample = [&](std::size_t most) {
+    std::vector<std::size_t> chosen = spread_evenly(dense_points, most);
+    for (std::size_t& index : chosen)
+      index = dense[index];
+    return chosen;
+  };
+  return {sample(1000), sample(6000), sample(20000)};
+}
+
 }  // namespace
 
 void complete(Surface& surface) {
@@ -105,13 +122,11 @@ void complete(Surface& surface) {
     surface.rim.points.push_back(point);
     surface.rim.outward.push_back(outward);
   }
-  surface.spacing = middle_of(std::move(spacings));
+  surface.spacing = middle_of(spacings);
   if (!surface.rim.points.empty()) {
     surface.rim.tree = std::make_shared<const KdTree>(surface.rim.points);
   }
-  surface.samples.most = spread_evenly(surface.points, 20000);
-  surface.samples.many = spread_evenly(surface.points, 6000);
-  surface.samples.few = spread_evenly(surface.points, 1000);
+  surface.samples = samples_of(surface.points, spacings, surface.spacing);
 }
 
 Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
