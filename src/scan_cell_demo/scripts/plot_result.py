@@ -57,7 +57,7 @@ def show_both(axes, reference, object_cloud, path, adapted):
     everything = np.vstack([left, right])
     for set_limits, values in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), everything.T):
         set_limits(values.min(), values.max())
-    axes.set_box_aspect(np.ptp(everything, axis=0), zoom=1.55)
+    axes.set_box_aspect(np.ptp(everything, axis=0), zoom=1.05)
     axes.view_init(elev=40, azim=-20)
     axes.set_axis_off()
     axes.legend(loc='upper left', fontsize=8)
