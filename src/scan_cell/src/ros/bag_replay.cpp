@@ -109,7 +109,8 @@ void BagReplay::play(ros::NodeHandle node, double speed, double timeout,
     if (!ros::ok()) throw scan_cell_common::Refused("replay", "interrupted", "start it again");
     const double due = (message.getTime() - scan_.start).toSec();
     const ros::WallTime when = begin + ros::WallDuration(due / speed);
-    if (when > ros::WallTime::now()) (when - ros::WallTime::now()).sleep();
+    const ros::WallDuration early = when - ros::WallTime::now();
+    if (early > ros::WallDuration(0)) early.sleep();  // roscpp sleeps for ever on a negative one
     publishers.at(message.getTopic()).publish(message);
     progress(duration > 0 ? due / duration : 1);
   }

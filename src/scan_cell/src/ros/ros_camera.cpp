@@ -27,16 +27,16 @@ std::string RosCamera::trouble() const {
          std::to_string(profiles_) + " of this scan; check the camera's cable and trigger input";
 }
 
-void RosCamera::set_acquisition(std::uint8_t mode) const {
+void RosCamera::set_acquisition(std::uint8_t mode, double timeout) const {
   SetAcquisition::Request request;
   request.mode = mode;
   request.trigger = SetAcquisition::Request::EXTERNAL_TRIGGER;
-  call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, parameters_.call_timeout);
+  call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, timeout);
 }
 
 void RosCamera::start() {
   silence_allowed_ = 0;
-  set_acquisition(SetAcquisition::Request::RELIEF_ONLY);
+  set_acquisition(SetAcquisition::Request::RELIEF_ONLY, parameters_.call_timeout);
 }
 
 void RosCamera::expect_profiles(double rate) {
@@ -46,9 +46,10 @@ void RosCamera::expect_profiles(double rate) {
 }
 
 void RosCamera::stop() noexcept {
+  constexpr double kTimeout = 0.5;  // a camera that was lost may not answer for seconds
   silence_allowed_ = 0;
   try {
-    set_acquisition(SetAcquisition::Request::STOP);
+    set_acquisition(SetAcquisition::Request::STOP, kTimeout);
   } catch (const scan_cell_common::Error& error) {
     ROS_WARN("The camera was not stopped: %s", error.what());
   }

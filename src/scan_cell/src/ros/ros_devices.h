@@ -65,7 +65,7 @@ class RosCamera : public Camera {
   void clear() { profiles_ = 0; }
 
  private:
-  void set_acquisition(std::uint8_t mode) const;
+  void set_acquisition(std::uint8_t mode, double timeout) const;
 
   const Parameters parameters_;
   ros::Subscriber subscriber_;
