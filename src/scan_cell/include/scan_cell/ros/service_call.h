@@ -19,7 +19,7 @@ namespace scan_cell {
 /// @throw ConnectionError if there is no such service, or no answer in time
 template <class Service>
 typename Service::Response ask(const std::string& name, const typename Service::Request& request,
-                                double timeout) {
+                               double timeout) {
   if (!ros::service::exists(name, false)) {
     throw scan_cell_common::ConnectionError(name, "no such service", "is its node running?");
   }
