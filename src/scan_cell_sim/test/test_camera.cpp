@@ -246,7 +246,7 @@ TEST_F(CameraTest, BlockIdsWrapToOne) {
   for (int i = 0; i < 200; ++i) {
     camera_.pulse({time += 10'000'000, 1});
     const std::uint64_t block = client.next().block;
-    EXPECT_EQ(block, last == 65535 ? 1 : last + 1);
+    ASSERT_EQ(block, last == 65535 ? 1 : last + 1);
     wrapped = wrapped || block < last;
     last = block;
   }
@@ -340,7 +340,7 @@ TEST_F(CameraTest, PacketsLostOnceComeWhenTheyAreAskedForAgain) {
   for (int i = 1; i < kFrames; ++i)
     camera_.pulse({time += 10'000'000, 1});
   for (int i = 0; i < kFrames; ++i)
-    EXPECT_FALSE(client.next().pixels.empty());
+    ASSERT_FALSE(client.next().pixels.empty());
   EXPECT_EQ(client.broken(), 0);
   EXPECT_GT(client.resent(), 0U);
 }

@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    return app.exit(error) == 0 ? 0 : 1;
   } catch (const scan_cell_common::Error& error) {
     std::cerr << "ground_truth: " << error.what() << std::endl;
     return 1;
