@@ -1,0 +1,104 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <ros/package.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/BindingAudit.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "recorded_scan.h"
+#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_demo/comparison.h"
+#include "scan_cell_sim/ground_truth.h"
+#include "tool_path_stretcher/tool_path_files.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string config(const std::string& name) {
+  return ros::package::getPath("scan_cell_sim") + "/config/" + name;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Replay : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_);
+    path_ = scan_cell_demo::proven_path(config("reference_frame.yaml"), "frame");
+    tool_path_stretcher::save_tool_path(path("path.csv"), path_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// @return exit code of the replay node
+  int replay(const std::string& bag, const std::string& reference,
+             const std::string& output) const {
+    const std::string command = "rosrun scan_cell replay _bag:=" + bag +
+                                " _reference:=" + reference + " _path:=" + path("path.csv") +
+                                " _output:=" + output + " _speed:=8 _timeout:=90";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+
+  /// Clean cloud of the reference, scanned as the object will be: replay leaves it beside its path.
+  std::string scan_reference() const {
+    scan_cell_demo::record_scan(path("reference.bag"), "reference", config("reference_frame.yaml"),
+                                1.7e9);
+    scan_cell_common::Cloud sampled;
+    const scan_cell_sim::Scene scene(scan_cell_sim::load_world(config("reference_frame.yaml")),
+                                     "frame");
+    for (const Eigen::Vector3d& point : scan_cell_sim::sample(scene, 60000, 1, 5e-5)) {
+      sampled.push_back(pcl::PointXYZ(static_cast<float>(point.x()), static_cast<float>(point.y()),
+                                      static_cast<float>(point.z())));
+    }
+    scan_cell_common::save_cloud(path("sampled.ply"), sampled);
+    replay(path("reference.bag"), path("sampled.ply"), path("reference"));
+    return path("reference/object.ply");
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("replay_" + std::to_string(getpid()));
+  tool_path_stretcher::ToolPath path_;
+};
+
+}  // namespace
+
+TEST_F(Replay, GivesTheSameBytesTwiceAndTheTruePath) {
+  const std::string reference = scan_reference();
+  scan_cell_demo::record_scan(path("scan.bag"), "recorded", config("scaled_frame.yaml"),
+                              1.7e9 + 1000);
+  ASSERT_EQ(replay(path("scan.bag"), reference, path("first")), 0);
+  ASSERT_EQ(replay(path("scan.bag"), reference, path("second")), 0);
+  for (const char* name : {"object.ply", "adapted_path.csv"}) {
+    EXPECT_FALSE(bytes_of(folder_ / "first" / name).empty()) << name;
+    EXPECT_TRUE(bytes_of(folder_ / "first" / name) == bytes_of(folder_ / "second" / name)) << name;
+  }
+  const auto truth = scan_cell_demo::true_path(path_, config("reference_frame.yaml"),
+                                               config("scaled_frame.yaml"), "frame");
+  const auto error = scan_cell_demo::compare(
+      tool_path_stretcher::load_tool_path(path("first/adapted_path.csv")), truth);
+  EXPECT_LE(error.rms, 1.0e-3);
+}
+
+TEST_F(Replay, EndsWithAnErrorWhereTheBagHoldsNoScan) {
+  std::ofstream(path("text.bag")) << "no bag";
+  EXPECT_EQ(replay(path("text.bag"), path("reference.ply"), path("out")), 1);
+  EXPECT_EQ(replay(path("missing.bag"), path("reference.ply"), path("out")), 1);
+  EXPECT_FALSE(fs::exists(path("out/adapted_path.csv")));
+}
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "test_replay");
+  ros::NodeHandle node;
+  return RUN_ALL_TESTS();
+}
