@@ -53,9 +53,17 @@ class ScanAction : public testing::Test {
     return *client_.getResult();
   }
 
+  /// Waits for it: the log may come after the result.
   bool logged(const std::string& text) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return std::find(log_.begin(), log_.end(), text) != log_.end();
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(20);
+    while (ros::WallTime::now() < deadline) {
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (std::find(log_.begin(), log_.end(), text) != log_.end()) return true;
+      }
+      ros::WallDuration(0.02).sleep();
+    }
+    return false;
   }
 
   ros::NodeHandle node_;
