@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.h"
 
+#include <algorithm>
+
 #include "scan_cell_common/ros/parameter_reader.h"
 
 namespace scan_cell {
+
+double Parameters::silence_allowed(double rate) const {
+  constexpr double kPeriods = 5;
+  return std::max(lost_after, kPeriods / rate);
+}
 
 Parameters Parameters::load(const ros::NodeHandle& node) {
   scan_cell_common::ParameterReader reader(node);

@@ -25,6 +25,10 @@ struct Parameters {
   ScanLimits limits;
   ScanSequence::Timing timing;
 
+  /// [s] of silence that a device which ticks at `rate` [Hz] may keep: five periods where that is
+  /// longer.
+  double silence_allowed(double rate) const;
+
   /// @throw scan_cell_common::InvalidParameter
   static Parameters load(const ros::NodeHandle& node);
 };

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <scan_cell_msgs/SetAcquisition.h>
 
-#include <algorithm>
-
 #include "ros_devices.h"
 #include "scan_cell/ros/service_call.h"
 
@@ -40,9 +38,8 @@ void RosCamera::start() {
 }
 
 void RosCamera::expect_profiles(double rate) {
-  constexpr double kPeriods = 5;
   profile_.now();
-  silence_allowed_ = std::max(parameters_.lost_after, kPeriods / rate);
+  silence_allowed_ = parameters_.silence_allowed(rate);
 }
 
 void RosCamera::stop() noexcept {

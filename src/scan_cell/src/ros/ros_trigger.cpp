@@ -51,12 +51,11 @@ void RosTrigger::arm(double rate, std::uint8_t lasers) {
   const auto response =
       call<ArmTrigger>(parameters_.trigger + "/arm", request, parameters_.call_timeout);
   event_.now();
-  constexpr double kPeriods = 5;
   const std::lock_guard<std::mutex> lock(mutex_);
   arming_ = response.arming;
   pulses_ = 0;
   disarmed_because_.clear();
-  silence_allowed_ = std::max(parameters_.lost_after, kPeriods / rate);
+  silence_allowed_ = parameters_.silence_allowed(rate);
 }
 
 std::uint64_t RosTrigger::disarm() noexcept {
