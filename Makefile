@@ -17,7 +17,9 @@ dependencies:
 src/CMakeLists.txt:
 	@ln -s /usr/share/catkin/cmake/toplevel.cmake $@
 
+# catkin keeps the environment of the first configure for the tests, and leaves out directories that are not there yet.
 configure: dependencies src/CMakeLists.txt
+	@mkdir -p devel/lib/pkgconfig devel/lib/python3/dist-packages
 	@cmake -S src -B build -DCATKIN_DEVEL_PREFIX=$(CURDIR)/devel -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
 	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
 	  -DCMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache) > build-configure.log 2>&1 \
