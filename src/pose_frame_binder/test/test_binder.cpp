@@ -244,6 +244,19 @@ TEST(Binder, SaysWhenTheLatencyItWasToldIsProbablyWrongByAPeriod) {
   EXPECT_TRUE(run(scan, settings).audit.latency_doubtful);
 }
 
+TEST(Binder, CountsThePulsesThatItNeverHeardOfAndThoseItRefused) {
+  const SyntheticScan scan = steady_scan(20);
+  Binder binder({});
+  for (const Pulse& pulse : scan.pulses) {
+    binder.add_pulse(pulse);
+    if (pulse.count % 10 == 0) binder.add_pulse(pulse);
+  }
+  binder.end(23);
+  EXPECT_EQ(binder.audit().triggers, 23U);
+  EXPECT_EQ(binder.audit().triggers_missing, 3U);
+  EXPECT_EQ(binder.audit().triggers_refused, 2U);
+}
+
 TEST(Binder, PublishesWhileTheScanRuns) {
   const SyntheticScan scan = steady_scan(50);
   Binder binder({});

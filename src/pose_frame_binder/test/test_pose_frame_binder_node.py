@@ -165,7 +165,30 @@ class PoseFrameBinderNode(unittest.TestCase):
     def test_says_when_trigger_events_are_missing(self):
         data = {'poses': poses(20), 'events': events(20), 'profiles': profiles(20)}
         answer = self.scan(data, ('poses', 'events', 'profiles'), 25, 1.0)
+        self.assertFalse(answer.success)
         self.assertIn('only 20 of 25 trigger events', answer.message)
+        self.assertEqual(answer.audit.triggers, 25)
+        self.assertEqual(answer.audit.triggers_missing, 5)
+        self.assertEqual(answer.audit.frames_bound, 20)
+
+    def test_counts_trigger_events_that_came_twice(self):
+        data = {'poses': poses(20), 'events': events(20), 'profiles': profiles(20)}
+        data['events'].insert(7, data['events'][6])
+        answer = self.scan(data, ('poses', 'events', 'profiles'), 20)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.audit.triggers, 20)
+        self.assertEqual(answer.audit.triggers_refused, 1)
+        self.assertIn('1 trigger events came twice', answer.message)
+
+    def test_tells_the_latency_and_when_it_is_probably_wrong(self):
+        data = {'poses': poses(20), 'events': events(20), 'profiles': profiles(20)}
+        answer = self.scan(data, ('poses', 'events', 'profiles'), 20)
+        self.assertAlmostEqual(answer.audit.latency, LATENCY, 6)
+        self.assertFalse(answer.audit.latency_doubtful)
+        for profile in data['profiles']:
+            profile.header.stamp += rospy.Duration(PERIOD)
+        answer = self.scan(data, ('poses', 'events', 'profiles'), 20, 3.0)
+        self.assertTrue(answer.audit.latency_doubtful)
 
     def test_keeps_the_audit_latched(self):
         data = {'poses': poses(5), 'events': events(5), 'profiles': profiles(5)}

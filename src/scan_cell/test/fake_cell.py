@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every node around scan_cell_node, played by one: it does what it is told and can go silent.
 
-The parameter /fake/silent names the device that goes silent while the laser is on.
+The parameter /fake/silent names the device that goes silent while the laser is on; the binder misses
+/fake/missing trigger events.
 """
 
 import actionlib
@@ -62,8 +63,10 @@ class FakeCell:
         return {'success': True, 'arming': self.arming, 'pulses': self.pulses}
 
     def on_finish_binding(self, request):
-        audit = msg.BindingAudit(triggers=request.triggers, frames_bound=request.triggers)
-        return {'success': True, 'audit': audit}
+        missing = rospy.get_param('/fake/missing', 0)
+        audit = msg.BindingAudit(triggers=request.triggers, triggers_missing=missing,
+                                 frames_bound=request.triggers - missing)
+        return {'success': missing == 0, 'message': '%d events missing' % missing, 'audit': audit}
 
     def on_finish_cloud(self, request):
         response = srv.FinishCloudResponse(success=True)

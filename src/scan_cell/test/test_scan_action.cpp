@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/CellState.h>
+#include <scan_cell_msgs/MoveAction.h>
 #include <scan_cell_msgs/ScanAction.h>
 #include <std_msgs/String.h>
 
@@ -26,6 +27,7 @@ class ScanAction : public testing::Test {
 
   void SetUp() override {
     node_.setParam("/fake/silent", "");
+    node_.setParam("/fake/missing", 0);
     log_subscriber_ =
         node_.subscribe<std_msgs::String>("/fake/log", 100,
                                           boost::function<void(const std_msgs::StringConstPtr&)>(
@@ -34,6 +36,8 @@ class ScanAction : public testing::Test {
                                                 log_.push_back(text->data);
                                               }));
     ASSERT_TRUE(client_.waitForServer(ros::Duration(20)));
+    actionlib::SimpleActionClient<scan_cell_msgs::MoveAction> robot("/c4g_driver/move", false);
+    ASSERT_TRUE(robot.waitForServer(ros::Duration(20)));
   }
 
   static scan_cell_msgs::ScanGoal goal(const std::string& scan_id) {
@@ -82,6 +86,17 @@ TEST_F(ScanAction, FinishesAndGivesAuditAndCloud) {
   EXPECT_EQ(result.scan_id, "whole");
   EXPECT_GT(result.audit.triggers, 10U);
   EXPECT_EQ(result.statistics.points, result.audit.triggers);
+  EXPECT_FALSE(result.cloud.data.empty());
+  EXPECT_EQ(result.message, "0 events missing") << "what the binder says must not be lost";
+}
+
+TEST_F(ScanAction, FailsAndKeepsTheDataWhereTriggerEventsAreMissing) {
+  node_.setParam("/fake/missing", 3);
+  const ScanResult result = run(goal("events missing"));
+  EXPECT_EQ(result.outcome, ScanResult::STAGE_FAILED);
+  EXPECT_NE(result.message.find("3 events missing"), std::string::npos) << result.message;
+  EXPECT_EQ(result.audit.triggers_missing, 3U);
+  EXPECT_EQ(result.statistics.points, result.audit.triggers - 3);
   EXPECT_FALSE(result.cloud.data.empty());
 }
 

@@ -34,7 +34,9 @@ class Binder {
   void end_pulses();
 
   /// Nothing more will come: all that is left is decided.
-  void end();
+  /// @param triggers pulses that were sent, where that is known: the audit says how many of them
+  /// are missing
+  void end(std::uint64_t triggers = 0);
 
   /// What was decided since the last call. Matches come in the order of the frames.
   std::vector<Decision> take_decisions();
@@ -69,6 +71,7 @@ class Binder {
   std::vector<Fate> fates_;              // of the pulses
   std::uint64_t settled_ = 0;            // pulses whose fate is known
   std::vector<Decision> decisions_;
+  std::uint64_t triggers_ = 0;  // pulses sent, as end() was told
   Audit audit_;
 };
 

@@ -102,10 +102,13 @@ struct Decision {
 
 /// What became of every frame and every pulse.
 ///
-/// frames = frames_bound + drops with a frame. A pulse has a bound frame, or is named by a drop.
+/// frames = frames_bound + drops with a frame. A pulse has a bound frame, or is named by a drop,
+/// or is missing.
 struct Audit {
   Method method = Method::Interpolate;
-  std::uint64_t triggers = 0;
+  std::uint64_t triggers = 0;          //!< pulses sent
+  std::uint64_t triggers_missing = 0;  //!< of them, not known to the binder
+  std::uint64_t triggers_refused = 0;  //!< dropped pulses: repeated or out of order
   std::uint64_t frames = 0;
   std::uint64_t poses = 0;  //!< in the log
   std::uint64_t frames_bound = 0;
@@ -120,7 +123,6 @@ struct Audit {
   std::uint64_t poses_repeated = 0;  //!< dropped: a pose with that time was there
   std::uint64_t poses_late = 0;      //!< dropped: further behind than pose_settle
   std::uint64_t poses_unusable = 0;  //!< dropped: not finite
-  std::uint64_t pulses_refused = 0;  //!< dropped: repeated or out of order
   std::vector<Drop> dropped;         //!< in the order of the frames' arrival, then of the pulses
 };
 

@@ -75,7 +75,8 @@ void Binder::end_pulses() {
   advance();
 }
 
-void Binder::end() {
+void Binder::end(std::uint64_t triggers) {
+  triggers_ = triggers;
   pulses_.end();
   poses_.end();
   for (const FrameMatcher::Result& result : matcher_.finish())
@@ -149,7 +150,9 @@ bool Binder::latency_doubtful() const {
 
 Audit Binder::audit() const {
   Audit audit = audit_;
-  audit.triggers = pulses_.size();
+  audit.triggers = std::max<std::uint64_t>(triggers_, pulses_.size());
+  audit.triggers_missing = audit.triggers - pulses_.size();
+  audit.triggers_refused = pulses_.refused();
   audit.frames = counters_.size();
   audit.poses = poses_.size();
   audit.frames_dropped = audit.dropped.size();
@@ -159,7 +162,6 @@ Audit Binder::audit() const {
   audit.poses_repeated = poses_.repeated();
   audit.poses_late = poses_.late();
   audit.poses_unusable = poses_.unusable();
-  audit.pulses_refused = pulses_.refused();
   std::stable_sort(audit.dropped.begin(), audit.dropped.end(),
                    [](const Drop& a, const Drop& b) { return a.frame < b.frame; });
   for (std::size_t i = 0; i < fates_.size(); ++i) {

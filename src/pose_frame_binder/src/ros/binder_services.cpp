@@ -109,19 +109,15 @@ bool BinderServices::finish(FinishBinding::Request& request, FinishBinding::Resp
     return true;
   }
   wait_for_all(lock, request.triggers, request.timeout.toSec());
-  scan_->binder().end();
+  scan_->binder().end(request.triggers);
   publish_bound();
   last_audit_ = scan_->binder().audit();
   response.audit = to_message(last_audit_, scan_id_, ros::Time::now());
   audit_.publish(response.audit);
   scan_.reset();
 
-  response.success = failure_.empty();
+  response.success = failure_.empty() && last_audit_.triggers_missing == 0;
   response.message = failure_.empty() ? summary(last_audit_) : failure_;
-  if (last_audit_.triggers < request.triggers) {
-    response.message += "; only " + std::to_string(last_audit_.triggers) + " of " +
-                        std::to_string(request.triggers) + " trigger events arrived";
-  }
   ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
   return true;
 }
@@ -136,6 +132,8 @@ void BinderServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& statu
   status.add("frames bound", audit.frames_bound);
   status.add("frames dropped", audit.frames_dropped);
   status.add("pulses", audit.triggers);
+  status.add("pulses missing", audit.triggers_missing);
+  status.add("pulses refused", audit.triggers_refused);
   status.add("poses", audit.poses);
   status.add("poses late", audit.poses_late);
   status.add("poses repeated", audit.poses_repeated);

@@ -97,6 +97,8 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
   message.scan_id = scan_id;
   message.method = static_cast<std::uint8_t>(audit.method);
   message.triggers = audit.triggers;
+  message.triggers_missing = audit.triggers_missing;
+  message.triggers_refused = audit.triggers_refused;
   message.frames = audit.frames;
   message.poses = audit.poses;
   message.frames_bound = audit.frames_bound;
@@ -109,6 +111,8 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
   message.interpolated = count(Rule::Interpolated);
   message.worst_time_to_pose = audit.worst_time_to_pose;
   message.worst_position_error = audit.worst_position_error;
+  message.latency = audit.latency;
+  message.latency_doubtful = audit.latency_doubtful;
   for (const Drop& drop : audit.dropped) {
     scan_cell_msgs::DroppedFrame dropped;
     dropped.reason = static_cast<std::uint8_t>(drop.reason);
@@ -122,13 +126,19 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
 
 std::string summary(const Audit& audit) {
   std::ostringstream text;
-  text << audit.frames_bound << " of " << audit.frames << " frames bound to " << audit.triggers
-       << " pulses and " << audit.poses << " poses";
+  text << audit.frames_bound << " of " << audit.frames << " frames bound to "
+       << audit.triggers - audit.triggers_missing << " pulses and " << audit.poses << " poses";
   std::map<DropReason, std::uint64_t> reasons;
   for (const Drop& drop : audit.dropped)
     ++reasons[drop.reason];
   for (const auto& [reason, count] : reasons)
     text << ", " << count << " " << name(reason);
+  if (audit.triggers_missing > 0) {
+    text << "; only " << audit.triggers - audit.triggers_missing << " of " << audit.triggers
+         << " trigger events arrived";
+  }
+  if (audit.triggers_refused > 0)
+    text << "; " << audit.triggers_refused << " trigger events came twice or out of order";
   if (audit.slips > 0) text << "; the counter slipped " << audit.slips << " times";
   if (std::isfinite(audit.latency)) {
     constexpr double kMilliseconds = 1e3;

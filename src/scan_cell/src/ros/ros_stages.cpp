@@ -20,6 +20,7 @@ RosStages::RosStages(const std::string& binder, const std::string& triangulation
 
 void RosStages::clear() {
   audit_ = {};
+  binding_.clear();
   statistics_ = {};
   cloud_ = {};
 }
@@ -36,7 +37,10 @@ void RosStages::finish(std::uint64_t pulses, double patience) {
   FinishBinding::Request binding;
   binding.triggers = pulses;
   binding.timeout = ros::Duration(patience);
-  audit_ = call<FinishBinding>(binder_ + "/finish", binding, call_timeout_ + patience).audit;
+  const std::string finish_binding = binder_ + "/finish";
+  const auto bound = ask<FinishBinding>(finish_binding, binding, call_timeout_ + patience);
+  audit_ = bound.audit;
+  binding_ = bound.message;
 
   FinishCloud::Request cloud;
   cloud.profiles = audit_.frames_bound;
@@ -44,7 +48,8 @@ void RosStages::finish(std::uint64_t pulses, double patience) {
   const std::string finish_cloud = triangulation_ + "/finish";
   const auto response = ask<FinishCloud>(finish_cloud, cloud, call_timeout_ + patience);
   statistics_ = response.statistics;
-  cloud_ = response.cloud;  // also where it failed: what was captured is kept
+  cloud_ = response.cloud;              // also where it failed: what was captured is kept
+  check_answer(finish_binding, bound);  // first: what it missed the cloud misses, too
   check_answer(finish_cloud, response);
 }
 

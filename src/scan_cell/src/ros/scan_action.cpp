@@ -81,13 +81,13 @@ void ScanAction::run() {
 void ScanAction::conclude(const ScanEnd& end, double seconds) {
   ScanResult result;
   result.outcome = static_cast<std::uint8_t>(end.outcome);
-  result.message = end.message;
   result.scan_id = request_.scan_id;
   result.audit = stages_.audit();
   result.statistics = stages_.statistics();
   result.cloud = stages_.cloud();
   result.seconds = seconds;
   const bool finished = end.outcome == ScanOutcome::Finished;
+  result.message = finished ? stages_.binding() : end.message;
   publish_state(finished ? CellState::FINISHED : CellState::FAILED, end.message);
   if (!finished)
     ROS_WARN("Scan '%s' ended early: %s", request_.scan_id.c_str(), end.message.c_str());

@@ -46,6 +46,8 @@ int scan(const Options& options) {
               result.scan_id.c_str(), result.audit.triggers, result.audit.frames,
               result.audit.frames_bound, result.audit.frames_dropped,
               result.audit.frames_never_arrived);
+  if (result.outcome == scan_cell_msgs::ScanResult::FINISHED)
+    std::printf("%s\n", result.message.c_str());
   if (!options.output.empty() && !result.cloud.data.empty()) save(options.output, result.cloud);
   if (!options.clean.empty()) save(options.clean, clean);
   if (result.outcome == scan_cell_msgs::ScanResult::FINISHED) return 0;

@@ -30,6 +30,7 @@ class RosStages : public Stages {
 
   /// Of the scan that finish() ended last; empty since clear() or start().
   const scan_cell_msgs::BindingAudit& audit() const { return audit_; }
+  const std::string& binding() const { return binding_; }  //!< the audit for a person
   const scan_cell_msgs::CloudStatistics& statistics() const { return statistics_; }
   const sensor_msgs::PointCloud2& cloud() const { return cloud_; }
 
@@ -38,6 +39,7 @@ class RosStages : public Stages {
   const std::string triangulation_;
   const double call_timeout_;
   scan_cell_msgs::BindingAudit audit_;
+  std::string binding_;
   scan_cell_msgs::CloudStatistics statistics_;
   sensor_msgs::PointCloud2 cloud_;
 };
