@@ -37,12 +37,12 @@ struct Script {
   int opened = 0;
 
   void send(std::uint64_t counter, scan_cell_common::Nanoseconds device_time = 0,
-            std::uint32_t packets_lost = 0) {
+            std::uint32_t packets_lost = 0, scan_cell_common::Nanoseconds delay = 0) {
     const std::lock_guard<std::mutex> lock(mutex);
     Frame frame;
     frame.counter = counter;
     frame.device_time = device_time;
-    frame.host_time = 1000000000 + device_time;
+    frame.host_time = 1000000000 + device_time + delay;
     frame.packets_lost = packets_lost;
     frames.push_back(frame);
   }
@@ -245,6 +245,19 @@ TEST_F(AcquisitionOfScriptedCamera, MapsTheCamerasClockToTheHosts) {
   script_.send(2, 6000);
   expect_frames({{1, 1, 0}, {1, 2, 0}});
   EXPECT_EQ(recorder_.frames()[1].time, 1000006000);
+}
+
+TEST_F(AcquisitionOfScriptedCamera, KeepsItsClockMapWhereAFrameComesLate) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  script_.send(1, 5000);
+  script_.send(3, 7000, 0, 2000000);
+  script_.send(2, 6000, 0, 9000000);  // overtaken by the one before
+  script_.send(4, 8000, 0, 2000000);
+  expect_frames({{1, 1, 0}, {1, 3, 0}, {1, 2, 0}, {1, 4, 0}});
+  const auto frames = recorder_.frames();
+  EXPECT_EQ(frames[2].time, 1000006000);
+  EXPECT_EQ(frames[3].time, 1000008000);
 }
 
 TEST_F(AcquisitionOfScriptedCamera, ResumesAnExternalTriggerWithANewNumberAfterALoss) {

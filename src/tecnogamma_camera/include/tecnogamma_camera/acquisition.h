@@ -131,8 +131,8 @@ class Acquisition {
   void stop();
   bool deliver_next(double timeout);
   void deliver(const Frame& frame);
-  bool number(const Frame& frame, std::uint64_t& counter);
-  Nanoseconds time_of(const Frame& frame);
+  CounterStep number(const Frame& frame);
+  Nanoseconds time_of(const Frame& frame, bool late);
   void throw_if_silent() const;
 
   template <class Change>

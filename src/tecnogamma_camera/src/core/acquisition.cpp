@@ -290,18 +290,19 @@ bool Acquisition::deliver_next(double timeout) {
 }
 
 void Acquisition::deliver(const Frame& frame) {
-  std::uint64_t counter = 0;
-  const bool numbered = number(frame, counter);
+  const CounterStep step = number(frame);
+  const bool numbered = step.kind != CounterStep::Kind::INVALID;
   change_state([&](AcquisitionState& s) {
     ++s.frames.received;
     if (numbered && frame.packets_lost > 0) ++s.frames.incomplete;
     s.acquisition = acquisition_;
   });
-  if (numbered)
-    listener_.on_frame({mode_, acquisition_, counter, time_of(frame), frame, description_});
+  if (!numbered) return;
+  const Nanoseconds time = time_of(frame, step.kind == CounterStep::Kind::BACKWARD);
+  listener_.on_frame({mode_, acquisition_, step.count, time, frame, description_});
 }
 
-bool Acquisition::number(const Frame& frame, std::uint64_t& counter) {
+CounterStep Acquisition::number(const Frame& frame) {
   using Kind = CounterStep::Kind;
   CounterStep step = unwrapper_.unwrap(frame.counter);
   FrameCounts found;
@@ -327,14 +328,14 @@ bool Acquisition::number(const Frame& frame, std::uint64_t& counter) {
     s.frames.restarts += found.restarts;
     s.frames.invalid += found.invalid;
   });
-  counter = step.count;
-  return step.kind != Kind::INVALID;
+  return step;
 }
 
-Nanoseconds Acquisition::time_of(const Frame& frame) {
+Nanoseconds Acquisition::time_of(const Frame& frame, bool late) {
   if (frame.device_time == 0) return frame.host_time;  // no clock, or lost with its packets
   if (!parameters_.device_clock_is_host) {
-    clock_.add(frame.device_time, frame.host_time);
+    // The map would take an earlier time for that of a device that was restarted.
+    if (!late || clock_.empty()) clock_.add(frame.device_time, frame.host_time);
     return clock_.to_host(frame.device_time);
   }
   const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
