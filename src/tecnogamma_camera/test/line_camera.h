@@ -33,19 +33,62 @@ class LineCamera {
   /// One pulse. A pulse before the last one was noticed is lost, as on a real camera.
   void pulse() { arv_fake_camera_write_register(fake(), kSoftwareTriggerRegister, 1); }
 
+  /// Whether AcquisitionFrameRateEnable is on, of save_genicam_with_rate_enable().
+  bool rate_is_enabled() {
+    guint32 value = 0;
+    arv_fake_camera_read_register(fake(), kRateEnableRegister, &value);
+    return value != 0;
+  }
+
   /// Its description of itself, with a feature renamed: a camera without that feature.
   static void save_genicam_without(const std::string& feature, const std::string& path) {
-    ArvFakeCamera* const plain = arv_fake_camera_new("PLAIN");
-    std::size_t size = 0;
-    std::string xml(arv_fake_camera_get_genicam_xml(plain, &size));
-    g_object_unref(plain);
-    for (std::size_t at = 0; (at = xml.find(feature, at)) != std::string::npos;)
-      xml.replace(at, feature.size(), "NoSuchThing");
-    std::ofstream(path) << xml;
+    save_genicam(feature, "NoSuchThing", path);
+  }
+
+  /// A camera that rounds widths down to multiples of 16.
+  static void save_genicam_with_steps(const std::string& path) {
+    save_genicam("<pValue>WidthRegister</pValue>", "<pValue>WidthSteps</pValue>", path,
+                 R"(<IntConverter Name="WidthSteps">
+                      <FormulaTo>FROM - FROM % 16</FormulaTo>
+                      <FormulaFrom>TO</FormulaFrom>
+                      <pValue>WidthRegister</pValue>
+                    </IntConverter>)");
+  }
+
+  /// A camera whose rate can be switched on and off, as most of the real ones.
+  static void save_genicam_with_rate_enable(const std::string& path) {
+    save_genicam("", "", path,
+                 R"(<Boolean Name="AcquisitionFrameRateEnable">
+                      <pValue>AcquisitionFrameRateEnableRegister</pValue>
+                    </Boolean>
+                    <IntReg Name="AcquisitionFrameRateEnableRegister">
+                      <Address>0x1f0</Address>
+                      <Length>4</Length>
+                      <AccessMode>RW</AccessMode>
+                      <pPort>Device</pPort>
+                      <Sign>Unsigned</Sign>
+                      <Endianess>BigEndian</Endianess>
+                    </IntReg>)");
   }
 
  private:
   static constexpr guint32 kSoftwareTriggerRegister = 0x30c;
+  static constexpr guint32 kRateEnableRegister = 0x1f0;  // that of its TestRegister
+
+  /// Its description of itself, with some text replaced and some nodes added.
+  static void save_genicam(const std::string& text, const std::string& replacement,
+                           const std::string& path, const std::string& nodes = "") {
+    ArvFakeCamera* const plain = arv_fake_camera_new("PLAIN");
+    std::size_t size = 0;
+    std::string xml(arv_fake_camera_get_genicam_xml(plain, &size));
+    g_object_unref(plain);
+    for (std::size_t at = 0; !text.empty() && (at = xml.find(text, at)) != std::string::npos;
+         at += replacement.size())
+      xml.replace(at, text.size(), replacement);
+    const std::string end = "</RegisterDescription>";
+    xml.replace(xml.rfind(end), end.size(), nodes + end);
+    std::ofstream(path) << xml;
+  }
 
   ArvFakeCamera* fake() { return arv_gv_fake_camera_get_fake_camera(camera_); }
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -52,6 +54,12 @@ CameraSettings small_region(double rate) {
 
 std::optional<Frame> grab(Camera& camera) {
   return camera.grab(std::chrono::seconds(10));
+}
+
+/// A path for the description of a fake camera.
+std::string genicam_file() {
+  return (std::filesystem::temp_directory_path() / ("fake_" + std::to_string(getpid()) + ".xml"))
+      .string();
 }
 
 template <class Act>
@@ -199,10 +207,39 @@ TEST(AravisCamera, NamesTheParameterThatItDoesNotTake) {
   EXPECT_THROW(camera->start(Trigger::EXTERNAL), scan_cell_common::Error);
 }
 
+TEST(AravisCamera, KeepsItsRegionWhereAnotherIsRefused) {
+  const std::string file = genicam_file();
+  LineCamera::save_genicam_with_steps(file);
+  LineCamera line(file);
+  const auto camera = open();
+  camera->configure(small_region(50));
+  CameraSettings settings = small_region(50);
+  settings.region.width = 250;  // the camera takes 240
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "region");
+  camera->start(Trigger::FREE_RUN);
+  const auto frame = grab(*camera);
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->packets_lost, 0U) << "the frame must be of the region that was kept";
+  EXPECT_EQ(frame->image.columns, 256);
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, KeepsTheRateOfFreeRunAfterAnExternalTrigger) {
+  const std::string file = genicam_file();
+  LineCamera::save_genicam_with_rate_enable(file);
+  LineCamera line(file);
+  const auto camera = open();
+  camera->configure(small_region(50));
+  camera->start(Trigger::EXTERNAL);
+  EXPECT_FALSE(line.rate_is_enabled());
+  camera->stop();
+  camera->start(Trigger::FREE_RUN);
+  EXPECT_TRUE(line.rate_is_enabled());
+  std::filesystem::remove(file);
+}
+
 TEST(AravisCamera, NamesTheFeatureThatItDoesNotHave) {
-  const std::string file =
-      (std::filesystem::temp_directory_path() / ("fake_" + std::to_string(getpid()) + ".xml"))
-          .string();
+  const std::string file = genicam_file();
   LineCamera::save_genicam_without("TriggerSource", file);
   {
     LineCamera line(file);
@@ -246,6 +283,21 @@ TEST(AravisCamera, NeverHandsOutPixelsOfAFrameWithPacketsMissing) {
     }
     return whole >= 5 && incomplete >= 5 && without_number >= 1;
   }));
+}
+
+TEST(CameraMenu, StopsTheCameraWhereAFrameCannotBeSaved) {
+  const Program program;
+  open();
+  const auto folder = std::filesystem::temp_directory_path() / ("menu_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder / "image.png");  // a folder in the file's place
+  const std::string command = "cd " + folder.string() + " && printf '2\\n4\\n4\\n6\\n' | " +
+                              CAMERA_MENU + " --camera " + kAddress + " > log 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  std::ifstream file(folder / "log");
+  const std::string log{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(log.find("image.png: cannot be written"), std::string::npos) << log;
+  EXPECT_EQ(log.find("is running"), std::string::npos) << log;
+  std::filesystem::remove_all(folder);
 }
 
 TEST(AravisCamera, IsFoundAgainAfterItWasLost) {

@@ -54,6 +54,7 @@ class AravisCamera : public Camera {
   ArvBuffer* grabbed_ = nullptr;
   Region region_;
   std::string trigger_source_;
+  std::optional<double> rate_;  // of free run
   std::uint64_t missing_packets_ = 0;
   StreamStatistics last_statistics_;
   gulong control_lost_handler_ = 0;
@@ -152,6 +153,7 @@ void AravisCamera::configure(const CameraSettings& settings) {
   if (settings.exposure) write_exposure(camera_.get(), *settings.exposure);
   if (settings.gain) write_gain(camera_.get(), *settings.gain);
   if (settings.rate) write_rate(camera_.get(), *settings.rate);
+  rate_ = settings.rate;
 }
 
 void AravisCamera::set_exposure(double exposure) {
@@ -191,6 +193,8 @@ void AravisCamera::start(Trigger trigger) {
   throw_if_lost();
   refuse_while_running("camera start");
   write_trigger(camera_.get(), trigger, trigger_source_);
+  // An external trigger switched the rate off.
+  if (trigger == Trigger::FREE_RUN && rate_) write_rate(camera_.get(), *rate_);
   try {
     create_stream();
     aravis("AcquisitionStart", [&](GError** e) { arv_camera_start_acquisition(camera_.get(), e); });

@@ -19,6 +19,17 @@ void check_bounds(const std::string& name, double value, double least, double mo
       "this camera takes " + std::to_string(least) + " to " + std::to_string(most) + unit);
 }
 
+std::string to_text(const Region& region) {
+  return std::to_string(region.width) + " x " + std::to_string(region.height) + " at " +
+         std::to_string(region.x) + ", " + std::to_string(region.y);
+}
+
+void set_region(ArvCamera* arv, const Region& region) {
+  aravis("region " + to_text(region), [&](GError** e) {
+    arv_camera_set_region(arv, region.x, region.y, region.width, region.height, e);
+  });
+}
+
 }  // namespace
 
 Region read_region(ArvCamera* arv) {
@@ -35,25 +46,25 @@ Region write_region(ArvCamera* arv, const Region& wanted) {
   Region region = wanted;
   if (region.width == 0) region.width = columns - region.x;
   if (region.height == 0) region.height = rows - region.y;
-  const std::string text = std::to_string(region.width) + " x " + std::to_string(region.height) +
-                           " at " + std::to_string(region.x) + ", " + std::to_string(region.y);
   if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
       region.width > columns - region.x || region.height > rows - region.y) {
     throw InvalidParameter(
-        "region", text,
+        "region", to_text(region),
         "the sensor has " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels");
   }
-  aravis("region " + text, [&](GError** e) {
-    arv_camera_set_region(arv, region.x, region.y, region.width, region.height, e);
-  });
-  const Region taken = read_region(arv);
-  if (taken != region) {
-    throw InvalidParameter("region", text,
-                           "the camera took " + std::to_string(taken.width) + " x " +
-                               std::to_string(taken.height) + " at " + std::to_string(taken.x) +
-                               ", " + std::to_string(taken.y) + ": give multiples of its steps");
+  const Region before = read_region(arv);
+  try {
+    set_region(arv, region);
+    const Region taken = read_region(arv);
+    if (taken != region) {
+      throw InvalidParameter("region", to_text(region),
+                             "the camera took " + to_text(taken) + ": give multiples of its steps");
+    }
+  } catch (const InvalidParameter&) {
+    set_region(arv, before);
+    throw;
   }
-  return taken;
+  return region;
 }
 
 void write_exposure(ArvCamera* arv, double exposure) {

@@ -15,7 +15,8 @@ constexpr double kMicroseconds = 1e6;  // in a second: GenICam's unit of the exp
 
 Region read_region(ArvCamera* arv);
 
-/// @return as read back, with width and height
+/// A region that is refused leaves the camera as it was.
+/// @return with width and height
 Region write_region(ArvCamera* arv, const Region& wanted);
 
 void write_exposure(ArvCamera* arv, double exposure);

@@ -80,18 +80,22 @@ class Menu {
               << " s, packets of " << description.packet_size << " bytes\n";
   }
 
+  struct StopAtEnd {
+    Camera& camera;
+    ~StopAtEnd() { camera.stop(); }
+  };
+
   /// Grabs one whole frame in free run and hands it to `use`.
   template <class Use>
   void grab(const Use& use) {
     camera().start(tecnogamma_camera::Trigger::FREE_RUN);
+    const StopAtEnd stop{camera()};
     constexpr int kTries = 5;
     for (int i = 0; i < kTries; ++i) {
       const auto frame = camera().grab(std::chrono::seconds(1));
       if (!frame || frame->packets_lost > 0) continue;
-      use(*frame);
-      return camera().stop();
+      return use(*frame);
     }
-    camera().stop();
     throw scan_cell_common::ConnectionError("camera", "no whole frame in five seconds",
                                             "check its rate and the network");
   }
