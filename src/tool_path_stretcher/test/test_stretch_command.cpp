@@ -46,10 +46,16 @@ class StretchCommand : public testing::Test {
   /// Exit code; files are given by name.
   int run(const std::string& reference, const std::string& object, const std::string& path,
           const std::string& more = "") const {
-    const std::string command =
-        std::string(STRETCH_COMMAND) + " --reference " + file(reference) + " --object " +
-        file(object) + " --path " + file(path) + " --output " + file("out.csv") + " --report " +
-        file("report.json") + " " + more + " > /dev/null 2> " + file("stderr");
+    return run_into("out.csv", "report.json", reference, object, path, more);
+  }
+
+  int run_into(const std::string& output, const std::string& report,
+               const std::string& reference = "r.ply", const std::string& object = "d.ply",
+               const std::string& path = "p.csv", const std::string& more = "") const {
+    const std::string command = std::string(STRETCH_COMMAND) + " --reference " + file(reference) +
+                                " --object " + file(object) + " --path " + file(path) +
+                                " --output " + file(output) + " --report " + file(report) + " " +
+                                more + " > /dev/null 2> " + file("stderr");
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -118,6 +124,42 @@ TEST_F(StretchCommand, SaysWhatIsUnusable) {
   EXPECT_NE(text_of("stderr").find("method: 'magic'"), std::string::npos);
   EXPECT_EQ(run("r.ply", "d.ply", "p.csv", "--tolerance -1"), 1);
   EXPECT_EQ(run("r.ply", "d.ply", "p.csv", "--no-such-option"), 1);
+  EXPECT_TRUE(left_no_path());
+}
+
+TEST_F(StretchCommand, NeverOverwritesWhatItReads) {
+  fs::create_hard_link(file("p.csv"), file("linked.csv"));
+  fs::create_symlink(file("p.csv"), file("pointing.csv"));
+  const std::string path = text_of("p.csv");
+  const std::string reference = text_of("r.ply");
+  for (const char* output : {"p.csv", "linked.csv", "pointing.csv", "no/../p.csv"}) {
+    EXPECT_EQ(run_into(output, "report.json"), 1) << output;
+    EXPECT_EQ(report()["reason"], "unusable_input") << output;
+    EXPECT_EQ(text_of("p.csv"), path) << output;
+  }
+  for (const char* report : {"p.csv", "r.ply", "d.ply", "out.csv"}) {
+    EXPECT_EQ(run_into("out.csv", report), 1) << report;
+    EXPECT_NE(text_of("stderr").find("given twice"), std::string::npos) << report;
+  }
+  EXPECT_EQ(text_of("p.csv"), path);
+  EXPECT_TRUE(text_of("r.ply") == reference);
+  EXPECT_TRUE(left_no_path());
+}
+
+TEST_F(StretchCommand, NeverReportsAPathThatIsNotThere) {
+  EXPECT_EQ(run_into("out.txt", "report.json"), 1);
+  EXPECT_EQ(report()["reason"], "unusable_input");
+  EXPECT_NE(text_of("stderr").find("ending '.txt'"), std::string::npos) << text_of("stderr");
+  EXPECT_EQ(run_into("no/such/folder/out.csv", "report.json"), 1);
+  EXPECT_EQ(report()["reason"], "unusable_input");
+  fs::create_directory(file("folder.csv"));
+  EXPECT_EQ(run_into("folder.csv", "report.json"), 1);
+  EXPECT_EQ(report()["reason"], "unusable_input");
+  EXPECT_TRUE(fs::is_directory(file("folder.csv")));
+}
+
+TEST_F(StretchCommand, LeavesNoPathWithoutAReport) {
+  EXPECT_EQ(run_into("out.csv", "no/such/folder/report.json"), 1);
   EXPECT_TRUE(left_no_path());
 }
 

@@ -19,6 +19,9 @@ ToolPath load_tool_path(const std::string& path);
 /// @throw scan_cell_common::FileError if it cannot be written or the ending is neither
 void save_tool_path(const std::string& path, const ToolPath& tool_path);
 
+/// @throw scan_cell_common::FileError unless a tool path can be kept under this name: .csv or .yaml
+void check_tool_path_name(const std::string& path);
+
 /// The parsers behind load_tool_path(); `source` names the text in errors.
 ToolPath parse_tool_path_csv(const std::string& text, const std::string& source);
 ToolPath parse_tool_path_yaml(const std::string& text, const std::string& source);

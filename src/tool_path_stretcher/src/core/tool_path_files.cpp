@@ -39,6 +39,10 @@ std::string read_text(const std::string& path) {
 
 }  // namespace
 
+void check_tool_path_name(const std::string& path) {
+  format_of(path);
+}
+
 ToolPath load_tool_path(const std::string& path) {
   const Format format = format_of(path);
   const std::string text = read_text(path);

@@ -13,6 +13,8 @@
 
 namespace {
 
+namespace fs = std::filesystem;
+using scan_cell_common::FileError;
 using tool_path_stretcher::StretchParameters;
 using tool_path_stretcher::StretchResult;
 
@@ -86,7 +88,34 @@ bool show_progress(const std::string& stage, double progress) {
   return true;
 }
 
+bool is_same_file(const std::string& one, const std::string& other) {
+  std::error_code failure;
+  if (fs::equivalent(one, other, failure)) return true;
+  const fs::path place = fs::weakly_canonical(one, failure);  // also where there is none yet
+  return !failure && place == fs::weakly_canonical(other, failure);
+}
+
+/// What is written must not take the place of what is read.
+void refuse_overwriting(const std::string& written, const std::vector<std::string>& others) {
+  for (const std::string& other : others) {
+    if (!is_same_file(written, other)) continue;
+    throw FileError(written, "given twice", "write to a file of its own");
+  }
+}
+
+void remove_old(const std::string& path) {
+  std::error_code failure;
+  if (fs::exists(path, failure) && !fs::is_regular_file(path, failure)) {
+    throw FileError(path, "is no file", "give a file of its own");
+  }
+  fs::remove(path, failure);
+  if (failure) throw FileError(path, failure.message(), "give a file of yours");
+}
+
 StretchResult run(Options& options) {
+  tool_path_stretcher::check_tool_path_name(options.output);
+  refuse_overwriting(options.output, {options.reference, options.object, options.path});
+  remove_old(options.output);  // a path of an earlier run must not be taken for this one's
   options.parameters.method = tool_path_stretcher::method_from_string(options.method);
   options.parameters.leaf = Eigen::Vector3d(options.leaf[0], options.leaf[1], options.leaf[2]);
   tool_path_stretcher::check(options.parameters);
@@ -106,10 +135,25 @@ StretchResult unusable(const std::string& message) {
   return result;
 }
 
-int finish(const Options& options, const StretchResult& result) {
-  tool_path_stretcher::save_report(options.report, result);
+/// The path before the report: an accepting report without its path would be a lie.
+void save(const Options& options, StretchResult& result) {
   if (result.verdict.accepted()) {
-    tool_path_stretcher::save_tool_path(options.output, result.path);
+    try {
+      tool_path_stretcher::save_tool_path(options.output, result.path);
+    } catch (const FileError& error) {
+      result = unusable(error.what());
+    }
+  }
+  try {
+    tool_path_stretcher::save_report(options.report, result);
+  } catch (const FileError&) {
+    if (result.verdict.accepted()) remove_old(options.output);
+    throw;
+  }
+}
+
+int tell(const StretchResult& result) {
+  if (result.verdict.accepted()) {
     std::cout << "accepted: scale " << result.similarity.scale << ", rms " << 1e3 * result.rms
               << " mm, " << waypoint_count(result.path) << " waypoints, " << result.seconds
               << " s\n";
@@ -135,16 +179,17 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? kAccepted : kUnusable;
   }
   try {
-    // A path of an earlier run must not be taken for this one's.
-    std::error_code ignored;
-    std::filesystem::remove(options.output, ignored);
+    refuse_overwriting(options.report,
+                       {options.reference, options.object, options.path, options.output});
+    remove_old(options.report);
     StretchResult result;
     try {
       result = run(options);
     } catch (const scan_cell_common::Error& error) {
       result = unusable(error.what());
     }
-    return finish(options, result);
+    save(options, result);
+    return tell(result);
   } catch (const std::exception& error) {
     std::cerr << "stretch: " << error.what() << '\n';
     return kUnusable;
