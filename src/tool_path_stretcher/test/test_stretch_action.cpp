@@ -152,6 +152,11 @@ TEST_F(StretchAction, RefusesUnusableInputByName) {
   StretchToolPathGoal frames = goal(part_);
   frames.object.header.frame_id = "elsewhere";
   EXPECT_NE(finish(frames, State::ABORTED).verdict.message.find("elsewhere"), std::string::npos);
+  StretchToolPathGoal path_frame = goal(part_);
+  path_frame.path.header.frame_id = "fixture";
+  const auto in_fixture = finish(path_frame, State::ABORTED);
+  EXPECT_EQ(in_fixture.verdict.reason, StretchVerdict::UNUSABLE_INPUT);
+  EXPECT_NE(in_fixture.verdict.message.find("path: in frame 'fixture'"), std::string::npos);
   StretchToolPathGoal no_path = goal(part_);
   no_path.path.segments.clear();
   EXPECT_EQ(finish(no_path, State::ABORTED).verdict.reason, StretchVerdict::UNUSABLE_INPUT);
@@ -160,6 +165,7 @@ TEST_F(StretchAction, RefusesUnusableInputByName) {
 TEST_F(StretchAction, UsesTheMethodOfTheGoal) {
   StretchToolPathGoal affine = goal(part_);
   affine.method = "affine";
+  affine.path.header.frame_id = "world";
   EXPECT_EQ(finish(affine, State::SUCCEEDED).verdict.reason, StretchVerdict::ACCEPTED);
 }
 

@@ -7,6 +7,17 @@
 #include "tool_path_stretcher/ros/conversions.h"
 
 namespace tool_path_stretcher {
+namespace {
+
+void check_frame(const std::string& what, const std_msgs::Header& header,
+                 const std_msgs::Header& reference) {
+  if (header.frame_id == reference.frame_id) return;
+  throw scan_cell_common::UnusableInput(
+      what, "in frame '" + header.frame_id + "'",
+      "give clouds and path in one frame; the reference is in '" + reference.frame_id + "'");
+}
+
+}  // namespace
 
 StretchServer::StretchServer(const ros::NodeHandle& private_node)
     : node_(private_node),
@@ -45,11 +56,9 @@ StretchResult StretchServer::run(const scan_cell_msgs::StretchToolPathGoal& goal
                                  const ToolPath& path) {
   StretchParameters parameters = parameters_;
   if (!goal.method.empty()) parameters.method = method_from_string(goal.method);
-  if (goal.reference.header.frame_id != goal.object.header.frame_id) {
-    throw scan_cell_common::UnusableInput("object",
-                                          "in frame '" + goal.object.header.frame_id + "'",
-                                          "give both clouds in one frame; the reference is in '" +
-                                              goal.reference.header.frame_id + "'");
+  check_frame("object", goal.object.header, goal.reference.header);
+  if (!goal.path.header.frame_id.empty()) {
+    check_frame("path", goal.path.header, goal.reference.header);
   }
   on_progress("load", 0);
   const auto surface = [&parameters](const sensor_msgs::PointCloud2& cloud, const char* name) {
