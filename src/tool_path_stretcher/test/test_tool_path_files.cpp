@@ -166,6 +166,20 @@ TEST(ToolPathYaml, NamesTheLineOfWhatIsWrong) {
   EXPECT_TRUE(names(yaml_complaint("hello: world"), "no poses"));
 }
 
+TEST(ToolPathYaml, LosesNoPoseOfAListThatBeginsWithSomethingElse) {
+  const std::string whole = "whole: [[1, 2, 3]]\n";
+  const std::string mixed = whole + "mixed:\n- name: approach\n- position: {x: 1, y: 2, z: 3}\n";
+  EXPECT_TRUE(
+      names(yaml_complaint(mixed), "line 4: a pose in a list that does not begin with one"));
+  EXPECT_TRUE(names(yaml_complaint(whole + "mixed: [7, [1, 2, 3]]\n"), "line 2: a pose in a list"));
+}
+
+TEST(ToolPathYaml, RefusesAliasesWithinThemselves) {
+  EXPECT_TRUE(names(yaml_complaint("a: &a [*a]"), "nested more than 64 deep"));
+  EXPECT_TRUE(names(yaml_complaint("a: &a {b: *a}"), "nested more than 64 deep"));
+  EXPECT_TRUE(names(yaml_complaint("a: &a [*a, *a, *a]"), "nested more than 64 deep"));
+}
+
 TEST(ToolPathYaml, RefusesAliasesThatStandForEndlessPaths) {
   std::string text = "a0: &a0 [[1,2,3],[1,2,3],[1,2,3],[1,2,3],[1,2,3],[1,2,3],[1,2,3],[1,2,3]]\n";
   for (int i = 1; i < 12; ++i) {
@@ -196,6 +210,8 @@ TEST(ToolPathFiles, AreRefusedWhereMissingOrOfAnotherKind) {
   EXPECT_THROW(load_tool_path("path.txt"), FileError);
   EXPECT_THROW(save_tool_path("/no/such/folder/path.csv", example()), FileError);
   EXPECT_THROW(save_tool_path("empty.csv", ToolPath{}), UnusableInput);
+  EXPECT_THROW(check_tool_path_name("path.txt"), FileError);
+  EXPECT_NO_THROW(check_tool_path_name("/no/such/folder/path.YML"));
 }
 
 TEST(ToolPathFiles, AreReadOrRefusedWhateverIsInThem) {

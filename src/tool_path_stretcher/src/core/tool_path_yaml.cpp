@@ -28,7 +28,7 @@ class Reader {
           path_.process_names.push_back(text(name));
       }
     }
-    visit(root, "");
+    visit(root, "", 0);
     if (path_.segments.empty()) {
       throw UnusableInput(source_, "no poses found",
                           "give lists of poses with position and orientation");
@@ -68,6 +68,10 @@ class Reader {
 
   static bool is_pose_map(const YAML::Node& node) { return node.IsMap() && node["position"]; }
 
+  static bool is_pose(const YAML::Node& node) {
+    return is_pose_map(node) || (is_number_list(node) && node.size() >= 3);
+  }
+
   /// An alias can make a small text stand for an endless one.
   void count_visit(const YAML::Node& node) {
     constexpr std::size_t kMostNodes = 3000000;
@@ -76,21 +80,34 @@ class Reader {
     }
   }
 
-  void visit(const YAML::Node& node, const std::string& name) {
+  /// @param depth an alias within what it stands for has no end
+  void visit(const YAML::Node& node, const std::string& name, int depth) {
+    constexpr int kDeepest = 64;
+    if (depth > kDeepest) {
+      throw UnusableInput(where(node), "nested more than 64 deep", "give a flatter path");
+    }
     count_visit(node);
     if (node.IsMap()) {
       const YAML::Node own_name = node["name"];
       const std::string below = own_name && own_name.IsScalar() ? own_name.Scalar() : "";
       for (const auto& entry : node)
-        visit(entry.second, below);
+        visit(entry.second, below, depth + 1);
     } else if (node.IsSequence() && node.size() > 0) {
-      const bool poses = is_pose_map(node[0]) || (is_number_list(node[0]) && node[0].size() >= 3);
-      if (poses) {
+      if (is_pose(node[0])) {
         read_segment(node, name);
       } else {
-        for (const YAML::Node& element : node)
-          visit(element, name);
+        visit_elements(node, name, depth);
       }
+    }
+  }
+
+  void visit_elements(const YAML::Node& node, const std::string& name, int depth) {
+    for (const YAML::Node& element : node) {
+      if (is_pose(element)) {
+        throw UnusableInput(where(element), "a pose in a list that does not begin with one",
+                            "give poses in lists of their own");
+      }
+      visit(element, name, depth + 1);
     }
   }
 
