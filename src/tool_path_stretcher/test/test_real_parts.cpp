@@ -18,7 +18,8 @@ class RealPart : public testing::TestWithParam<const char*> {};
 TEST_P(RealPart, CarriesItsRealPathOver) {
   const char* data = std::getenv("SCAN_CELL_DATA");
   if (data == nullptr) {
-    GTEST_SKIP() << "SCAN_CELL_DATA names no folder with the real parts";
+    GTEST_SKIP() << "NOT TESTED on the real part " << GetParam()
+                 << ": set SCAN_CELL_DATA to the folder that holds parts/" << GetParam();
   }
   const fs::path folder = fs::path(data) / "parts" / GetParam();
   const StretchParameters parameters;
