@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 
 #include <fstream>
+#include <functional>
 
 #include "laser_trigger/guardian.h"
 #include "laser_trigger/parallel_port.h"
@@ -19,28 +20,49 @@ namespace {
 
 constexpr std::uint8_t kLasers = kLaser0 | kLaser1;
 
-/// A child process that armed and goes on for ever.
-int start_armed_child(const PortAddress& address, double hang_timeout, bool die_at_once = false) {
+/// What a child process does with its pulse generator; the child ends with what this returns.
+using Life = std::function<int(PulseGenerator&)>;
+
+/// @param circuit only its address is used
+int start_child(TestCircuit& circuit, double hang_timeout, const Life& life) {
   const int child = fork();
   if (child < 0) throw std::runtime_error("no process to be had");
   if (child > 0) return child;
+  const PortAddress address = circuit.address();
+  circuit.stop();  // the copy of its socket, which would keep a stopped circuit reachable
   Guardian guardian;
   guardian.watch(address, hang_timeout);
   const auto port = open_port(address);
   PulseGenerator::Settings settings;
   settings.keep_alive_timeout = 1000;
   PulseGenerator generator(*port, &guardian, settings, {[](const Pulse&) {}, [] {}});
+  _exit(life(generator));
+}
+
+int pulse_for_ever(PulseGenerator& generator) {
   generator.arm({100, 3, 0});
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  if (die_at_once) abort();
   while (true)
     pause();
 }
 
+int crash(PulseGenerator& generator) {
+  generator.arm({100, 3, 0});
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  abort();
+}
+
+constexpr double kHangTimeout = 0.5;  // [s]
+constexpr int kOutlived = 42;
+
+int outlive_the_hang_timeout() {
+  std::this_thread::sleep_for(std::chrono::duration<double>(4 * kHangTimeout));
+  return kOutlived;
+}
+
 class GuardianTest : public testing::Test {
  protected:
-  void start(double hang_timeout, bool die_at_once = false) {
-    child_ = start_armed_child(circuit_.address(), hang_timeout, die_at_once);
+  void start(double hang_timeout, const Life& life) {
+    child_ = start_child(circuit_, hang_timeout, life);
     circuit_.start();
   }
   bool lasers_are_on() {
@@ -48,6 +70,14 @@ class GuardianTest : public testing::Test {
   }
   bool lines_go_low() {
     return wait_for([this] { return circuit_.data() == 0; });
+  }
+  /// Waits for the child's end.
+  /// @return its exit code, or the negative number of the signal that killed it
+  int end_of_child() {
+    int status = 0;
+    EXPECT_EQ(waitpid(child_, &status, 0), child_);
+    child_ = -1;
+    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
   }
   void TearDown() override {
     if (child_ <= 0) return;  // kill(-1) would mean every process there is
@@ -62,26 +92,65 @@ class GuardianTest : public testing::Test {
 }  // namespace
 
 TEST_F(GuardianTest, LasersGoOffWhenTheProcessIsKilled) {
-  start(60);
+  start(60, pulse_for_ever);
   ASSERT_TRUE(lasers_are_on());
   kill(child_, SIGKILL);
   EXPECT_TRUE(lines_go_low());
 }
 
 TEST_F(GuardianTest, LasersGoOffWhenTheProcessCrashes) {
-  start(60, true);
+  start(60, crash);
   ASSERT_TRUE(wait_for([this] { return circuit_.writes().size() > 1; }));
   EXPECT_TRUE(lines_go_low());
 }
 
 TEST_F(GuardianTest, LasersGoOffWhenTheProcessHangs) {
-  start(0.5);
+  start(kHangTimeout, pulse_for_ever);
   ASSERT_TRUE(lasers_are_on());
   kill(child_, SIGSTOP);
   EXPECT_TRUE(lines_go_low());
-  int status = 0;
-  EXPECT_EQ(waitpid(child_, &status, 0), child_);
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+  EXPECT_EQ(end_of_child(), -SIGKILL);
+}
+
+TEST_F(GuardianTest, SparesAProcessThatDisarmsBecauseTheCircuitIsLost) {
+  start(kHangTimeout, [](PulseGenerator& generator) {
+    generator.arm({100, 3, 0});
+    const bool disarmed = wait_for([&] { return !generator.status().armed; });
+    return disarmed ? outlive_the_hang_timeout() : 1;
+  });
+  ASSERT_TRUE(lasers_are_on());
+  circuit_.stop();
+  EXPECT_EQ(end_of_child(), kOutlived);
+}
+
+TEST_F(GuardianTest, SparesAProcessThatCannotArmForWantOfACircuit) {
+  circuit_.stop();
+  child_ = start_child(circuit_, kHangTimeout, [](PulseGenerator& generator) {
+    try {
+      generator.arm({100, 3, 0});
+      return 1;
+    } catch (const NoDevice&) {
+      return outlive_the_hang_timeout();
+    }
+  });
+  EXPECT_EQ(end_of_child(), kOutlived);
+}
+
+TEST_F(GuardianTest, LasersGoOffWhenItDiesItself) {
+  Guardian guardian;
+  guardian.watch(circuit_.address(), 60);
+  circuit_.start();
+  const auto port = open_port(circuit_.address());
+  PulseGenerator::Settings settings;
+  settings.keep_alive_timeout = 1000;
+  PulseGenerator generator(*port, &guardian, settings, {[](const Pulse&) {}, [] {}});
+  generator.arm({100, 3, 0});
+  ASSERT_TRUE(lasers_are_on());
+  kill(guardian.process(), SIGKILL);
+  waitpid(guardian.process(), nullptr, 0);
+  EXPECT_TRUE(lines_go_low());
+  EXPECT_TRUE(wait_for([&] { return !generator.status().armed; }));
+  EXPECT_NE(generator.status().message.find("guardian"), std::string::npos);
 }
 
 TEST_F(GuardianTest, NothingIsArmedWithoutIt) {
