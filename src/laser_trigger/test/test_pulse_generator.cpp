@@ -202,7 +202,7 @@ TEST_F(PulseGeneratorTest, DisarmsWithTheReasonWhenTheCircuitIsLost) {
 TEST_F(PulseGeneratorTest, RefusesWhatMakesNoSenseAndSwitchesNothingOn) {
   make(patient());
   using scan_cell_common::Refused;
-  for (const double rate : {0.0, -5.0, 1e6, std::nan(""), HUGE_VAL})
+  for (const double rate : {0.0, -5.0, 1e-11, 0.09, 1e6, std::nan(""), HUGE_VAL})
     EXPECT_THROW(generator_->arm({rate, 1, 0}), Refused) << rate;
   EXPECT_THROW(generator_->arm({100, 4, 0}), Refused);
   EXPECT_THROW(generator_->arm({100, 1, -1}), Refused);

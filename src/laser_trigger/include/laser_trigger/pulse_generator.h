@@ -53,7 +53,7 @@ class PulseGenerator {
     int realtime_priority = 0;        //!< of SCHED_FIFO; 0: the usual scheduling
   };
   struct Arming {
-    double rate = 0;          //!< [Hz]
+    double rate = 0;          //!< [Hz] 0.1 or more
     std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
     double longest_on = 0;    //!< [s] 0: the settings'
   };
@@ -87,7 +87,6 @@ class PulseGenerator {
   void check(const Arming& arming) const;
   void set_realtime_priority();
   void run();
-  void idle();
   void generate();
   void send_pulse();
   bool wait_until(Clock::time_point time, std::uint32_t arming);

@@ -82,10 +82,12 @@ void PulseGenerator::set_realtime_priority() {
 
 void PulseGenerator::check(const Arming& arming) const {
   constexpr std::uint8_t kAllLasers = 3;
+  constexpr double kLeastRate = 0.1;  // [Hz]
   const double most = std::min(settings_.most_rate, 0.5 / settings_.pulse_width);
-  if (!(arming.rate > 0) || !(arming.rate <= most)) {
-    throw Refused("rate", std::to_string(arming.rate) + " Hz",
-                  "give a rate above 0, up to " + std::to_string(most) + " Hz");
+  if (!(arming.rate >= kLeastRate && arming.rate <= most)) {  // refuses NaN too
+    throw Refused(
+        "rate", std::to_string(arming.rate) + " Hz",
+        "give a rate from " + std::to_string(kLeastRate) + " to " + std::to_string(most) + " Hz");
   }
   if ((arming.lasers & ~kAllLasers) != 0) {
     throw Refused("lasers", "mask " + std::to_string(arming.lasers),
