@@ -2,6 +2,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The trigger node on real topics, with a UDP socket as the circuit."""
+import glob
 import os
 import signal
 import socket
@@ -34,6 +35,9 @@ class Circuit(threading.Thread):
         while True:
             self.writes.append((time.time(), self.socket.recv(16)))
 
+    def port(self):
+        return self.socket.getsockname()[1]
+
     def data(self):
         return self.writes[-1][1] if self.writes else None
 
@@ -41,6 +45,18 @@ class Circuit(threading.Thread):
         writes = list(self.writes)
         return [now[0] for before, now in zip(writes, writes[1:])
                 if now[1][0] & PULSE and not before[1][0] & PULSE]
+
+
+def child_of(parent):
+    """The only child of a process."""
+    for status in glob.glob('/proc/[0-9]*/status'):
+        try:
+            with open(status) as lines:
+                if 'PPid:\t%d\n' % parent in lines.readlines():
+                    return int(status.split('/')[2])
+        except OSError:
+            pass  # a process that ended meanwhile
+    raise AssertionError('process %d has no child' % parent)
 
 
 class LaserTriggerNode(unittest.TestCase):
@@ -136,7 +152,34 @@ class LaserTriggerNode(unittest.TestCase):
             self.assertEqual(run.returncode, 1)
             self.assertIn(name, run.stdout.decode())
 
-    def test_6_lasers_go_off_when_the_node_is_killed(self):
+    def test_6_lasers_go_off_at_each_signal_by_the_node_itself(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            circuit = Circuit(0)
+            circuit.start()
+            node = subprocess.Popen(['rosrun', 'laser_trigger', 'laser_trigger_node',
+                                     '__name:=signalled', '_port:=loopback',
+                                     '_keep_alive_timeout:=5', '_hang_timeout:=10',
+                                     '_loopback_port:=%d' % circuit.port()])
+            guardian = None
+            try:
+                rospy.wait_for_service('/signalled/arm', 60)
+                arm = rospy.ServiceProxy('/signalled/arm', ArmTrigger)
+                guardian = child_of(node.pid)
+                os.kill(guardian, signal.SIGSTOP)  # so that it is not the one who writes
+                answer = arm(rate=100, lasers=3)
+                self.assertTrue(answer.success, answer.message)
+                self.wait(lambda: len(circuit.rising_edges()) > 2, 'the lasers are on')
+                node.send_signal(number)
+                self.wait(lambda: circuit.data() == b'\x00', 'the lines are low')
+                self.assertEqual(node.wait(60), 0, 'signal %d' % number)
+                self.assertEqual(circuit.data(), b'\x00')
+            finally:
+                node.kill()
+                if guardian:
+                    os.kill(guardian, signal.SIGCONT)
+                subprocess.run(['rosparam', 'delete', '/signalled'], timeout=60, check=True)
+
+    def test_7_lasers_go_off_when_the_node_is_killed(self):
         self.arm_and_wait(3)
         uri = rosgraph.Master('/test').lookupNode('/laser_trigger')
         process = xmlrpc.client.ServerProxy(uri).getPid('/test')[2]
