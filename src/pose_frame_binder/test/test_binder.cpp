@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <limits>
 #include <set>
 
 #include "pose_frame_binder/binder.h"
@@ -255,6 +257,30 @@ TEST(Binder, CountsThePulsesThatItNeverHeardOfAndThoseItRefused) {
   EXPECT_EQ(binder.audit().triggers, 23U);
   EXPECT_EQ(binder.audit().triggers_missing, 3U);
   EXPECT_EQ(binder.audit().triggers_refused, 2U);
+}
+
+TEST(Binder, RefusesSettingsThatMakeNoSenseByName) {
+  const auto refused = [](const std::function<void(Settings&)>& change) -> std::string {
+    Settings settings;
+    change(settings);
+    try {
+      const Binder binder(settings);
+    } catch (const scan_cell_common::InvalidParameter& error) {
+      return error.thing();
+    }
+    return "nothing";
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refused([](Settings&) {}), "nothing");
+  EXPECT_EQ(refused([&](Settings& s) { s.camera_latency = nan; }), "camera_latency");
+  EXPECT_EQ(refused([&](Settings& s) { s.camera_latency = infinite; }), "camera_latency");
+  EXPECT_EQ(refused([](Settings& s) { s.most_pose_gap = -0.05; }), "most_pose_gap");
+  EXPECT_EQ(refused([](Settings& s) { s.pose_settle = -1; }), "pose_settle");
+  EXPECT_EQ(refused([](Settings& s) { s.latency_tolerance = 0; }), "latency_tolerance");
+  EXPECT_EQ(refused([](Settings& s) { s.frames_to_agree = 1; }), "frames_to_agree");
+  EXPECT_EQ(refused([&](Settings& s) { s.most_acceleration = nan; }), "most_acceleration");
+  EXPECT_EQ(refused([&](Settings& s) { s.most_speed = nan; }), "most_speed");
 }
 
 TEST(Binder, PublishesWhileTheScanRuns) {

@@ -2,6 +2,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The binder node on real topics."""
+import collections
 import io
 import subprocess
 import tempfile
@@ -12,6 +13,7 @@ import unittest
 import rosbag
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TransformStamped
 from scan_cell_msgs.msg import (BindingAudit, BoundProfile, DroppedFrame, PeakProfile, PoseMatch,
                                 TriggerEvent)
@@ -22,6 +24,10 @@ START = 1700000000
 SPEED = 0.2       # [m/s] of the flange along y of the base
 PERIOD = 0.01     # [s] of the pulses
 LATENCY = 0.004   # [s] of the camera's stamps
+
+# Where the binder's diagnostics count what it took of each topic.
+COUNTS = {'poses': ('poses', 'poses late', 'poses repeated', 'poses unusable'),
+          'events': ('pulses', 'pulses refused'), 'profiles': ('frames',)}
 
 
 def stamp(seconds):
@@ -74,6 +80,8 @@ class PoseFrameBinderNode(unittest.TestCase):
         cls.audits = []
         rospy.Subscriber('/binder/bound_profiles', BoundProfile, cls.bound.append)
         rospy.Subscriber('/binder/audit', BindingAudit, cls.audits.append)
+        cls.diagnostics = collections.deque(maxlen=100)
+        rospy.Subscriber('/diagnostics', DiagnosticArray, cls.diagnostics.append)
         cls.publishers = {
             'poses': rospy.Publisher('/tf', TFMessage, queue_size=10000),
             'events': rospy.Publisher('/laser_trigger/events', TriggerEvent, queue_size=10000),
@@ -92,21 +100,50 @@ class PoseFrameBinderNode(unittest.TestCase):
             assert time.time() < end, 'the binder does not subscribe'
             time.sleep(0.01)
 
-    def scan(self, data, order, triggers, timeout=30.0):
-        """Publishes topic after topic; what comes after the first waits for ~finish."""
+    def wait_for_counts(self, names, count, since):
+        """Until the binder's diagnostics say that it took so many."""
+        end = time.time() + 60
+        while True:
+            for array in list(self.diagnostics):
+                values = {v.key: v.value for s in array.status for v in s.values}
+                if array.header.stamp > since and sum(int(values.get(n, 0)) for n in names) >= count:
+                    return
+            self.assertLess(time.time(), end, '%s are not taken' % names[0])
+            time.sleep(0.01)
+
+    def publish(self, data, order):
+        """Topic after topic."""
+        since = rospy.Time.now()
+        for name in order:
+            for message in data[name]:
+                self.publishers[name].publish(message)
+            self.wait_for_counts(COUNTS[name], len(data[name]), since)
+
+    def scan(self, data, order, triggers):
+        """A scan with nothing missing: ~finish is called first, and waits for it."""
         del self.bound[:]
         self.assertTrue(self.start('scan').success)
-
-        def publish():
-            for name in order:
-                for message in data[name]:
-                    self.publishers[name].publish(message)
-                time.sleep(0.3)  # so that the topics really come in this order
-
-        thread = threading.Thread(target=publish)
+        thread = threading.Thread(target=self.publish, args=(data, order[:-1]))
         thread.start()
-        answer = self.finish(triggers, rospy.Duration(timeout))
+        finished = []
+        finish = threading.Thread(
+            target=lambda: finished.append(self.finish(triggers, rospy.Duration(60))))
+        finish.start()
         thread.join()
+        self.assertEqual(finished, [], '~finish must wait for the ' + order[-1])
+        for message in data[order[-1]]:
+            self.publishers[order[-1]].publish(message)
+        finish.join()
+        return self.with_bound(finished[0])
+
+    def scan_with_gaps(self, data, order, triggers):
+        """All data come first, since ~finish waits in vain for what is missing."""
+        del self.bound[:]
+        self.assertTrue(self.start('scan').success)
+        self.publish(data, order)
+        return self.with_bound(self.finish(triggers, rospy.Duration(0.1)))
+
+    def with_bound(self, answer):
         end = time.time() + 30
         while len(self.bound) < answer.audit.frames_bound:
             self.assertLess(time.time(), end, 'bound profiles are missing')
@@ -142,7 +179,7 @@ class PoseFrameBinderNode(unittest.TestCase):
         results = []
         for order in (('poses', 'events', 'profiles'), ('profiles', 'events', 'poses'),
                       ('events', 'poses', 'profiles')):
-            answer = self.scan(data, order, count, 3.0)
+            answer = self.scan_with_gaps(data, order, count)
             self.assertEqual(answer.audit.frames_bound, count - 3)
             self.assertEqual(answer.audit.frames_never_arrived, 3)
             self.assertEqual([(d.reason, d.trigger_count) for d in answer.audit.dropped],
@@ -157,14 +194,14 @@ class PoseFrameBinderNode(unittest.TestCase):
 
     def test_says_which_frames_no_pose_was_measured_for(self):
         data = {'poses': poses(20), 'events': events(60), 'profiles': profiles(60)}
-        answer = self.scan(data, ('poses', 'events', 'profiles'), 60, 1.0)
+        answer = self.scan_with_gaps(data, ('poses', 'events', 'profiles'), 60)
         reasons = {d.reason for d in answer.audit.dropped}
         self.assertEqual(reasons, {DroppedFrame.NO_POSE_AFTER})
         self.assertEqual(answer.audit.frames_bound + len(answer.audit.dropped), 60)
 
     def test_says_when_trigger_events_are_missing(self):
         data = {'poses': poses(20), 'events': events(20), 'profiles': profiles(20)}
-        answer = self.scan(data, ('poses', 'events', 'profiles'), 25, 1.0)
+        answer = self.scan_with_gaps(data, ('poses', 'events', 'profiles'), 25)
         self.assertFalse(answer.success)
         self.assertIn('only 20 of 25 trigger events', answer.message)
         self.assertEqual(answer.audit.triggers, 25)
@@ -187,8 +224,20 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.assertFalse(answer.audit.latency_doubtful)
         for profile in data['profiles']:
             profile.header.stamp += rospy.Duration(PERIOD)
-        answer = self.scan(data, ('poses', 'events', 'profiles'), 20, 3.0)
+        answer = self.scan_with_gaps(data, ('poses', 'events', 'profiles'), 20)
         self.assertTrue(answer.audit.latency_doubtful)
+
+    def test_drops_poses_that_are_none(self):
+        data = {'poses': poses(40), 'events': events(40), 'profiles': profiles(40)}
+        zeros = transform('base_link', 'tool0', 0.1011, (0.5, 9, 0.7), (0, 0, 0, 0))
+        nans = transform('base_link', 'tool0', 0.2011, (float('nan'), 9, 0.7))
+        data['poses'] += [zeros, nans]
+        data['poses'].sort(key=lambda m: m.transforms[0].header.stamp)
+        answer = self.scan(data, ('poses', 'events', 'profiles'), 40)
+        self.assertEqual(answer.audit.poses, len(data['poses']) - 2)
+        self.assertEqual(answer.audit.frames_bound, 40)
+        for bound in self.bound:
+            self.assertLess(abs(bound.pose.position.x), 2)
 
     def test_keeps_the_audit_latched(self):
         data = {'poses': poses(5), 'events': events(5), 'profiles': profiles(5)}
@@ -223,6 +272,11 @@ class PoseFrameBinderNode(unittest.TestCase):
                                  stderr=subprocess.PIPE, timeout=60)
             self.assertEqual(run.returncode, 1)
             self.assertIn('check that it holds', run.stderr.decode())
+            run = subprocess.run(arguments + ['--output', folder + '/none.bag',
+                                              '--camera-latency', 'nan'],
+                                 stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn('camera_latency', run.stderr.decode())
 
     def test_refuses_to_finish_what_was_not_started(self):
         answer = self.finish(0, rospy.Duration(0.1))
@@ -235,11 +289,15 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.assertIn('static transform from nowhere to base_link', answer.message)
 
     def test_refuses_a_bad_parameter_by_name(self):
-        run = subprocess.run(['rosrun', 'pose_frame_binder', 'pose_frame_binder_node',
-                              '__name:=bad_binder', '_method:=guess'], timeout=60,
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        self.assertEqual(run.returncode, 1)
-        self.assertIn('/bad_binder/method', run.stdout.decode())
+        for parameter, words in (('_method:=guess', '/bad_binder/method'),
+                                 ('_fixed_frame:=/world', 'fixed_frame'),
+                                 ('_flange_frame:=', 'flange_frame')):
+            run = subprocess.run(['rosrun', 'pose_frame_binder', 'pose_frame_binder_node',
+                                  '__name:=bad_binder', parameter], timeout=60,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(words, run.stdout.decode())
+            rospy.delete_param('/bad_binder')
 
 
 if __name__ == '__main__':

@@ -3,6 +3,7 @@
 #include "laser_triangulation/ros/cloud_builder.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 
@@ -27,6 +28,14 @@ PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
   return result;
 }
 
+bool is_pose(const geometry_msgs::Pose& pose) {
+  const geometry_msgs::Point& p = pose.position;
+  const geometry_msgs::Quaternion& q = pose.orientation;
+  constexpr double kUnit = 1e-3;  // of the rounded quaternions in messages
+  return std::isfinite(p.x + p.y + p.z) &&
+         std::abs(Eigen::Quaterniond(q.w, q.x, q.y, q.z).norm() - 1) < kUnit;
+}
+
 }  // namespace
 
 CloudBuilder::CloudBuilder(const ScannerModel& model, const PeakLimits& limits,
@@ -44,6 +53,10 @@ void CloudBuilder::add(const BoundProfile& bound) {
     throw UnusableInput(name, "laser " + std::to_string(profile.laser),
                         "the scanner model has " + std::to_string(lasers_) +
                             "; scan with one laser at a time, or say which it is");
+  }
+  if (!is_pose(bound.pose)) {
+    throw UnusableInput(name, "its pose is none: not finite, or its quaternion not of length 1",
+                        "check what bound it");
   }
   if (profiles() > 0 && bound.header.frame_id != header_.frame_id) {
     throw UnusableInput(name, "in frame " + bound.header.frame_id,

@@ -18,6 +18,7 @@ namespace pose_frame_binder {
 /// depend on it. Not safe for use from several threads at once.
 class Binder {
  public:
+  /// @throw scan_cell_common::InvalidParameter as check()
   explicit Binder(const Settings& settings);
   Binder(const Binder&) = delete;
   Binder& operator=(const Binder&) = delete;

@@ -72,6 +72,10 @@ struct Settings {
   std::size_t most_pending_frames = 20'000;  //!< that wait for pulses or poses
 };
 
+/// @throw scan_cell_common::InvalidParameter if a number is not finite, negative where that makes
+/// no sense, or absurdly large
+void check(const Settings& settings);
+
 /// A frame with its pulse and pose.
 struct Match {
   Rule rule = Rule::OneToOne;
@@ -122,7 +126,7 @@ struct Audit {
   std::uint64_t slips = 0;           //!< times the counter's offset changed within an acquisition
   std::uint64_t poses_repeated = 0;  //!< dropped: a pose with that time was there
   std::uint64_t poses_late = 0;      //!< dropped: further behind than pose_settle
-  std::uint64_t poses_unusable = 0;  //!< dropped: not finite
+  std::uint64_t poses_unusable = 0;  //!< dropped: not finite, or no rotation
   std::vector<Drop> dropped;         //!< in the order of the frames' arrival, then of the pulses
 };
 

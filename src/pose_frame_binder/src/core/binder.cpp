@@ -39,8 +39,25 @@ const char* name(DropReason reason) {
   return "unknown";
 }
 
+void check(const Settings& settings) {
+  const auto in = [](const char* name, double value, double least, double most) {
+    if (value >= least && value <= most) return;
+    throw scan_cell_common::InvalidParameter(
+        name, std::to_string(value),
+        "give " + std::to_string(least) + " .. " + std::to_string(most));
+  };
+  constexpr double kLeast = 1e-6, kMost = 1e6;
+  in("most_pose_gap", settings.most_pose_gap, kLeast, kMost);
+  in("pose_settle", settings.pose_settle, 0, kMost);
+  in("camera_latency", settings.camera_latency, -kMost, kMost);
+  in("latency_tolerance", settings.latency_tolerance, kLeast, kMost);
+  in("frames_to_agree", settings.frames_to_agree, 2, kMost);
+  in("most_acceleration", settings.most_acceleration, 0, kMost);
+  in("most_speed", settings.most_speed, 0, kMost);
+}
+
 Binder::Binder(const Settings& settings)
-    : settings_(settings),
+    : settings_((check(settings), settings)),
       poses_(from_seconds(settings.pose_settle), settings.most_poses),
       matcher_(pulses_, settings) {
   audit_.method = settings.method;

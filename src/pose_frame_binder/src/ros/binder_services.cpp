@@ -137,7 +137,7 @@ void BinderServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& statu
   status.add("poses", audit.poses);
   status.add("poses late", audit.poses_late);
   status.add("poses repeated", audit.poses_repeated);
-  status.add("poses not finite", audit.poses_unusable);
+  status.add("poses unusable", audit.poses_unusable);
   status.add("counter slips", audit.slips);
   status.add("stamp after pulse [s]", audit.latency);
   status.add("profiles outside of a scan", profiles_ignored_.load());

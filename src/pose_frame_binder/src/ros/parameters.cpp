@@ -28,6 +28,7 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   reader.read("most_poses", most_poses, {100, 1e9});
   reader.read("most_pending_frames", most_pending_frames, {10, 1e7});
   reader.refuse_unknown();
+  check(parameters.frames);
   settings.method = method == "first_pose" ? Method::FirstPose : Method::Interpolate;
   settings.most_poses = static_cast<std::size_t>(most_poses);
   settings.most_pending_frames = static_cast<std::size_t>(most_pending_frames);

@@ -3,8 +3,10 @@
 #include "pose_frame_binder/ros/profile_binder.h"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
+#include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace pose_frame_binder {
@@ -41,7 +43,29 @@ BoundProfile to_message(const PeakProfile& profile, const Match& match, const st
   return bound;
 }
 
+/// NaN where the rotation is none: a quaternion of zeros would become the identity.
+Eigen::Isometry3d pose_of(const geometry_msgs::Transform& transform) {
+  const geometry_msgs::Quaternion& q = transform.rotation;
+  constexpr double kUnit = 1e-3;  // of the rounded ones in messages
+  if (std::abs(Eigen::Quaterniond(q.w, q.x, q.y, q.z).norm() - 1) < kUnit)
+    return from_ros(transform);
+  Eigen::Isometry3d none;
+  none.matrix().setConstant(std::numeric_limits<double>::quiet_NaN());
+  return none;
+}
+
 }  // namespace
+
+void check(const Frames& frames) {
+  const auto refuse_unusable = [](const std::string& name, const std::string& frame) {
+    if (!frame.empty() && frame.front() != '/') return;
+    throw scan_cell_common::InvalidParameter(name, "'" + frame + "'",
+                                             "give the frame's name, without a slash before it");
+  };
+  refuse_unusable("fixed_frame", frames.fixed);
+  refuse_unusable("base_frame", frames.base);
+  refuse_unusable("flange_frame", frames.flange);
+}
 
 std::string find_fault(const PeakProfile& profile) {
   if (profile.packets_lost > 0) return std::to_string(profile.packets_lost) + " packets missing";
@@ -57,14 +81,16 @@ std::string find_fault(const PeakProfile& profile) {
 
 ProfileBinder::ProfileBinder(const Settings& settings, const Frames& frames,
                              const Eigen::Isometry3d& fixed_to_base)
-    : frames_(frames), fixed_to_base_(fixed_to_base), binder_(settings) {}
+    : frames_(frames), fixed_to_base_(fixed_to_base), binder_(settings) {
+  check(frames);
+}
 
 void ProfileBinder::add(const tf2_msgs::TFMessage& transforms) {
   for (const geometry_msgs::TransformStamped& transform : transforms.transforms) {
     if (transform.header.frame_id != frames_.base) continue;
     if (transform.child_frame_id != frames_.flange) continue;
     binder_.add_pose(
-        {from_ros(transform.header.stamp), fixed_to_base_ * from_ros(transform.transform)});
+        {from_ros(transform.header.stamp), fixed_to_base_ * pose_of(transform.transform)});
   }
 }
 

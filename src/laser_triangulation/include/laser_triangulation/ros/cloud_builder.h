@@ -19,7 +19,8 @@ class CloudBuilder {
   /// @param most_points held in memory (20 bytes each)
   CloudBuilder(const ScannerModel& model, const PeakLimits& limits, std::size_t most_points);
 
-  /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser or frame make no sense
+  /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame make no
+  /// sense; nothing was added
   /// @throw scan_cell_common::Refused if the points do not fit
   void add(const scan_cell_msgs::BoundProfile& profile);
 

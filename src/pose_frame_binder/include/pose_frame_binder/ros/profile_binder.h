@@ -22,10 +22,15 @@ struct Frames {
   std::string flange = "tool0";
 };
 
+/// @throw scan_cell_common::InvalidParameter if a name is empty or begins with a slash: no
+/// transform would ever match it
+void check(const Frames& frames);
+
 /// Binder for messages: profiles in, profiles with a pose out.
 class ProfileBinder {
  public:
   /// @param fixed_to_base pose of the base in the fixed frame
+  /// @throw scan_cell_common::InvalidParameter as the checks of settings and frames
   ProfileBinder(const Settings& settings, const Frames& frames,
                 const Eigen::Isometry3d& fixed_to_base);
 

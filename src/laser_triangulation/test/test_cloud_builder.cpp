@@ -1,0 +1,118 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "laser_triangulation/ros/cloud_builder.h"
+#include "scan_cell_common/errors.h"
+
+using laser_triangulation::CloudBuilder;
+using laser_triangulation::ScannerModel;
+using scan_cell_common::Refused;
+using scan_cell_common::UnusableInput;
+using scan_cell_msgs::BoundProfile;
+
+namespace {
+
+constexpr std::size_t kRows = 10;
+
+/// One laser whose plane holds the camera's axis x = 0 at z = 0.5 m.
+ScannerModel scanner() {
+  ScannerModel model;
+  model.camera.width = model.camera.height = 1000;
+  model.camera.fx = model.camera.fy = 800;
+  model.camera.cx = model.camera.cy = 500;
+  laser_triangulation::LaserPlane laser;
+  laser.origin << 0.25, 0, 0;
+  laser.normal = Eigen::Vector3d(2, 0, 1).normalized();
+  laser.distance = laser.normal.dot(laser.origin);
+  model.lasers.push_back(laser);
+  return model;
+}
+
+BoundProfile profile() {
+  BoundProfile bound;
+  bound.header.frame_id = "world";
+  bound.profile.frame_counter = 7;
+  bound.profile.laser = 0;
+  bound.profile.first_row = 400;
+  bound.profile.position.assign(kRows, 500);
+  bound.profile.width.assign(kRows, 5);
+  bound.profile.intensity.assign(kRows, 100);
+  bound.pose.orientation.w = 1;
+  return bound;
+}
+
+class CloudBuilderTest : public testing::Test {
+ protected:
+  /// What a changed profile is refused with; nothing of it may be added.
+  template <class Error>
+  std::string refusal(const std::function<void(BoundProfile&)>& change) {
+    const std::size_t before = builder_.points().size();
+    BoundProfile bad = profile();
+    change(bad);
+    try {
+      builder_.add(bad);
+    } catch (const Error& error) {
+      EXPECT_EQ(builder_.points().size(), before);
+      return error.what();
+    }
+    return "taken";
+  }
+
+  CloudBuilder builder_{scanner(), {}, 2 * kRows};
+};
+
+}  // namespace
+
+TEST_F(CloudBuilderTest, TakesAProfile) {
+  builder_.add(profile());
+  ASSERT_EQ(builder_.points().size(), kRows);
+  EXPECT_NEAR(builder_.points()[0].x, 0, 1e-6);
+  EXPECT_NEAR(builder_.points()[0].z, 0.5, 1e-6);
+}
+
+TEST_F(CloudBuilderTest, RefusesPosesThatAreNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::function<void(BoundProfile&)>> changes = {
+      [](BoundProfile& bad) { bad.pose.orientation.w = 0; },
+      [](BoundProfile& bad) { bad.pose.orientation.w = 1.1; },
+      [&](BoundProfile& bad) { bad.pose.orientation.x = nan; },
+      [&](BoundProfile& bad) { bad.pose.position.y = nan; },
+      [](BoundProfile& bad) { bad.pose.position.z = std::numeric_limits<double>::infinity(); }};
+  for (const auto& change : changes)
+    EXPECT_NE(refusal<UnusableInput>(change).find("frame 7: its pose is none"), std::string::npos);
+}
+
+TEST_F(CloudBuilderTest, RefusesArraysOfDifferentLengths) {
+  EXPECT_NE(refusal<UnusableInput>([](BoundProfile& bad) {
+              bad.profile.width.pop_back();
+            }).find("different lengths"),
+            std::string::npos);
+  EXPECT_NE(refusal<UnusableInput>([](BoundProfile& bad) {
+              bad.profile.intensity.clear();
+            }).find("different lengths"),
+            std::string::npos);
+}
+
+TEST_F(CloudBuilderTest, RefusesALaserThatTheScannerDoesNotHave) {
+  EXPECT_NE(
+      refusal<UnusableInput>([](BoundProfile& bad) { bad.profile.laser = 1; }).find("laser 1"),
+      std::string::npos);
+}
+
+TEST_F(CloudBuilderTest, RefusesASecondFrame) {
+  builder_.add(profile());
+  EXPECT_NE(refusal<UnusableInput>([](BoundProfile& bad) {
+              bad.header.frame_id = "base_link";
+            }).find("in frame base_link"),
+            std::string::npos);
+}
+
+TEST_F(CloudBuilderTest, RefusesMorePointsThanAllowed) {
+  builder_.add(profile());
+  builder_.add(profile());
+  EXPECT_NE(refusal<Refused>([](BoundProfile&) {}).find("full with 20 points"), std::string::npos);
+}
