@@ -83,6 +83,16 @@ class CameraNode : public testing::Test {
     return -1;
   }
 
+  /// The exposure that the node settled on. [s]
+  static double expose(double value) {
+    dynamic_reconfigure::Reconfigure call;
+    call.request.config.doubles.resize(1);
+    call.request.config.doubles[0].name = "exposure";
+    call.request.config.doubles[0].value = value;
+    EXPECT_TRUE(ros::service::call("camera/set_parameters", call));
+    return call.response.config.doubles.at(0).value;
+  }
+
   /// Level of the newest diagnostics; -1 before the first.
   int diagnosed() {
     int level = -1;
@@ -210,6 +220,11 @@ TEST_F(CameraNode, ChangesTheDetectorWhileRunningAndTheRegionOnlyInStop) {
   }));
   set(SetAcquisition::Request::STOP);
   EXPECT_EQ(reconfigure("region_height", 64), 64);
+}
+
+TEST_F(CameraNode, SaysThatTheCamerasOwnExposureCannotBeHadBack) {
+  EXPECT_EQ(expose(0.004), 0.004);
+  EXPECT_EQ(expose(0), 0.004);  // refused: the value shown is the one in the camera
 }
 
 TEST_F(CameraNode, RefusesToStartWithABadParameterAndNamesIt) {

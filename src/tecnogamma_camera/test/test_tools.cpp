@@ -89,3 +89,11 @@ TEST_F(ExtractPeaks, NamesTheFileOrSettingThatIsUnusable) {
   EXPECT_NE(log().find("trigger_level"), std::string::npos);
   EXPECT_FALSE(fs::exists(output_));
 }
+
+TEST_F(ExtractPeaks, LeavesNothingBehindWhereTheOutputCannotBeWritten) {
+  cv::imwrite(image_, cv::Mat(10, 10, CV_8UC1, cv::Scalar(0)));
+  fs::create_directories(output_);  // a folder in the file's place
+  EXPECT_EQ(run(""), 1);
+  EXPECT_NE(log().find(output_), std::string::npos);
+  EXPECT_FALSE(fs::exists(output_ + ".partial"));
+}

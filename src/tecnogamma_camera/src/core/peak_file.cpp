@@ -24,6 +24,7 @@ void save_peaks(const std::string& path, const PeakProfile& profile) {
   std::error_code failure;
   if (file) std::filesystem::rename(partial, path, failure);
   if (!file || failure) {
+    std::filesystem::remove(partial, failure);
     throw scan_cell_common::FileError(path, "cannot be written",
                                       "check the folder and its permissions");
   }

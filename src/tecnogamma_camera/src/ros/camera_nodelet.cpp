@@ -53,7 +53,7 @@ void CameraNodelet::advertise() {
   diagnostics_->setHardwareID(parameters_.camera.empty() ? "any camera" : parameters_.camera);
   diagnostics_->add("camera", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     const AcquisitionState now = acquisition_->state();
-    write_diagnostics(diagnosed_, now, status);
+    write_diagnostics(diagnosed_, now, fault_of_model(now.camera), status);
     diagnosed_ = now;
   });
 }
@@ -69,11 +69,12 @@ void CameraNodelet::on_connected(const CameraDescription& camera) {
   NODELET_INFO("camera %s found: %d x %d pixels, region %d x %d at %d, %d", camera.id.c_str(),
                camera.sensor_columns, camera.sensor_rows, camera.region.width, camera.region.height,
                camera.region.x, camera.region.y);
-  if (model_ && (model_->camera.width != camera.sensor_columns ||
-                 model_->camera.height != camera.sensor_rows)) {
-    NODELET_WARN("scanner_model: %s is of a sensor of %d x %d pixels; load that of this camera",
-                 parameters_.scanner_model.c_str(), model_->camera.width, model_->camera.height);
-  }
+  const std::string fault = fault_of_model(camera);
+  if (!fault.empty()) NODELET_ERROR("%s", fault.c_str());
+}
+
+std::string CameraNodelet::fault_of_model(const CameraDescription& camera) const {
+  return model_ ? find_fault(*model_, camera) : "";
 }
 
 void CameraNodelet::on_trouble(const std::string& reason) {
@@ -151,8 +152,12 @@ void CameraNodelet::reconfigure(CameraConfig& config) {
 }
 
 void CameraNodelet::change_exposure(CameraConfig& config) {
-  if (config.exposure == config_.exposure || config.exposure == 0) return;
+  if (config.exposure == config_.exposure) return;
   try {
+    if (config.exposure == 0) {
+      throw scan_cell_common::Refused("exposure", "0 s: the camera's own was overwritten",
+                                      "give one above 0, or restart camera and node");
+    }
     acquisition_->set_exposure(config.exposure);
   } catch (const scan_cell_common::Error& error) {
     NODELET_ERROR("exposure not changed: %s", error.what());

@@ -30,6 +30,7 @@ class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
   void on_connected(const CameraDescription& camera) override;
   void on_trouble(const std::string& reason) override;
 
+  std::string fault_of_model(const CameraDescription& camera) const;
   void publish_profile(const NumberedFrame& frame);
   void publish_image(const NumberedFrame& frame);
   bool set_acquisition(scan_cell_msgs::SetAcquisition::Request& request,

@@ -30,8 +30,9 @@ std::uint64_t damage(const AcquisitionState& state) {
 }
 
 void summarise(const AcquisitionState& before, const AcquisitionState& now,
-               diagnostic_updater::DiagnosticStatusWrapper& status) {
+               const std::string& fault, diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (!now.connected) return status.summary(DiagnosticStatus::ERROR, now.message);
+  if (!fault.empty()) return status.summary(DiagnosticStatus::ERROR, fault);
   if (!now.message.empty()) return status.summary(DiagnosticStatus::WARN, now.message);
   if (damage(now) > damage(before)) {
     return status.summaryf(DiagnosticStatus::WARN, "%lu frames were lost or damaged",
@@ -43,8 +44,9 @@ void summarise(const AcquisitionState& before, const AcquisitionState& now,
 }  // namespace
 
 void write_diagnostics(const AcquisitionState& before, const AcquisitionState& now,
+                       const std::string& fault,
                        diagnostic_updater::DiagnosticStatusWrapper& status) {
-  summarise(before, now, status);
+  summarise(before, now, fault, status);
   status.add("camera", now.camera.id);
   status.add("sensor [px]", std::to_string(now.camera.sensor_columns) + " x " +
                                 std::to_string(now.camera.sensor_rows));

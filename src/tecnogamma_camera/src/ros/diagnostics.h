@@ -8,8 +8,11 @@
 
 namespace tecnogamma_camera {
 
-/// ERROR: not connected. WARN: stopped by a loss, or frames were lost since `before`.
+/// ERROR: not connected, or the scanner model is not of this camera. WARN: stopped by a loss, or
+/// frames were lost since `before`.
+/// @param fault of the scanner model; empty where there is none
 void write_diagnostics(const AcquisitionState& before, const AcquisitionState& now,
+                       const std::string& fault,
                        diagnostic_updater::DiagnosticStatusWrapper& status);
 
 }  // namespace tecnogamma_camera

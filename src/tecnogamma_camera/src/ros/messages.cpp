@@ -47,6 +47,18 @@ sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::st
   return message;
 }
 
+std::string find_fault(const laser_triangulation::ScannerModel& model,
+                       const CameraDescription& camera) {
+  const auto size = [](int columns, int rows) {
+    return std::to_string(columns) + " x " + std::to_string(rows) + " pixels";
+  };
+  if (model.camera.width == camera.sensor_columns && model.camera.height == camera.sensor_rows)
+    return "";
+  return "scanner_model: of a sensor of " + size(model.camera.width, model.camera.height) +
+         ", this camera has " + size(camera.sensor_columns, camera.sensor_rows) +
+         "; load the model of this camera";
+}
+
 sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
                                        const laser_triangulation::ScannerModel* model,
                                        const std::string& frame_id) {
@@ -58,7 +70,7 @@ sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
   info.roi.y_offset = camera.region.y;
   info.roi.width = camera.region.width;
   info.roi.height = camera.region.height;
-  if (!model) return info;
+  if (!model || !find_fault(*model, camera).empty()) return info;
   const laser_triangulation::CameraIntrinsics& lens = model->camera;
   info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
   info.D.assign(lens.distortion.begin(), lens.distortion.end());

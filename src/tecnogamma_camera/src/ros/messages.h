@@ -21,8 +21,12 @@ scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std:
 /// @pre the frame is complete
 sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id);
 
-/// What does not change from frame to frame: intrinsics where there is a model (else zeros, which
-/// means uncalibrated), sensor size and region of interest.
+/// Why a scanner model cannot be of this camera; empty where it can.
+std::string find_fault(const laser_triangulation::ScannerModel& model,
+                       const CameraDescription& camera);
+
+/// What does not change from frame to frame: intrinsics where there is a model without a
+/// fault (else zeros, which means uncalibrated), sensor size and region of interest.
 sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
                                        const laser_triangulation::ScannerModel* model,
                                        const std::string& frame_id);
