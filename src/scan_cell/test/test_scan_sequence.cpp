@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "scan_cell/scan_sequence.h"
@@ -51,6 +52,7 @@ struct FakeRobot : scan_cell::Robot {
   Motion motion() const override {
     ++cell.looks;
     if (stuck && cell.moves == 2) return {Motion::State::Moving, 0, ""};
+    if (ends_at_once && cell.moves == 2) return {*ends_at_once, 0, "no path"};
     if (cell.half_way() && fails) return {Motion::State::Failed, 0.5, "collision"};
     if (cell.looks >= 10) return {Motion::State::Reached, 1, ""};
     return {Motion::State::Moving, std::max(0, cell.looks - 2) / 10.0, ""};
@@ -59,6 +61,7 @@ struct FakeRobot : scan_cell::Robot {
   FakeCell& cell;
   bool fails = false;
   bool stuck = false;
+  std::optional<Motion::State> ends_at_once;
 };
 
 struct FakeCamera : scan_cell::Camera {
@@ -221,6 +224,22 @@ TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheRobotDoesNotMove) {
   EXPECT_EQ(run().outcome, ScanOutcome::MotionFailed);
   EXPECT_FALSE(cell_.noted("arm"));
   EXPECT_TRUE(cell_.noted("stop robot"));
+}
+
+TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
+  const std::vector<std::pair<Motion::State, ScanOutcome>> ends = {
+      {Motion::State::Failed, ScanOutcome::MotionFailed},
+      {Motion::State::Lost, ScanOutcome::RobotLost}};
+  for (const auto& [state, outcome] : ends) {
+    robot_.ends_at_once = state;
+    cell_ = FakeCell();
+    observer_.last = 0;
+    const scan_cell::ScanEnd end = run();
+    EXPECT_EQ(end.outcome, outcome);
+    EXPECT_EQ(end.message, "no path");
+    EXPECT_FALSE(cell_.noted("arm"));
+    EXPECT_TRUE(cell_.noted("finish stages"));
+  }
 }
 
 TEST_F(ScanSequence, DisarmsEvenWhereArmingFailed) {

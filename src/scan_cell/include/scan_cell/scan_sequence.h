@@ -74,6 +74,7 @@ class ScanSequence {
   void wait_for_motion();
   void wait_until_moving();
   void end_if_stalled(double deadline) const;
+  static void end_if_failed(const Motion& motion);
   void watch();
   void sleep_and_watch();
 

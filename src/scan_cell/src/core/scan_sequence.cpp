@@ -132,10 +132,13 @@ void ScanSequence::wait_until_well() {
 
 void ScanSequence::wait_until_moving() {
   const double deadline = now() + timing_.stall;
-  while (robot_.motion().state == Motion::State::Moving && robot_.motion().progress <= 0) {
+  Motion motion = robot_.motion();
+  while (motion.state == Motion::State::Moving && motion.progress <= 0) {
     end_if_stalled(deadline);
     sleep_and_watch();
+    motion = robot_.motion();
   }
+  end_if_failed(motion);
 }
 
 void ScanSequence::wait_for_motion() {
@@ -150,11 +153,15 @@ void ScanSequence::wait_for_motion() {
     progress = motion.progress;
     observer_.on_progress(step_, step_name_, (step_ - 1 + progress) / kSteps);
   }
+  end_if_failed(motion);
+  moving_ = false;
+}
+
+void ScanSequence::end_if_failed(const Motion& motion) {
   if (motion.state == Motion::State::Failed) {
     throw EndScan{ScanOutcome::MotionFailed, motion.message};
   }
   if (motion.state == Motion::State::Lost) throw EndScan{ScanOutcome::RobotLost, motion.message};
-  moving_ = false;
 }
 
 void ScanSequence::end_if_stalled(double deadline) const {
