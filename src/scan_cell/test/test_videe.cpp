@@ -5,7 +5,10 @@
 #include <atomic>
 #include <boost/asio.hpp>
 #include <chrono>
+#include <fstream>
+#include <future>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include "scan_cell/videe_server.h"
@@ -16,6 +19,12 @@ using scan_cell::VideeCommandKind;
 using scan_cell_common::ProtocolError;
 
 namespace {
+
+using ClientThere = scan_cell::VideeServer::ClientThere;
+
+std::string nothing(const scan_cell::VideeCommand&, const ClientThere&) {
+  return "";
+}
 
 class Client {
  public:
@@ -97,7 +106,7 @@ TEST(VideeCommand, NeverCrashesOnNoise) {
 TEST(VideeServer, AnswersEachCommandInTurn) {
   scan_cell::VideeServer server(
       "127.0.0.1", 0,
-      [](const scan_cell::VideeCommand& command) -> std::string {
+      [](const scan_cell::VideeCommand& command, const auto&) -> std::string {
         if (command.kind == VideeCommandKind::StartScan) {
           throw scan_cell_common::Refused("START_SCAN", "no positions", "send SET_POSITION first");
         }
@@ -114,8 +123,7 @@ TEST(VideeServer, AnswersEachCommandInTurn) {
 
 TEST(VideeServer, TakesTheNextClientAfterOneIsLostAndSaysSo) {
   std::atomic<int> lost{0};
-  scan_cell::VideeServer server(
-      "127.0.0.1", 0, [](const scan_cell::VideeCommand&) { return ""; }, [&lost] { ++lost; });
+  scan_cell::VideeServer server("127.0.0.1", 0, nothing, [&lost] { ++lost; });
   { Client client(server.port()); }
   Client next(server.port());
   next.send("RESET\n");
@@ -123,16 +131,77 @@ TEST(VideeServer, TakesTheNextClientAfterOneIsLostAndSaysSo) {
   EXPECT_EQ(lost, 1);
 }
 
-TEST(VideeServer, CutsOffALineWithoutEnd) {
+TEST(VideeServer, NoticesALostClientWhileItsCommandIsUnderWay) {
+  std::promise<void> begun;
+  std::promise<void> lost;
+  bool noticed = false;
   scan_cell::VideeServer server(
-      "127.0.0.1", 0, [](const scan_cell::VideeCommand&) { return ""; }, [] {});
+      "127.0.0.1", 0,
+      [&](const scan_cell::VideeCommand&, const ClientThere& client_there) {
+        EXPECT_TRUE(client_there());
+        begun.set_value();
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (client_there() && std::chrono::steady_clock::now() < deadline)
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        noticed = !client_there();
+        return "";
+      },
+      [&lost] { lost.set_value(); });
+  {
+    Client client(server.port());
+    client.send("STOP_SCAN\nRESET");  // what was not read yet must not hide the end
+    begun.get_future().wait();
+  }
+  lost.get_future().wait();
+  EXPECT_TRUE(noticed);
+}
+
+TEST(VideeServer, ProbesALineThatIsSilentSoThatAPulledCableIsNoticed) {
+  scan_cell::VideeServer server("127.0.0.1", 0, nothing, [] {});
+  Client client(server.port());
+  client.send("RESET\n");
+  EXPECT_EQ(client.receive(), "OK");
+  char port[5];
+  std::snprintf(port, sizeof(port), "%04X", server.port());
+  const std::string connected = "0100007F:" + std::string(port);
+  const auto probed = [&connected] {  // timer 02 of proc(5)'s net/tcp is the keep-alive's
+    std::ifstream connections("/proc/net/tcp");
+    std::string line;
+    while (std::getline(connections, line)) {
+      std::istringstream words(line);
+      std::string number, local, remote, state, queues, timer;
+      words >> number >> local >> remote >> state >> queues >> timer;
+      if (local == connected && state == "01" && timer.substr(0, 2) == "02") return true;
+    }
+    return false;
+  };
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!probed() && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(probed());
+}
+
+TEST(VideeServer, AnswersInOneLineWhateverIsThrown) {
+  scan_cell::VideeServer server(
+      "127.0.0.1", 0,
+      [](const scan_cell::VideeCommand&, const auto&) -> std::string {
+        throw std::runtime_error("two\nlines");
+      },
+      [] {});
+  Client client(server.port());
+  client.send("GRAB_IMAGE\nRESET\n");
+  EXPECT_EQ(client.receive(), "ERROR two lines");
+  EXPECT_EQ(client.receive(), "ERROR two lines");
+}
+
+TEST(VideeServer, CutsOffALineWithoutEnd) {
+  scan_cell::VideeServer server("127.0.0.1", 0, nothing, [] {});
   Client client(server.port());
   client.send(std::string(5000, 'A'));
   EXPECT_EQ(client.receive(), "ERROR line too long");
 }
 
 TEST(VideeServer, RefusesAPortInUse) {
-  const auto nothing = [](const scan_cell::VideeCommand&) { return ""; };
   scan_cell::VideeServer server("127.0.0.1", 0, nothing, [] {});
   EXPECT_THROW(scan_cell::VideeServer("127.0.0.1", server.port(), nothing, [] {}),
                scan_cell_common::ConnectionError);

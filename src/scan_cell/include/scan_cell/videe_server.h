@@ -15,9 +15,11 @@ namespace scan_cell {
 /// time and one client at a time (others wait). "OK ..." or "ERROR reason".
 class VideeServer {
  public:
-  /// Carries out a command and returns what follows "OK"; a scan_cell_common::Error becomes
-  /// "ERROR".
-  using Handler = std::function<std::string(const VideeCommand&)>;
+  /// Whether the client is still there. A handler that waits for long asks it now and then.
+  using ClientThere = std::function<bool()>;
+
+  /// Carries out a command and returns what follows "OK"; an exception becomes "ERROR".
+  using Handler = std::function<std::string(const VideeCommand&, const ClientThere&)>;
 
   /// Starts to listen.
   /// @param address of the interface, such as 127.0.0.1

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell/videe_server.h"
 
+#include <netinet/tcp.h>
+#include <poll.h>
+
+#include <algorithm>
 #include <atomic>
 #include <boost/asio.hpp>
 #include <mutex>
@@ -13,6 +17,34 @@ namespace scan_cell {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
+
+namespace {
+
+void set_option(int socket, int level, int name, int value) {
+  ::setsockopt(socket, level, name, &value, sizeof(value));
+}
+
+/// Lets a client whose cable was pulled be noticed within five seconds.
+void watch_line(int socket) {
+  set_option(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
+  set_option(socket, IPPROTO_TCP, TCP_KEEPIDLE, 2);         // [s] of silence before the first probe
+  set_option(socket, IPPROTO_TCP, TCP_KEEPINTVL, 1);        // [s]
+  set_option(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);          // probes without answer
+  set_option(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, 5000);  // [ms] for what was sent
+}
+
+/// Also where commands that were not read yet hide the end of the connection.
+bool is_there(int socket) {
+  pollfd look{socket, POLLRDHUP, 0};
+  return ::poll(&look, 1, 0) == 0;
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text + "\n";
+}
+
+}  // namespace
 
 struct VideeServer::Implementation {
   Implementation(const std::string& address, std::uint16_t port, Handler h,
@@ -49,6 +81,7 @@ struct VideeServer::Implementation {
       tcp::socket client(context);
       acceptor.accept(client, error);
       if (error) continue;
+      watch_line(client.native_handle());
       {
         const std::lock_guard<std::mutex> lock(mutex);
         socket = std::move(client);
@@ -81,12 +114,13 @@ struct VideeServer::Implementation {
     }
   }
 
-  std::string answer(const std::string& line) const {
+  std::string answer(const std::string& line) {
+    const auto client_there = [this] { return is_there(socket.native_handle()); };
     try {
-      const std::string result = handler(parse_videe(line));
-      return result.empty() ? "OK\n" : "OK " + result + "\n";
-    } catch (const scan_cell_common::Error& error) {
-      return "ERROR " + std::string(error.what()) + "\n";
+      const std::string result = handler(parse_videe(line), client_there);
+      return one_line(result.empty() ? "OK" : "OK " + result);
+    } catch (const std::exception& error) {  // of OpenCV, too: a command must not end the node
+      return one_line("ERROR " + std::string(error.what()));
     }
   }
 

@@ -39,7 +39,8 @@ VideeCell::VideeCell(ros::NodeHandle node, const VideeParameters& parameters)
       program_(load_scan_program(parameters.program)),
       client_(node, parameters.scan, false) {}
 
-std::string VideeCell::carry_out(const VideeCommand& command) {
+std::string VideeCell::carry_out(const VideeCommand& command,
+                                 const VideeServer::ClientThere& client_there) {
   switch (command.kind) {
     case VideeCommandKind::InitCycle:
     case VideeCommandKind::Reset:
@@ -57,7 +58,7 @@ std::string VideeCell::carry_out(const VideeCommand& command) {
     case VideeCommandKind::StartScan:
       return start_scan();
     case VideeCommandKind::StopScan:
-      return stop_scan();
+      return stop_scan(client_there);
   }
   throw Refused("command", "unknown", "send a ViDeE command");
 }
@@ -90,15 +91,20 @@ std::string VideeCell::start_scan() {
   return "";
 }
 
-std::string VideeCell::stop_scan() {
+std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
   if (!running_) throw Refused("STOP_SCAN", "no scan is running", "send START_SCAN first");
   while (!client_.waitForResult(ros::Duration(0.1))) {
+    if (!client_there()) throw ConnectionError("ViDeE client", "gone", "connect again");
     if (!ros::ok() || !client_.isServerConnected()) {
       running_ = false;
       throw ConnectionError(parameters_.scan, "the action server went away", "look at its log");
     }
   }
   running_ = false;
+  if (client_.getState() == actionlib::SimpleClientGoalState::LOST) {
+    throw ConnectionError(parameters_.scan, "lost the scan; it was probably restarted",
+                          "look at its log");
+  }
   const scan_cell_msgs::ScanResultConstPtr result = client_.getResult();
   if (result->outcome != scan_cell_msgs::ScanResult::FINISHED) {
     throw Refused("scan '" + result->scan_id + "'", "ended early", result->message);

@@ -11,6 +11,7 @@
 
 #include "scan_cell/scan_program.h"
 #include "scan_cell/videe_command.h"
+#include "scan_cell/videe_server.h"
 
 namespace scan_cell {
 
@@ -35,8 +36,8 @@ class VideeCell {
   VideeCell(ros::NodeHandle node, const VideeParameters& parameters);
 
   /// @return what follows OK
-  /// @throw scan_cell_common::Error
-  std::string carry_out(const VideeCommand& command);
+  /// @throw scan_cell_common::Error, also where the client goes while it waits
+  std::string carry_out(const VideeCommand& command, const VideeServer::ClientThere& client_there);
 
   /// A client that is gone no longer watches: its scan is cancelled.
   void on_client_lost();
@@ -46,7 +47,7 @@ class VideeCell {
 
   std::string grab_image();
   std::string start_scan();
-  std::string stop_scan();
+  std::string stop_scan(const VideeServer::ClientThere& client_there);
   void reset();
 
   ros::NodeHandle node_;

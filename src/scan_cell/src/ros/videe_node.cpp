@@ -15,7 +15,9 @@ int main(int argc, char** argv) {
     scan_cell::VideeCell cell(node, parameters);
     const scan_cell::VideeServer server(
         parameters.address, static_cast<std::uint16_t>(parameters.port),
-        [&cell](const scan_cell::VideeCommand& command) { return cell.carry_out(command); },
+        [&cell](const auto& command, const auto& client_there) {
+          return cell.carry_out(command, client_there);
+        },
         [&cell] { cell.on_client_lost(); });
     ROS_INFO("ViDeE is served on %s:%u", parameters.address.c_str(), server.port());
     ros::waitForShutdown();
