@@ -15,6 +15,43 @@ namespace scan_cell {
 
 namespace fs = std::filesystem;
 
+using scan_cell_common::FileError;
+
+namespace {
+
+const char* const kObject = "object.ply";
+const char* const kPath = "adapted_path.csv";
+const char* const kReport = "report.json";
+
+bool is_same_file(const fs::path& one, const fs::path& other) {
+  std::error_code failure;
+  return fs::equivalent(one, other, failure);
+}
+
+void remove_old(const fs::path& path) {
+  std::error_code failure;
+  fs::remove(path, failure);
+  if (failure) throw FileError(path.string(), failure.message(), "give a folder of yours");
+}
+
+}  // namespace
+
+void clear_results(const AdaptationFiles& files) {
+  const fs::path output(files.output);
+  std::error_code failure;
+  fs::create_directories(output, failure);
+  if (failure) throw FileError(files.output, failure.message(), "give a folder of yours");
+  for (const char* name : {kObject, kPath, kReport}) {
+    for (const std::string& input : {files.reference, files.path}) {
+      if (is_same_file(output / name, input)) {
+        throw FileError(input, "would be overwritten", "give another folder for the results");
+      }
+    }
+  }
+  for (const char* name : {kObject, kPath, kReport})
+    remove_old(output / name);
+}
+
 scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& files,
                                      const sensor_msgs::PointCloud2& object, double timeout,
                                      const CellClient::Progress& progress) {
@@ -26,20 +63,14 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
                                               object.header);
 
   const fs::path output(files.output);
-  std::error_code failure;
-  fs::create_directories(output, failure);
-  if (failure) {
-    throw scan_cell_common::FileError(files.output, failure.message(), "give a folder of yours");
-  }
-  fs::remove(output / "adapted_path.csv", failure);
-  scan_cell_common::save_cloud((output / "object.ply").string(),
-                               scan_cell_common::from_message(object));
+  scan_cell_common::save_cloud((output / kObject).string(), scan_cell_common::from_message(object));
   const auto result = client.stretch(goal, timeout, progress);
-  scan_cell_common::save_text((output / "report.json").string(), result.report);
+  // The path before the report: an accepting report without its path would be a lie.
   if (result.verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED) {
-    tool_path_stretcher::save_tool_path((output / "adapted_path.csv").string(),
+    tool_path_stretcher::save_tool_path((output / kPath).string(),
                                         tool_path_stretcher::from_message(result.path));
   }
+  scan_cell_common::save_text((output / kReport).string(), result.report);
   return result.verdict;
 }
 

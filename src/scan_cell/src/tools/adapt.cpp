@@ -19,6 +19,7 @@ struct Options {
 
 /// @return the process's exit code
 int adapt(const Options& options) {
+  scan_cell::clear_results(options.files);
   const auto program = scan_cell::load_scan_program(options.program);
   scan_cell::CellClient client(ros::NodeHandle(), {});
   scan_cell_msgs::ScanResult scan;

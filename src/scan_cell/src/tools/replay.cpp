@@ -55,6 +55,7 @@ void wait_for_services(const Parameters& parameters) {
 
 /// @throw Refused if the path was refused, or preprocessing failed
 void replay(const Parameters& parameters) {
+  scan_cell::clear_results(parameters.files);
   const scan_cell::CellClient::Names names;
   ros::NodeHandle node;
   scan_cell::BagReplay bag(parameters.bag, parameters.scan_id, {});

@@ -17,8 +17,14 @@ struct AdaptationFiles {
   std::string output;     //!< folder for object.ply, adapted_path.csv and report.json
 };
 
-/// Adapts the path to an object with the running stretcher and writes the results. A path that was
-/// there from an earlier run is removed first: a refusal leaves none.
+/// Makes the folder and removes what an earlier run left in it, so that nothing of it can be taken
+/// for a result of this one. Call it before anything else is done.
+/// @throw scan_cell_common::FileError if a result would take the place of an input, or the folder
+/// cannot be used
+void clear_results(const AdaptationFiles& files);
+
+/// Adapts the path to an object with the running stretcher and writes the results; a refusal leaves
+/// no path.
 /// @return the verdict
 /// @throw scan_cell_common::Error if a file cannot be used, or the stretcher is not there
 scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& files,
