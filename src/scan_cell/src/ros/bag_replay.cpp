@@ -42,20 +42,21 @@ BagReplay::BagReplay(const std::string& path, const std::string& scan_id, const 
   } catch (const rosbag::BagException& error) {
     throw scan_cell_common::FileError(path, error.what(), "check the path, or run rosbag reindex");
   }
-  const std::vector<RecordedScan> scans = find_scans();
-  for (const RecordedScan& scan : scans) {
-    if (scan_id.empty() || scan.scan_id == scan_id) scan_ = scan;
-  }
-  if (scan_.scan_id.empty()) {
-    std::string names;
-    for (const RecordedScan& scan : scans)
-      names += " '" + scan.scan_id + "'";
-    throw UnusableInput(path, scan_id.empty() ? "no scan" : "no scan '" + scan_id + "'",
-                        names.empty()
-                            ? "record " + topics.state + " from before the scan to its end"
-                            : "give one of" + names);
-  }
+  choose(scan_id);
   check_contents();
+}
+
+void BagReplay::choose(const std::string& scan_id) {
+  std::string others;
+  for (const RecordedScan& scan : find_scans()) {
+    if (scan_id.empty() ? scan.whole : scan.scan_id == scan_id) scan_ = scan;
+    others += " '" + scan.scan_id + (scan.whole ? "'" : "' (ended early)");
+  }
+  if (!scan_.scan_id.empty()) return;
+  throw UnusableInput(path_, scan_id.empty() ? "no whole scan" : "no scan '" + scan_id + "'",
+                      others.empty()
+                          ? "record " + topics_.state + " from before the scan to its end"
+                          : "give a scan_id of" + others);
 }
 
 std::vector<RecordedScan> BagReplay::find_scans() const {
@@ -66,9 +67,10 @@ std::vector<RecordedScan> BagReplay::find_scans() const {
     const auto state = message.instantiate<CellState>();
     if (!state) continue;
     if (state->state == CellState::SCANNING) {
-      open = {state->scan_id, message.getTime(), ros::Time()};
+      open = {state->scan_id, message.getTime(), ros::Time(), false};
     } else if (!open.scan_id.empty() && state->scan_id == open.scan_id) {
       open.end = message.getTime();
+      open.whole = state->state == CellState::FINISHED;
       scans.push_back(open);
       open = RecordedScan();
     }

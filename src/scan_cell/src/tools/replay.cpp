@@ -59,6 +59,7 @@ void replay(const Parameters& parameters) {
   const scan_cell::CellClient::Names names;
   ros::NodeHandle node;
   scan_cell::BagReplay bag(parameters.bag, parameters.scan_id, {});
+  if (!bag.scan().whole) ROS_WARN("Scan '%s' ended early", bag.scan().scan_id.c_str());
   scan_cell::RosStages stages(parameters.binder, parameters.triangulation, parameters.timeout);
   scan_cell::CleanCloudWatch watch(node, names.clean_cloud, names.report);
   scan_cell::CellClient client(node, names);

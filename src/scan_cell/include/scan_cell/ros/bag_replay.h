@@ -17,6 +17,7 @@ struct RecordedScan {
   std::string scan_id;
   ros::Time start;
   ros::Time end;
+  bool whole = false;  //!< it did not end early
 };
 
 /// Plays one scan of a bag to the binder, as fast as wanted and without losing a message.
@@ -32,7 +33,7 @@ class BagReplay {
 
   /// @throw FileError if the bag cannot be read
   /// @throw UnusableInput if it holds no whole scan, no pulses, no profiles or no poses
-  /// @param scan_id which scan; empty: the last
+  /// @param scan_id which scan, be it whole or not; empty: the last whole one
   BagReplay(const std::string& path, const std::string& scan_id, const Topics& topics);
 
   const RecordedScan& scan() const { return scan_; }
@@ -46,6 +47,7 @@ class BagReplay {
             const std::function<void(double)>& progress);
 
  private:
+  void choose(const std::string& scan_id);
   std::vector<RecordedScan> find_scans() const;
   void check_contents();
 
