@@ -57,6 +57,22 @@ TEST_F(Parameters, AreRefusedByNameWithTheWrongType) {
   EXPECT_EQ(refused([&] { reader_.read("rate", rate, {1, 100}); }), node_.resolveName("rate"));
 }
 
+TEST_F(Parameters, TakeAWholeNumberForAFractionButNoFractionForAWholeNumber) {
+  int port = 10;
+  double rate = 10;
+  node_.setParam("port", 5410.4);
+  EXPECT_EQ(refused([&] { reader_.read("port", port, {1, 65535}); }), node_.resolveName("port"));
+  node_.setParam("port", "many");
+  EXPECT_EQ(refused([&] { reader_.read("port", port, {1, 65535}); }), node_.resolveName("port"));
+  EXPECT_EQ(port, 10);
+  node_.setParam("port", 5411);
+  reader_.read("port", port, {1, 65535});
+  EXPECT_EQ(port, 5411);
+  node_.setParam("rate", 20);
+  reader_.read("rate", rate, {1, 100});
+  EXPECT_EQ(rate, 20.0);
+}
+
 TEST_F(Parameters, AreRefusedByNameWhereRequiredAndMissing) {
   std::string port;
   EXPECT_EQ(refused([&] { reader_.require("port", port); }), node_.resolveName("port"));

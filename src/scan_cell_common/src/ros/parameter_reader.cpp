@@ -24,6 +24,10 @@ void check_range(const std::string& name, double value, const ParameterReader::R
       "give a value from " + to_text(range.least) + " to " + to_text(range.most));
 }
 
+[[noreturn]] void refuse_type(const std::string& name, const std::string& type) {
+  throw InvalidParameter(name, "not of type " + type, "give " + type);
+}
+
 }  // namespace
 
 ParameterReader::ParameterReader(const ros::NodeHandle& node) : node_(node) {}
@@ -33,9 +37,7 @@ bool ParameterReader::get(const std::string& name, const char* type, T& value) {
   const std::string full = node_.resolveName(name);
   names_.insert(full);
   if (!node_.hasParam(name)) return false;
-  if (!node_.getParam(name, value)) {
-    throw InvalidParameter(full, "not of type " + std::string(type), "give " + std::string(type));
-  }
+  if (!node_.getParam(name, value)) refuse_type(full, type);
   return true;
 }
 
@@ -44,7 +46,13 @@ void ParameterReader::read(const std::string& name, double& value, const Range& 
 }
 
 void ParameterReader::read(const std::string& name, int& value, const Range& range) {
-  if (get(name, "a whole number", value)) check_range(node_.resolveName(name), value, range);
+  constexpr const char* kType = "a whole number";
+  XmlRpc::XmlRpcValue set;  // as an int, roscpp would round a fraction
+  if (!get(name, kType, set)) return;
+  const std::string full = node_.resolveName(name);
+  if (set.getType() != XmlRpc::XmlRpcValue::TypeInt) refuse_type(full, kType);
+  check_range(full, static_cast<int&>(set), range);
+  value = static_cast<int&>(set);
 }
 
 void ParameterReader::read(const std::string& name, bool& value) {
