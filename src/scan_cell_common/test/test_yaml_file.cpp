@@ -45,6 +45,9 @@ TEST(YamlEntry, IsRefusedByItsWholeName) {
             "a.yaml: a.b: no such entry; check its spelling");
   EXPECT_EQ(complaint("a: [1, wide]", [](const YamlEntry& e) { e["a"].elements()[1].as<int>(); }),
             "a.yaml: a[1]: of the wrong type; correct it");
+  EXPECT_EQ(complaint("a: {b: 1}", [](const YamlEntry& e) { e["a"].elements(); }),
+            "a.yaml: a: no list; give a list");
+  EXPECT_EQ(complaint("a: []", [](const YamlEntry& e) { e["a"].elements(); }), "nothing");
   EXPECT_EQ(complaint("a: [1, .nan]", [](const YamlEntry& e) { e["a"].vector<2>(); }),
             "a.yaml: a: not finite; give numbers");
   EXPECT_EQ(complaint("a: {translation: [0, 0, 1], rotation: [0, 0, 1, 1]}",

@@ -53,6 +53,8 @@ class YamlEntry {
   /// @throw UnusableInput if one is missing or makes no sense
   Eigen::Isometry3d pose() const;
 
+  /// Those of a list.
+  /// @throw UnusableInput if it is none
   std::vector<YamlEntry> elements() const;
 
   /// @throw UnusableInput if a key is not among `known`, or this is no map
