@@ -52,11 +52,50 @@ TEST_F(CloudFiles, ComeBackAsTheyWereWritten) {
   }
 }
 
+TEST_F(CloudFiles, MayHaveDoublesForCoordinates) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
+      "property double y\nproperty float z\nproperty uchar red\nend_header\n"
+      "0.5 -2.25 3 7\n1e-3 4 -5 8\n";
+  const std::string pcd =
+      "VERSION .7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\n"
+      "HEIGHT 1\nPOINTS 2\nDATA ascii\n0.5 -2.25 3\n1e-3 4 -5\n";
+  std::string binary =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 2\n"
+      "property double x\nproperty double y\nproperty double z\nend_header\n";
+  for (const double value : {0.5, -2.25, 3.0, 1e-3, 4.0, -5.0})
+    binary.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  for (const auto& file : {write("a.ply", ply), write("b.pcd", pcd), write("c.ply", binary)}) {
+    const Cloud cloud = scan_cell_common::load_cloud(file);
+    ASSERT_EQ(cloud.size(), 2U) << file;
+    EXPECT_EQ(cloud[0].getVector3fMap(), Eigen::Vector3f(0.5F, -2.25F, 3)) << file;
+    EXPECT_EQ(cloud[1].getVector3fMap(), Eigen::Vector3f(1e-3F, 4, -5)) << file;
+  }
+}
+
+TEST_F(CloudFiles, AreRefusedWhereTheyCannotBeWrittenAndLeaveNothingBehind) {
+  for (const char* name : {"taken.ply", "taken.pcd"}) {
+    fs::create_directories(path(name));
+    try {
+      scan_cell_common::save_cloud(path(name), three_points());
+      ADD_FAILURE() << name;
+    } catch (const scan_cell_common::FileError& error) {
+      EXPECT_EQ(error.thing(), path(name));
+    }
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
+}
+
 TEST_F(CloudFiles, AreRefusedByNameWhenMissingOrBroken) {
   using scan_cell_common::FileError;
   EXPECT_THROW(scan_cell_common::load_cloud(path("missing.ply")), FileError);
   EXPECT_THROW(scan_cell_common::load_cloud(write("text.ply", "hello\n")), FileError);
   EXPECT_THROW(scan_cell_common::load_cloud(write("cloud.xyz", "0 0 0\n")), FileError);
+  EXPECT_THROW(scan_cell_common::load_cloud(
+                   write("whole.pcd",
+                         "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE I I I\nCOUNT 1 1 1\nWIDTH 1\n"
+                         "HEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 3\n")),
+               FileError);
   EXPECT_THROW(scan_cell_common::save_cloud(path("no/such/folder/cloud.ply"), three_points()),
                FileError);
   EXPECT_THROW(scan_cell_common::save_cloud(path("cloud.xyz"), three_points()), FileError);

@@ -65,6 +65,17 @@ TEST(YamlEntry, IsRefusedByPathWhereTheFileIsMissingOrNoYaml) {
 }
 
 TEST(SaveText, IsRefusedByPathAndLeavesNothingBehind) {
-  EXPECT_THROW(scan_cell_common::save_text("/no/such/folder/a", "text"),
-               scan_cell_common::FileError);
+  const fs::path folder = fs::temp_directory_path() / ("save_text_" + std::to_string(getpid()));
+  const std::string target = (folder / "a").string();
+  fs::create_directories(target);  // a folder where the file is to be
+  for (const std::string& path : {target, (folder / "no/such/folder/a").string()}) {
+    try {
+      scan_cell_common::save_text(path, "text");
+      ADD_FAILURE() << path;
+    } catch (const scan_cell_common::FileError& error) {
+      EXPECT_EQ(error.thing(), path);
+    }
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  fs::remove_all(folder);
 }

@@ -15,8 +15,9 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 /// True where the file's ending is that of a mesh (.stl, .obj), which load_mesh() reads.
 bool is_mesh_file(const std::string& path);
 
-/// Reads a cloud in metres from PLY or PCD. Points come as they are in the file, NaN included.
-/// @throw FileError if it is missing, unreadable, of another kind, or has no x, y, z
+/// Reads a cloud in metres from PLY or PCD, with x, y and z as float or double. Points come as they
+/// are in the file, NaN included.
+/// @throw FileError if it is missing, unreadable, of another kind, or has no such x, y, z
 /// @throw UnusableInput if it has no point
 Cloud load_cloud(const std::string& path);
 
@@ -26,7 +27,7 @@ Cloud load_cloud(const std::string& path);
 pcl::PolygonMesh load_mesh(const std::string& path);
 
 /// Writes a binary cloud as PLY or PCD, by the file's ending. Whole or not at all: it is written
-/// beside its place and then renamed.
+/// beside its place and then renamed; where that fails nothing is left behind.
 /// @throw FileError if it cannot be written or the ending is neither
 void save_cloud(const std::string& path, const Cloud& cloud);
 

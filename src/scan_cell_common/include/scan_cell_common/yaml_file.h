@@ -77,7 +77,8 @@ class YamlEntry {
 /// As YamlEntry::pose() reads it, to the last digit.
 YAML::Node yaml_pose(const Eigen::Isometry3d& pose);
 
-/// Writes a text file, whole or not at all: it is written beside its place and then renamed.
+/// Writes a text file, whole or not at all: it is written beside its place and then renamed; where
+/// that fails nothing is left behind.
 /// @throw FileError if it cannot be written
 void save_text(const std::string& path, const std::string& text);
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 
 #include "scan_cell_common/errors.h"
@@ -30,12 +31,32 @@ void require_file(const std::string& path) {
   }
 }
 
+bool is_coordinate(const pcl::PCLPointField& field) {
+  return field.name == "x" || field.name == "y" || field.name == "z";
+}
+
+/// Makes coordinates that are doubles, as many programs write them, the floats that PCL reads; it
+/// would take others for zero in silence.
+void narrow_doubles(pcl::PCLPointCloud2& cloud) {
+  const std::size_t points = std::size_t{cloud.width} * cloud.height;
+  for (pcl::PCLPointField& field : cloud.fields) {
+    if (!is_coordinate(field) || field.datatype != pcl::PCLPointField::FLOAT64) continue;
+    for (std::size_t point = 0; point < points; ++point) {
+      std::uint8_t* const place = &cloud.data.at(point * cloud.point_step + field.offset);
+      double wide = 0;
+      std::memcpy(&wide, place, sizeof(wide));
+      const auto narrow = static_cast<float>(wide);
+      std::memcpy(place, &narrow, sizeof(narrow));
+    }
+    field.datatype = pcl::PCLPointField::FLOAT32;
+  }
+}
+
 bool has_xyz(const pcl::PCLPointCloud2& cloud) {
-  const auto has = [&cloud](const char* name) {
-    return std::any_of(cloud.fields.begin(), cloud.fields.end(),
-                       [name](const pcl::PCLPointField& field) { return field.name == name; });
-  };
-  return has("x") && has("y") && has("z");
+  return std::count_if(cloud.fields.begin(), cloud.fields.end(), [](const auto& field) {
+           return is_coordinate(field) && field.datatype == pcl::PCLPointField::FLOAT32 &&
+                  field.count == 1;
+         }) == 3;
 }
 
 }  // namespace
@@ -57,8 +78,10 @@ Cloud load_cloud(const std::string& path) {
   } else {
     throw FileError(path, "ending '" + extension + "'", "give a cloud as .ply or .pcd");
   }
+  if (status >= 0) narrow_doubles(blob);
   if (status < 0 || !has_xyz(blob)) {
-    throw FileError(path, "not a readable cloud with x, y and z", "write it again as PLY or PCD");
+    throw FileError(path, "not a readable cloud with x, y and z",
+                    "write it again as PLY or PCD, with x, y and z as float or double");
   }
   Cloud cloud;
   pcl::fromPCLPointCloud2(blob, cloud);
@@ -85,25 +108,26 @@ pcl::PolygonMesh load_mesh(const std::string& path) {
 
 void save_cloud(const std::string& path, const Cloud& cloud) {
   const std::string extension = lower_extension(path);
-  const std::string partial = path + ".partial" + extension;
-  int status = -1;
+  const bool ply = extension == ".ply";
+  if (!ply && extension != ".pcd") {
+    throw FileError(path, "ending '" + extension + "'", "write clouds as .ply or .pcd");
+  }
+  constexpr bool kBinary = true, kCamera = false;  // PCL's own reader warns about its camera
+  const std::string partial = path + ".partial";
+  std::string reason;
   try {
-    if (extension == ".ply") {
-      constexpr bool kBinary = true, kCamera = false;  // PCL's own reader warns about its camera
-      status = pcl::PLYWriter().write(partial, cloud, kBinary, kCamera);
-    } else if (extension == ".pcd") {
-      status = pcl::io::savePCDFileBinary(partial, cloud);
-    } else {
-      throw FileError(path, "ending '" + extension + "'", "write clouds as .ply or .pcd");
-    }
+    const int status = ply ? pcl::PLYWriter().write(partial, cloud, kBinary, kCamera)
+                           : pcl::io::savePCDFileBinary(partial, cloud);
+    if (status < 0) reason = "cannot be written";
   } catch (const pcl::IOException& error) {
-    throw FileError(path, error.what(), "check the folder and its permissions");
+    reason = error.what();
   }
   std::error_code failure;
-  if (status >= 0) std::filesystem::rename(partial, path, failure);
-  if (status < 0 || failure) {
-    throw FileError(path, "cannot be written", "check the folder and its permissions");
-  }
+  if (reason.empty()) std::filesystem::rename(partial, path, failure);
+  if (failure) reason = "cannot be written (" + failure.message() + ")";
+  if (reason.empty()) return;
+  std::filesystem::remove(partial, failure);
+  throw FileError(path, reason, "check the folder and its permissions");
 }
 
 std::size_t remove_non_finite(Cloud& cloud) {

@@ -111,6 +111,7 @@ void save_text(const std::string& path, const std::string& text) {
   std::error_code failure;
   if (file) std::filesystem::rename(partial, path, failure);
   if (!file || failure) {
+    std::filesystem::remove(partial, failure);
     throw FileError(path, "cannot be written", "check the folder and its permissions");
   }
 }
