@@ -223,6 +223,17 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerDies) {
   ASSERT_TRUE(ros::service::waitForService("/laser_trigger/arm", ros::Duration(kTimeout)));
 }
 
+TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerCircuitIsLost) {
+  start_scan("circuit lost");
+  set_faults([](SetFaults::Request& faults) { faults.trigger_circuit_lost = true; });
+  EXPECT_LT(wait_for_end(), 2.0);
+  EXPECT_EQ(scan_.getResult()->outcome, ScanResult::TRIGGER_LOST) << scan_.getResult()->message;
+  EXPECT_NE(scan_.getResult()->message.find("trigger circuit"), std::string::npos)
+      << scan_.getResult()->message;
+  expect_kept(*scan_.getResult());
+  wait_for("the robot to stand", [this] { return !moving_; });
+}
+
 TEST_F(WholeCell, RejectsASecondScanAndStopsWhenCancelled) {
   start_scan("first");
   Client second("/scan_cell/scan", false);

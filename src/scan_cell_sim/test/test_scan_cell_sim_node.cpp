@@ -13,6 +13,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <set>
 
@@ -153,6 +154,19 @@ TEST(SimulatorNode, UnplugsTheCameraAndPlugsItInAgain) {
   EXPECT_TRUE(camera_answers("ROSTEST"));
 }
 
+TEST(SimulatorNode, LosesTheTriggerCircuitAndFindsItAgain) {
+  ASSERT_TRUE(set_faults().success);
+  Client client;
+  EXPECT_GT(client.pulse(0b010), 400);
+  scan_cell_msgs::SetFaults::Request faults;
+  faults.trigger_circuit_lost = true;
+  ASSERT_TRUE(set_faults(faults).success);
+  write_circuit(0b011);
+  EXPECT_EQ(client.lit_rows(), -1);
+  ASSERT_TRUE(set_faults().success);
+  EXPECT_GT(client.pulse(0b010), 400);
+}
+
 TEST(SimulatorNode, RefusesFaultsThatMakeNoSense) {
   scan_cell_msgs::SetFaults::Request faults;
   faults.camera_lost_frames = 1.5;
@@ -180,6 +194,23 @@ TEST(SimulatorNode, LoadsAnotherWorldAndShowsItsParts) {
   EXPECT_FALSE(refused.success);
   EXPECT_NE(refused.message.find("/nowhere.yaml"), std::string::npos);
   EXPECT_TRUE(load_world(kConfig + "reference_frame.yaml").success);
+}
+
+TEST(SimulatorNode, RefusesToStartWithABadParameterAndNamesIt) {
+  for (const std::string name : {"camera/wire_rate", "trigger/port", "optics/shot_noise",
+                                 "controller/stream_period", "true_flange_rate", "misspelt"}) {
+    const std::string command =
+        "rosrun scan_cell_sim scan_cell_sim_node __name:=bad_simulator _" + name + ":=-5 2>&1";
+    FILE* const pipe = popen(command.c_str(), "r");
+    ASSERT_NE(pipe, nullptr);
+    std::string output;
+    char buffer[256];
+    while (fgets(buffer, sizeof buffer, pipe))
+      output += buffer;
+    EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 1) << output;
+    EXPECT_NE(output.find("/bad_simulator/" + name), std::string::npos) << output;
+    ros::param::del("/bad_simulator");
+  }
 }
 
 TEST(SimulatorNode, TellsTheTrueFlange) {

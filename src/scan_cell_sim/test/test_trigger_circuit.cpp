@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <functional>
 #include <vector>
@@ -67,6 +68,20 @@ class TriggerCircuitTest : public testing::Test {
   int socket_ = -1;
   std::uint64_t sent_ = 0;
 };
+
+TEST_F(TriggerCircuitTest, WithoutPowerNobodyListensAndTheLasersAreOff) {
+  send({2});
+  circuit_.set_power(false);
+  EXPECT_EQ(circuit_.state().lasers, 0);
+  const std::uint8_t byte = 3;
+  const auto refused = [&] { return ::send(socket_, &byte, 1, 0) < 0 && errno == ECONNREFUSED; };
+  wait_until(refused);  // the first send that nobody takes makes the next one fail
+  EXPECT_EQ(circuit_.state().writes, 1U);
+  circuit_.set_power(true);
+  while (::send(socket_, &byte, 1, 0) < 0) {  // what the last failure left behind
+  }
+  wait_until([this] { return circuit_.state().pulses == 1 && circuit_.state().lasers == 1; });
+}
 
 TEST_F(TriggerCircuitTest, OnlyARisingEdgeIsAPulse) {
   for (const std::uint8_t byte : {0, 1, 1, 3, 0, 2, 0, 1})

@@ -39,6 +39,7 @@ class Cell {
 
   std::shared_ptr<const Scene> scene() const;
   GigeCamera& camera() { return camera_; }
+  TriggerCircuit& circuit() { return circuit_; }
   const TriggerCircuit& circuit() const { return circuit_; }
 
   /// True pose of camera_optical_frame in world at an instant of the host's clock.

@@ -15,8 +15,8 @@ namespace scan_cell_sim {
 
 /// Emulates the circuit behind the parallel port: whoever drives it sends the port's data register,
 /// one byte a write, as a UDP datagram. Bit 0 is the camera's pulse, bits 1 and 2 are laser_0 and
-/// laser_1; the circuit keeps its state until the next write. It runs in a thread of its own from
-/// construction to destruction. All methods are safe to call from any thread.
+/// laser_1; the circuit keeps its state until the next write. It runs in a thread of its own while
+/// it has power, which it has from construction on. All methods are safe to call from any thread.
 class TriggerCircuit {
  public:
   /// A rising edge of the camera's line.
@@ -51,10 +51,17 @@ class TriggerCircuit {
   void observe(const Observer& observer);
   State state() const;
 
+  /// Without power nobody listens on the port, and all lines are low.
+  /// @throw scan_cell_common::ConnectionError if another program took the port meanwhile
+  void set_power(bool on);
+
  private:
   void listen();
   void write(std::uint8_t data, scan_cell_common::Nanoseconds time);
+  bool set_lines(std::uint8_t data, scan_cell_common::Nanoseconds time);
 
+  const std::string address_;
+  std::mutex power_mutex_;  // of the socket and the thread
   int socket_ = -1;
   std::uint16_t port_ = 0;
   std::mutex observer_mutex_;  // held while the observer is called

@@ -22,6 +22,10 @@ using scan_cell_common::Nanoseconds;
 
 constexpr std::uint8_t kPulseBit = 1;
 
+std::uint8_t lasers_in(std::uint8_t data) {
+  return static_cast<std::uint8_t>(data >> 1 & 3);
+}
+
 Nanoseconds to_nanoseconds(const timespec& time) {
   return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
@@ -71,14 +75,27 @@ Nanoseconds receipt_time(msghdr& message) {
 }  // namespace
 
 TriggerCircuit::TriggerCircuit(const std::string& address, std::uint16_t port)
-    : socket_(open_socket(address, port)), port_(port_of(socket_)) {
+    : address_(address), socket_(open_socket(address, port)), port_(port_of(socket_)) {
   thread_ = std::thread(&TriggerCircuit::listen, this);
 }
 
 TriggerCircuit::~TriggerCircuit() {
-  ending_ = true;
-  thread_.join();
-  close(socket_);
+  set_power(false);
+}
+
+void TriggerCircuit::set_power(bool on) {
+  const std::lock_guard<std::mutex> lock(power_mutex_);
+  if (on == thread_.joinable()) return;
+  if (on) {
+    socket_ = open_socket(address_, port_);
+    thread_ = std::thread(&TriggerCircuit::listen, this);
+  } else {
+    ending_ = true;
+    thread_.join();
+    ending_ = false;
+    close(socket_);
+    set_lines(0, host_now());
+  }
 }
 
 void TriggerCircuit::observe(const Observer& observer) {
@@ -122,29 +139,35 @@ void TriggerCircuit::listen() {
 }
 
 void TriggerCircuit::write(std::uint8_t data, Nanoseconds time) {
-  Pulse pulse{time, static_cast<std::uint8_t>(data >> 1 & 3)};
-  bool rising = false;
+  const bool rising = set_lines(data, time);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (int i = 0; i < 2; ++i) {
-      const bool was_on = (state_.lasers >> i & 1) != 0;
-      const bool is_on = (pulse.lasers >> i & 1) != 0;
-      if (is_on && !was_on) on_since_[i] = time;
-      if (!is_on && was_on) {
-        state_.longest_on[i] =
-            std::max(state_.longest_on[i], scan_cell_common::to_seconds(time - on_since_[i]));
-      }
-    }
-    const bool high = (data & kPulseBit) != 0;
-    rising = high && !state_.pulse_line;
-    state_.pulse_line = high;
-    state_.lasers = pulse.lasers;
     ++state_.writes;
     if (rising) ++state_.pulses;
   }
   if (!rising) return;
   const std::lock_guard<std::mutex> lock(observer_mutex_);
-  if (observer_) observer_(pulse);
+  if (observer_) observer_({time, lasers_in(data)});
+}
+
+/// @return whether the camera's line rose
+bool TriggerCircuit::set_lines(std::uint8_t data, Nanoseconds time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::uint8_t lasers = lasers_in(data);
+  for (int i = 0; i < 2; ++i) {
+    const bool was_on = (state_.lasers >> i & 1) != 0;
+    const bool is_on = (lasers >> i & 1) != 0;
+    if (is_on && !was_on) on_since_[i] = time;
+    if (!is_on && was_on) {
+      state_.longest_on[i] =
+          std::max(state_.longest_on[i], scan_cell_common::to_seconds(time - on_since_[i]));
+    }
+  }
+  state_.lasers = lasers;
+  const bool high = (data & kPulseBit) != 0;
+  const bool rising = high && !state_.pulse_line;
+  state_.pulse_line = high;
+  return rising;
 }
 
 }  // namespace scan_cell_sim

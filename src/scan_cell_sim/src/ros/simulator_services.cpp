@@ -124,7 +124,8 @@ bool SimulatorServices::set(scan_cell_msgs::SetFaults::Request& request,
 }
 
 void SimulatorServices::apply(const scan_cell_msgs::SetFaults::Request& request) {
-  cell_.camera().set_power(!request.camera_off);  // the only one that may fail
+  cell_.camera().set_power(!request.camera_off);  // these two may fail
+  cell_.circuit().set_power(!request.trigger_circuit_lost);
   CameraFaults camera;
   camera.lost_frames = request.camera_lost_frames;
   camera.lost_packets = request.camera_lost_packets;
