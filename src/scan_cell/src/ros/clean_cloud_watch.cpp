@@ -28,6 +28,12 @@ void CleanCloudWatch::on_report(const scan_cell_msgs::PreprocessReport& report) 
   news_.notify_all();
 }
 
+void CleanCloudWatch::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  clouds_.clear();
+  failures_.clear();
+}
+
 sensor_msgs::PointCloud2 CleanCloudWatch::wait(const ros::Time& stamp, double timeout) {
   std::unique_lock<std::mutex> lock(mutex_);
   news_.wait_for(lock, std::chrono::duration<double>(timeout),

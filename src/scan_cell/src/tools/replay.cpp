@@ -70,6 +70,7 @@ void replay(const Parameters& parameters) {
   bag.play(node, parameters.speed, parameters.timeout,
            [&bar](double share) { bar.show("play", 0.5 * share); });
   bar.show("bind and triangulate", 0.5);
+  watch.forget();
   stages.finish(bag.pulses(), parameters.patience);
   bar.show("clean", 0.6);
   const auto object = watch.wait(stages.cloud().header.stamp, parameters.timeout);

@@ -18,6 +18,11 @@ class CleanCloudWatch {
  public:
   CleanCloudWatch(ros::NodeHandle node, const std::string& clean_cloud, const std::string& report);
 
+  /// Forgets what it heard: where the raw cloud has the stamp of an earlier one, as in replay, the
+  /// latched clean cloud of that one would be taken for this one's. Call it just before the raw
+  /// cloud is made.
+  void forget();
+
   /// The clean cloud of the raw one with this stamp.
   /// @throw scan_cell_common::Refused with the reason of the stage that failed
   /// @throw scan_cell_common::ConnectionError if nothing comes within `timeout` [s]
