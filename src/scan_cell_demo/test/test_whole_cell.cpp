@@ -1,16 +1,25 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <actionlib/client/simple_action_client.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <ros/package.h>
 #include <ros/ros.h>
+#include <scan_cell_msgs/ArmTrigger.h>
+#include <scan_cell_msgs/DisarmTrigger.h>
 #include <scan_cell_msgs/LoadWorld.h>
+#include <scan_cell_msgs/PeakProfile.h>
 #include <scan_cell_msgs/RobotStatus.h>
 #include <scan_cell_msgs/ScanAction.h>
+#include <scan_cell_msgs/SetAcquisition.h>
 #include <scan_cell_msgs/SetFaults.h>
+#include <scan_cell_msgs/TriggerEvent.h>
 #include <scan_cell_msgs/TriggerState.h>
+#include <std_msgs/Empty.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstdlib>
 #include <functional>
@@ -21,9 +30,12 @@
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_demo/comparison.h"
+#include "scan_cell_sim/cell.h"
 #include "tool_path_stretcher/ros/conversions.h"
 
+using scan_cell_msgs::PeakProfile;
 using scan_cell_msgs::ScanResult;
+using scan_cell_msgs::SetAcquisition;
 using scan_cell_msgs::SetFaults;
 
 namespace {
@@ -45,6 +57,8 @@ class WholeCell : public testing::Test {
     ASSERT_TRUE(scan_.waitForServer(ros::Duration(kTimeout)));
     trigger_ = node_.subscribe("/laser_trigger/state", 10, &WholeCell::on_trigger, this);
     status_ = node_.subscribe("/c4g_driver/status", 10, &WholeCell::on_status, this);
+    flange_ = node_.subscribe("/scan_cell_sim/true_flange", 10, &WholeCell::on_flange, this);
+    profiles_ = node_.subscribe("/camera/profiles", 1000, &WholeCell::on_profile, this);
     set_faults([](SetFaults::Request&) {});
     wait_for("the robot", [this] { return connected_; });
   }
@@ -52,6 +66,7 @@ class WholeCell : public testing::Test {
   void TearDown() override {
     set_faults([](SetFaults::Request&) {});
     wait_for("the lasers to be off", [this] { return lasers_ == 0; });
+    EXPECT_EQ(lit_rows(), 0);
   }
 
   void on_trigger(const scan_cell_msgs::TriggerState& state) {
@@ -64,6 +79,25 @@ class WholeCell : public testing::Test {
     const std::lock_guard<std::mutex> lock(mutex_);
     connected_ = status.connected;
     moving_ = status.in_motion == scan_cell_msgs::RobotStatus::YES;
+    news_.notify_all();
+  }
+
+  void on_flange(const geometry_msgs::PoseStamped& flange) {
+    constexpr double kStill = 1e-5;  // [m]
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const Eigen::Vector3d place =
+        (base_link_ * scan_cell_common::from_ros(flange.pose)).translation();
+    still_ = (place - place_).norm() < kStill ? still_ + 1 : 0;
+    place_ = place;
+    news_.notify_all();
+  }
+
+  void on_profile(const PeakProfile& profile) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (profile.acquisition != watched_) return;
+    ++seen_;
+    lit_rows_ += std::count_if(profile.position.begin(), profile.position.end(),
+                               [](float position) { return std::isfinite(position); });
     news_.notify_all();
   }
 
@@ -122,6 +156,50 @@ class WholeCell : public testing::Test {
     EXPECT_EQ(result.cloud.width * result.cloud.height, result.statistics.points);
   }
 
+  /// By the simulator's truth; a robot that drove on to the end of its line would stand there.
+  void expect_standing_on_the_way() {
+    constexpr double kLeastWayLeft = 0.05;  // [m]
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      still_ = 0;
+    }
+    wait_for("the flange to stand", [this] { return still_ >= 3; });
+    wait_for("the driver to say so", [this] { return !moving_; });
+    const std::lock_guard<std::mutex> lock(mutex_);
+    EXPECT_GT((program_.request.end.translation() - place_).norm(), kLeastWayLeft);
+  }
+
+  /// Rows that show a laser line: the circuit's state, whatever the trigger's node says of it.
+  long lit_rows() {
+    SetAcquisition::Request request;
+    request.mode = SetAcquisition::Request::RELIEF_ONLY;
+    request.trigger = SetAcquisition::Request::FREE_RUN;
+    const std::uint32_t started = set_acquisition(request);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      watched_ = started;
+      seen_ = lit_rows_ = 0;
+    }
+    wait_for("frames in free run", [this] { return seen_ >= 3; });
+    request.mode = SetAcquisition::Request::STOP;
+    set_acquisition(request);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return lit_rows_;
+  }
+
+  /// Again and again: a camera that was unplugged needs its time.
+  static std::uint32_t set_acquisition(const SetAcquisition::Request& request) {
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kTimeout);
+    while (true) {
+      const auto answer =
+          scan_cell::ask<SetAcquisition>("/camera/set_acquisition", request, kTimeout);
+      if (answer.success || ros::WallTime::now() > deadline) {
+        EXPECT_TRUE(answer.success) << answer.message;
+        return answer.acquisition;
+      }
+    }
+  }
+
   static void expect_every_frame_accounted_for(const scan_cell_msgs::BindingAudit& audit) {
     EXPECT_EQ(audit.frames_bound + audit.frames_dropped, audit.frames);
     EXPECT_EQ(audit.dropped.size(), audit.frames_dropped + audit.frames_never_arrived);
@@ -133,14 +211,23 @@ class WholeCell : public testing::Test {
   scan_cell::CellClient cell_{node_, {}};
   const scan_cell::ScanProgram program_ =
       scan_cell::load_scan_program(ros::package::getPath("scan_cell") + "/config/scan_line.yaml");
-  ros::Subscriber trigger_;
-  ros::Subscriber status_;
+  const Eigen::Isometry3d base_link_ = scan_cell_sim::load_base_link_in_world(config("cell.yaml"));
   std::mutex mutex_;
   std::condition_variable news_;
   int lasers_ = -1;
   bool connected_ = false;
   bool moving_ = false;
   std::uint64_t frames_ = 0;
+  Eigen::Vector3d place_ = Eigen::Vector3d::Zero();  // of the flange, in world
+  int still_ = 0;                                    // messages in which it did not move
+  std::uint32_t watched_ = 0;                        // acquisition
+  int seen_ = 0;                                     // profiles of it
+  long lit_rows_ = 0;                                // in them
+
+  ros::Subscriber trigger_;  // after what their callbacks use
+  ros::Subscriber status_;
+  ros::Subscriber flange_;
+  ros::Subscriber profiles_;
 };
 
 }  // namespace
@@ -200,7 +287,7 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheCameraIsUnplugged) {
   EXPECT_LT(wait_for_end(), 2.0);
   EXPECT_EQ(scan_.getResult()->outcome, ScanResult::CAMERA_LOST) << scan_.getResult()->message;
   expect_kept(*scan_.getResult());
-  wait_for("the robot to stand", [this] { return !moving_; });
+  expect_standing_on_the_way();
 }
 
 TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheControllerIsLostAndNeverResumes) {
@@ -211,7 +298,7 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheControllerIsLostAndNeverResumes) {
   expect_kept(*scan_.getResult());
   set_faults([](SetFaults::Request&) {});
   wait_for("the link", [this] { return connected_; });
-  wait_for("the robot to stand", [this] { return !moving_; });
+  expect_standing_on_the_way();
 }
 
 TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerDies) {
@@ -220,6 +307,7 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerDies) {
   EXPECT_LT(wait_for_end(), 2.0);
   EXPECT_EQ(scan_.getResult()->outcome, ScanResult::TRIGGER_LOST) << scan_.getResult()->message;
   expect_kept(*scan_.getResult());
+  expect_standing_on_the_way();
   ASSERT_TRUE(ros::service::waitForService("/laser_trigger/arm", ros::Duration(kTimeout)));
 }
 
@@ -231,7 +319,20 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerCircuitIsLost) {
   EXPECT_NE(scan_.getResult()->message.find("trigger circuit"), std::string::npos)
       << scan_.getResult()->message;
   expect_kept(*scan_.getResult());
-  wait_for("the robot to stand", [this] { return !moving_; });
+  expect_standing_on_the_way();
+}
+
+TEST_F(WholeCell, ShowsTheCameraALaserThatIsOn) {
+  const ros::Publisher watcher = node_.advertise<std_msgs::Empty>("/laser_trigger/keep_alive", 1);
+  const ros::WallTimer watching = node_.createWallTimer(
+      ros::WallDuration(0.05),
+      [&](const ros::WallTimerEvent&) { watcher.publish(std_msgs::Empty()); });
+  scan_cell_msgs::ArmTrigger::Request arm;
+  arm.rate = 10;
+  arm.lasers = scan_cell_msgs::TriggerEvent::LASER_0;
+  scan_cell::call<scan_cell_msgs::ArmTrigger>("/laser_trigger/arm", arm, kTimeout);
+  EXPECT_GT(lit_rows(), 0) << "or no other test would see one that was left on";
+  scan_cell::call<scan_cell_msgs::DisarmTrigger>("/laser_trigger/disarm", {}, kTimeout);
 }
 
 TEST_F(WholeCell, RejectsASecondScanAndStopsWhenCancelled) {
@@ -245,7 +346,7 @@ TEST_F(WholeCell, RejectsASecondScanAndStopsWhenCancelled) {
   wait_for_end();
   EXPECT_EQ(scan_.getResult()->outcome, ScanResult::CANCELLED);
   expect_kept(*scan_.getResult());
-  wait_for("the robot to stand", [this] { return !moving_; });
+  expect_standing_on_the_way();
 }
 
 int main(int argc, char** argv) {
