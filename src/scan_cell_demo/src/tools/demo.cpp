@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "scan_cell/progress_bar.h"
@@ -17,6 +19,7 @@
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/yaml_file.h"
 #include "scan_cell_demo/comparison.h"
+#include "scan_cell_demo/goals.h"
 #include "tool_path_stretcher/ros/conversions.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
@@ -26,6 +29,9 @@ using scan_cell_common::Cloud;
 using tool_path_stretcher::ToolPath;
 
 constexpr double kMillimetres = 1e3;
+constexpr int kFailed = 1;
+constexpr int kRefused = 2;
+constexpr int kGoalMissed = 3;
 
 struct Options {
   std::string output = "out";
@@ -51,14 +57,19 @@ class Demo {
 
   /// @return the process's exit code
   int run() {
+    // What an earlier run left must not be taken for this one's.
+    for (const char* name : {"adapted_path.csv", "true_path.csv", "report.json"})
+      std::filesystem::remove(out(name));
     const Scanned reference = scan("reference", options_.reference);
     const Scanned object = scan("object", options_.object);
     const ToolPath path = proven_path();
     const auto stretched = stretch(reference, object, path);
-    report(reference, object, path, stretched);
-    if (is_accepted(stretched)) return 0;
+    const std::vector<std::string> missed = report(reference, object, path, stretched);
+    for (const std::string& goal : missed)
+      std::fprintf(stderr, "goal missed: %s\n", goal.c_str());
+    if (is_accepted(stretched)) return missed.empty() ? 0 : kGoalMissed;
     std::fprintf(stderr, "refused: %s\n", stretched.verdict.message.c_str());
-    return 2;
+    return kRefused;
   }
 
  private:
@@ -106,8 +117,11 @@ class Demo {
     });
   }
 
-  void report(const Scanned& reference, const Scanned& object, const ToolPath& path,
-              const scan_cell_msgs::StretchToolPathResult& stretched) const {
+  /// @return the goals that were missed; none are asked of a refused path
+  std::vector<std::string> report(const Scanned& reference, const Scanned& object,
+                                  const ToolPath& path,
+                                  const scan_cell_msgs::StretchToolPathResult& stretched) const {
+    scan_cell_demo::Figures figures;
     nlohmann::ordered_json json;
     json["verdict"] = is_accepted(stretched) ? "accepted" : "refused";
     json["reason"] = stretched.verdict.name;
@@ -115,41 +129,62 @@ class Demo {
     json["scale"] = stretched.similarity.scale;
     json["scale_true"] =
         scan_cell_demo::true_scale(options_.reference, options_.object, options_.part);
-    add_cloud_errors(json, reference, object);
-    if (is_accepted(stretched)) add_path_errors(json, path, stretched);
-    json["frames"] = reference.result.audit.frames + object.result.audit.frames;
-    json["frames_bound"] = reference.result.audit.frames_bound + object.result.audit.frames_bound;
-    json["frames_dropped"] =
-        reference.result.audit.frames_dropped + object.result.audit.frames_dropped;
-    json["frames_never_arrived"] =
-        reference.result.audit.frames_never_arrived + object.result.audit.frames_never_arrived;
+    figures.cloud_rms = add_cloud_errors(json, reference, object);
+    figures.path_rms = add_path_errors(json, path, stretched);
+    for (const Scanned* scanned : {&reference, &object}) {
+      figures.pulses += scanned->result.audit.triggers;
+      figures.frames_bound += scanned->result.audit.frames_bound;
+      figures.frames_accounted_for += scanned->result.audit.dropped.size();
+    }
+    add_frames(json, reference, object);
     json["scan_s"] = reference.result.seconds + object.result.seconds;
     json["stretch_s"] = stretched.seconds;
+    const std::vector<std::string> missed =
+        is_accepted(stretched) ? scan_cell_demo::missed_goals(figures) : std::vector<std::string>();
+    if (is_accepted(stretched)) json["goals_missed"] = missed;
     scan_cell_common::save_text(out("report.json"), json.dump(2) + "\n");
     std::printf("%s\n", json.dump(2).c_str());
+    return missed;
   }
 
-  /// The worse of the two clouds counts: both carry the path.
-  void add_cloud_errors(nlohmann::ordered_json& json, const Scanned& reference,
-                        const Scanned& object) const {
+  static void add_frames(nlohmann::ordered_json& json, const Scanned& reference,
+                         const Scanned& object) {
+    const auto& a = reference.result.audit;
+    const auto& b = object.result.audit;
+    json["frames"] = a.frames + b.frames;
+    json["frames_bound"] = a.frames_bound + b.frames_bound;
+    json["frames_dropped"] = a.frames_dropped + b.frames_dropped;
+    json["frames_never_arrived"] = a.frames_never_arrived + b.frames_never_arrived;
+  }
+
+  /// @return the worse of the two clouds' [m]: both carry the path
+  double add_cloud_errors(nlohmann::ordered_json& json, const Scanned& reference,
+                          const Scanned& object) const {
     const double of_reference = scan_cell_demo::cloud_rms(reference.clean, options_.reference);
     const double of_object = scan_cell_demo::cloud_rms(object.clean, options_.object);
     json["cloud_rms_mm"] = std::max(of_reference, of_object) * kMillimetres;
     json["cloud_rms_reference_mm"] = of_reference * kMillimetres;
     json["cloud_rms_object_mm"] = of_object * kMillimetres;
+    return std::max(of_reference, of_object);
   }
 
-  void add_path_errors(nlohmann::ordered_json& json, const ToolPath& path,
-                       const scan_cell_msgs::StretchToolPathResult& stretched) const {
-    const ToolPath adapted = tool_path_stretcher::from_message(stretched.path);
-    const ToolPath truth =
-        scan_cell_demo::true_path(path, options_.reference, options_.object, options_.part);
-    tool_path_stretcher::save_tool_path(out("adapted_path.csv"), adapted);
-    tool_path_stretcher::save_tool_path(out("true_path.csv"), truth);
-    const scan_cell_demo::PathError error = scan_cell_demo::compare(adapted, truth);
-    json["path_rms_mm"] = error.rms * kMillimetres;
+  /// @return RMS [m]; NaN, and nulls in the report, where there is no path
+  double add_path_errors(nlohmann::ordered_json& json, const ToolPath& path,
+                         const scan_cell_msgs::StretchToolPathResult& stretched) const {
+    scan_cell_demo::PathError error;
+    error.rms = error.max = error.orientation_rms = std::numeric_limits<double>::quiet_NaN();
+    if (is_accepted(stretched)) {
+      const ToolPath adapted = tool_path_stretcher::from_message(stretched.path);
+      const ToolPath truth =
+          scan_cell_demo::true_path(path, options_.reference, options_.object, options_.part);
+      tool_path_stretcher::save_tool_path(out("adapted_path.csv"), adapted);
+      tool_path_stretcher::save_tool_path(out("true_path.csv"), truth);
+      error = scan_cell_demo::compare(adapted, truth);
+    }
+    json["path_rms_mm"] = error.rms * kMillimetres;  // NaN is written as null
     json["path_max_mm"] = error.max * kMillimetres;
     json["path_orientation_rms_deg"] = error.orientation_rms * 180 / M_PI;
+    return error.rms;
   }
 
   static bool is_accepted(const scan_cell_msgs::StretchToolPathResult& stretched) {
@@ -167,7 +202,8 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "demo", ros::init_options::AnonymousName);
   Options options;
   CLI::App app(
-      "Scans two parts in the simulated cell, adapts the path, and compares with the truth");
+      "Scans two parts in the simulated cell, adapts the path, and compares with the truth.\n"
+      "Exit code 0: accepted, and every goal met; 2: refused; 3: a goal missed; 1: no result.");
   app.add_option("--output", options.output, "folder for clouds, paths and report");
   app.add_option("--reference", options.reference, "world file of the reference part");
   app.add_option("--object", options.object, "world file of the changed part");
@@ -182,6 +218,6 @@ int main(int argc, char** argv) {
     return Demo(options).run();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "demo: %s\n", error.what());
-    return 1;
+    return kFailed;
   }
 }
