@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The commands of the README, as they stand there, on a simulated cell of their own."""
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import unittest
+
+import numpy
+import rospkg
+import rostest
+
+ROOT = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../..'))
+OBJECT_WORLD = os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config/object_frame.yaml')
+TIMEOUT = 180  # [s] of one command, on a busy computer
+MOST_CLOUD_RMS = 0.3  # [mm]
+MOST_PATH_RMS = 1.0  # [mm]
+
+
+def readme_command(start):
+    """The first command of the README that begins so."""
+    with open(os.path.join(ROOT, 'README.md')) as readme:
+        text = re.sub(r'\\\n\s*', '', readme.read())
+    return next(line.strip() for line in text.splitlines() if line.startswith('    ' + start))
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+def positions(path):
+    """Waypoints of a CSV path [mm]."""
+    table = numpy.genfromtxt(path, delimiter=',', names=True, dtype=None, encoding='utf-8')
+    return numpy.stack([table['x'], table['y'], table['z']], axis=1) * 1e3
+
+
+class User:
+    """Types commands in a folder where launch/ and out/ are what they are in the repository."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        os.symlink(os.path.join(ROOT, 'launch'), self.path('launch'))
+        os.mkdir(self.path('out'))
+        self.environment = dict(os.environ, ROS_HOME=self.path('ros'), ROS_IP='127.0.0.1',
+                                ROS_MASTER_URI='http://127.0.0.1:%d' % free_port())
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def start(self, command, log):
+        with open(self.path(log), 'w') as output:
+            return subprocess.Popen(['bash', '-c', 'exec ' + command], cwd=self.folder, env=self.environment,
+                                    stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
+
+    def end(self, process):
+        """Ctrl-C."""
+        process.send_signal(signal.SIGINT)
+        return self.wait(process)
+
+    def wait(self, process):
+        try:
+            return process.wait(TIMEOUT)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+            raise
+
+    def run(self, command, log):
+        return self.wait(self.start(command, log))
+
+    def text(self, name):
+        with open(self.path(name), 'rb') as file:
+            return file.read()
+
+    def log(self, name):
+        return self.text(name).decode(errors='replace')[-3000:]
+
+
+class Readme(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.user = User(tempfile.mkdtemp(prefix='readme_'))
+        cls.addClassCleanup(shutil.rmtree, cls.user.folder)
+        cell = cls.user.start(readme_command('roslaunch launch/scan_cell.launch sim:=true') +
+                              ' record:=$PWD/out/demo.bag', 'cell.log')
+        try:
+            cls.codes = {}
+            for name, command in (('demo', 'rosrun scan_cell_demo demo --output out'),
+                                  ('scan', readme_command('rosrun scan_cell scan ')),
+                                  ('adapt', readme_command('rosrun scan_cell adapt '))):
+                cls.codes[name] = cls.user.run(command, name + '.log')
+        finally:
+            cls.user.end(cell)
+
+    def expect_well(self, name):
+        self.assertEqual(self.codes[name], 0, self.user.log(name + '.log') + self.user.log('cell.log'))
+
+    def expect_true_path(self, *names):
+        """The demo leaves what the simulator knows to be true of the same object."""
+        difference = positions(self.user.path(*names)) - positions(self.user.path('out', 'true_path.csv'))
+        self.assertLess(numpy.sqrt((difference ** 2).sum(axis=1).mean()), MOST_PATH_RMS)
+
+    def test_demo_meets_its_goals_on_a_bent_part(self):
+        self.expect_well('demo')
+        report = json.loads(self.user.text('out/report.json'))
+        self.assertEqual(report['verdict'], 'accepted')
+        self.assertEqual(report['goals_missed'], [])
+        self.assertLess(report['cloud_rms_mm'], MOST_CLOUD_RMS)
+        self.assertLess(report['path_rms_mm'], MOST_PATH_RMS)
+        self.expect_true_path('out', 'adapted_path.csv')
+
+    def test_scan_leaves_the_raw_and_the_clean_cloud(self):
+        self.expect_well('scan')
+        self.assertGreater(len(self.user.text('raw.ply')), len(self.user.text('part.ply')))
+        judged = self.user.run('rosrun scan_cell_sim ground_truth cloud --part frame --world %s --cloud part.ply '
+                               '--json judged.json' % OBJECT_WORLD, 'judge.log')
+        self.assertEqual(judged, 0, self.user.log('judge.log'))
+        cloud = json.loads(self.user.text('judged.json'))
+        self.assertGreater(cloud['points'], 10000)
+        self.assertLess(cloud['rms_mm'], MOST_CLOUD_RMS)
+
+    def test_adapt_leaves_a_true_path(self):
+        self.expect_well('adapt')
+        self.assertEqual(json.loads(self.user.text('out/adapted/report.json'))['verdict'], 'accepted')
+        self.expect_true_path('out', 'adapted', 'adapted_path.csv')
+
+    def test_stretch_needs_no_master(self):
+        code = self.user.run(readme_command('rosrun tool_path_stretcher stretch '), 'stretch.log')
+        self.assertEqual(code, 0, self.user.log('stretch.log'))
+        self.assertEqual(json.loads(self.user.text('report.json'))['verdict'], 'accepted')
+        self.expect_true_path('adapted.csv')
+
+    def test_replay_gives_the_same_bytes_each_time_it_is_started(self):
+        command = readme_command('roslaunch launch/replay.launch ')
+        self.assertIn('output:=$PWD/out/replay', command)
+        for name in ('first', 'second'):
+            self.user.run(command.replace('out/replay', name), name + '.log')
+            self.assertTrue(os.path.exists(self.user.path(name, 'adapted_path.csv')), self.user.log(name + '.log'))
+        for name in ('object.ply', 'adapted_path.csv'):
+            self.assertTrue(self.user.text('first/' + name) == self.user.text('second/' + name), name)
+        self.expect_true_path('first', 'adapted_path.csv')
+
+
+if __name__ == '__main__':
+    rostest.rosrun('scan_cell_demo', 'readme', Readme)
