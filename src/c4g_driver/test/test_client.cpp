@@ -214,11 +214,30 @@ TEST_F(ClientTest, SendsNothingOfATargetOutsideTheLimits) {
   EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0, 0.6), -1), Refused);
   EXPECT_THROW(client_->move_to_joints({0, 0, 0.1, 0, 0, 0}, 0), Refused);
   EXPECT_THROW(client_->move_to_joints({0, 0}, 0), Refused);
+  EXPECT_THROW(client_->move_to_joints({0, 1.3, -M_PI / 2, 0, 0, 0}, 0),
+               Refused);  // into the floor
   EXPECT_THROW(client_->set_linear_speed(2), Refused);
   EXPECT_THROW(client_->set_override(0), Refused);
   EXPECT_THROW(client_->set_parameter("motion_type", "joint"), Refused);
+  EXPECT_THROW(client_->set_parameter("linear_speed", "1501"), Refused);
+  EXPECT_THROW(client_->set_parameter("linear_speed", "\"fast\""), Refused);
+  EXPECT_THROW(client_->set_parameter("override", "101"), Refused);
   for (const json& request : controller_->requests())
     EXPECT_TRUE(request["cmd"] == "OPEN" || request["cmd"] == "GET_STATIC_POSE") << request;
+}
+
+TEST_F(ClientTest, SendsNoLineWhileTheControllersOwnSpeedIsAboveTheLimit) {
+  ClientOptions slow = options(controller_->port());
+  slow.limits.most_linear_speed = 0.2;  // the controller starts with 250 mm/s
+  client_ = std::make_unique<Client>(slow, nullptr);
+  ASSERT_TRUE(eventually([this] { return client_->link().up; }));
+  EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100), Refused);
+  EXPECT_THROW(client_->set_parameter("linear_speed", "201"), Refused);
+  EXPECT_TRUE(controller_->requests("MOVE_CARTESIAN").empty());
+  EXPECT_NO_THROW(client_->set_parameter("linear_speed", "200"));
+  controller_->set_state({{"linear_speed", 200}});
+  ASSERT_TRUE(eventually([this] { return client_->latest()->robot.linear_speed < 0.21; }));
+  EXPECT_NO_THROW(client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100));
 }
 
 TEST_F(ClientTest, RefusesASecondMotionBeforeTheFirstEnded) {

@@ -286,7 +286,8 @@ TEST_F(Driver, RefusesBadTargetsWithTheReasonAndMovesNothing) {
       {to_joints({0, 0, -1}), "joints"},
       {to_joints({0, 0, 1, 0, 0, 0}), "target J3"},
       {to_joints({0, 0, nan, 0, 0, 0}), "target J3"},
-      {to_pose(looking_down(1.35, 0, 1.5)), "reach"}};  // this one the controller refuses
+      {to_joints({0, 1.3, -M_PI / 2, 0, 0, 0}), "target z"},  // through the floor
+      {to_pose(looking_down(1.35, 0, 1.5)), "reach"}};        // this one the controller refuses
   for (const auto& [goal, reason] : bad) {
     const MoveResult result = run(goal);
     EXPECT_EQ(move_.getState(), GoalState::ABORTED);

@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
+#include "c4g_driver/kinematics.h"
 #include "c4g_driver/limits.h"
+#include "closed_form.h"
 #include "scan_cell_common/errors.h"
 
 using c4g_driver::RobotLimits;
@@ -77,10 +80,32 @@ TEST(Limits, RefuseJointsBeyondEachEndOfEachRange) {
   EXPECT_THROW(c4g_driver::check_joints({}, limits), Refused);
 }
 
+TEST(Limits, RefuseAFlangeOutsideTheBoxWhateverItsOrientation) {
+  const RobotLimits limits;
+  EXPECT_NO_THROW(c4g_driver::check_workspace(at(0.8, 0, 0.6), limits));
+  for (const auto& pose : {at(kNaN, 0, 0.6), at(1.41, 0, 0.6), at(0.8, 0, 0.14)})
+    EXPECT_THROW(c4g_driver::check_workspace(pose, limits), Refused);
+}
+
+TEST(Kinematics, PutTheFlangeWhereTheDataSheetPutsIt) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(-3, 3);
+  for (int i = 0; i < 200; ++i) {
+    c4g_driver::Joints joints;
+    for (double& joint : joints)
+      joint = angle(random);
+    EXPECT_TRUE(
+        c4g_driver::flange_at(joints).isApprox(flange_by_denavit_hartenberg(joints), 1e-12));
+  }
+}
+
 TEST(Limits, RefuseSpeedsThatMakeNoSense) {
   const RobotLimits limits;
   for (const double speed : {0.0, -0.1, 1.51, kNaN, kInf})
     EXPECT_THROW(c4g_driver::check_linear_speed(speed, limits), Refused);
+  for (const double speed : {1.51, kNaN, kInf})
+    EXPECT_THROW(c4g_driver::check_speed_in_force(speed, limits), Refused);
+  EXPECT_NO_THROW(c4g_driver::check_speed_in_force(1.5 + 1e-12, limits));
   for (const double percent : {0.0, -1.0, 100.1, kNaN})
     EXPECT_THROW(c4g_driver::check_override(percent), Refused);
   for (const double rate : {-1.0, kNaN, kInf})

@@ -15,6 +15,24 @@ using scan_cell_common::Refused;
 constexpr int kVersion = 1;
 constexpr double kMillimetre = 1e-3;
 
+json value_of(const SetParameter& set) {
+  json value = json::parse(set.value, nullptr, false);
+  if (value.is_discarded()) {
+    throw Refused("value of " + set.name, "'" + set.value + "'",
+                  "give JSON, such as 250, \"linear\" or [0, 0, 0, 0, 0, 0]");
+  }
+  return value;
+}
+
+std::optional<double> number_of(const SetParameter& set, const std::string& name) {
+  if (set.name != name) return std::nullopt;
+  const json value = value_of(set);
+  if (!value.is_number()) {
+    throw Refused("value of " + set.name, "'" + set.value + "'", "give a number");
+  }
+  return value.get<double>();
+}
+
 struct Name {
   const char* operator()(const Open&) const { return "OPEN"; }
   const char* operator()(const Close&) const { return "CLOSE"; }
@@ -41,12 +59,7 @@ struct Arguments {
   }
   json operator()(const GetParameter& get) const { return {{"name", get.name}}; }
   json operator()(const SetParameter& set) const {
-    json value = json::parse(set.value, nullptr, false);
-    if (value.is_discarded()) {
-      throw Refused("value of " + set.name, "'" + set.value + "'",
-                    "give JSON, such as 250, \"linear\" or [0, 0, 0, 0, 0, 0]");
-    }
-    return {{"name", set.name}, {"value", value}};
+    return {{"name", set.name}, {"value", value_of(set)}};
   }
   template <class Other>
   json operator()(const Other&) const {
@@ -55,6 +68,17 @@ struct Arguments {
 };
 
 }  // namespace
+
+std::optional<double> override_of(const SetParameter& set) {
+  return number_of(set, "override");
+}
+
+std::optional<double> linear_speed_of(const SetParameter& set) {
+  const auto speed = number_of(set, "linear_speed");
+  if (!speed) return std::nullopt;
+  constexpr double kMillimetresAMetre = 1e3;  // divided by, 700 mm/s is 0.7 m/s to the last digit
+  return *speed / kMillimetresAMetre;
+}
 
 std::string name_of(const Request& request) {
   return std::visit(Name(), request);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "c4g_driver/kinematics.h"
 #include "scan_cell_common/errors.h"
 
 namespace c4g_driver {
@@ -69,12 +70,15 @@ Client::~Client() {
 void Client::move_to_pose(const Eigen::Isometry3d& flange, double camera_rate) {
   check_flange(flange, options_.limits);
   check_camera_rate(camera_rate, options_.limits);
+  const auto state = latest();
+  if (state) check_speed_in_force(state->robot.linear_speed, options_.limits);
   const Goal::Target target = flange;
   request(MoveCartesian{flange, camera_rate}, &target);
 }
 
 void Client::move_to_joints(const std::vector<double>& joints, double camera_rate) {
   const Joints checked_joints = check_joints(joints, options_.limits);
+  check_workspace(flange_at(checked_joints), options_.limits);
   check_camera_rate(camera_rate, options_.limits);
   const Goal::Target target = checked_joints;
   request(MoveJoint{checked_joints, camera_rate}, &target);
@@ -99,7 +103,10 @@ std::string Client::get_parameter(const std::string& name) {
 }
 
 void Client::set_parameter(const std::string& name, const std::string& json) {
-  request(SetParameter{name, json});
+  const SetParameter set{name, json};
+  if (const auto percent = override_of(set)) check_override(*percent);
+  if (const auto speed = linear_speed_of(set)) check_linear_speed(*speed, options_.limits);
+  request(set);
 }
 
 MeasuredState Client::static_pose() {

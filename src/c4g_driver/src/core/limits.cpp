@@ -36,12 +36,16 @@ RobotLimits::RobotLimits() : workspace_min(-1.4, -1.4, 0.15), workspace_max(1.4,
   joint_upper *= kDegree;
 }
 
-void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits) {
-  constexpr double kRotation = 1e-6;
+void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits) {
   for (int i = 0; i < 3; ++i) {
     check_between(text("target ", "xyz"[i]), flange.translation()[i], limits.workspace_min[i],
                   limits.workspace_max[i], " m");
   }
+}
+
+void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits) {
+  constexpr double kRotation = 1e-6;
+  check_workspace(flange, limits);
   const Eigen::Matrix3d& rotation = flange.linear();
   const double off = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
   if (!(off < kRotation) || !(rotation.determinant() > 0)) {
@@ -67,6 +71,13 @@ void check_camera_rate(double rate, const RobotLimits& limits) {
 void check_linear_speed(double speed, const RobotLimits& limits) {
   constexpr double kLeast = 1e-5;  // a hundredth of a millimetre a second: the wire's least
   check_between("linear speed", speed, kLeast, limits.most_linear_speed, " m/s");
+}
+
+void check_speed_in_force(double speed, const RobotLimits& limits) {
+  constexpr double kRounding = 1e-6;  // [m/s] of the way to the wire's unit and back
+  if (speed <= limits.most_linear_speed + kRounding) return;
+  throw Refused("linear speed set on the controller", text(speed, " m/s"),
+                text("set one up to ", limits.most_linear_speed, " m/s first"));
 }
 
 void check_override(double percent) {
