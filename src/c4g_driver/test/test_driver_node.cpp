@@ -19,7 +19,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -74,6 +74,15 @@ bool eventually(const std::function<bool()>& condition, double seconds = 20) {
 
 double distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.translation() - b.translation()).norm();
+}
+
+/// Exit code of a shell command, and all it said.
+std::pair<int, std::string> run_command(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string said;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
+    said += static_cast<char>(c);
+  return {WEXITSTATUS(pclose(pipe)), said};
 }
 
 template <class Message>
@@ -426,15 +435,21 @@ TEST(OtherDriver, SpeaksWithAControllerProcessOverABadWire) {
 }
 
 TEST(DriverStart, RefusesBadParametersByName) {
-  const auto start = [](const std::string& parameters) {
-    return std::system(
-        ("rosrun c4g_driver c4g_driver_node __name:=refused " + parameters + " > /dev/null 2>&1")
-            .c_str());
-  };
-  EXPECT_EQ(WEXITSTATUS(start("")), 1) << "address is missing";
-  EXPECT_EQ(WEXITSTATUS(start("_address:=robot")), 1);
-  EXPECT_EQ(WEXITSTATUS(start("_address:=127.0.0.1 _port:=0")), 1);
-  EXPECT_EQ(WEXITSTATUS(start("_address:=127.0.0.1 _port:=35412 _adress:=127.0.0.1")), 1);
+  const std::string address = "_address:=127.0.0.1 ";
+  const std::vector<std::pair<std::string, std::string>> bad = {
+      {"", "/refused/address: not set"},
+      {"_address:=robot", "'robot'"},
+      {address + "_port:=0", "/refused/port: 0"},
+      {address + "_port:=5410.5", "/refused/port: not of type"},
+      {address + "_port:=35412 _adress:=127.0.0.1", "/refused/adress: no such parameter"},
+      {address + "_most_linear_speed:=fast", "/refused/most_linear_speed: not of type"}};
+  for (const auto& [parameters, complaint] : bad) {
+    const auto [code, said] =
+        run_command("rosrun c4g_driver c4g_driver_node __name:=refused " + parameters);
+    EXPECT_EQ(code, 1) << parameters;
+    EXPECT_NE(said.find(complaint), std::string::npos) << parameters << ": " << said;
+    ros::param::del("/refused");
+  }
 }
 
 int main(int argc, char** argv) {
