@@ -52,6 +52,16 @@ void FakeController::set_state(const Json& entries) {
   state_.update(entries);
 }
 
+void FakeController::stop_streaming() {
+  const std::lock_guard<std::recursive_mutex> lock(mutex_);
+  streaming_ = false;
+}
+
+std::int64_t FakeController::clock() const {
+  const auto now = std::chrono::steady_clock::now();
+  return std::chrono::duration_cast<std::chrono::microseconds>(now - start_).count();
+}
+
 FakeController::Json FakeController::state_at(std::int64_t microseconds) const {
   Json state = state_;
   state["t"] = microseconds;
@@ -60,10 +70,9 @@ FakeController::Json FakeController::state_at(std::int64_t microseconds) const {
 
 FakeController::Json FakeController::acknowledge(const Json& request) {
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
-  clock_ += 1000;
   return {{"c4g", 1},         {"session", request["session"]},
           {"type", "ack"},    {"seq", request["seq"]},
-          {"error", nullptr}, {"state", state_at(clock_)}};
+          {"error", nullptr}, {"state", state_at(clock())}};
 }
 
 void FakeController::stream(std::uint64_t number, std::int64_t microseconds, const Json& entries) {
@@ -105,6 +114,7 @@ void FakeController::serve() {
     const bool came = poll(&readable, 1, 10) == 1;
     const std::lock_guard<std::recursive_mutex> lock(mutex_);
     if (ending_) return;
+    if (streaming_ && state_["status"] == "moving") stream(++streamed_, clock());
     if (!came) continue;
     std::string text(2000, '\0');
     socklen_t size = sizeof client_;
@@ -113,6 +123,7 @@ void FakeController::serve() {
     if (length < 0) continue;
     text.resize(static_cast<std::size_t>(length));
     const Json request = Json::parse(text);
+    if (request["cmd"] == "OPEN") streamed_ = 0;
     requests_.push_back(request);
     if (request["cmd"].get<std::string>().compare(0, 4, "MOVE") == 0) {
       set_state({{"status", "moving"}, {"motion", request["seq"]}});

@@ -4,6 +4,7 @@
 
 #include <netinet/in.h>
 
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,8 @@
 #include <vector>
 
 /// A controller on a real socket that does what a test tells it, and behaves well otherwise: every
-/// request is acknowledged, a motion stays "moving" until the test says more.
+/// request is acknowledged, a motion stays "moving" until the test says more, and is streamed as
+/// long as it does unless the test says otherwise.
 class FakeController {
  public:
   using Json = nlohmann::json;
@@ -29,6 +31,8 @@ class FakeController {
   /// Entries of every state from now on.
   void set_state(const Json& entries);
 
+  void stop_streaming();
+
   /// Streams a state to the client.
   void stream(std::uint64_t number, std::int64_t microseconds, const Json& entries = {});
   void send(const std::string& text);
@@ -43,13 +47,16 @@ class FakeController {
  private:
   void serve();
   Json state_at(std::int64_t microseconds) const;
+  std::int64_t clock() const;  // [us]
 
   int socket_;
   std::uint16_t port_ = 0;
   mutable std::recursive_mutex mutex_;
   Script script_;
   Json state_;
-  std::int64_t clock_ = 0;  // [us] goes on by a millisecond a request
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::uint64_t streamed_ = 0;
+  bool streaming_ = true;
   std::vector<Json> requests_;
   sockaddr_in client_{};
   bool ending_ = false;

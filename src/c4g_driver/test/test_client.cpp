@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -71,6 +72,7 @@ class ClientTest : public testing::Test {
     ClientOptions result;
     result.port = port;
     result.reconnect_period = 0.05;
+    result.link_timeout = link_timeout_;
     return result;
   }
 
@@ -83,13 +85,21 @@ class ClientTest : public testing::Test {
   bool poses_heard_at(const std::vector<std::int64_t>& microseconds) {
     std::vector<std::int64_t> times;
     for (const MeasuredState& state : heard_.states()) {
-      if (state.robot.controller_time >= 1'000'000'000)  // polls are before the first second
+      if (state.robot.controller_time >= 1'000'000'000'000)  // polls are in the first seconds
         times.push_back(state.robot.controller_time / 1000);
     }
     return times == microseconds;
   }
 
+  /// A stream that test writes by hand is ahead of the polls' time, so these are dropped.
+  static constexpr double kPatient = 20;
+
+  void TearDown() override { hold_ = false; }
+
+  std::atomic<bool> hold_{false};  // a listener that takes its time
+  std::atomic<bool> held_{false};
   Heard heard_;
+  double link_timeout_ = 0.5;
   std::unique_ptr<FakeController> controller_ = std::make_unique<FakeController>();
   std::unique_ptr<Client> client_;
 };
@@ -97,31 +107,70 @@ class ClientTest : public testing::Test {
 }  // namespace
 
 TEST_F(ClientTest, HandsOnEveryPoseOnceInTheOrderOfTime) {
+  link_timeout_ = kPatient;
   connect();
-  controller_->stream(1, 1'000'000);
-  controller_->stream(2, 1'004'000);
-  controller_->stream(2, 1'004'000);
-  controller_->stream(5, 1'016'000);
-  controller_->stream(4, 1'012'000);
-  controller_->stream(6, 1'020'000);
+  controller_->stream(1, 1'000'000'000);
+  controller_->stream(2, 1'000'004'000);
+  controller_->stream(2, 1'000'004'000);
+  controller_->stream(5, 1'000'016'000);
+  controller_->stream(4, 1'000'012'000);
+  controller_->stream(6, 1'000'020'000);
   EXPECT_TRUE(eventually([this] {
-    return poses_heard_at({1'000'000, 1'004'000, 1'016'000, 1'020'000});
+    return poses_heard_at({1'000'000'000, 1'000'004'000, 1'000'016'000, 1'000'020'000});
   }));
   EXPECT_EQ(client_->link().stream.repeated, 1u);
   EXPECT_EQ(client_->link().stream.reordered, 1u);
   EXPECT_EQ(client_->link().stream.lost, 1u);
+  EXPECT_TRUE(eventually([this] { return client_->link().dropped.overtaken > 0; })) << "the polls";
+}
+
+TEST_F(ClientTest, TakesAMotionWithoutAStreamForALostLink) {
+  connect();
+  client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100);
+  const auto start = steady_clock::now();
+  while (steady_clock::now() - start < std::chrono::seconds(1)) {
+    ASSERT_TRUE(client_->goal().underway()) << client_->goal().message();
+    usleep(20'000);
+  }
+  controller_->stop_streaming();  // it answers as before, with a new pose each time
+  const Goal goal = client_->wait_for_goal(10);
+  EXPECT_EQ(goal.outcome(), Goal::Outcome::LinkLost);
+  EXPECT_NE(goal.message().find("sends no fresh poses"), std::string::npos) << goal.message();
+}
+
+TEST_F(ClientTest, TakesAControllerThatRefusesToTellPosesForALostLink) {
+  connect();
+  controller_->play([this](const json& request) -> std::optional<std::vector<json>> {
+    if (request["cmd"] == "OPEN") return std::nullopt;
+    json answer = controller_->acknowledge(request);
+    answer["error"] = {{"code", 6}, {"text", "unknown command"}};
+    answer.erase("state");
+    return std::vector<json>{answer};
+  });
+  EXPECT_TRUE(eventually([this] { return client_->link().losses > 0; }));
+}
+
+TEST_F(ClientTest, TakesAControllerWhoseClockStandsForALostLink) {
+  connect();
+  controller_->play([this](const json& request) -> std::optional<std::vector<json>> {
+    json answer = controller_->acknowledge(request);
+    answer["state"]["t"] = 1'000'000'000;
+    return std::vector<json>{answer};
+  });
+  EXPECT_TRUE(eventually([this] { return client_->link().losses > 0; }));
 }
 
 TEST_F(ClientTest, StampsPosesWithTheInstantOfTheirMeasurement) {
+  link_timeout_ = kPatient;
   connect();
   // a datagram that took 50 ms: its stamp must not be its arrival
   const Nanoseconds sent = host_now();
-  controller_->stream(1, 1'000'000);
-  ASSERT_TRUE(eventually([this] { return poses_heard_at({1'000'000}); }));
+  controller_->stream(1, 1'000'000'000);
+  ASSERT_TRUE(eventually([this] { return poses_heard_at({1'000'000'000}); }));
   const Nanoseconds heard = host_now();
   usleep(150'000);
-  controller_->stream(2, 1'100'000);
-  ASSERT_TRUE(eventually([this] { return poses_heard_at({1'000'000, 1'100'000}); }));
+  controller_->stream(2, 1'000'100'000);
+  ASSERT_TRUE(eventually([this] { return poses_heard_at({1'000'000'000, 1'000'100'000}); }));
   const Nanoseconds stamp = heard_.states().back().time;
   EXPECT_GE(stamp, sent + 100'000'000);
   EXPECT_LE(stamp, heard + 100'000'000);
@@ -282,18 +331,62 @@ TEST_F(ClientTest, DropsTheGoalWhenTheControllerForgotTheSession) {
   EXPECT_TRUE(eventually([this] { return client_->link().up; }));
 }
 
+TEST_F(ClientTest, DropsTheGoalWhenAnotherClientTookTheController) {
+  connect();
+  client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100);
+  controller_->play([this](const json& request) -> std::optional<std::vector<json>> {
+    json answer = controller_->acknowledge(request);
+    answer["error"] = {{"code", 4}, {"text", "another client has the controller"}};
+    answer.erase("state");
+    return std::vector<json>{answer};
+  });
+  const Goal goal = client_->wait_for_goal(10);
+  EXPECT_EQ(goal.outcome(), Goal::Outcome::LinkLost);
+  EXPECT_NE(goal.message().find("another client"), std::string::npos) << goal.message();
+  EXPECT_FALSE(client_->link().up);
+  EXPECT_THROW(client_->stop(), ConnectionError);
+}
+
+TEST_F(ClientTest, TakesNoLateAnswerOfAnOldSessionForThatOfANewOne) {
+  client_ = std::make_unique<Client>(options(controller_->port()), [this](const MeasuredState&) {
+    if (!hold_) return;
+    held_ = true;
+    while (hold_)
+      usleep(1000);
+  });
+  ASSERT_TRUE(eventually([this] { return client_->link().up; }));
+  const auto sessions = [this] {
+    std::set<std::uint64_t> all;
+    for (const json& open : controller_->requests("OPEN"))
+      all.insert(open["session"].get<std::uint64_t>());
+    return all.size();
+  };
+  ASSERT_EQ(sessions(), 1u);
+  controller_->play([](const json& request) -> std::optional<std::vector<json>> {
+    if (request["cmd"] != "OPEN") return std::nullopt;
+    return std::vector<json>{};  // no new session is ever granted
+  });
+  hold_ = true;  // an answer stays half handled, while its session is given up
+  ASSERT_TRUE(eventually([&] { return held_ && sessions() == 2; }));
+  hold_ = false;
+  EXPECT_TRUE(eventually([&] { return sessions() >= 4; }));
+  EXPECT_EQ(client_->link().losses, 1u);
+  EXPECT_FALSE(client_->link().up);
+}
+
 TEST_F(ClientTest, IgnoresForeignSendersOldSessionsAndBadDatagrams) {
+  link_timeout_ = kPatient;
   connect();
   const auto before = client_->link();
   FakeController stranger;
-  controller_->stream(1, 1'000'000);
-  controller_->stream(2, 2'000'000, {{"session", 1}});
+  controller_->stream(1, 1'000'000'000);
+  controller_->stream(2, 1'001'000'000, {{"session", 1}});
   controller_->send(std::string(3000, ' '));
   controller_->send("{\"c4g\": 1, \"type\": \"state\"}");
   controller_->send("rubbish");
   stranger.send_to_client_of(*controller_, "boo");
-  controller_->stream(2, 1'004'000);
-  ASSERT_TRUE(eventually([this] { return poses_heard_at({1'000'000, 1'004'000}); }));
+  controller_->stream(2, 1'000'004'000);
+  ASSERT_TRUE(eventually([this] { return poses_heard_at({1'000'000'000, 1'000'004'000}); }));
   const auto after = client_->link();
   EXPECT_EQ(after.foreign, before.foreign + 1);
   EXPECT_EQ(after.overlong, before.overlong + 1);

@@ -15,16 +15,16 @@
 #include "c4g_driver/codec.h"
 #include "c4g_driver/goal.h"
 #include "c4g_driver/limits.h"
+#include "c4g_driver/pose_feed.h"
 #include "c4g_driver/sequence_monitor.h"
 #include "c4g_driver/udp_socket.h"
-#include "scan_cell_common/clock_map.h"
 
 namespace c4g_driver {
 
 struct ClientOptions {
   std::string address = "127.0.0.1";  //!< IPv4 of the controller
   std::uint16_t port = 5410;
-  double link_timeout = 0.5;  //!< [s] a request unanswered for so long is a lost link
+  double link_timeout = 0.5;  //!< [s] no answer, or no fresh pose, for so long is a lost link
   int tries = 10;             //!< how often a request is sent within link_timeout
   double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
   double reconnect_period = 0.5;  //!< [s] between attempts to connect
@@ -39,6 +39,7 @@ struct LinkReport {
   std::string message;  //!< why it is down
   std::uint64_t losses = 0;
   SequenceCounts stream;
+  PoseFeed::Counts dropped;
   std::uint64_t malformed = 0;
   std::string last_malformed;
   std::uint64_t foreign = 0;
@@ -97,11 +98,14 @@ class Client {
   void handle(const UdpSocket::Received& received);
   void handle(const StreamedState& streamed, scan_cell_common::Nanoseconds arrival);
   void handle(const Acknowledgement& acknowledgement, scan_cell_common::Nanoseconds arrival);
-  void take(const RobotState& robot, scan_cell_common::Nanoseconds arrival);
+  void take(std::uint64_t session, const RobotState& robot, scan_cell_common::Nanoseconds arrival,
+            PoseFeed::Source source);
+  bool awaited(const Acknowledgement& acknowledgement) const;
 
   void keep();
   void connect();
   void lose(const std::string& reason);
+  void poll();
 
   /// @param target of a motion; it becomes the goal before anything is sent
   Acknowledgement request(const Request& request, const Goal::Target* target = nullptr);
@@ -123,11 +127,8 @@ class Client {
   std::uint64_t seq_ = 0;
   std::optional<Acknowledgement> answer_;
   Goal goal_;
-  std::optional<MeasuredState> latest_;
-  scan_cell_common::Nanoseconds newest_ = -1;    // controller's time of the latest state
-  scan_cell_common::Nanoseconds handed_on_ = 0;  // host time of the latest one the listener got
   SequenceMonitor stream_;
-  scan_cell_common::ClockMap clock_;
+  PoseFeed poses_;
   std::uint64_t malformed_ = 0;
   std::string last_malformed_;
   bool ending_ = false;

@@ -17,7 +17,6 @@ using scan_cell_common::Nanoseconds;
 using scan_cell_common::ProtocolError;
 using scan_cell_common::Refused;
 
-constexpr int kNoSuchSession = 3;  // docs/c4g_protocol.md
 constexpr const char* kCheckLink = "check the cable, the address and the controller's program";
 
 const ClientOptions& checked(const ClientOptions& options) {
@@ -29,6 +28,13 @@ const ClientOptions& checked(const ClientOptions& options) {
                            "give times above 0 and at least one try");
   }
   return options;
+}
+
+/// True for the errors that say that there is no session (any more); docs/c4g_protocol.md.
+bool ends_the_session(const ControllerError& error) {
+  constexpr int kOtherVersion = 2, kNoSuchSession = 3, kAnotherClient = 4;
+  return error.code == kOtherVersion || error.code == kNoSuchSession ||
+         error.code == kAnotherClient;
 }
 
 std::uint64_t microseconds_now() {
@@ -45,7 +51,7 @@ Client::Client(const ClientOptions& options, const Listener& listener)
       name_("controller " + options.address + ":" + std::to_string(options.port)),
       listener_(listener),
       socket_(options.address, options.port, kMostDatagramBytes),
-      clock_(scan_cell_common::from_seconds(options.clock_window)) {
+      poses_(options.clock_window, options.link_timeout) {
   receiver_ = std::thread([this] { receive(); });
   keeper_ = std::thread([this] { keep(); });
 }
@@ -133,7 +139,7 @@ Goal Client::wait_for_goal(double timeout) const {
 
 std::optional<MeasuredState> Client::latest() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return latest_;
+  return poses_.latest();
 }
 
 LinkReport Client::link() const {
@@ -143,6 +149,7 @@ LinkReport Client::link() const {
   report.message = up_ ? "" : why_down_;
   report.losses = losses_;
   report.stream = stream_.counts();
+  report.dropped = poses_.counts();
   report.malformed = malformed_;
   report.last_malformed = last_malformed_;
   report.foreign = socket_.foreign();
@@ -164,9 +171,9 @@ Acknowledgement Client::request(const Request& request, const Goal::Target* targ
     if (target != nullptr) goal_ = Goal(seq_, *target, options_.arrival);
   }
   const auto answer = exchange(datagram);
-  if (!answer || (answer->error && answer->error->code == kNoSuchSession)) {
-    const std::string reason =
-        answer ? "dropped the session" : "does not answer " + name_of(request);
+  if (!answer || (answer->error && ends_the_session(*answer->error))) {
+    const std::string reason = answer ? "dropped the session: " + answer->error->text
+                                      : "does not answer " + name_of(request);
     lose(reason);
     throw ConnectionError(name_, reason, kCheckLink);
   }
@@ -197,8 +204,8 @@ void Client::connect() {
     session_ = std::max(session_ + 1, microseconds_now());
     seq_ = 1;
     answer_.reset();
-    newest_ = -1;
     stream_.restart();
+    poses_.restart(Clock::now());
     datagram = build(Open{}, session_, seq_);
   }
   const auto answer = exchange(datagram);
@@ -221,11 +228,7 @@ void Client::lose(const std::string& reason) {
 void Client::keep() {
   while (true) {
     if (link().up) {
-      try {
-        request(GetStaticPose{});
-      } catch (const Error&) {
-        // a lost link is seen in the next round, an error of the controller in its state
-      }
+      poll();
     } else {
       connect();
     }
@@ -234,6 +237,24 @@ void Client::keep() {
                                                   : options_.reconnect_period);
     if (changed_.wait_for(lock, pause, [this] { return ending_; })) return;
   }
+}
+
+void Client::poll() {
+  try {
+    request(GetStaticPose{});
+  } catch (const ConnectionError&) {
+    return;  // a lost link is seen in the next round
+  } catch (const Error&) {
+    // what the controller complains of is in its state
+  }
+  // All that came before the answer is taken in by now, so a delay of this process is not blamed on
+  // the controller.
+  bool stale = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stale = poses_.stale(Clock::now());
+  }
+  if (stale) lose("sends no fresh poses");
 }
 
 void Client::receive() {
@@ -262,39 +283,44 @@ void Client::handle(const StreamedState& streamed, Nanoseconds arrival) {
     if (streamed.session != session_) return;
     if (stream_.take(streamed.number) != SequenceMonitor::Verdict::Next) return;
   }
-  take(streamed.robot, arrival);
+  take(streamed.session, streamed.robot, arrival, PoseFeed::Source::Stream);
 }
 
 void Client::handle(const Acknowledgement& acknowledgement, Nanoseconds arrival) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (acknowledgement.session != session_ || acknowledgement.seq != seq_ || answer_) return;
+    if (!awaited(acknowledgement)) return;
   }
-  if (acknowledgement.robot) take(*acknowledgement.robot, arrival);
+  if (acknowledgement.robot) {
+    take(acknowledgement.session, *acknowledgement.robot, arrival,
+         PoseFeed::Source::Acknowledgement);
+  }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!awaited(acknowledgement)) return;  // another session began meanwhile
     answer_ = acknowledgement;
   }
   changed_.notify_all();
 }
 
-void Client::take(const RobotState& robot, Nanoseconds arrival) {
+bool Client::awaited(const Acknowledgement& acknowledgement) const {
+  return acknowledgement.session == session_ && acknowledgement.seq == seq_ && !answer_;
+}
+
+void Client::take(std::uint64_t session, const RobotState& robot, Nanoseconds arrival,
+                  PoseFeed::Source source) {
   MeasuredState measured;
-  bool later = false;
+  PoseFeed::Verdict verdict = PoseFeed::Verdict::Overtaken;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (robot.controller_time <= newest_) return;
-    newest_ = robot.controller_time;
-    clock_.add(robot.controller_time, arrival);
-    measured = {clock_.to_host(robot.controller_time), robot};
-    latest_ = measured;
-    // a better estimate of the wire's delay may put it before one that was handed on already
-    later = measured.time > handed_on_;
-    if (later) handed_on_ = measured.time;
+    if (session != session_) return;
+    verdict = poses_.take(robot, arrival, source, Clock::now());
+    if (verdict == PoseFeed::Verdict::Overtaken) return;
+    measured = *poses_.latest();
     goal_.update(robot);
   }
   changed_.notify_all();
-  if (later && listener_) listener_(measured);
+  if (verdict == PoseFeed::Verdict::HandOn && listener_) listener_(measured);
 }
 
 }  // namespace c4g_driver

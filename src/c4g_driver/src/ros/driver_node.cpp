@@ -64,6 +64,7 @@ void DriverNode::diagnose_link(diagnostic_updater::DiagnosticStatusWrapper& stat
   const bool faulty = link.stream.lost > diagnosed_.stream.lost ||
                       link.stream.reordered > diagnosed_.stream.reordered ||
                       link.stream.repeated > diagnosed_.stream.repeated ||
+                      link.dropped.backward > diagnosed_.dropped.backward ||
                       link.malformed > diagnosed_.malformed || link.foreign > diagnosed_.foreign ||
                       link.overlong > diagnosed_.overlong;
   diagnosed_ = link;
@@ -79,6 +80,8 @@ void DriverNode::diagnose_link(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("positions lost", link.stream.lost);
   status.add("positions repeated", link.stream.repeated);
   status.add("positions out of order", link.stream.reordered);
+  status.add("positions dropped, overtaken by a later one", link.dropped.overtaken);
+  status.add("positions dropped, stamp not after the one before", link.dropped.backward);
   status.add("datagrams malformed", link.malformed);
   status.add("latest malformed", link.last_malformed);
   status.add("datagrams from others", link.foreign);

@@ -1,0 +1,132 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "c4g_driver/pose_feed.h"
+
+using c4g_driver::MotionStatus;
+using c4g_driver::PoseFeed;
+using scan_cell_common::Nanoseconds;
+using Source = PoseFeed::Source;
+using Verdict = PoseFeed::Verdict;
+
+namespace {
+
+constexpr Nanoseconds kMillisecond = 1'000'000;
+constexpr Nanoseconds kBoot = 1'700'000'000'000 * kMillisecond;  // host time as the test begins
+constexpr Nanoseconds kDelay = kMillisecond / 10;                // of the wire
+
+/// A controller that is heard at instants of its own clock.
+class PoseFeedTest : public testing::Test {
+ protected:
+  static PoseFeed::Clock::time_point steady(Nanoseconds time) {
+    return PoseFeed::Clock::time_point(std::chrono::nanoseconds(time));
+  }
+
+  Verdict hear(Nanoseconds time, Source source = Source::Stream,
+               MotionStatus status = MotionStatus::Moving) {
+    c4g_driver::RobotState robot;
+    robot.controller_time = time;
+    robot.status = status;
+    return feed_.take(robot, kBoot + host_is_ahead_ + time + kDelay, source, steady(time));
+  }
+
+  /// @return when it became stale, or `end`
+  Nanoseconds stale_from(Nanoseconds begin, Nanoseconds end, Nanoseconds period, Source source,
+                         MotionStatus status) {
+    for (Nanoseconds time = begin; time < end; time += period) {
+      hear(time, source, status);
+      if (feed_.stale(steady(time))) return time;
+    }
+    return end;
+  }
+
+  void SetUp() override { feed_.restart(steady(0)); }
+
+  PoseFeed feed_{2.0, 0.5};
+  Nanoseconds host_is_ahead_ = 0;
+};
+
+constexpr Nanoseconds kSecond = 1000 * kMillisecond;
+constexpr Nanoseconds kStreamPeriod = 4 * kMillisecond;
+constexpr Nanoseconds kPollPeriod = 100 * kMillisecond;
+constexpr Nanoseconds kTimeout = kSecond / 2;
+
+}  // namespace
+
+TEST_F(PoseFeedTest, HandsOnEachPoseWithItsInstantOnce) {
+  EXPECT_EQ(hear(kSecond), Verdict::HandOn);
+  EXPECT_EQ(feed_.latest()->time, kBoot + kSecond + kDelay);
+  EXPECT_EQ(hear(kSecond), Verdict::Overtaken);
+  EXPECT_EQ(hear(kSecond / 2), Verdict::Overtaken);
+  EXPECT_EQ(feed_.counts().overtaken, 2u);
+  EXPECT_EQ(hear(kSecond + kStreamPeriod), Verdict::HandOn);
+}
+
+TEST_F(PoseFeedTest, StaysFreshWithTheStreamOfAMotionAndThePollsOfARest) {
+  EXPECT_EQ(stale_from(1, 10 * kSecond, kPollPeriod, Source::Acknowledgement, MotionStatus::Idle),
+            10 * kSecond);
+  EXPECT_EQ(stale_from(10 * kSecond + 1, 20 * kSecond, kStreamPeriod, Source::Stream,
+                       MotionStatus::Moving),
+            20 * kSecond);
+  EXPECT_EQ(stale_from(20 * kSecond + 1, 30 * kSecond, kPollPeriod, Source::Acknowledgement,
+                       MotionStatus::Arrived),
+            30 * kSecond);
+}
+
+TEST_F(PoseFeedTest, IsStaleWithoutPoses) {
+  hear(kSecond);
+  EXPECT_FALSE(feed_.stale(steady(kSecond + kTimeout)));
+  EXPECT_TRUE(feed_.stale(steady(kSecond + kTimeout + 1)));
+}
+
+TEST_F(PoseFeedTest, IsStaleInAMotionWhoseStreamStoppedThoughRequestsAreAnswered) {
+  hear(kSecond);
+  const Nanoseconds from = stale_from(kSecond + 1, 10 * kSecond, kPollPeriod,
+                                      Source::Acknowledgement, MotionStatus::Moving);
+  EXPECT_GT(from, kSecond + kTimeout);
+  EXPECT_LE(from, kSecond + kTimeout + kPollPeriod + 1);
+}
+
+TEST_F(PoseFeedTest, IsStaleAfterTheHostsClockWasSetAndWellAgainAfterARestart) {
+  for (const Nanoseconds step : {-30 * kSecond, 30 * kSecond}) {
+    const Nanoseconds begin = feed_.latest() ? 20 * kSecond : 0;
+    ASSERT_EQ(
+        stale_from(begin + 1, begin + kSecond, kStreamPeriod, Source::Stream, MotionStatus::Moving),
+        begin + kSecond);
+    host_is_ahead_ += step;
+    const Nanoseconds from = stale_from(begin + kSecond + 1, begin + 10 * kSecond, kStreamPeriod,
+                                        Source::Stream, MotionStatus::Moving);
+    EXPECT_LT(from, begin + kSecond + kTimeout + 2 * kStreamPeriod) << step;
+    feed_.restart(steady(from));
+    EXPECT_EQ(hear(from + kStreamPeriod), Verdict::HandOn);
+    EXPECT_EQ(feed_.latest()->time, kBoot + host_is_ahead_ + from + kStreamPeriod + kDelay);
+    EXPECT_FALSE(feed_.stale(steady(from + kTimeout)));
+  }
+  EXPECT_GT(feed_.counts().backward, 100u);
+}
+
+TEST_F(PoseFeedTest, IsStaleWhenThePosesThatComeAreOld) {
+  hear(kSecond);
+  c4g_driver::RobotState robot;
+  robot.status = MotionStatus::Moving;
+  Nanoseconds waited = 0;
+  while (waited < 3 * kSecond && !feed_.stale(steady(kSecond + waited))) {
+    waited += kStreamPeriod;
+    robot.controller_time = kSecond + waited / 4;  // held up on the way, longer and longer
+    const Nanoseconds now = kSecond + waited;
+    EXPECT_EQ(feed_.take(robot, kBoot + now + kDelay, Source::Stream, steady(now)),
+              Verdict::HandOn);
+  }
+  // three quarters of the time waited reach the timeout, and then it runs
+  EXPECT_NEAR(static_cast<double>(waited), kTimeout / 0.75 + kTimeout, 3 * kStreamPeriod);
+}
+
+TEST_F(PoseFeedTest, CountsAPoseThatABetterEstimateOfTheDelayPutsBeforeTheLast) {
+  hear(kSecond);
+  c4g_driver::RobotState robot;
+  robot.controller_time = kSecond + kDelay / 4;
+  EXPECT_EQ(feed_.take(robot, kBoot + kSecond + kDelay / 2, Source::Stream, steady(kSecond)),
+            Verdict::Backward);
+  EXPECT_EQ(feed_.counts().backward, 1u);
+}
