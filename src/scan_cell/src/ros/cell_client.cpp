@@ -4,6 +4,9 @@
 
 #include <actionlib/client/simple_action_client.h>
 
+#include <array>
+#include <csignal>
+
 #include "scan_cell/ros/clean_cloud_watch.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
@@ -15,6 +18,68 @@ using scan_cell_common::ConnectionError;
 
 constexpr double kCleaningTimeout = 60;  // [s]
 
+constexpr double kSlice = 0.1;         // [s] between two looks
+constexpr double kCancelTimeout = 15;  // [s] for a scan to be made safe and its data to be kept
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// For as long as a goal is under way, signals that would end the process are caught, so that the
+/// goal can be cancelled: nobody may leave robot and laser running by Ctrl-C.
+class CatchInterrupts {
+ public:
+  CatchInterrupts() {
+    interrupted = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+      sigaction(kSignals[i], &action, &before_[i]);
+  }
+  ~CatchInterrupts() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+      sigaction(kSignals[i], &before_[i], nullptr);
+  }
+  CatchInterrupts(const CatchInterrupts&) = delete;
+  CatchInterrupts& operator=(const CatchInterrupts&) = delete;
+
+ private:
+  static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_{};
+};
+
+/// @throw ConnectionError if there is no server within `timeout` [s]
+/// @throw Refused if interrupted before
+template <class Client>
+void wait_for_server(Client& client, const std::string& name, double timeout) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (!client.waitForServer(ros::Duration(kSlice))) {
+    if (interrupted) throw scan_cell_common::Refused(name, "interrupted", "start it again");
+    if (ros::WallTime::now() < deadline) continue;
+    throw ConnectionError(name, "no action server within " + std::to_string(timeout) + " s",
+                          "start the cell with launch/scan_cell.launch");
+  }
+}
+
+/// Waits for the end of the goal; an interrupt cancels it, and its end is waited for as well.
+/// @throw ConnectionError if the server goes away; the goal is cancelled in case it is still there
+template <class Client>
+void wait_for_end(Client& client, const std::string& name) {
+  ros::WallTime deadline;  // zero: not cancelled
+  while (!client.waitForResult(ros::Duration(kSlice))) {
+    if (interrupted && deadline.isZero()) {
+      client.cancelGoal();
+      deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
+    }
+    const bool late = !deadline.isZero() && ros::WallTime::now() > deadline;
+    if (late || !ros::ok() || !client.isServerConnected()) {
+      client.cancelGoal();
+      throw ConnectionError(name,
+                            late ? "did not end when cancelled" : "the action server went away",
+                            "look at the cell's log");
+    }
+  }
+}
+
 /// Sends a goal and waits for its end. The result is that of the server whatever the terminal
 /// state: it says itself how things ended.
 /// @throw ConnectionError if there is no server, or it goes away
@@ -22,17 +87,15 @@ template <class Action, class Goal, class Feedback>
 auto run_action(ros::NodeHandle node, const std::string& name, const Goal& goal, double timeout,
                 const Feedback& on_feedback) {
   using Client = actionlib::SimpleActionClient<Action>;
+  const CatchInterrupts catch_interrupts;
   Client client(node, name, false);
-  if (!client.waitForServer(ros::Duration(timeout))) {
-    throw ConnectionError(name, "no action server within " + std::to_string(timeout) + " s",
-                          "start the cell with launch/scan_cell.launch");
-  }
+  wait_for_server(client, name, timeout);
   client.sendGoal(goal, typename Client::SimpleDoneCallback(),
                   typename Client::SimpleActiveCallback(), on_feedback);
-  while (!client.waitForResult(ros::Duration(0.1))) {
-    if (!ros::ok() || !client.isServerConnected()) {
-      throw ConnectionError(name, "the action server went away", "look at the cell's log");
-    }
+  wait_for_end(client, name);
+  if (client.getState() == actionlib::SimpleClientGoalState::LOST) {
+    throw ConnectionError(name, "the action server lost the goal; it was probably restarted",
+                          "look at the cell's log");
   }
   return *client.getResult();
 }

@@ -7,6 +7,7 @@
 
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
+#include "scan_cell/ros/clean_cloud_watch.h"
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
@@ -27,32 +28,36 @@ void save(const std::string& path, const sensor_msgs::PointCloud2& message) {
   std::printf("%s: %zu points\n", path.c_str(), cloud.size());
 }
 
-/// @return the process's exit code
-int scan(const Options& options) {
-  const scan_cell::ScanProgram program = scan_cell::load_scan_program(options.program);
-  scan_cell::CellClient client(ros::NodeHandle(), {});
-  scan_cell_msgs::ScanResult result;
-  sensor_msgs::PointCloud2 clean;
-  {
-    scan_cell::ProgressBar bar("scan");
-    const auto show = [&bar](const std::string& what, double share) { bar.show(what, share); };
-    if (options.clean.empty()) {
-      result = client.scan(program, options.scan_id, options.timeout, show);
-    } else {
-      clean = client.scan_clean(program, options.scan_id, options.timeout, show, result);
-    }
-  }
+/// Says how the scan ended and saves what it captured.
+void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
   std::printf("scan '%s': %lu pulses, %lu frames, %lu bound, %lu dropped, %lu never arrived\n",
               result.scan_id.c_str(), result.audit.triggers, result.audit.frames,
               result.audit.frames_bound, result.audit.frames_dropped,
               result.audit.frames_never_arrived);
-  if (result.outcome == scan_cell_msgs::ScanResult::FINISHED)
-    std::printf("%s\n", result.message.c_str());
   if (!options.output.empty() && !result.cloud.data.empty()) save(options.output, result.cloud);
-  if (!options.clean.empty()) save(options.clean, clean);
-  if (result.outcome == scan_cell_msgs::ScanResult::FINISHED) return 0;
-  std::fprintf(stderr, "scan: %s\n", result.message.c_str());
-  return 2;
+  if (result.outcome != scan_cell_msgs::ScanResult::FINISHED) {
+    throw scan_cell_common::Refused("scan '" + result.scan_id + "'", "ended early", result.message);
+  }
+  std::printf("%s\n", result.message.c_str());
+}
+
+/// @throw Refused if the scan did not finish, or preprocessing failed
+void scan(const Options& options) {
+  const scan_cell::ScanProgram program = scan_cell::load_scan_program(options.program);
+  const scan_cell::CellClient::Names names;
+  ros::NodeHandle node;
+  scan_cell::CellClient client(node, names);
+  scan_cell::CleanCloudWatch watch(node, names.clean_cloud, names.report);
+  scan_cell_msgs::ScanResult result;
+  {
+    scan_cell::ProgressBar bar("scan");
+    result = client.scan(program, options.scan_id, options.timeout,
+                         [&bar](const std::string& what, double share) { bar.show(what, share); });
+  }
+  tell(options, result);
+  if (options.clean.empty()) return;
+  constexpr double kCleaningTimeout = 60;  // [s]
+  save(options.clean, watch.wait(result.cloud.header.stamp, kCleaningTimeout));
 }
 
 }  // namespace
@@ -71,7 +76,8 @@ int main(int argc, char** argv) {
   try {
     ros::AsyncSpinner spinner(2);
     spinner.start();
-    return scan(options);
+    scan(options);
+    return 0;
   } catch (const scan_cell_common::Refused& error) {
     std::fprintf(stderr, "scan: %s\n", error.what());
     return 2;

@@ -15,6 +15,7 @@ namespace scan_cell {
 
 /// Uses a running cell the way a person does: scan, take the clean cloud, adapt a path.
 /// Its calls block; callbacks of the node must be served by another thread (ros::AsyncSpinner).
+/// While a goal is under way SIGINT, SIGTERM and SIGHUP cancel it, and the call returns its result.
 class CellClient {
  public:
   struct Names {
