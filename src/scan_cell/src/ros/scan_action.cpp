@@ -37,8 +37,16 @@ ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters)
 }
 
 ScanAction::~ScanAction() {
-  cancel_ = true;
+  bool interrupted = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    interrupted = running_;
+    ending_ = true;
+    cancel_ = true;
+  }
   if (thread_.joinable()) thread_.join();
+  // roscpp forgets what it has not written when it shuts down; the result holds the captured cloud.
+  if (interrupted) ros::WallDuration(0.5).sleep();
 }
 
 void ScanAction::on_goal(Server::GoalHandle goal) {
@@ -50,6 +58,7 @@ void ScanAction::on_goal(Server::GoalHandle goal) {
     if (running_) {
       throw Refused("scan", "'" + request_.scan_id + "' is running", "wait for it, or cancel it");
     }
+    if (ending_) throw Refused("scan", "the node is ending", "start it again");
     request_ = request_from(*goal.getGoal());
   } catch (const scan_cell_common::Error& error) {
     refusal.message = error.what();

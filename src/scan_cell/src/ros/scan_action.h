@@ -57,13 +57,14 @@ class ScanAction : private ScanObserver {
   RosStages stages_;
   ScanSequence sequence_;
   ros::Publisher state_publisher_;
-  ros::Subscriber cloud_subscriber_;
   std::atomic<std::uint64_t> points_{0};
+  ros::Subscriber cloud_subscriber_;
   ros::WallTime last_feedback_;
   int last_step_ = 0;
 
   std::mutex mutex_;  // of what follows
   bool running_ = false;
+  bool ending_ = false;  // no goal is taken any more
   Server::GoalHandle goal_;
   std::thread thread_;
   std::atomic<bool> cancel_{false};

@@ -1,6 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
+#include <ros/xmlrpc_manager.h>
 
 #include <atomic>
 #include <csignal>
@@ -18,6 +19,16 @@ void on_interrupt(int) {
   interrupted = true;
 }
 
+/// The same for a shutdown over XML-RPC: rosnode kill, or a second node of this name.
+void take_over_shutdown() {
+  const auto manager = ros::XMLRPCManager::instance();
+  manager->unbind("shutdown");
+  manager->bind("shutdown", [](XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& answer) {
+    interrupted = true;
+    answer = ros::xmlrpc::responseInt(1, "", 0);
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -29,6 +40,7 @@ int main(int argc, char** argv) {
     scan_cell::ScanAction scan(node, parameters);
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
+    take_over_shutdown();
     spinner.start();
     while (!interrupted && ros::ok())
       ros::WallDuration(0.02).sleep();
