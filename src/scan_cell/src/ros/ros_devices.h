@@ -40,14 +40,14 @@ class RosRobot : public Robot {
   void on_feedback(std::uint64_t move, const scan_cell_msgs::MoveFeedbackConstPtr& feedback);
 
   const Parameters parameters_;
-  Client client_;
-  ros::Subscriber status_subscriber_;
   LastHeard status_;
   mutable std::mutex mutex_;
   scan_cell_msgs::RobotStatus last_status_;
   Motion motion_;
   std::uint64_t move_ =
-      0;  // number of the motion that counts; late news of earlier ones is ignored
+      0;           // number of the motion that counts; late news of earlier ones is ignored
+  Client client_;  // last, as the subscriber: their callbacks use all the rest
+  ros::Subscriber status_subscriber_;
 };
 
 /// The camera behind a node with tecnogamma_camera's interface.
@@ -68,10 +68,10 @@ class RosCamera : public Camera {
   void set_acquisition(std::uint8_t mode, double timeout) const;
 
   const Parameters parameters_;
-  ros::Subscriber subscriber_;
   LastHeard profile_;
   std::atomic<std::uint64_t> profiles_{0};
   std::atomic<double> silence_allowed_{0};  // [s]; 0: nothing is expected
+  ros::Subscriber subscriber_;              // last: its callbacks use all the rest
 };
 
 /// The trigger circuit behind a node with laser_trigger's interface.
@@ -90,14 +90,14 @@ class RosTrigger : public Trigger {
 
   const Parameters parameters_;
   ros::Publisher keep_alive_publisher_;
-  ros::Subscriber event_subscriber_;
-  ros::Subscriber state_subscriber_;
   LastHeard event_;
   mutable std::mutex mutex_;
-  std::uint32_t arming_ = 0;      // the arming of ours; 0: none
-  std::uint64_t pulses_ = 0;      // events heard in it
-  std::string disarmed_because_;  // what the node said when it disarmed by itself
-  double silence_allowed_ = 0;    // [s]
+  std::uint32_t arming_ = 0;          // the arming of ours; 0: none
+  std::uint64_t pulses_ = 0;          // events heard in it
+  std::string disarmed_because_;      // what the node said when it disarmed by itself
+  double silence_allowed_ = 0;        // [s]
+  ros::Subscriber event_subscriber_;  // last, as the other one: their callbacks use all the rest
+  ros::Subscriber state_subscriber_;
 };
 
 }  // namespace scan_cell

@@ -20,6 +20,7 @@ RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
 void RosRobot::on_status(const scan_cell_msgs::RobotStatus& status) {
   status_.now();
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (status.header.stamp != last_status_.header.stamp) pose_.now();
   last_status_ = status;
 }
 
@@ -34,6 +35,10 @@ std::string RosRobot::trouble() const {
   if (!last_status_.connected) {
     return "robot: the driver has no connection to the controller (" + last_status_.message +
            "); check the controller and the cable";
+  }
+  if (pose_.age() > parameters_.lost_after) {
+    return "robot: no new pose for " + std::to_string(parameters_.lost_after) +
+           " s; check the controller's program and the driver's diagnostics";
   }
   return "";
 }
@@ -98,7 +103,8 @@ Motion RosRobot::motion() const {
 }
 
 void RosRobot::stop() noexcept {
-  client_.cancelAllGoals();
+  // Not all goals: a cancel that overtakes a goal sent just before would then miss it.
+  client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
 }
 
 }  // namespace scan_cell
