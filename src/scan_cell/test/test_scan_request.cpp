@@ -46,6 +46,7 @@ TEST(ScanRequest, IsRefusedByNameOutsideTheLimits) {
   EXPECT_EQ(refused([](ScanRequest& r) { r.speed = -0.1; }), "speed");
   EXPECT_EQ(refused([&](ScanRequest& r) { r.speed = nan; }), "speed");
   EXPECT_EQ(refused([](ScanRequest& r) { r.rate = 501; }), "frame rate");
+  EXPECT_EQ(refused([](ScanRequest& r) { r.rate = 1.9; }), "frame rate");
   EXPECT_EQ(refused([](ScanRequest& r) { r.end = r.start; }), "length of the scan");
   EXPECT_EQ(refused([](ScanRequest& r) { r.end.translation().x() = 5; }), "length of the scan");
   EXPECT_EQ(refused([&](ScanRequest& r) { r.start.translation().x() = nan; }), "start of the scan");

@@ -21,6 +21,7 @@ struct ScanRequest {
 /// What the cell allows.
 struct ScanLimits {
   double most_speed = 0.5;     //!< [m/s]
+  double least_rate = 2;       //!< [Hz] a camera that is slower cannot be watched
   double most_rate = 500;      //!< [Hz]
   double most_length = 2.0;    //!< [m]
   double least_length = 1e-3;  //!< [m]

@@ -29,6 +29,11 @@ void check(const ScanRequest& request, const ScanLimits& limits) {
   check_pose("end of the scan", request.end);
   check_range("speed", request.speed, limits.most_speed, "m/s");
   check_range("frame rate", request.rate, limits.most_rate, "Hz");
+  if (request.rate < limits.least_rate) {
+    throw Refused("frame rate", std::to_string(request.rate) + " Hz",
+                  "give at least " + std::to_string(limits.least_rate) +
+                      " Hz: the loss of a slower camera would be noticed too late");
+  }
   const double length = (request.end.translation() - request.start.translation()).norm();
   if (length < limits.least_length || length > limits.most_length) {
     throw Refused("length of the scan", std::to_string(length) + " m",

@@ -10,7 +10,8 @@ namespace scan_cell {
 
 double Parameters::silence_allowed(double rate) const {
   constexpr double kPeriods = 5;
-  return std::max(lost_after, kPeriods / rate);
+  constexpr double kLongest = 1.0;  // [s] a laser must be off two seconds after a device is lost
+  return std::max(lost_after, std::min(kLongest, kPeriods / rate));
 }
 
 Parameters Parameters::load(const ros::NodeHandle& node) {

@@ -26,7 +26,7 @@ struct Parameters {
   ScanSequence::Timing timing;
 
   /// [s] of silence that a device which ticks at `rate` [Hz] may keep: five periods where that is
-  /// longer.
+  /// longer, up to one second.
   double silence_allowed(double rate) const;
 
   /// @throw scan_cell_common::InvalidParameter

@@ -14,6 +14,14 @@ namespace scan_cell {
 using scan_cell_msgs::ArmTrigger;
 using scan_cell_msgs::DisarmTrigger;
 
+namespace {
+
+/// [s] The robot moves while the trigger is asked. Where its node hangs, its own keep-alive
+/// switches the lasers off.
+constexpr double kCallTimeout = 0.75;
+
+}  // namespace
+
 RosTrigger::RosTrigger(ros::NodeHandle node, const Parameters& parameters)
     : parameters_(parameters) {
   keep_alive_publisher_ = node.advertise<std_msgs::Empty>(parameters.trigger + "/keep_alive", 1);
@@ -48,8 +56,7 @@ void RosTrigger::arm(double rate, std::uint8_t lasers) {
   ArmTrigger::Request request;
   request.rate = rate;
   request.lasers = lasers;
-  const auto response =
-      call<ArmTrigger>(parameters_.trigger + "/arm", request, parameters_.call_timeout);
+  const auto response = call<ArmTrigger>(parameters_.trigger + "/arm", request, kCallTimeout);
   event_.now();
   const std::lock_guard<std::mutex> lock(mutex_);
   arming_ = response.arming;
@@ -59,11 +66,9 @@ void RosTrigger::arm(double rate, std::uint8_t lasers) {
 }
 
 std::uint64_t RosTrigger::disarm() noexcept {
-  constexpr double kTimeout =
-      0.5;  // where the node hangs its own keep-alive switches the lasers off
   std::uint64_t counted = 0;
   try {
-    counted = call<DisarmTrigger>(parameters_.trigger + "/disarm", {}, kTimeout).pulses;
+    counted = call<DisarmTrigger>(parameters_.trigger + "/disarm", {}, kCallTimeout).pulses;
   } catch (const scan_cell_common::Error& error) {
     ROS_WARN("The trigger did not answer when it was disarmed: %s", error.what());
   }
