@@ -69,12 +69,12 @@ class LaserTriangulationNode(unittest.TestCase):
             assert time.time() < end, 'the triangulation does not subscribe'
             time.sleep(0.01)
 
-    def scan(self, profiles, announced=None, timeout=30.0):
+    def scan(self, profiles, announced=None, timeout=30.0, partial=False):
         self.assertTrue(self.start('scan').success)
         for message in profiles:
             self.publisher.publish(message)
         return self.finish(len(profiles) if announced is None else announced,
-                           rospy.Duration(timeout))
+                           rospy.Duration(timeout), partial)
 
     def test_gives_the_whole_cloud_in_the_order_of_the_frames(self):
         count = 200
@@ -127,6 +127,22 @@ class LaserTriangulationNode(unittest.TestCase):
                                  timeout=60)
             self.assertEqual(run.returncode, 1)
             self.assertIn('no point', run.stderr.decode())
+
+    def test_publishes_no_cloud_of_a_scan_that_ended_early(self):
+        whole = []
+        rospy.Subscriber('/triangulation/whole_cloud', PointCloud2, whole.append)
+        answer = self.scan([profile(n) for n in range(3)], partial=True)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.cloud.width, 3 * ROWS * 4 // 5)
+        self.scan([profile(n) for n in range(4)], announced=5, timeout=0.5)
+        last = self.scan([profile(n) for n in range(6)])  # comes after the others, had they come
+        end = time.time() + 30
+        while not any(c.data == last.cloud.data for c in whole):
+            self.assertLess(time.time(), end, 'the whole cloud does not come')
+            time.sleep(0.01)
+        widths = [c.width for c in whole]
+        self.assertNotIn(answer.cloud.width, widths)
+        self.assertNotIn(4 * ROWS * 4 // 5, widths)
 
     def test_says_when_profiles_are_missing_and_keeps_what_came(self):
         answer = self.scan([profile(n) for n in range(10)], announced=12, timeout=1.0)

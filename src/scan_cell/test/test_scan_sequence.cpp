@@ -81,26 +81,34 @@ struct FakeTrigger : scan_cell::Trigger {
     cell.note("arm");
     cell.armed = true;
   }
-  std::uint64_t disarm() noexcept override {
+  scan_cell::Disarmed disarm() noexcept override {
     cell.log.emplace_back("disarm");
     cell.armed = false;
-    return 77;
+    return {77, answers ? "" : "trigger: no answer"};
   }
   void keep_alive() override { cell.note("keep alive"); }
   FakeCell& cell;
   const FakeRobot& robot;
   bool moving_when_armed = false;
+  bool answers = true;
 };
 
 struct FakeStages : scan_cell::Stages {
   explicit FakeStages(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return cell.trouble("stages"); }
   void start(const std::string&) override { cell.note("start stages"); }
-  void finish(std::uint64_t pulses, double) override {
+  std::uint64_t bind(std::uint64_t pulses, double) override {
     finished_pulses = pulses;
-    cell.note("finish stages");
+    cell.note("bind");
+    return missing_at_the_end;
+  }
+  void triangulate(bool whole, double) override {
+    whole_cloud = whole;
+    cell.note("triangulate");
   }
   FakeCell& cell;
+  std::uint64_t missing_at_the_end = 0;
+  bool whole_cloud = false;
   std::uint64_t finished_pulses = 0;
 };
 
@@ -145,6 +153,8 @@ class ScanSequence : public testing::Test {
     EXPECT_LT(cell_.place("disarm"), cell_.place("stop robot"));
     EXPECT_TRUE(cell_.noted("stop camera"));
     EXPECT_EQ(stages_.finished_pulses, 77U) << "what was captured must be kept";
+    EXPECT_TRUE(cell_.noted("triangulate"));
+    EXPECT_FALSE(stages_.whole_cloud);
     EXPECT_EQ(cell_.log.back(), "capture ends");
   }
 
@@ -170,7 +180,8 @@ TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
   EXPECT_EQ(once,
             (std::vector<std::string>{"speed", "move 1", "speed", "start stages", "capture begins",
                                       "start camera", "move 2", "arm", "expect profiles", "disarm",
-                                      "finish stages", "stop camera", "capture ends"}));
+                                      "bind", "triangulate", "stop camera", "capture ends"}));
+  EXPECT_TRUE(stages_.whole_cloud);
   EXPECT_EQ(stages_.finished_pulses, 77U);
   EXPECT_TRUE(cell_.noted("keep alive"));
 }
@@ -238,7 +249,7 @@ TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
     EXPECT_EQ(end.outcome, outcome);
     EXPECT_EQ(end.message, "no path");
     EXPECT_FALSE(cell_.noted("arm"));
-    EXPECT_TRUE(cell_.noted("finish stages"));
+    EXPECT_TRUE(cell_.noted("triangulate"));
   }
 }
 
@@ -248,8 +259,45 @@ TEST_F(ScanSequence, DisarmsEvenWhereArmingFailed) {
   expect_safe();
 }
 
-TEST_F(ScanSequence, ReportsAStageThatFailsAtTheEnd) {
-  cell_.throws_at = "finish stages";
+TEST_F(ScanSequence, KeepsTheCloudWhereTheBinderFails) {
+  cell_.throws_at = "bind";
+  const scan_cell::ScanEnd end = run();
+  EXPECT_EQ(end.outcome, ScanOutcome::StageFailed);
+  EXPECT_NE(end.message.find("bind: gone"), std::string::npos) << end.message;
+  EXPECT_TRUE(cell_.noted("triangulate"));
+  EXPECT_FALSE(stages_.whole_cloud);
+  EXPECT_TRUE(cell_.noted("stop camera"));
+}
+
+TEST_F(ScanSequence, ReportsATriangulationThatFails) {
+  cell_.throws_at = "triangulate";
   EXPECT_EQ(run().outcome, ScanOutcome::StageFailed);
   EXPECT_TRUE(cell_.noted("stop camera"));
+}
+
+TEST_F(ScanSequence, SaysWhatFailedBesides) {
+  robot_.fails = true;
+  cell_.throws_at = "bind";
+  const scan_cell::ScanEnd end = run();
+  EXPECT_EQ(end.outcome, ScanOutcome::MotionFailed);
+  EXPECT_EQ(end.message, "collision; besides: bind: gone; look for it");
+}
+
+TEST_F(ScanSequence, IsNotFinishedWhereTheCameraWasLostAtTheVeryEnd) {
+  stages_.missing_at_the_end = 4;
+  EXPECT_EQ(run().outcome, ScanOutcome::Finished) << "single frames may get lost";
+  stages_.missing_at_the_end = 5;
+  observer_.last = 0;
+  const scan_cell::ScanEnd end = run();
+  EXPECT_EQ(end.outcome, ScanOutcome::CameraLost);
+  EXPECT_EQ(end.message.find("camera: no frame of the last 5 of 77 pulses"), 0U) << end.message;
+  EXPECT_FALSE(stages_.whole_cloud);
+}
+
+TEST_F(ScanSequence, IsNotFinishedWhereTheTriggerWasLostAtTheVeryEnd) {
+  trigger_.answers = false;
+  const scan_cell::ScanEnd end = run();
+  EXPECT_EQ(end.outcome, ScanOutcome::TriggerLost);
+  EXPECT_EQ(end.message, "trigger: no answer");
+  EXPECT_FALSE(stages_.whole_cloud);
 }

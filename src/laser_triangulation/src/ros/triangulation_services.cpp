@@ -97,7 +97,7 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
   }
   response.success = failure_.empty();
   if (!response.success) response.message = failure_;
-  if (!scan_->points().empty()) whole_cloud_.publish(response.cloud);
+  if (response.success && !request.partial) whole_cloud_.publish(response.cloud);
   ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
   scan_.reset();
   return true;

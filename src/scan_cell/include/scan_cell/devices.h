@@ -52,15 +52,20 @@ class Camera : public Device {
   virtual void stop() noexcept = 0;
 };
 
+/// How a trigger circuit left off.
+struct Disarmed {
+  std::uint64_t pulses =
+      0;                //!< since arm(): by its own count where it answers, or else those heard
+  std::string trouble;  //!< why it may not have pulsed to the end; empty where it answered
+};
+
 /// The trigger circuit with the lasers.
 class Trigger : public Device {
  public:
   virtual void arm(double rate, std::uint8_t lasers) = 0;
 
   /// Pulses stop, lasers go off. Never throws.
-  /// @return pulses sent since arm(), by the count of the circuit where it answers, or else of the
-  /// events that arrived
-  virtual std::uint64_t disarm() noexcept = 0;
+  virtual Disarmed disarm() noexcept = 0;
 
   /// Tells the circuit that somebody still watches; without it the lasers go off.
   virtual void keep_alive() = 0;
@@ -71,10 +76,15 @@ class Stages : public Device {
  public:
   virtual void start(const std::string& scan_id) = 0;
 
-  /// Waits for what is under way, and makes audit and whole cloud of all that was captured.
+  /// Waits for frames and poses that are late, and makes the audit of all that was captured.
   /// @param pulses sent in the scan
-  /// @param patience [s] the longest to wait for data that is late
-  virtual void finish(std::uint64_t pulses, double patience) = 0;
+  /// @param patience [s] the longest to wait
+  /// @return how many of the last pulses have no frame
+  virtual std::uint64_t bind(std::uint64_t pulses, double patience) = 0;
+
+  /// Makes the cloud of all that was bound, also where bind() failed.
+  /// @param whole the scan did not end early: its cloud may go on to preprocessing
+  virtual void triangulate(bool whole, double patience) = 0;
 };
 
 }  // namespace scan_cell

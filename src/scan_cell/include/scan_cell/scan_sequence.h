@@ -67,6 +67,8 @@ class ScanSequence {
   void prepare(const ScanRequest& request);
   void capture(const ScanRequest& request);
   ScanEnd finish(ScanEnd end);
+  std::uint64_t disarm(ScanEnd& end);
+  void finish_stages(std::uint64_t pulses, ScanEnd& end);
 
   void step(int number, const std::string& name);
   void start_move(const Eigen::Isometry3d& target, double camera_rate);

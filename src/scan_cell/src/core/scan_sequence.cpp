@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell/scan_sequence.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -25,6 +26,15 @@ void on(ScanOutcome outcome, const Call& call) {
     call();
   } catch (const scan_cell_common::Error& error) {
     throw EndScan{outcome, error.what()};
+  }
+}
+
+/// Adds what went wrong besides, or after all was well.
+void worsen(ScanEnd& end, ScanOutcome outcome, const std::string& why) {
+  if (end.outcome == ScanOutcome::Finished) {
+    end = {outcome, why};
+  } else {
+    end.message += "; besides: " + why;
   }
 }
 
@@ -89,26 +99,47 @@ void ScanSequence::capture(const ScanRequest& request) {
 }
 
 ScanEnd ScanSequence::finish(ScanEnd end) {
-  const std::uint64_t pulses = armed_ ? trigger_.disarm() : 0;
-  armed_ = false;
+  const std::uint64_t pulses = disarm(end);
   if (moving_) robot_.stop();
   moving_ = false;
   if (capturing_) step(7, "stop");
-  if (stages_started_) {
-    try {
-      const bool whole = end.outcome == ScanOutcome::Finished;
-      if (whole) step(8, "bind and triangulate");
-      stages_.finish(pulses, whole ? timing_.patience : timing_.patience_after_failure);
-    } catch (const scan_cell_common::Error& error) {
-      if (end.outcome == ScanOutcome::Finished) end = {ScanOutcome::StageFailed, error.what()};
-    }
-  }
+  if (stages_started_) finish_stages(pulses, end);
   if (capturing_) {
     camera_.stop();
     observer_.on_capture_ends();
   }
   capturing_ = false;
   return end;
+}
+
+std::uint64_t ScanSequence::disarm(ScanEnd& end) {
+  if (!armed_) return 0;
+  armed_ = false;
+  const Disarmed disarmed = trigger_.disarm();
+  if (!disarmed.trouble.empty()) worsen(end, ScanOutcome::TriggerLost, disarmed.trouble);
+  return disarmed.pulses;
+}
+
+void ScanSequence::finish_stages(std::uint64_t pulses, ScanEnd& end) {
+  constexpr std::uint64_t kMissing = 5;  // in a row at the end: more than a packet that got lost
+  const bool whole = end.outcome == ScanOutcome::Finished;
+  const double patience = whole ? timing_.patience : timing_.patience_after_failure;
+  if (whole) step(8, "bind and triangulate");
+  try {
+    const std::uint64_t missing = stages_.bind(pulses, patience);
+    if (whole && missing > 0 && missing >= std::min(kMissing, pulses)) {
+      worsen(end, ScanOutcome::CameraLost,
+             "camera: no frame of the last " + std::to_string(missing) + " of " +
+                 std::to_string(pulses) + " pulses; check the camera's cable and trigger input");
+    }
+  } catch (const scan_cell_common::Error& error) {
+    worsen(end, ScanOutcome::StageFailed, error.what());
+  }
+  try {
+    stages_.triangulate(end.outcome == ScanOutcome::Finished, patience);
+  } catch (const scan_cell_common::Error& error) {
+    worsen(end, ScanOutcome::StageFailed, error.what());
+  }
 }
 
 void ScanSequence::step(int number, const std::string& name) {

@@ -41,6 +41,7 @@ class RosRobot : public Robot {
 
   const Parameters parameters_;
   LastHeard status_;
+  LastHeard pose_;  // status with a pose that is newer than the one before
   mutable std::mutex mutex_;
   scan_cell_msgs::RobotStatus last_status_;
   Motion motion_;
@@ -81,7 +82,7 @@ class RosTrigger : public Trigger {
 
   std::string trouble() const override;
   void arm(double rate, std::uint8_t lasers) override;
-  std::uint64_t disarm() noexcept override;
+  Disarmed disarm() noexcept override;
   void keep_alive() override;
 
  private:

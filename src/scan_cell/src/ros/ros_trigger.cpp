@@ -65,16 +65,18 @@ void RosTrigger::arm(double rate, std::uint8_t lasers) {
   silence_allowed_ = parameters_.silence_allowed(rate);
 }
 
-std::uint64_t RosTrigger::disarm() noexcept {
-  std::uint64_t counted = 0;
+Disarmed RosTrigger::disarm() noexcept {
+  Disarmed disarmed;
   try {
-    counted = call<DisarmTrigger>(parameters_.trigger + "/disarm", {}, kCallTimeout).pulses;
+    disarmed.pulses = call<DisarmTrigger>(parameters_.trigger + "/disarm", {}, kCallTimeout).pulses;
   } catch (const scan_cell_common::Error& error) {
-    ROS_WARN("The trigger did not answer when it was disarmed: %s", error.what());
+    disarmed.trouble = "trigger: not disarmed, its lasers go off by themselves: ";
+    disarmed.trouble += error.what();
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   arming_ = 0;
-  return std::max(counted, pulses_);
+  disarmed.pulses = std::max(disarmed.pulses, pulses_);
+  return disarmed;
 }
 
 void RosTrigger::keep_alive() {

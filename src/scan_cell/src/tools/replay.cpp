@@ -71,7 +71,8 @@ void replay(const Parameters& parameters) {
            [&bar](double share) { bar.show("play", 0.5 * share); });
   bar.show("bind and triangulate", 0.5);
   watch.forget();
-  stages.finish(bag.pulses(), parameters.patience);
+  stages.bind(bag.pulses(), parameters.patience);
+  stages.triangulate(true, parameters.patience);
   bar.show("clean", 0.6);
   const auto object = watch.wait(stages.cloud().header.stamp, parameters.timeout);
   const auto verdict = scan_cell::adapt(

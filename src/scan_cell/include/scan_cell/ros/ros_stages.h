@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/service_client.h>
 #include <scan_cell_msgs/BindingAudit.h>
 #include <scan_cell_msgs/CloudStatistics.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -18,26 +19,33 @@ class RosStages : public Stages {
  public:
   /// @param binder node with ~start and ~finish
   /// @param triangulation node with ~start and ~finish
-  /// @param call_timeout [s] the longest a call may take beyond the patience of finish()
+  /// @param call_timeout [s] the longest a call may take beyond the patience it is given
   RosStages(const std::string& binder, const std::string& triangulation, double call_timeout);
 
-  std::string trouble() const override { return ""; }
+  std::string trouble() const override;
   void start(const std::string& scan_id) override;
-  void finish(std::uint64_t pulses, double patience) override;
+  std::uint64_t bind(std::uint64_t pulses, double patience) override;
+  void triangulate(bool whole, double patience) override;
 
   /// Forgets the results of the last scan.
   void clear();
 
-  /// Of the scan that finish() ended last; empty since clear() or start().
+  /// Of the scan that ended last, also where it failed; empty since clear() or start().
   const scan_cell_msgs::BindingAudit& audit() const { return audit_; }
   const std::string& binding() const { return binding_; }  //!< the audit for a person
   const scan_cell_msgs::CloudStatistics& statistics() const { return statistics_; }
   const sensor_msgs::PointCloud2& cloud() const { return cloud_; }
 
  private:
+  std::string finish_binding() const { return binder_ + "/finish"; }
+  std::string finish_cloud() const { return triangulation_ + "/finish"; }
+
   const std::string binder_;
   const std::string triangulation_;
   const double call_timeout_;
+  bool under_way_ = false;          // from start() to bind()
+  ros::ServiceClient binder_line_;  // held from start() on: it breaks where the node dies
+  ros::ServiceClient triangulation_line_;
   scan_cell_msgs::BindingAudit audit_;
   std::string binding_;
   scan_cell_msgs::CloudStatistics statistics_;
