@@ -19,6 +19,7 @@ class FakeCell:
 
     def __init__(self):
         self.armed = False
+        self.measured = rospy.Time()
         self.pulses = 0
         self.arming = 0
         self.last_goal = None
@@ -90,7 +91,11 @@ class FakeCell:
 
     def tick(self, _):
         if not self.silent('robot'):
-            self.status.publish(msg.RobotStatus(connected=True))
+            status = msg.RobotStatus(connected=True)
+            if not self.silent('pose'):
+                self.measured = rospy.Time.now()
+            status.header.stamp = self.measured
+            self.status.publish(status)
         if not self.armed:
             return
         self.pulses += 1

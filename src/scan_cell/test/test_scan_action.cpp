@@ -129,6 +129,14 @@ TEST_F(ScanAction, StopsTheRobotAndKeepsTheDataWhenCancelled) {
   EXPECT_FALSE(client_.getResult()->cloud.data.empty());
 }
 
+TEST_F(ScanAction, EndsWhenTheRobotTellsAnOldPose) {
+  node_.setParam("/fake/silent", "pose");
+  const ScanResult result = run(goal("old pose"));
+  EXPECT_EQ(result.outcome, ScanResult::ROBOT_LOST) << result.message;
+  EXPECT_NE(result.message.find("no new pose"), std::string::npos) << result.message;
+  EXPECT_TRUE(logged("disarmed"));
+}
+
 TEST_F(ScanAction, EndsWithTheReasonWhenADeviceFallsSilent) {
   const std::vector<std::pair<std::string, int>> devices = {{"robot", ScanResult::ROBOT_LOST},
                                                             {"camera", ScanResult::CAMERA_LOST},
