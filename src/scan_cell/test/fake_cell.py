@@ -3,16 +3,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every node around scan_cell_node, played by one: it does what it is told and can go silent.
 
-The parameter /fake/silent names the device that goes silent while the laser is on; the binder misses
-/fake/missing trigger events.
+Parameters under /fake:
+silent      device that goes silent while the laser is on, after silent_after pulses (default 10)
+hangs       service of the trigger that answers late: arm or disarm
+binder      missing: it misses trigger events; broken: its service fails
+move_time   [s] a motion takes (default 1.5)
 """
+
+import struct
 
 import actionlib
 import rospy
 from scan_cell_msgs import msg, srv
+from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import Empty, String
 
-SCAN_TIME = 1.5  # [s] a motion takes
+HANGS = 3  # [s] longer than anybody may wait while the robot moves
+
+
+def fake(name, default=''):
+    return rospy.get_param('/fake/' + name, default)
+
+
+def cloud_of_one_point():
+    cloud = PointCloud2(height=1, width=1, point_step=12, row_step=12, data=struct.pack('<fff', 1, 2, 3))
+    cloud.fields = [PointField(n, 4 * i, PointField.FLOAT32, 1) for i, n in enumerate('xyz')]
+    return cloud
 
 
 class FakeCell:
@@ -21,9 +37,10 @@ class FakeCell:
         self.armed = False
         self.measured = rospy.Time()
         self.pulses = 0
+        self.frames = 0
         self.arming = 0
         self.last_goal = None
-        self.log = rospy.Publisher('/fake/log', String, queue_size=100, latch=True)
+        self.log = rospy.Publisher('/fake/log', String, queue_size=100)
         self.status = rospy.Publisher('/c4g_driver/status', msg.RobotStatus, queue_size=10)
         self.profiles = rospy.Publisher('/camera/profiles', msg.PeakProfile, queue_size=100)
         self.events = rospy.Publisher('/laser_trigger/events', msg.TriggerEvent, queue_size=100)
@@ -50,35 +67,46 @@ class FakeCell:
         rospy.Service('/laser_triangulation/finish', srv.FinishCloud, self.on_finish_cloud)
 
     def silent(self, device):
-        return self.armed and self.pulses > 10 and rospy.get_param('/fake/silent', '') == device
+        return self.armed and self.pulses > fake('silent_after', 10) and fake('silent') == device
 
     def on_arm(self, request):
+        if fake('hangs') == 'arm':
+            rospy.sleep(HANGS)
+            return {'success': False}
         self.arming += 1
-        self.pulses = 0
+        self.pulses = self.frames = 0
         self.armed = True
+        self.log.publish('armed')
         return {'success': True, 'arming': self.arming}
 
     def on_disarm(self, _):
         self.armed = False
+        if fake('hangs') == 'disarm':
+            rospy.sleep(HANGS)
         self.log.publish('disarmed')
         return {'success': True, 'arming': self.arming, 'pulses': self.pulses}
 
     def on_finish_binding(self, request):
-        missing = rospy.get_param('/fake/missing', 0)
+        if fake('binder') == 'broken':
+            raise rospy.ServiceException('broken')
+        missing = 3 if fake('binder') == 'missing' else 0
         audit = msg.BindingAudit(triggers=request.triggers, triggers_missing=missing,
-                                 frames_bound=request.triggers - missing)
+                                 frames_bound=min(self.frames, request.triggers) - missing)
+        audit.dropped = [msg.DroppedFrame(reason=msg.DroppedFrame.NEVER_ARRIVED, trigger_count=n)
+                         for n in range(self.frames + 1, request.triggers + 1)]
         return {'success': missing == 0, 'message': '%d events missing' % missing, 'audit': audit}
 
     def on_finish_cloud(self, request):
+        self.log.publish('cloud partial' if request.partial else 'cloud whole')
         response = srv.FinishCloudResponse(success=True)
         response.statistics.points = request.profiles
-        response.cloud.data = b'\0' * 12
+        response.cloud = cloud_of_one_point()
         return response
 
     def on_move(self, goal):
         start = rospy.Time.now()
         while not rospy.is_shutdown():
-            share = (rospy.Time.now() - start).to_sec() / SCAN_TIME
+            share = (rospy.Time.now() - start).to_sec() / fake('move_time', 1.5)
             if self.move.is_preempt_requested():
                 self.log.publish('stopped')
                 self.move.set_preempted(msg.MoveResult(outcome=msg.MoveResult.STOPPED))
@@ -102,6 +130,7 @@ class FakeCell:
         if not self.silent('trigger'):
             self.events.publish(msg.TriggerEvent(arming=self.arming, count=self.pulses))
         if not self.silent('camera'):
+            self.frames = self.pulses
             self.profiles.publish(msg.PeakProfile(frame_counter=self.pulses))
 
 

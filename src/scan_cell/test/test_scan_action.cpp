@@ -1,21 +1,30 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <actionlib/client/simple_action_client.h>
+#include <actionlib/server/action_server.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/CellState.h>
+#include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/MoveAction.h>
 #include <scan_cell_msgs/ScanAction.h>
+#include <scan_cell_msgs/StartScan.h>
+#include <spawn.h>
 #include <std_msgs/String.h>
+#include <sys/wait.h>
 
 #include <boost/asio.hpp>
 #include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <future>
 #include <mutex>
 #include <vector>
 
-#include "scan_cell/videe_command.h"
+#include "scan_cell/ros/cell_client.h"
+#include "scan_cell_common/errors.h"
 
+namespace fs = std::filesystem;
 using scan_cell_msgs::ScanResult;
 using State = actionlib::SimpleClientGoalState;
 
@@ -26,8 +35,7 @@ class ScanAction : public testing::Test {
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
 
   void SetUp() override {
-    node_.setParam("/fake/silent", "");
-    node_.setParam("/fake/missing", 0);
+    node_.deleteParam("/fake");
     log_subscriber_ =
         node_.subscribe<std_msgs::String>("/fake/log", 100,
                                           boost::function<void(const std_msgs::StringConstPtr&)>(
@@ -35,6 +43,10 @@ class ScanAction : public testing::Test {
                                                 const std::lock_guard<std::mutex> lock(mutex_);
                                                 log_.push_back(text->data);
                                               }));
+    while (log_subscriber_.getNumPublishers() == 0) {
+      ASSERT_TRUE(ros::ok());
+      ros::WallDuration(0.02).sleep();
+    }
     ASSERT_TRUE(client_.waitForServer(ros::Duration(20)));
     actionlib::SimpleActionClient<scan_cell_msgs::MoveAction> robot("/c4g_driver/move", false);
     ASSERT_TRUE(robot.waitForServer(ros::Duration(20)));
@@ -52,9 +64,22 @@ class ScanAction : public testing::Test {
     return goal;
   }
 
-  ScanResult run(const scan_cell_msgs::ScanGoal& scan) {
-    EXPECT_TRUE(client_.sendGoalAndWait(scan, ros::Duration(30)).isDone());
-    return *client_.getResult();
+  ScanResult run(const scan_cell_msgs::ScanGoal& scan) { return run(client_, scan); }
+
+  static ScanResult run(Client& client, const scan_cell_msgs::ScanGoal& scan) {
+    EXPECT_TRUE(client.sendGoalAndWait(scan, ros::Duration(60)).isDone());
+    return *client.getResult();
+  }
+
+  /// Starts a scan and returns once frames come.
+  static void start(Client& client, const scan_cell_msgs::ScanGoal& scan) {
+    const auto come = std::make_shared<std::promise<void>>();
+    const auto once = std::make_shared<std::once_flag>();
+    client.sendGoal(scan, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                    [=](const scan_cell_msgs::ScanFeedbackConstPtr& feedback) {
+                      if (feedback->frames > 5) std::call_once(*once, [&] { come->set_value(); });
+                    });
+    ASSERT_EQ(come->get_future().wait_for(std::chrono::seconds(30)), std::future_status::ready);
   }
 
   /// Waits for it: the log may come after the result.
@@ -91,7 +116,7 @@ TEST_F(ScanAction, FinishesAndGivesAuditAndCloud) {
 }
 
 TEST_F(ScanAction, FailsAndKeepsTheDataWhereTriggerEventsAreMissing) {
-  node_.setParam("/fake/missing", 3);
+  node_.setParam("/fake/binder", "missing");
   const ScanResult result = run(goal("events missing"));
   EXPECT_EQ(result.outcome, ScanResult::STAGE_FAILED);
   EXPECT_NE(result.message.find("3 events missing"), std::string::npos) << result.message;
@@ -112,20 +137,14 @@ TEST_F(ScanAction, RejectsASecondScanByTheNameOfTheFirst) {
 }
 
 TEST_F(ScanAction, StopsTheRobotAndKeepsTheDataWhenCancelled) {
-  std::promise<void> frames_come;
-  bool waiting = true;
-  client_.sendGoal(goal("cancelled"), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
-                   [&](const scan_cell_msgs::ScanFeedbackConstPtr& feedback) {
-                     if (waiting && feedback->frames > 5) frames_come.set_value();
-                     if (feedback->frames > 5) waiting = false;
-                   });
-  ASSERT_EQ(frames_come.get_future().wait_for(std::chrono::seconds(30)), std::future_status::ready);
+  start(client_, goal("cancelled"));
   client_.cancelGoal();
   ASSERT_TRUE(client_.waitForResult(ros::Duration(10)));
   EXPECT_EQ(client_.getState().state_, State::PREEMPTED);
   EXPECT_EQ(client_.getResult()->outcome, ScanResult::CANCELLED);
   EXPECT_TRUE(logged("disarmed"));
   EXPECT_TRUE(logged("stopped"));
+  EXPECT_TRUE(logged("cloud partial"));
   EXPECT_FALSE(client_.getResult()->cloud.data.empty());
 }
 
@@ -149,6 +168,156 @@ TEST_F(ScanAction, EndsWithTheReasonWhenADeviceFallsSilent) {
     EXPECT_EQ(result.message.find(device), 0U) << result.message;
     EXPECT_FALSE(result.cloud.data.empty());
   }
+}
+
+TEST_F(ScanAction, IsNotFinishedWhereTheCameraFallsSilentInTheLastMoment) {
+  node_.setParam("/fake/silent", "camera");
+  node_.setParam("/fake/silent_after", 60);  // of about 75: too late to be missed while scanning
+  const ScanResult result = run(goal("no end"));
+  EXPECT_EQ(result.outcome, ScanResult::CAMERA_LOST) << result.message;
+  EXPECT_NE(result.message.find("no frame of the last"), std::string::npos) << result.message;
+  EXPECT_TRUE(logged("cloud partial"));
+}
+
+TEST_F(ScanAction, IsNotFinishedWhereTheTriggerDoesNotAnswerAtTheEnd) {
+  node_.setParam("/fake/hangs", "disarm");
+  const ScanResult result = run(goal("not disarmed"));
+  EXPECT_EQ(result.outcome, ScanResult::TRIGGER_LOST) << result.message;
+  EXPECT_FALSE(result.cloud.data.empty());
+}
+
+TEST_F(ScanAction, StopsTheMovingRobotWhereTheTriggerHangsWhenArmed) {
+  node_.setParam("/fake/hangs", "arm");
+  node_.setParam("/fake/move_time", 4.0);
+  const ScanResult result = run(goal("not armed"));
+  EXPECT_EQ(result.outcome, ScanResult::TRIGGER_LOST) << result.message;
+  EXPECT_TRUE(logged("stopped")) << "it drove to the end while the trigger was asked";
+}
+
+TEST_F(ScanAction, KeepsTheCloudWhereTheBinderFails) {
+  node_.setParam("/fake/binder", "broken");
+  const ScanResult result = run(goal("binder broken"));
+  EXPECT_EQ(result.outcome, ScanResult::STAGE_FAILED);
+  EXPECT_NE(result.message.find("/pose_frame_binder"), std::string::npos) << result.message;
+  EXPECT_FALSE(result.cloud.data.empty());
+  EXPECT_TRUE(logged("cloud partial"));
+}
+
+TEST_F(ScanAction, StopsWhereTheBinderDiesInMidScan) {
+  using scan_cell_msgs::FinishBinding;
+  using scan_cell_msgs::StartScan;
+  bool (*start_binding)(StartScan::Request&, StartScan::Response&) = [](auto&, auto& response) {
+    response.success = true;
+    return true;
+  };
+  bool (*finish_binding)(FinishBinding::Request&, FinishBinding::Response&) = [](auto&, auto&) {
+    return false;
+  };
+  ros::ServiceServer start_server = node_.advertiseService("/test_binder/start", start_binding);
+  ros::ServiceServer finish_server = node_.advertiseService("/test_binder/finish", finish_binding);
+  node_.setParam("/fake/move_time", 8.0);
+  Client client("/cell_with_own_binder/scan", false);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(20)));
+  start(client, goal("binder dies"));
+  finish_server.shutdown();
+  ASSERT_TRUE(client.waitForResult(ros::Duration(30)));
+  EXPECT_EQ(client.getResult()->outcome, ScanResult::STAGE_FAILED);
+  EXPECT_EQ(client.getResult()->message.find("/test_binder"), 0U) << client.getResult()->message;
+  EXPECT_TRUE(logged("stopped")) << "the scan went on without its binder";
+}
+
+TEST_F(ScanAction, MakesTheCellSafeAndKeepsTheDataWhenTheNodeIsShutDownOverTheNetwork) {
+  Client client("/cell_to_end/scan", false);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(20)));
+  node_.setParam("/fake/move_time", 8.0);
+  start(client, goal("node ends"));
+  ASSERT_EQ(std::system("rosnode kill /cell_to_end"), 0);
+  EXPECT_TRUE(logged("disarmed"));
+  EXPECT_TRUE(logged("stopped"));
+  ASSERT_TRUE(client.waitForResult(ros::Duration(30)));
+  ASSERT_EQ(client.getState().state_, State::PREEMPTED);
+  EXPECT_EQ(client.getResult()->outcome, ScanResult::CANCELLED);
+  EXPECT_FALSE(client.getResult()->cloud.data.empty());
+}
+
+namespace {
+
+/// The tool scan, run beside the test.
+class ScanTool {
+ public:
+  explicit ScanTool(const std::vector<std::string>& options) {
+    std::vector<std::string> words = {SCAN_TOOL, "--program", SCAN_PROGRAM};
+    words.insert(words.end(), options.begin(), options.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+      arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    EXPECT_EQ(posix_spawn(&process_, SCAN_TOOL, nullptr, nullptr, arguments.data(), environ), 0);
+  }
+  ~ScanTool() {
+    if (process_ > 0) kill(process_, SIGKILL), end();
+  }
+  void interrupt() const { kill(process_, SIGINT); }
+
+  /// @return its exit code, once it has ended; -1 where a signal ended it
+  int end() {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t process_ = 0;
+};
+
+}  // namespace
+
+TEST_F(ScanAction, IsCancelledWhenItsToolIsInterruptedAndTheCloudIsSaved) {
+  const fs::path output = fs::temp_directory_path() / ("tool_" + std::to_string(getpid()) + ".ply");
+  node_.setParam("/fake/move_time", 8.0);
+  ScanTool tool({"--output", output.string()});
+  ASSERT_TRUE(logged("armed"));
+  tool.interrupt();
+  EXPECT_EQ(tool.end(), 2);
+  EXPECT_TRUE(logged("disarmed"));
+  EXPECT_TRUE(logged("stopped"));
+  EXPECT_TRUE(fs::remove(output)) << "what was captured must be saved";
+}
+
+TEST_F(ScanAction, LeavesTheCapturedCloudWhereItEndsEarlyAndACleanOneIsWanted) {
+  const fs::path output =
+      fs::temp_directory_path() / ("early_" + std::to_string(getpid()) + ".ply");
+  node_.setParam("/fake/silent", "camera");
+  ScanTool tool({"--output", output.string(), "--clean", "clean.ply"});
+  EXPECT_EQ(tool.end(), 2);
+  EXPECT_TRUE(fs::remove(output)) << "what was captured must be saved";
+}
+
+TEST_F(ScanAction, IsNoSuccessWhereTheActionServerIsStartedAnew) {
+  using Server = actionlib::ActionServer<scan_cell_msgs::ScanAction>;
+  const auto nothing = [](Server::GoalHandle) {};
+  std::promise<void> accepted;
+  auto server = std::make_unique<Server>(
+      node_, "/restarted/scan",
+      [&](Server::GoalHandle handle) {
+        handle.setAccepted();
+        accepted.set_value();
+      },
+      nothing, false);
+  server->start();
+  scan_cell::CellClient::Names names;
+  names.scan = "/restarted/scan";
+  scan_cell::CellClient cell(node_, names);
+  auto result = std::async(std::launch::async, [&] {
+    return cell.scan(scan_cell::load_scan_program(SCAN_PROGRAM), "lost", 20,
+                     [](const std::string&, double) {});
+  });
+  ASSERT_EQ(accepted.get_future().wait_for(std::chrono::seconds(30)), std::future_status::ready);
+  server.reset();
+  server = std::make_unique<Server>(node_, "/restarted/scan", nothing, nothing, false);
+  server->start();
+  EXPECT_THROW(result.get(), scan_cell_common::ConnectionError);
 }
 
 TEST_F(ScanAction, RefusesWhatMakesNoSense) {
