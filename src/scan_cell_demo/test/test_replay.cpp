@@ -112,7 +112,7 @@ TEST_F(Replay, EndsWithAnErrorWhereTheBagHoldsNoScan) {
   };
   EXPECT_NE(complaint("text.bag").find("text.bag"), std::string::npos);
   EXPECT_NE(complaint("missing.bag").find("missing.bag"), std::string::npos);
-  EXPECT_NE(complaint("empty.bag").find("no scan"), std::string::npos);
+  EXPECT_NE(complaint("empty.bag").find("empty.bag: no whole scan"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("out/adapted_path.csv")));
 }
 
