@@ -122,14 +122,14 @@ TEST(Stretcher, FollowsABentPanel) {
 TEST(Stretcher, FollowsNoDeformationWhereThereIsNone) {
   const Case each;
   const StretchResult result = each.run();
-  EXPECT_EQ(result.deformation_degree, 0);
+  EXPECT_EQ(result.deformation_nodes, 0U);
   for (const WaypointQuality& quality : result.quality)
     EXPECT_LT(quality.displacement, 0.00015);
 }
 
 TEST(Stretcher, SetsThePathIntoALocalDent) {
   Case each;
-  // A dent of 1 mm, narrower than any smooth field of the whole part follows.
+  // A dent of 1 mm, narrower than a deformation of the whole part follows.
   each.deformation = [](const Eigen::Vector3d& at) {
     const double away = std::hypot(at.x() + 0.0875, at.y() - 0.01) / 0.015;
     return Eigen::Vector3d(0, 0, -0.001 * std::exp(-away * away));
@@ -356,4 +356,33 @@ TEST(StretchParameters, AreRefusedByName) {
   parameters.tolerance = std::nan("");
   EXPECT_THROW(check(parameters), scan_cell_common::InvalidParameter);
   EXPECT_THROW(method_from_string("magic"), scan_cell_common::InvalidParameter);
+}
+
+TEST(Stretcher, FollowsAFloppySheetPushedUnderThePart) {
+  Case each;
+  each.part = each.scanned_part = synthetic::curved_panel();
+  each.path = synthetic::path_on(each.part, kWaypoints);
+  each.deformation = [](const Eigen::Vector3d& at) {
+    const double away = std::hypot(at.x() - 0.03, at.y() - 0.02) / 0.05;
+    return Eigen::Vector3d(0, 0, 0.004 * std::exp(-away * away));
+  };
+  expect_adapted(each, 0.0006, 1.0 * kDegree);
+}
+
+TEST(Stretcher, TakesASymmetricPartWhereThePathIsSymmetricToo) {
+  Case each;
+  each.part = each.scanned_part = synthetic::photo_frame(0);  // the path runs once around it
+  each.path = synthetic::path_on(each.part, kWaypoints);
+  for (Segment& segment : each.path.segments) {
+    for (Waypoint& waypoint : segment.waypoints)
+      waypoint.process_values.assign(each.path.process_names.size(), 0.05);
+  }
+  EXPECT_TRUE(each.run().verdict.accepted());
+}
+
+TEST(Refusal, OfAPartThatWouldHaveToBeBentTooFar) {
+  Case each;
+  each.deformation = synthetic::bend(0.008, 0.200);
+  each.parameters.max_deformation = 0.001;
+  expect_refused(each.run(), Reason::kWrongPart);
 }

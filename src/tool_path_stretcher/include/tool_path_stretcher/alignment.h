@@ -36,6 +36,11 @@ enum class Density { kFew, kMany };
 Similarity refine(const Surface& reference, const Surface& object, Similarity start, ScaleMode mode,
                   Density density, int iterations);
 
+/// The pose with the reference moved by about `step` [m] in the two ways, each to both sides, that
+/// the surfaces resist least.
+std::vector<Similarity> slides(const Surface& reference, const Surface& object,
+                               const Similarity& similarity, double step);
+
 /// Initial scale of the thesis (9.3): the ratio of the deviations along the principal axes, of
 /// points spread evenly.
 double principal_scale(const Surface& reference, const Surface& object);

@@ -9,49 +9,53 @@
 
 namespace tool_path_stretcher {
 
-/// A smooth displacement of the reference, in its own frame: each component is a polynomial in the
-/// coordinates along the reference's principal axes, of full degree in the two long ones and at
-/// most linear in the short one. What the data do not show stays zero.
-class SmoothField {
+/// A smooth displacement of the reference, in its own frame: an embedded deformation graph (Sumner,
+/// Schmid and Pauly 2007). Each node turns and shifts the space around it; between the nodes the
+/// motions are blended.
+class DeformationGraph {
  public:
-  SmoothField() = default;  ///< no displacement
+  struct Node {
+    Eigen::Vector3d at;  //!< [m] in the undeformed reference
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();  //!< [m]
+  };
+  struct Influence {
+    std::size_t node;
+    double weight;  //!< of all at a point, the sum is 1
+  };
 
-  /// @param degree 1 (affine) to 4
-  SmoothField(const PrincipalFrame& frame, int degree);
+  DeformationGraph() = default;  ///< no displacement
 
-  int degree() const { return degree_; }
-  std::size_t terms() const { return powers_.size(); }
+  /// Nodes spread over the points, about `spacing` [m] apart, that do not displace anything yet.
+  DeformationGraph(const Points& points, double spacing);
+
+  bool empty() const { return nodes_.empty(); }
+  double spacing() const { return spacing_; }
+  std::vector<Node>& nodes() { return nodes_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+  /// The nodes that move a point. At least one, however far away it is.
+  void influences(const Eigen::Vector3d& point, std::vector<Influence>& found) const;
+
+  /// Where a point comes to lie that those nodes move.
+  Eigen::Vector3d moved(const Eigen::Vector3d& point,
+                        const std::vector<Influence>& influences) const;
 
   Eigen::Vector3d displacement(const Eigen::Vector3d& point) const;
   Eigen::Matrix3d jacobian(const Eigen::Vector3d& point) const;  ///< of the displacement
 
-  /// Values of the polynomial's terms at a point.
-  void basis(const Eigen::Vector3d& point, Eigen::VectorXd& values) const;
-
-  /// 3 x terms: the displacement is coefficients * basis [m]
-  Eigen::Matrix3Xd& coefficients() { return coefficients_; }
-
  private:
-  struct Powers {
-    int x, y, z;
-  };
-
-  Eigen::Vector3d normalised(const Eigen::Vector3d& point) const;
-
-  int degree_ = 0;
-  Eigen::Vector3d centroid_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d to_axes_ = Eigen::Matrix3d::Identity();  // rotates and divides by the extent
-  std::vector<Powers> powers_;
-  Eigen::Matrix3Xd coefficients_;
+  double spacing_ = 0;
+  std::vector<Node> nodes_;
 };
 
-/// Reference to object: p_object = similarity * (p + field(p)).
+/// Reference to object: p_object = similarity * (p + graph.displacement(p)).
 struct Mapping {
   Similarity similarity;
-  SmoothField field;
+  DeformationGraph graph;
 
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
-    return similarity * (point + field.displacement(point));
+    return similarity * (point + graph.displacement(point));
   }
 
   /// The point of the reference's space that comes to lie on `point` of the object's.
@@ -62,11 +66,11 @@ struct Mapping {
   Eigen::Matrix3d turn(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
 };
 
-/// Follows a smooth deformation of the object, where one is there: fields of rising degree are
-/// fitted to one half of the scan (in blocks) and kept only while they explain the other half
-/// better, so that noise is not followed. No field if none does; otherwise the similarity is the
-/// one nearest to the whole mapping.
-Mapping fit_smooth_field(const Surface& reference, const Surface& object,
-                         const Similarity& similarity, int highest_degree);
+/// Follows a smooth deformation of the object, where one is there: graphs of 1 to `finest_level`,
+/// each finer than the one before, are fitted to one half of the scan (in blocks) and kept only
+/// while they explain the other half better, so that noise is not followed. No graph if none does;
+/// otherwise the similarity is the one nearest to the whole mapping.
+Mapping fit_deformation(const Surface& reference, const Surface& object,
+                        const Similarity& similarity, int finest_level);
 
 }  // namespace tool_path_stretcher

@@ -38,11 +38,12 @@ struct StretchParameters {
   double min_inlier_ratio = 0.8;      //!< of the object's points, or it is the wrong part
   double min_overlap = 0.3;           //!< of the reference's points, or it is the wrong part
   double ambiguity_distance = 0.001;  //!< [m] two poses differ if they put a waypoint so far apart
-  int deformation_degree = 4;         //!< highest degree of the smooth field; 0: none
+  int deformation_level = 3;          //!< finest deformation graph, of 3; 0: none
   double support_radius = 0;          //!< [m] 0: from the object's spacing
   int min_support = 6;
   double max_hole_distance = 0.01;  //!< [m] from the scan, up to which a waypoint may be inferred
   double tolerance = 0.002;         //!< [m] of an adapted waypoint from the scanned surface
+  double max_deformation = 0.012;   //!< [m] of 95 % of the surface, or it is the wrong part
   double max_displacement = 0.02;   //!< [m] of a waypoint from where the similarity puts it
 };
 
@@ -59,10 +60,10 @@ struct StretchResult {
   std::vector<WaypointQuality> quality;  //!< empty where it did not come to that
   Method method = Method::kGeneral;
   Similarity similarity;
-  int deformation_degree = 0;  //!< of the smooth field that was justified; 0: none
-  double rms = 0;              //!< [m] object to aligned reference
-  double inlier_ratio = 0;     //!< share of object points that the reference explains
-  double overlap = 0;          //!< share of reference points that the object covers
+  std::size_t deformation_nodes = 0;  //!< of the graph that was justified; 0: none
+  double rms = 0;                     //!< [m] object to aligned reference
+  double inlier_ratio = 0;            //!< share of object points that the reference explains
+  double overlap = 0;                 //!< share of reference points that the object covers
   double seconds = 0;
   std::size_t reference_points = 0;  //!< after reduction
   std::size_t object_points = 0;

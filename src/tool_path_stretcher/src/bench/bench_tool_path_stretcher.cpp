@@ -1,69 +1,17 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/common/pca.h>
-#include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/registration/icp.h>
-
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
-#include "synthetic_parts.h"
+#include "cases/case_list.h"
+#include "cases/thesis_method.h"
 #include "tool_path_stretcher/stretcher.h"
 
 namespace {
 
 using namespace tool_path_stretcher;
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-struct Outcome {
-  double seconds = 0;
-  double rms = 0;  // [m] path against truth; NaN where refused
-};
-
-Cloud::Ptr cloud_of(const Points& points, double scale) {
-  auto cloud = std::make_shared<Cloud>();
-  for (const Eigen::Vector3d& point : points) {
-    cloud->push_back({static_cast<float>(scale * point.x()), static_cast<float>(scale * point.y()),
-                      static_cast<float>(scale * point.z())});
-  }
-  return cloud;
-}
-
-/// The thesis' general method (9.7) written plainly with PCL: scale from PCA, ICP, nearest point,
-/// way back. As written it starts from where the clouds lie.
-ToolPath thesis_method(const Points& reference, const Points& object, const ToolPath& path) {
-  const auto largest_deviation = [](const Cloud::Ptr& cloud) {
-    pcl::PCA<pcl::PointXYZ> pca;
-    pca.setInputCloud(cloud);
-    return std::sqrt(pca.getEigenValues()[0]);
-  };
-  const Cloud::Ptr target = cloud_of(reference, 1);
-  const double scale = largest_deviation(cloud_of(object, 1)) / largest_deviation(target);
-  pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ> icp;
-  icp.setInputSource(cloud_of(object, 1 / scale));
-  icp.setInputTarget(target);
-  icp.setMaximumIterations(100);
-  const auto aligned = std::make_shared<Cloud>();
-  icp.align(*aligned);
-  const Eigen::Matrix4d back = icp.getFinalTransformation().cast<double>().inverse();
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(aligned);
-  ToolPath result = path;
-  for (Segment& segment : result.segments) {
-    for (Waypoint& waypoint : segment.waypoints) {
-      const Eigen::Vector3d at = waypoint.pose.translation();
-      const pcl::PointXYZ query(static_cast<float>(at.x()), static_cast<float>(at.y()),
-                                static_cast<float>(at.z()));
-      std::vector<int> index(1);
-      std::vector<float> squared(1);
-      tree.nearestKSearch(query, 1, index, squared);
-      const pcl::PointXYZ& found = (*aligned)[static_cast<std::size_t>(index[0])];
-      const Eigen::Vector4d nearest(found.x, found.y, found.z, 1);
-      waypoint.pose.translation() = scale * (back * nearest).head<3>();
-    }
-  }
-  return result;
-}
 
 template <class Work>
 double seconds_of(Work work) {
@@ -72,51 +20,93 @@ double seconds_of(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void compare(const char* name, const synthetic::Part& part, const Similarity& moved,
-             const synthetic::Deformation& deformation) {
-  synthetic::Scan how;
-  const Points reference = synthetic::scan(part, {}, synthetic::no_deformation(), how);
-  how.seed = 2;
-  const Points object = synthetic::scan(part, moved, deformation, how);
-  const ToolPath path = synthetic::path_on(part, 400);
-  const ToolPath truth = synthetic::truth(path, moved, deformation);
-  Outcome thesis;
-  thesis.seconds = seconds_of(
-      [&] { thesis.rms = synthetic::error_of(thesis_method(reference, object, path), truth).rms; });
-  Outcome ours;
+double middle_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+/// What all cases came to.
+struct Sums {
+  std::size_t cases = 0;
+  std::size_t right = 0;
+  std::size_t wrong_accepted = 0;
+  std::size_t within_goals = 0;
+  std::size_t accepted = 0;
+  std::size_t thesis_within_5_mm = 0;
+  std::vector<double> seconds;
+  std::vector<double> thesis_seconds;
+};
+
+bool within_goals(const cases::PathError& error) {
+  return error.normal <= 1e-4 && error.tangential <= 5e-4 && error.orientation <= M_PI / 180;
+}
+
+void run(const cases::Case& each, Sums& sums) {
   const StretchParameters parameters;
-  std::string verdict;
-  ours.seconds = seconds_of([&] {
-    const StretchResult result =
-        stretch(surface_from_cloud(reference, parameters.leaf, "r"),
-                surface_from_cloud(object, parameters.leaf, "o"), path, parameters);
-    verdict = to_string(result.verdict.reason);
-    ours.rms =
-        result.verdict.accepted() ? synthetic::error_of(result.path, truth).rms : std::nan("");
+  const Points reference =
+      cases::scan(each.reference, cases::none(), Similarity(), each.reference_scan);
+  const Points object =
+      cases::scan(each.object, each.deformation, each.similarity, each.object_scan);
+  const ToolPath& path = each.reference.path;
+  const ToolPath truth = cases::truth(path, each.deformation, each.similarity);
+  StretchResult ours;
+  const double seconds = seconds_of([&] {
+    ours = stretch(surface_from_cloud(reference, parameters.leaf, "reference"),
+                   surface_from_cloud(object, parameters.leaf, "object"), path, parameters);
   });
-  std::printf("stretcher time, %s: %.2f s, thesis with PCL %.2f s, ratio %.2f\n", name,
-              ours.seconds, thesis.seconds, thesis.seconds / ours.seconds);
-  std::printf("stretcher path RMS, %s: %.3f mm (%s), thesis with PCL %.3f mm, ratio %.1f\n", name,
-              1e3 * ours.rms, verdict.c_str(), 1e3 * thesis.rms, thesis.rms / ours.rms);
+  ToolPath thesis;
+  const double thesis_seconds =
+      seconds_of([&] { thesis = cases::thesis_method(reference, object, path); });
+  const cases::PathError thesis_error = cases::error_of(thesis, truth, {});
+
+  const bool right = ours.verdict.reason == each.expected;
+  ++sums.cases;
+  sums.right += right;
+  sums.wrong_accepted += ours.verdict.accepted() && !right;
+  sums.thesis_within_5_mm += thesis_error.worst < 0.005;
+  sums.seconds.push_back(seconds);
+  sums.thesis_seconds.push_back(thesis_seconds);
+  std::printf("| %s | %s%s ", each.name.c_str(), to_string(ours.verdict.reason).c_str(),
+              right ? "" : " (WRONG)");
+  if (ours.verdict.accepted()) {
+    const cases::PathError error = cases::error_of(ours.path, truth, {});
+    ++sums.accepted;
+    sums.within_goals += within_goals(error);
+    std::printf("| %.3f | %.3f | %.2f ", 1e3 * error.normal, 1e3 * error.tangential,
+                error.orientation * 180 / M_PI);
+  } else {
+    std::printf("| | | ");
+  }
+  std::printf("| %.2f | %.3f | %.3f | %.2f |\n", seconds, 1e3 * thesis_error.normal,
+              1e3 * thesis_error.tangential, thesis_seconds);
+  std::fflush(stdout);
 }
 
 }  // namespace
 
 int main() {
-  const auto yaw = [](double degrees) {
-    return Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  };
-  const auto none = synthetic::no_deformation();
-  const auto frame = synthetic::photo_frame();
-  const auto panel = synthetic::curved_panel();
-  const Eigen::Vector3d shift(0.02, -0.01, 0.005);
-  compare("frame turned 5 deg, x 1.08", frame, synthetic::similarity(1.08, yaw(5), shift), none);
-  compare("frame turned 150 deg, x 1.08", frame, synthetic::similarity(1.08, yaw(150), shift),
-          none);
-  compare("frame turned 5 deg, x 1.08, bent 4 mm", frame,
-          synthetic::similarity(1.08, yaw(5), shift), synthetic::bend(0.004, 0.2));
-  compare("panel turned 5 deg, x 0.9", panel, synthetic::similarity(0.9, yaw(5), shift), none);
-  compare("panel any turn, x 1.3", panel,
-          synthetic::similarity(1.3, synthetic::random_rotation(4), shift), none);
+  const char* data = std::getenv("SCAN_CELL_DATA");
+  const std::vector<cases::Case> all = cases::all_cases(data == nullptr ? "" : data);
+  if (data == nullptr) {
+    std::printf("Without the real parts: SCAN_CELL_DATA names no folder that holds parts/\n");
+  }
+  std::printf(
+      "Path errors RMS against exact truth: normal mm, tangential mm, orientation deg; the last\n"
+      "three columns are the thesis' general method with PCL, which never refuses.\n\n"
+      "| case | verdict | normal | tangential | orientation | s | normal | tangential | s |\n"
+      "|---|---|---|---|---|---|---|---|---|\n");
+  Sums sums;
+  for (const cases::Case& each : all)
+    run(each, sums);
+  std::printf("\nverdicts right: %zu of %zu; wrong paths accepted: %zu\n", sums.right, sums.cases,
+              sums.wrong_accepted);
+  std::printf("accepted paths within 0.1 mm normal, 0.5 mm tangential, 1 degree: %zu of %zu\n",
+              sums.within_goals, sums.accepted);
+  std::printf("thesis' method: within 5 mm everywhere in %zu of %zu\n", sums.thesis_within_5_mm,
+              sums.cases);
+  const double median = middle_of(sums.seconds);
+  const double thesis_median = middle_of(sums.thesis_seconds);
+  std::printf("median time: %.2f s, thesis' method %.2f s, ratio %.2f\n", median, thesis_median,
+              thesis_median / median);
   return 0;
 }

@@ -88,7 +88,11 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
   const CoarseSurface coarse_object = coarsen(object);
   const Points& probes = coarse_reference.queries;
   std::vector<Candidate> candidates;
-  for (const Similarity& guess : first_guesses(coarse_reference.frame, coarse_object.frame)) {
+  constexpr std::size_t kPartialGuesses = 40;
+  std::vector<Similarity> guesses = first_guesses(coarse_reference.frame, coarse_object.frame);
+  for (const Similarity& guess : partial_guesses(coarse_reference, coarse_object, kPartialGuesses))
+    guesses.push_back(guess);
+  for (const Similarity& guess : guesses) {
     constexpr int kFirstIterations = 4;
     candidates.push_back(
         improve_coarsely(coarse_reference, coarse_object, guess, kFirstIterations));

@@ -6,6 +6,8 @@
 #include <functional>
 #include <sstream>
 
+#include "ambiguity.h"
+#include "robust.h"
 #include "scan_cell_common/errors.h"
 
 namespace tool_path_stretcher {
@@ -135,6 +137,21 @@ void check_explanation(const Explanation& explanation, const Similarity& similar
   }
 }
 
+void check_deformation(const Surface& reference, const Mapping& mapping,
+                       const StretchParameters& parameters) {
+  if (mapping.graph.empty()) return;
+  constexpr double kShare = 0.95;  // of the surface
+  std::vector<double> moved;
+  for (const std::size_t i : reference.samples.few)
+    moved.push_back(mapping.similarity.scale *
+                    mapping.graph.displacement(reference.points[i]).norm());
+  const double most = quantile(std::move(moved), kShare);
+  if (most <= parameters.max_deformation) return;
+  refuse_wrong_part("the reference would have to be deformed by " + millimetres(most) +
+                    " to fit it (max_deformation is " + millimetres(parameters.max_deformation) +
+                    ")");
+}
+
 void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
                        const Surface& reference, const Explanation& best_explanation,
                        const Explanation& other_explanation, const StretchParameters& parameters) {
@@ -142,6 +159,7 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
   const double apart = distance(best.similarity, other.similarity, reference.points);
   if (apart < kSamePose * best.similarity.scale * reference.size) return;
   if (clearly_better(best_explanation, other_explanation)) return;
+  if (same_path(path, best, other, parameters.ambiguity_distance)) return;
   double farthest = 0;
   for (const Segment& segment : path.segments) {
     for (const Waypoint& waypoint : segment.waypoints) {
@@ -149,7 +167,6 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
       farthest = std::max(farthest, (best * at - other * at).norm());
     }
   }
-  if (farthest <= parameters.ambiguity_distance) return;
   refuse(Reason::kAmbiguous, "pose",
          "two poses explain the object equally and put the path up to " + millimetres(farthest) +
              " apart",
@@ -173,7 +190,10 @@ void check_placement(const std::vector<WaypointQuality>& quality, const Surface&
   const Found gaps = find(
       quality,
       [](const WaypointQuality& q) {
-        return std::isnan(q.gap) ? q.residual : std::max(q.gap, q.residual);
+        constexpr double kDeviations = 3;
+        const double uncertain =
+            kDeviations * q.residual / std::sqrt(std::max<double>(q.support, 1));
+        return std::isnan(q.gap) ? uncertain : std::max(q.gap, uncertain);
       },
       parameters.tolerance);
   if (!gaps.waypoints.empty()) {

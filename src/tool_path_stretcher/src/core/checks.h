@@ -28,6 +28,10 @@ void check_path(const ToolPath& path, const Surface& reference,
 void check_explanation(const Explanation& explanation, const Similarity& similarity,
                        const StretchParameters& parameters);
 
+/// WRONG_PART: the deformation is larger than allowed over the surface
+void check_deformation(const Surface& reference, const Mapping& mapping,
+                       const StretchParameters& parameters);
+
 /// AMBIGUOUS: the other explains the object as well and puts the path elsewhere
 void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
                        const Surface& reference, const Explanation& best_explanation,

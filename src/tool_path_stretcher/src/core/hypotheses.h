@@ -23,6 +23,12 @@ std::vector<Eigen::Matrix3d> cube_turns();
 std::vector<Similarity> first_guesses(const PrincipalFrame& reference,
                                       const PrincipalFrame& object);
 
+/// Poses for a scan that shows only a part of the reference: the principal frames in all the turns
+/// of a cube, each sized by one axis alone, with the scan at either end along the axes that it does
+/// not fill. The `most` that fit best as they are.
+std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const CoarseSurface& object,
+                                        std::size_t most);
+
 /// Point-to-point ICP in both directions, the farthest pairs left out.
 Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,
                            Similarity guess, int iterations);

@@ -47,11 +47,12 @@ void check(const StretchParameters& parameters) {
   check_range("min_inlier_ratio", parameters.min_inlier_ratio, 0, 1);
   check_range("min_overlap", parameters.min_overlap, 0, 1);
   check_range("ambiguity_distance", parameters.ambiguity_distance, 1e-6, 10);
-  check_range("deformation_degree", parameters.deformation_degree, 0, 4);
+  check_range("deformation_level", parameters.deformation_level, 0, 3);
   check_range("support_radius", parameters.support_radius, 0, 1);
   check_range("min_support", parameters.min_support, 4, 10000);
   check_range("max_hole_distance", parameters.max_hole_distance, 0, 1);
   check_range("tolerance", parameters.tolerance, 1e-6, 1);
+  check_range("max_deformation", parameters.max_deformation, 1e-6, 10);
   check_range("max_displacement", parameters.max_displacement, 1e-6, 10);
 }
 

@@ -79,16 +79,18 @@ double trust(double signal, double square, double variance) {
 
 /// Mean of the neighbours along the path, by their variance and a Gaussian of the arc length.
 Correction smoothed(const Track& track, std::size_t at, double width, const Signal& signal) {
+  constexpr double kSlopeWidth = 2;  // a slope is noisier than a height
   double height_weight = 0;
   double slope_weight = 0;
   Correction sum;
   for (std::size_t i = 0; i < track.surfaces.size(); ++i) {
     const LocalSurface& surface = track.surfaces[i];
     const double steps = (track.arc_length[i] - track.arc_length[at]) / width;
-    if (!surface.measured || std::abs(steps) > 3) continue;
+    if (!surface.measured || std::abs(steps) > 3 * kSlopeWidth) continue;
     const double near = std::exp(-steps * steps / 2);
+    const double slope_near = std::exp(-steps * steps / (2 * kSlopeWidth * kSlopeWidth));
     const double height_each = near / (surface.height_variance + 1e-18);
-    const double slope_each = near / (surface.slope_variance + 1e-18);
+    const double slope_each = slope_near / (surface.slope_variance + 1e-18);
     sum.height += height_each * surface.height;
     sum.slope += slope_each * surface.slope;
     height_weight += height_each;

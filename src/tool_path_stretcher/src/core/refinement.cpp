@@ -1,6 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
 
 #include "robust.h"
@@ -105,6 +107,22 @@ class Equations {
     }
   }
 
+  /// The two rigid motions that the constraints resist least, of a point at the given distance by
+  /// one metre at most.
+  std::array<Vector7d, 2> weakest(double distance) const {
+    Eigen::Matrix<double, 6, 6> matrix = matrix_.topLeftCorner<6, 6>();
+    matrix.topRows<3>() /= distance;
+    matrix.leftCols<3>() /= distance;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(matrix);
+    std::array<Vector7d, 2> motions;
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      Vector7d& motion = motions[static_cast<std::size_t>(i)];
+      motion << solver.eigenvectors().col(i).head<3>() / distance,
+          solver.eigenvectors().col(i).tail<3>(), 0;
+    }
+    return motions;
+  }
+
   Vector7d solve(ScaleMode mode) const {
     constexpr double kDamping = 1e-9;  // pins what the surfaces do not show
     Matrix7d matrix = matrix_;
@@ -167,6 +185,21 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
     if (motion < kConverged) break;
   }
   return start;
+}
+
+std::vector<Similarity> slides(const Surface& reference, const Surface& object,
+                               const Similarity& similarity, double step) {
+  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
+  const double least = 1e-7 * object.size;
+  const Constraints forth = object_to_reference(reference, object, object.samples.many, similarity);
+  Equations equations(centre);
+  equations.add(forth, deviation_of(forth, least));
+  std::vector<Similarity> result;
+  for (const Vector7d& motion : equations.weakest(object.size)) {
+    result.push_back(moved(similarity, centre, step * motion));
+    result.push_back(moved(similarity, centre, -step * motion));
+  }
+  return result;
 }
 
 }  // namespace tool_path_stretcher

@@ -56,7 +56,7 @@ std::string report_to_json(const StretchResult& result) {
                            number(translation.z())};
   report["rotation"] = rows(result.similarity.rotation);
   report["transform"] = rows(result.similarity.matrix());
-  report["deformation_degree"] = result.deformation_degree;
+  report["deformation_nodes"] = result.deformation_nodes;
   report["rms"] = number(result.rms);
   report["inlier_ratio"] = number(result.inlier_ratio);
   report["overlap"] = number(result.overlap);

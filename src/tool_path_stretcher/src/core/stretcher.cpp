@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "ambiguity.h"
 #include "checks.h"
 #include "robust.h"
 #include "tool_path_stretcher/alignment.h"
@@ -13,7 +14,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// A candidate after the smooth field was fitted to it.
+/// A candidate after the deformation graph was fitted to it.
 struct Fitted {
   Mapping mapping;
   Explanation explanation;
@@ -53,21 +54,13 @@ double capped_cost(const Explanation& explanation, double cap) {
   return mean(explanation.object_distance) + mean(explanation.reference_distance);
 }
 
-/// Fits the smooth field to the candidates that may yet win, best first. A pose is judged after it:
-/// a bend must not decide between two poses that a small feature tells apart.
-std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
-                            const std::vector<Candidate>& candidates,
-                            const StretchParameters& parameters, const Stages& stages) {
-  constexpr double kHopeless = 5;  // times the cost of the best
-  std::vector<Fitted> fitted;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].cost > kHopeless * candidates.front().cost) break;
-    const Mapping mapping = fit_smooth_field(reference, object, candidates[i].similarity,
-                                             parameters.deformation_degree);
-    fitted.push_back({mapping, explain(reference, object, mapping, parameters.inlier_distance)});
-    stages.report("refine",
-                  0.5 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(candidates.size()));
-  }
+Fitted fit_one(const Surface& reference, const Surface& object, const Similarity& similarity,
+               int finest_level, double inlier_distance) {
+  const Mapping mapping = fit_deformation(reference, object, similarity, finest_level);
+  return {mapping, explain(reference, object, mapping, inlier_distance)};
+}
+
+void sort_best_first(std::vector<Fitted>& fitted) {
   constexpr double kDeviations = 3;
   double noise = fitted.front().explanation.noise;
   for (const Fitted& each : fitted)
@@ -76,6 +69,36 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
   std::stable_sort(fitted.begin(), fitted.end(), [cap](const Fitted& a, const Fitted& b) {
     return capped_cost(a.explanation, cap) < capped_cost(b.explanation, cap);
   });
+}
+
+/// Fits the deformation graph to the candidates that may yet win, best first: a coarse one to all,
+/// the finest to those that it does not rule out. A pose is judged after it: a bend must not decide
+/// between two poses that a small feature tells apart.
+std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
+                            const std::vector<Candidate>& candidates,
+                            const StretchParameters& parameters, const Stages& stages) {
+  constexpr double kHopeless = 5;  // times the cost of the best
+  constexpr int kCoarse = 1;
+  const int finest = parameters.deformation_level;
+  std::vector<Fitted> fitted;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.cost > kHopeless * candidates.front().cost) break;
+    fitted.push_back(fit_one(reference, object, candidate.similarity, std::min(kCoarse, finest),
+                             parameters.inlier_distance));
+    stages.report("refine", 0.5 + 0.1 * static_cast<double>(fitted.size()) /
+                                      static_cast<double>(candidates.size()));
+  }
+  sort_best_first(fitted);
+  if (finest <= kCoarse) return fitted;
+  const Explanation coarse_best = fitted.front().explanation;
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    if (i > 0 && clearly_better(coarse_best, fitted[i].explanation)) continue;
+    fitted[i] = fit_one(reference, object, fitted[i].mapping.similarity, finest,
+                        parameters.inlier_distance);
+    stages.report("refine",
+                  0.6 + 0.1 * static_cast<double>(i + 1) / static_cast<double>(fitted.size()));
+  }
+  sort_best_first(fitted);
   return fitted;
 }
 
@@ -103,16 +126,21 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
   Explanation explanation = fitted.front().explanation;
   const auto take = [&] {
     result.similarity = mapping.similarity;
-    result.deformation_degree = mapping.field.degree();
+    result.deformation_nodes = mapping.graph.nodes().size();
     result.rms = explanation.rms;
     result.inlier_ratio = explanation.inlier_ratio;
     result.overlap = explanation.overlap;
   };
   take();
   check_explanation(explanation, mapping.similarity, parameters);
+  check_deformation(reference, mapping, parameters);
   for (std::size_t i = 1; i < fitted.size(); ++i) {
     check_unambiguous(path, mapping, fitted[i].mapping, reference, explanation,
                       fitted[i].explanation, parameters);
+  }
+  for (const Mapping& slid : slid_along_itself(reference, object, mapping)) {
+    check_unambiguous(path, mapping, slid, reference, explanation,
+                      explain(reference, object, slid, parameters.inlier_distance), parameters);
   }
   if (parameters.method == Method::kAffine) {
     mapping = affine_mapping(reference, object, mapping.similarity, parameters, stages);

@@ -33,11 +33,12 @@ StretchParameters load_parameters(const ros::NodeHandle& private_node) {
   reader.read("min_inlier_ratio", p.min_inlier_ratio, Range{0, 1});
   reader.read("min_overlap", p.min_overlap, Range{0, 1});
   reader.read("ambiguity_distance", p.ambiguity_distance, Range{1e-6, 10});
-  reader.read("deformation_degree", p.deformation_degree, Range{0, 4});
+  reader.read("deformation_level", p.deformation_level, Range{0, 3});
   reader.read("support_radius", p.support_radius, Range{0, 1});
   reader.read("min_support", p.min_support, Range{4, 10000});
   reader.read("max_hole_distance", p.max_hole_distance, Range{0, 1});
   reader.read("tolerance", p.tolerance, Range{1e-6, 1});
+  reader.read("max_deformation", p.max_deformation, Range{1e-6, 10});
   reader.read("max_displacement", p.max_displacement, Range{1e-6, 10});
   reader.refuse_unknown();
   check(p);

@@ -65,8 +65,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--ambiguity-distance", p.ambiguity_distance,
                  "two poses differ if they put a waypoint so far apart [m]")
       ->capture_default_str();
-  app.add_option("--deformation-degree", p.deformation_degree,
-                 "highest degree of the smooth field; 0: none")
+  app.add_option("--deformation-level", p.deformation_level,
+                 "finest deformation graph, 1 to 3; 0: none")
       ->capture_default_str();
   app.add_option("--support-radius", p.support_radius, "of a waypoint [m]; 0: automatic")
       ->capture_default_str();
@@ -76,6 +76,9 @@ void add_options(CLI::App& app, Options& options) {
                  "up to which a waypoint is inferred [m]")
       ->capture_default_str();
   app.add_option("--tolerance", p.tolerance, "waypoint to scanned surface [m]")
+      ->capture_default_str();
+  app.add_option("--max-deformation", p.max_deformation,
+                 "of 95 % of the surface, or it is the wrong part [m]")
       ->capture_default_str();
   app.add_option("--max-displacement", p.max_displacement, "over the similarity [m]")
       ->capture_default_str();

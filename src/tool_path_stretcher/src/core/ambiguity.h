@@ -1,0 +1,21 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tool_path_stretcher/deformation.h"
+#include "tool_path_stretcher/tool_path.h"
+
+namespace tool_path_stretcher {
+
+/// Whether both mappings lay the path along the same line on the object, whichever way round, with
+/// the same process values and the tool alike: as a symmetric path on a symmetric part does.
+/// @param tolerance [m]
+bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, double tolerance);
+
+/// The mapping with the reference slid along itself, in the two ways that the surfaces resist least
+/// (Gelfand 2003), and then held on the object again: a figure of revolution, or a part too
+/// straight, stays where it was slid to.
+std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
+                                       const Mapping& mapping);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,252 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/SVD>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "graph_equations.h"
+#include "robust.h"
+#include "tool_path_stretcher/residuals.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+using Constraints = std::vector<GraphConstraint>;
+
+/// The scanned points that a graph is fitted to.
+struct Target {
+  Points points;
+  Points normals;
+  std::shared_ptr<const KdTree> tree;
+};
+
+Target target_of(const Surface& object) {
+  return {object.points, object.normals, object.tree};
+}
+
+/// From where the mapping puts points of the reference to the scanned surface beside them, along
+/// its normal, where the two may be the same place.
+Constraints along_normals(const Surface& reference, const Surface& object, const Target& target,
+                          const Mapping& mapping) {
+  constexpr double kReach = 3;         // spacings
+  constexpr double kFacesAlike = 0.7;  // cosine
+  Constraints constraints;
+  for (const std::size_t i : reference.samples.many) {
+    const Eigen::Vector3d& at = reference.points[i];
+    const Eigen::Vector3d mapped = mapping * at;
+    const std::size_t nearest = target.tree->nearest(mapped).index;
+    const Eigen::Vector3d& normal = target.normals[nearest];
+    if (std::abs(normal.dot(mapping.similarity.rotation * reference.normals[i])) < kFacesAlike) {
+      continue;
+    }
+    const Eigen::Vector3d way = target.points[nearest] - mapped;
+    const double along = normal.dot(way);
+    if ((way - along * normal).norm() > kReach * object.spacing) continue;
+    constraints.push_back({at, mapping.similarity.inverse(mapped + along * normal),
+                           mapping.similarity.rotation.transpose() * normal,
+                           along / mapping.similarity.scale});
+  }
+  return constraints;
+}
+
+/// From the reference's rim to the object's, across it.
+Constraints along_rims(const Surface& reference, const Surface& object, const Mapping& mapping) {
+  constexpr double kReach = 0.05;      // of the object's size
+  constexpr double kFacesAlike = 0.7;  // cosine
+  Constraints constraints;
+  if (!object.rim.tree) return constraints;
+  for (std::size_t i = 0; i < reference.rim.points.size(); ++i) {
+    const Eigen::Vector3d& at = reference.rim.points[i];
+    const Eigen::Vector3d mapped = mapping * at;
+    const auto nearest = object.rim.tree->nearest(mapped);
+    if (nearest.squared_distance > std::pow(kReach * object.size, 2)) continue;
+    const Eigen::Vector3d& outward = object.rim.outward[nearest.index];
+    if (outward.dot(mapping.similarity.rotation * reference.rim.outward[i]) < kFacesAlike) continue;
+    const double error = outward.dot(object.rim.points[nearest.index] - mapped);
+    constraints.push_back({at, mapping.similarity.inverse(mapped + error * outward),
+                           mapping.similarity.rotation.transpose() * outward,
+                           error / mapping.similarity.scale});
+  }
+  return constraints;
+}
+
+double deviation_of(const Constraints& constraints) {
+  std::vector<double> errors;
+  errors.reserve(constraints.size());
+  for (const GraphConstraint& constraint : constraints)
+    errors.push_back(constraint.error);
+  return robust_deviation(std::move(errors));
+}
+
+/// The same mapping with the object grown about a centre of the reference's space.
+void grow(Similarity& similarity, const Eigen::Vector3d& centre, double growth) {
+  const Eigen::Vector3d fixed = similarity * centre;
+  similarity.scale *= growth;
+  similarity.translation = fixed - similarity.scale * (similarity.rotation * centre);
+}
+
+/// Fits the graph of a mapping, from where it is.
+Mapping fit(const Surface& reference, const Surface& object, const Target& target,
+            Mapping mapping) {
+  constexpr int kIterations = 15;
+  constexpr double kStrain = 0.02;
+  constexpr double kConverged = 1e-5;    // of the reference's size
+  constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
+  const Eigen::Vector3d centre = principal_frame(reference.points).centroid;
+  double widest = 0.02 * reference.size;  // a bulge is no outlier before it was followed
+  for (int i = 0; i < kIterations; ++i) {
+    const Constraints normals = along_normals(reference, object, target, mapping);
+    const Constraints rims = along_rims(reference, object, mapping);
+    const double least = 1e-7 * reference.size;
+    GraphEquations equations(mapping.graph, centre);
+    equations.add(normals, std::max({deviation_of(normals), least, widest}));
+    equations.add(rims, std::max({deviation_of(rims), kRimDeviation * reference.spacing, widest}));
+    equations.add_rigidity(kStrain);
+    const GraphEquations::Step step = equations.solve();
+    grow(mapping.similarity, centre, 1 + step.growth);
+    take(step, mapping.graph);
+    if (step.farthest < kConverged * reference.size && widest < least) break;
+    widest /= 4;
+  }
+  return mapping;
+}
+
+/// The same mapping, with the part of its graph that is a turn and a shift given to the similarity.
+Mapping rebased(const Surface& reference, Mapping mapping) {
+  const Points from = select(reference.points, reference.samples.few);
+  Points to;
+  for (const Eigen::Vector3d& point : from)
+    to.push_back(point + mapping.graph.displacement(point));
+  Similarity rigid = fit_similarity(from, to);
+  const Eigen::Vector3d mean = principal_frame(from).centroid;
+  const Eigen::Vector3d moved = rigid * mean;
+  rigid.scale = 1;
+  rigid.translation = moved - rigid.rotation * mean;
+  for (DeformationGraph::Node& node : mapping.graph.nodes()) {
+    node.shift = rigid.inverse(node.at + node.shift) - node.at;
+    node.rotation = rigid.rotation.transpose() * node.rotation;
+  }
+  Similarity& outer = mapping.similarity;
+  outer.translation = outer * rigid.translation;
+  outer.rotation = Eigen::Quaterniond(outer.rotation * rigid.rotation).toRotationMatrix();
+  return mapping;
+}
+
+/// A finer graph that moves its nodes as a coarser mapping does.
+Mapping refined(const Surface& reference, const Mapping& coarse, double spacing) {
+  Mapping fine{coarse.similarity, DeformationGraph(reference.points, spacing)};
+  for (DeformationGraph::Node& node : fine.graph.nodes()) {
+    const Eigen::Matrix3d local = Eigen::Matrix3d::Identity() + coarse.graph.jacobian(node.at);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(local, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    node.rotation = svd.matrixU() * svd.matrixV().transpose();
+    node.shift = coarse.graph.displacement(node.at);
+  }
+  return fine;
+}
+
+using Cell = std::array<long, 3>;
+
+Cell cell_of(const Eigen::Vector3d& point, double edge) {
+  const Eigen::Vector3d cell = (point / edge).array().floor();
+  return {std::lround(cell.x()), std::lround(cell.y()), std::lround(cell.z())};
+}
+
+/// The object in two halves: every other block of a chequerboard in space. Neighbours share their
+/// errors, so that single points held out would not tell noise from shape.
+struct Halves {
+  Target training;
+  Points held_out;
+  std::vector<std::size_t> block;  // of each point held out
+  std::size_t blocks = 0;
+};
+
+Halves split_in_blocks(const Surface& object, double edge) {
+  const auto trains = [edge](const Eigen::Vector3d& point) {
+    const Cell cell = cell_of(point, edge);
+    return (cell[0] + cell[1] + cell[2]) % 2 != 0;
+  };
+  Halves halves;
+  for (std::size_t i = 0; i < object.points.size(); ++i) {
+    if (!trains(object.points[i])) continue;
+    halves.training.points.push_back(object.points[i]);
+    halves.training.normals.push_back(object.normals[i]);
+  }
+  std::map<Cell, std::size_t> numbers;
+  for (const std::size_t i : object.samples.many) {
+    if (trains(object.points[i])) continue;
+    const Cell cell = cell_of(object.points[i], edge);
+    halves.block.push_back(numbers.emplace(cell, numbers.size()).first->second);
+    halves.held_out.push_back(object.points[i]);
+  }
+  halves.blocks = numbers.size();
+  if (!halves.training.points.empty()) {
+    halves.training.tree = std::make_shared<const KdTree>(halves.training.points);
+  }
+  return halves;
+}
+
+/// Square residuals of the points held out that lie on the reference, each up to the square of
+/// `cut`, summed by block.
+std::vector<double> held_out_squares(const Surface& reference, const Mapping& mapping,
+                                     const Halves& halves, double cut) {
+  constexpr double kReach = 2;  // spacings beside the reference, beyond which a point is none of it
+  std::vector<double> sums(halves.blocks, 0);
+  for (std::size_t i = 0; i < halves.held_out.size(); ++i) {
+    const Residual residual = residual_of(reference, mapping, halves.held_out[i]);
+    if (residual.beside >= kReach * reference.spacing) continue;
+    sums[halves.block[i]] += std::min(residual.along_normal * residual.along_normal, cut * cut);
+  }
+  return sums;
+}
+
+/// Whether the residuals fall by more than a little, and over the whole of the part rather than in
+/// one block of it.
+bool explains_better(const std::vector<double>& before, const std::vector<double>& after) {
+  constexpr double kLeastGain = 0.05;    // of the sum of squares
+  constexpr double kSignificance = 1.5;  // standard deviations of the sum over the blocks
+  double sum = 0;
+  double gain = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    sum += before[i];
+    gain += before[i] - after[i];
+    squares += std::pow(before[i] - after[i], 2);
+  }
+  const double mean = gain / static_cast<double>(before.size());
+  const double deviation = std::sqrt(squares - mean * gain);
+  return gain > kLeastGain * sum && gain > kSignificance * deviation;
+}
+
+constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, by level
+
+}  // namespace
+
+Mapping fit_deformation(const Surface& reference, const Surface& object,
+                        const Similarity& similarity, int finest_level) {
+  constexpr double kBlock = 0.25;  // of the object's size
+  const Halves halves = split_in_blocks(object, kBlock * object.size);
+  const Mapping rigid{similarity, {}};
+  if (halves.training.points.empty() || halves.held_out.empty()) return rigid;
+  const double cut = 0.02 * reference.size;
+  std::vector<double> best = held_out_squares(reference, rigid, halves, cut);
+  int justified = 0;
+  Mapping trained = rigid;
+  for (int level = 1; level <= finest_level; ++level) {
+    trained = fit(reference, object, halves.training,
+                  refined(reference, trained, kSpacings[level - 1] * reference.size));
+    const std::vector<double> squares = held_out_squares(reference, trained, halves, cut);
+    if (!explains_better(best, squares)) continue;
+    best = squares;
+    justified = level;
+  }
+  Mapping mapping = rigid;
+  for (int level = 1; level <= justified; ++level) {
+    mapping =
+        rebased(reference, fit(reference, object, target_of(object),
+                               refined(reference, mapping, kSpacings[level - 1] * reference.size)));
+  }
+  return mapping;
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,36 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+
+namespace cases {
+
+/// Where a point of the part comes to lie once the part is deformed [m].
+using Deformation = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+
+Deformation none();
+
+/// One after the other.
+Deformation both(Deformation first, Deformation second);
+
+/// Round a cylinder along y, so that `width` sags by `rise` [m]; lengths along z = 0 are kept.
+Deformation bend(double rise, double width);
+
+/// Turned about x by `angle` [rad] in all over `width` [m].
+Deformation twist(double angle, double width);
+
+/// A Gaussian hill of `rise` [m] along z, or a dent where that is below 0.
+Deformation bulge(double rise, double radius, const Eigen::Vector2d& at);
+
+/// Stretched within x and y by up to `most` [m], unevenly.
+Deformation swelling(double most, double width);
+
+/// Filed down to a plane: what lies beyond it comes to lie on it.
+Deformation filed(const Eigen::Vector3d& normal, double distance);
+
+/// A point with the normal there, carried over. The frame keeps its first axis along the path.
+Eigen::Isometry3d deformed(const Deformation& deformation, const Eigen::Isometry3d& pose);
+
+}  // namespace cases
