@@ -43,6 +43,7 @@ test: build
 	@rm -rf build/test_results
 	@$(IN_WORKSPACE) cmake --build build --parallel 1 --target run_tests
 	@$(IN_WORKSPACE) catkin_test_results --all build/test_results
+	@[ -n "$$SCAN_CELL_DATA" ] || echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"
 
 install: build
 	@cmake --install build

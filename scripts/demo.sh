@@ -25,7 +25,7 @@ trap 'kill -INT $cell 2>/dev/null; wait $cell 2>/dev/null; kill -INT $core 2>/de
 
 status=0
 rosrun scan_cell_demo demo --output "$out" || status=$?
-if [ "$status" -eq 0 ]; then
+if [ "$status" -eq 0 ] || [ "$status" -eq 3 ]; then
   rosrun scan_cell_demo plot_result.py --reference "$out/reference.ply" --object "$out/object.ply" \
     --path "$out/tool_path.csv" --adapted "$out/adapted_path.csv" --truth "$out/true_path.csv" \
     --output "$out/result.png"
