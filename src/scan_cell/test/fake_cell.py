@@ -18,7 +18,7 @@ from scan_cell_msgs import msg, srv
 from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import Empty, String
 
-HANGS = 3  # [s] longer than anybody may wait while the robot moves
+HANGS = 6  # [s] longer than anybody may wait while the robot moves
 
 
 def fake(name, default=''):
@@ -81,9 +81,9 @@ class FakeCell:
 
     def on_disarm(self, _):
         self.armed = False
+        self.log.publish('disarmed')
         if fake('hangs') == 'disarm':
             rospy.sleep(HANGS)
-        self.log.publish('disarmed')
         return {'success': True, 'arming': self.arming, 'pulses': self.pulses}
 
     def on_finish_binding(self, request):

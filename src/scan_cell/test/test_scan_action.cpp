@@ -34,6 +34,16 @@ class ScanAction : public testing::Test {
  protected:
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
 
+  /// Waits until the cell has found its robot, however slowly the nodes come up.
+  static void SetUpTestSuite() {
+    ros::param::set("/fake/move_time", 0.1);
+    Client client("/scan_cell/scan", false);
+    ASSERT_TRUE(client.waitForServer(ros::Duration(60)));
+    int tries = 0;
+    while (run(client, goal("warm-up")).outcome == ScanResult::ROBOT_LOST)
+      ASSERT_LT(++tries, 30);
+  }
+
   void SetUp() override {
     node_.deleteParam("/fake");
     log_subscriber_ =
