@@ -63,72 +63,136 @@ double cost_of(const Surface& reference, const Surface& object, const Similarity
                    2);
 }
 
-/// The best pose, with the reference turned within itself as a cube is: the poses that a nearly
-/// symmetric part is most easily taken for. They must have been looked at before one is believed.
-std::vector<Candidate> turned_in_itself(const CoarseSurface& reference, const CoarseSurface& object,
-                                        const Candidate& best) {
-  constexpr int kIterations = 6;
-  const PrincipalFrame& frame = reference.frame;
-  std::vector<Candidate> turned;
-  for (const Eigen::Matrix3d& turn : cube_turns()) {
-    Similarity guess = best.similarity;
-    const Eigen::Vector3d centre = guess * frame.centroid;
-    guess.rotation = guess.rotation * frame.axes * turn * frame.axes.transpose();
+/// The best pose, with the reference turned within itself as a cube is, and in small steps about
+/// each principal axis: the poses that a nearly symmetric part is most easily taken for. They must
+/// have been looked at before one is believed.
+std::vector<Similarity> turned_in_itself(const PrincipalFrame& frame, const Similarity& best) {
+  constexpr int kSteps = 24;
+  std::vector<Eigen::Matrix3d> turns = cube_turns();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 1; i < kSteps; ++i) {
+      turns.push_back(
+          Eigen::AngleAxisd(2 * M_PI * i / kSteps, Eigen::Vector3d::Unit(axis)).toRotationMatrix());
+    }
+  }
+  const Eigen::Vector3d centre = best * frame.centroid;
+  std::vector<Similarity> turned;
+  for (const Eigen::Matrix3d& turn : turns) {
+    Similarity guess = best;
+    guess.rotation = best.rotation * frame.axes * turn * frame.axes.transpose();
     guess.translation = centre - guess.scale * (guess.rotation * frame.centroid);
-    turned.push_back(improve_coarsely(reference, object, guess, kIterations));
+    turned.push_back(guess);
   }
   return turned;
 }
+
+/// The search over all poses, in stages of which each keeps the better candidates.
+class Search {
+ public:
+  Search(const Surface& reference, const Surface& object)
+      : reference_(reference),
+        object_(object),
+        coarse_reference_(coarsen(reference)),
+        coarse_object_(coarsen(object)) {}
+
+  /// Tries more poses coarsely; the distinct ones among all stay.
+  void try_coarsely(const std::vector<Similarity>& guesses) {
+    constexpr int kFirstIterations = 4;
+    constexpr int kMoreIterations = 10;
+    std::vector<Candidate> tried;
+    for (const Similarity& guess : guesses)
+      tried.push_back(improve_coarsely(coarse_reference_, coarse_object_, guess, kFirstIterations));
+    tried = distinct(tried, probes(), 0.1 * object_.size, 40);
+    for (Candidate& each : tried) {
+      each = improve_coarsely(coarse_reference_, coarse_object_, each.similarity, kMoreIterations);
+    }
+    for (const Candidate& each : distinct(tried, probes(), 0.05 * object_.size, 12))
+      untried_.push_back(each);
+  }
+
+  /// Refines what was tried coarsely since the last time.
+  void refine_tried() {
+    constexpr int kIterations = 15;
+    untried_ = distinct(std::move(untried_), probes(), 0.05 * object_.size, 12);
+    improve(untried_, Density::kFew, kIterations);
+    for (const Candidate& each : untried_)
+      candidates_.push_back(each);
+    untried_.clear();
+    candidates_ = distinct(std::move(candidates_), probes(), 0.03 * object_.size, 5);
+  }
+
+  /// Whether the best pose leaves nothing to explain: most of the object lies on the reference, and
+  /// most of the reference was found again.
+  bool settled() const {
+    constexpr double kExplained = 0.95;
+    constexpr double kCovered = 0.8;
+    if (candidates_.empty()) return false;
+    const Explanation explanation = explain(
+        reference_, object_, {candidates_.front().similarity, {}}, kSettled * object_.spacing);
+    return explanation.inlier_ratio > kExplained && explanation.overlap > kCovered;
+  }
+
+  void finish() {
+    constexpr int kIterations = 30;
+    constexpr double kHopeless = 5;  // times the cost of the best
+    const double best = candidates_.empty() ? 0 : candidates_.front().cost;
+    candidates_.erase(
+        std::remove_if(candidates_.begin(), candidates_.end(),
+                       [&](const Candidate& each) { return each.cost > kHopeless * best; }),
+        candidates_.end());
+    improve(candidates_, Density::kMany, kIterations);
+    candidates_ = distinct(std::move(candidates_), probes(), 0.01 * object_.size, 5);
+  }
+
+  const CoarseSurface& reference() const { return coarse_reference_; }
+  const CoarseSurface& object() const { return coarse_object_; }
+  const std::vector<Candidate>& candidates() const { return candidates_; }
+
+ private:
+  static constexpr double kSettled = 0.4;  // spacings
+
+  const Points& probes() const { return coarse_reference_.queries; }
+
+  void improve(std::vector<Candidate>& candidates, Density density, int iterations) const {
+    for (Candidate& each : candidates) {
+      each.similarity =
+          refine(reference_, object_, each.similarity, ScaleMode::kFree, density, iterations);
+      each.cost = cost_of(reference_, object_, each.similarity, density);
+    }
+  }
+
+  const Surface& reference_;
+  const Surface& object_;
+  CoarseSurface coarse_reference_;
+  CoarseSurface coarse_object_;
+  std::vector<Candidate> untried_;
+  std::vector<Candidate> candidates_;
+};
 
 }  // namespace
 
 std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
                                        const AlignmentProgress& progress) {
-  const CoarseSurface coarse_reference = coarsen(reference);
-  const CoarseSurface coarse_object = coarsen(object);
-  const Points& probes = coarse_reference.queries;
-  std::vector<Candidate> candidates;
   constexpr std::size_t kPartialGuesses = 40;
-  std::vector<Similarity> guesses = first_guesses(coarse_reference.frame, coarse_object.frame);
-  for (const Similarity& guess : partial_guesses(coarse_reference, coarse_object, kPartialGuesses))
-    guesses.push_back(guess);
-  for (const Similarity& guess : guesses) {
-    constexpr int kFirstIterations = 4;
-    candidates.push_back(
-        improve_coarsely(coarse_reference, coarse_object, guess, kFirstIterations));
-  }
+  Search search(reference, object);
+  search.try_coarsely(principal_guesses(search.reference().frame, search.object().frame));
+  search.refine_tried();
   progress(0.3);
-  candidates = distinct(candidates, probes, 0.1 * object.size, 40);
-  for (Candidate& candidate : candidates) {
-    constexpr int kMoreIterations = 10;
-    candidate =
-        improve_coarsely(coarse_reference, coarse_object, candidate.similarity, kMoreIterations);
+  if (!search.settled()) {
+    search.try_coarsely(even_guesses(search.reference().frame, search.object().frame));
+    progress(0.5);
+    search.try_coarsely(partial_guesses(search.reference(), search.object(), kPartialGuesses));
+    search.refine_tried();
   }
-  progress(0.5);
-  candidates = distinct(candidates, probes, 0.05 * object.size, 12);
-  const auto refine_all = [&](Density density, int iterations) {
-    for (Candidate& candidate : candidates) {
-      candidate.similarity =
-          refine(reference, object, candidate.similarity, ScaleMode::kFree, density, iterations);
-      candidate.cost = cost_of(reference, object, candidate.similarity, density);
-    }
-  };
-  refine_all(Density::kFew, 15);
   progress(0.7);
-  candidates = distinct(candidates, probes, 0.03 * object.size, 5);
-  if (candidates.empty()) return candidates;
-  for (const Candidate& turned :
-       turned_in_itself(coarse_reference, coarse_object, candidates.front())) {
-    candidates.push_back(turned);
-  }
-  candidates = distinct(candidates, probes, 0.05 * object.size, 12);
-  refine_all(Density::kFew, 10);
+  if (search.candidates().empty()) return {};
+  search.try_coarsely(
+      turned_in_itself(search.reference().frame, search.candidates().front().similarity));
+  search.refine_tried();
   progress(0.85);
-  candidates = distinct(candidates, probes, 0.03 * object.size, 5);
-  refine_all(Density::kMany, 10);
-  candidates = distinct(candidates, probes, 0.01 * object.size, candidates.size());
+  search.finish();
   progress(1);
-  return candidates;
+  return search.candidates();
 }
 
 }  // namespace tool_path_stretcher

@@ -37,7 +37,6 @@ void GraphEquations::add_row(const std::vector<Eigen::Index>& columns,
 }
 
 void GraphEquations::add(const std::vector<GraphConstraint>& constraints, double deviation) {
-  std::vector<DeformationGraph::Influence> influences;
   std::vector<Eigen::Index> columns;
   std::vector<double> values;
   for (const GraphConstraint& constraint : constraints) {
@@ -46,10 +45,9 @@ void GraphEquations::add(const std::vector<GraphConstraint>& constraints, double
     if (weight == 0) continue;
     columns.clear();
     values.clear();
-    graph_.influences(constraint.at, influences);
-    for (const auto& influence : influences) {
+    for (const auto& influence : constraint.anchor->influences) {
       const DeformationGraph::Node& node = graph_.nodes()[influence.node];
-      const Eigen::Vector3d arm = node.rotation * (constraint.at - node.at);
+      const Eigen::Vector3d arm = node.rotation * (constraint.anchor->at - node.at);
       const Eigen::Vector3d turn = influence.weight * arm.cross(constraint.direction);
       const Eigen::Vector3d shift = influence.weight * constraint.direction;
       const Eigen::Index column = kUnknowns * static_cast<Eigen::Index>(influence.node);

@@ -8,10 +8,17 @@
 
 namespace tool_path_stretcher {
 
-/// A point of the reference that should move by `error` along `direction`, in the reference's
-/// frame, beyond where the graph puts it now.
+/// A point of the undeformed reference, and what moves it.
+struct GraphAnchor {
+  Eigen::Vector3d at;     // [m]
+  Eigen::Vector3d along;  // unit length: the surface's normal, or out of its rim
+  std::vector<DeformationGraph::Influence> influences;
+};
+
+/// An anchor that should move by `error` along `direction`, in the reference's frame, beyond where
+/// the graph puts it now.
 struct GraphConstraint {
-  Eigen::Vector3d at;         // [m] undeformed
+  const GraphAnchor* anchor;
   Eigen::Vector3d target;     // [m] where it should come to lie, along the direction
   Eigen::Vector3d direction;  // unit length
   double error;               // [m]

@@ -7,6 +7,7 @@
 
 #include "graph_equations.h"
 #include "robust.h"
+#include "tool_path_stretcher/alignment.h"
 #include "tool_path_stretcher/residuals.h"
 
 namespace tool_path_stretcher {
@@ -25,48 +26,73 @@ Target target_of(const Surface& object) {
   return {object.points, object.normals, object.tree};
 }
 
+using Anchors = std::vector<GraphAnchor>;
+
+void add_anchor(const DeformationGraph& graph, const Eigen::Vector3d& at,
+                const Eigen::Vector3d& along, Anchors& anchors) {
+  anchors.push_back({at, along, {}});
+  graph.influences(at, anchors.back().influences);
+}
+
+Anchors surface_anchors(const Surface& reference, const DeformationGraph& graph, Density density) {
+  Anchors anchors;
+  const bool few = density == Density::kFew;
+  for (const std::size_t i : few ? reference.samples.few : reference.samples.many)
+    add_anchor(graph, reference.points[i], reference.normals[i], anchors);
+  return anchors;
+}
+
+Anchors rim_anchors(const Surface& reference, const DeformationGraph& graph) {
+  Anchors anchors;
+  for (std::size_t i = 0; i < reference.rim.points.size(); ++i)
+    add_anchor(graph, reference.rim.points[i], reference.rim.outward[i], anchors);
+  return anchors;
+}
+
+/// That an anchor should move by `along` [m, object] in a direction of the object's frame.
+GraphConstraint constraint_of(const GraphAnchor& anchor, const Eigen::Vector3d& mapped,
+                              const Eigen::Vector3d& direction, double along,
+                              const Similarity& similarity) {
+  return {&anchor, similarity.inverse(mapped + along * direction),
+          similarity.rotation.transpose() * direction, along / similarity.scale};
+}
+
+constexpr double kFacesAlike = 0.7;  // cosine
+
 /// From where the mapping puts points of the reference to the scanned surface beside them, along
 /// its normal, where the two may be the same place.
-Constraints along_normals(const Surface& reference, const Surface& object, const Target& target,
+Constraints along_normals(const Anchors& anchors, const Surface& object, const Target& target,
                           const Mapping& mapping) {
-  constexpr double kReach = 3;         // spacings
-  constexpr double kFacesAlike = 0.7;  // cosine
+  constexpr double kReach = 3;  // spacings
   Constraints constraints;
-  for (const std::size_t i : reference.samples.many) {
-    const Eigen::Vector3d& at = reference.points[i];
-    const Eigen::Vector3d mapped = mapping * at;
+  for (const GraphAnchor& anchor : anchors) {
+    const Eigen::Vector3d mapped =
+        mapping.similarity * mapping.graph.moved(anchor.at, anchor.influences);
     const std::size_t nearest = target.tree->nearest(mapped).index;
     const Eigen::Vector3d& normal = target.normals[nearest];
-    if (std::abs(normal.dot(mapping.similarity.rotation * reference.normals[i])) < kFacesAlike) {
-      continue;
-    }
+    if (std::abs(normal.dot(mapping.similarity.rotation * anchor.along)) < kFacesAlike) continue;
     const Eigen::Vector3d way = target.points[nearest] - mapped;
     const double along = normal.dot(way);
     if ((way - along * normal).norm() > kReach * object.spacing) continue;
-    constraints.push_back({at, mapping.similarity.inverse(mapped + along * normal),
-                           mapping.similarity.rotation.transpose() * normal,
-                           along / mapping.similarity.scale});
+    constraints.push_back(constraint_of(anchor, mapped, normal, along, mapping.similarity));
   }
   return constraints;
 }
 
 /// From the reference's rim to the object's, across it.
-Constraints along_rims(const Surface& reference, const Surface& object, const Mapping& mapping) {
-  constexpr double kReach = 0.05;      // of the object's size
-  constexpr double kFacesAlike = 0.7;  // cosine
+Constraints along_rims(const Anchors& anchors, const Surface& object, const Mapping& mapping) {
+  constexpr double kReach = 0.05;  // of the object's size
   Constraints constraints;
   if (!object.rim.tree) return constraints;
-  for (std::size_t i = 0; i < reference.rim.points.size(); ++i) {
-    const Eigen::Vector3d& at = reference.rim.points[i];
-    const Eigen::Vector3d mapped = mapping * at;
+  for (const GraphAnchor& anchor : anchors) {
+    const Eigen::Vector3d mapped =
+        mapping.similarity * mapping.graph.moved(anchor.at, anchor.influences);
     const auto nearest = object.rim.tree->nearest(mapped);
     if (nearest.squared_distance > std::pow(kReach * object.size, 2)) continue;
     const Eigen::Vector3d& outward = object.rim.outward[nearest.index];
-    if (outward.dot(mapping.similarity.rotation * reference.rim.outward[i]) < kFacesAlike) continue;
-    const double error = outward.dot(object.rim.points[nearest.index] - mapped);
-    constraints.push_back({at, mapping.similarity.inverse(mapped + error * outward),
-                           mapping.similarity.rotation.transpose() * outward,
-                           error / mapping.similarity.scale});
+    if (outward.dot(mapping.similarity.rotation * anchor.along) < kFacesAlike) continue;
+    const double along = outward.dot(object.rim.points[nearest.index] - mapped);
+    constraints.push_back(constraint_of(anchor, mapped, outward, along, mapping.similarity));
   }
   return constraints;
 }
@@ -87,26 +113,28 @@ void grow(Similarity& similarity, const Eigen::Vector3d& centre, double growth) 
 }
 
 /// Fits the graph of a mapping, from where it is.
-Mapping fit(const Surface& reference, const Surface& object, const Target& target,
+Mapping fit(const Surface& reference, const Surface& object, const Target& target, Density density,
             Mapping mapping) {
   constexpr int kIterations = 15;
   constexpr double kStrain = 0.02;
-  constexpr double kConverged = 1e-5;    // of the reference's size
+  constexpr double kConverged = 3e-5;    // of the reference's size
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   const Eigen::Vector3d centre = principal_frame(reference.points).centroid;
+  const Anchors surface = surface_anchors(reference, mapping.graph, density);
+  const Anchors rim = rim_anchors(reference, mapping.graph);
   double widest = 0.02 * reference.size;  // a bulge is no outlier before it was followed
   for (int i = 0; i < kIterations; ++i) {
-    const Constraints normals = along_normals(reference, object, target, mapping);
-    const Constraints rims = along_rims(reference, object, mapping);
-    const double least = 1e-7 * reference.size;
+    const Constraints normals = along_normals(surface, object, target, mapping);
+    const Constraints rims = along_rims(rim, object, mapping);
+    const double deviation = std::max(deviation_of(normals), 1e-7 * reference.size);
     GraphEquations equations(mapping.graph, centre);
-    equations.add(normals, std::max({deviation_of(normals), least, widest}));
+    equations.add(normals, std::max(deviation, widest));
     equations.add(rims, std::max({deviation_of(rims), kRimDeviation * reference.spacing, widest}));
     equations.add_rigidity(kStrain);
     const GraphEquations::Step step = equations.solve();
     grow(mapping.similarity, centre, 1 + step.growth);
     take(step, mapping.graph);
-    if (step.farthest < kConverged * reference.size && widest < least) break;
+    if (step.farthest < kConverged * reference.size && widest < deviation) break;
     widest /= 4;
   }
   return mapping;
@@ -233,7 +261,7 @@ Mapping fit_deformation(const Surface& reference, const Surface& object,
   int justified = 0;
   Mapping trained = rigid;
   for (int level = 1; level <= finest_level; ++level) {
-    trained = fit(reference, object, halves.training,
+    trained = fit(reference, object, halves.training, Density::kMany,
                   refined(reference, trained, kSpacings[level - 1] * reference.size));
     const std::vector<double> squares = held_out_squares(reference, trained, halves, cut);
     if (!explains_better(best, squares)) continue;
@@ -243,7 +271,7 @@ Mapping fit_deformation(const Surface& reference, const Surface& object,
   Mapping mapping = rigid;
   for (int level = 1; level <= justified; ++level) {
     mapping =
-        rebased(reference, fit(reference, object, target_of(object),
+        rebased(reference, fit(reference, object, target_of(object), Density::kMany,
                                refined(reference, mapping, kSpacings[level - 1] * reference.size)));
   }
   return mapping;

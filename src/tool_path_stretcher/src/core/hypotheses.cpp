@@ -56,25 +56,38 @@ CoarseSurface coarsen(const Surface& surface) {
   return coarse;
 }
 
-std::vector<Similarity> first_guesses(const PrincipalFrame& reference,
-                                      const PrincipalFrame& object) {
-  constexpr int kVerticalSteps = 24;
-  constexpr int kEvenRotations = 144;
-  std::vector<Eigen::Matrix3d> rotations;
-  for (const Eigen::Matrix3d& turn : cube_turns())
-    rotations.push_back(object.axes * turn * reference.axes.transpose());
-  for (int i = 0; i < kVerticalSteps; ++i) {
-    rotations.push_back(Eigen::AngleAxisd(2 * M_PI * i / kVerticalSteps, Eigen::Vector3d::UnitZ())
-                            .toRotationMatrix());
-  }
-  for (const Eigen::Matrix3d& rotation : even_rotations(kEvenRotations))
-    rotations.push_back(rotation);
+namespace {
+
+std::vector<Similarity> centred(const std::vector<Eigen::Matrix3d>& rotations,
+                                const PrincipalFrame& reference, const PrincipalFrame& object) {
   const double scale = object.deviation.norm() / reference.deviation.norm();
   std::vector<Similarity> guesses;
   for (const Eigen::Matrix3d& rotation : rotations) {
     guesses.push_back({scale, rotation, object.centroid - scale * (rotation * reference.centroid)});
   }
   return guesses;
+}
+
+}  // namespace
+
+std::vector<Similarity> principal_guesses(const PrincipalFrame& reference,
+                                          const PrincipalFrame& object) {
+  std::vector<Eigen::Matrix3d> rotations;
+  for (const Eigen::Matrix3d& turn : cube_turns())
+    rotations.push_back(object.axes * turn * reference.axes.transpose());
+  return centred(rotations, reference, object);
+}
+
+std::vector<Similarity> even_guesses(const PrincipalFrame& reference,
+                                     const PrincipalFrame& object) {
+  constexpr int kVerticalSteps = 24;
+  constexpr int kEvenRotations = 144;
+  std::vector<Eigen::Matrix3d> rotations = even_rotations(kEvenRotations);
+  for (int i = 0; i < kVerticalSteps; ++i) {
+    rotations.push_back(Eigen::AngleAxisd(2 * M_PI * i / kVerticalSteps, Eigen::Vector3d::UnitZ())
+                            .toRotationMatrix());
+  }
+  return centred(rotations, reference, object);
 }
 
 namespace {

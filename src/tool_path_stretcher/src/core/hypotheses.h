@@ -19,9 +19,13 @@ CoarseSurface coarsen(const Surface& surface);
 std::vector<Eigen::Matrix3d> cube_turns();
 
 /// Poses to start from: the principal frames in all the turns of a cube (flips and near equal axes
-/// included), a sweep about the vertical, and an even cover of all rotations.
-std::vector<Similarity> first_guesses(const PrincipalFrame& reference,
-                                      const PrincipalFrame& object);
+/// included).
+std::vector<Similarity> principal_guesses(const PrincipalFrame& reference,
+                                          const PrincipalFrame& object);
+
+/// Poses to start from where those fail: a sweep about the vertical, and an even cover of all
+/// rotations.
+std::vector<Similarity> even_guesses(const PrincipalFrame& reference, const PrincipalFrame& object);
 
 /// Poses for a scan that shows only a part of the reference: the principal frames in all the turns
 /// of a cube, each sized by one axis alone, with the scan at either end along the axes that it does
