@@ -4,9 +4,9 @@
 """Every node around scan_cell_node, played by one: it does what it is told and can go silent.
 
 Parameters under /fake:
-silent      device that goes silent while the laser is on, after silent_after pulses (default 10)
+silent      device that goes silent after ten pulses
 hangs       service of the trigger that answers late: arm or disarm
-binder      missing: it misses trigger events; broken: its service fails
+binder      missing: it misses trigger events; no end: the frames of the last pulses; broken: its service fails
 move_time   [s] a motion takes (default 1.5)
 """
 
@@ -67,7 +67,7 @@ class FakeCell:
         rospy.Service('/laser_triangulation/finish', srv.FinishCloud, self.on_finish_cloud)
 
     def silent(self, device):
-        return self.armed and self.pulses > fake('silent_after', 10) and fake('silent') == device
+        return self.armed and self.pulses > 10 and fake('silent') == device
 
     def on_arm(self, request):
         if fake('hangs') == 'arm':
@@ -90,6 +90,8 @@ class FakeCell:
         if fake('binder') == 'broken':
             raise rospy.ServiceException('broken')
         missing = 3 if fake('binder') == 'missing' else 0
+        if fake('binder') == 'no end':
+            self.frames = max(0, min(self.frames, request.triggers) - 15)
         audit = msg.BindingAudit(triggers=request.triggers, triggers_missing=missing,
                                  frames_bound=min(self.frames, request.triggers) - missing)
         audit.dropped = [msg.DroppedFrame(reason=msg.DroppedFrame.NEVER_ARRIVED, trigger_count=n)

@@ -6,7 +6,6 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/CellState.h>
 #include <scan_cell_msgs/FinishBinding.h>
-#include <scan_cell_msgs/MoveAction.h>
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/StartScan.h>
 #include <spawn.h>
@@ -58,8 +57,6 @@ class ScanAction : public testing::Test {
       ros::WallDuration(0.02).sleep();
     }
     ASSERT_TRUE(client_.waitForServer(ros::Duration(20)));
-    actionlib::SimpleActionClient<scan_cell_msgs::MoveAction> robot("/c4g_driver/move", false);
-    ASSERT_TRUE(robot.waitForServer(ros::Duration(20)));
   }
 
   static scan_cell_msgs::ScanGoal goal(const std::string& scan_id) {
@@ -181,8 +178,7 @@ TEST_F(ScanAction, EndsWithTheReasonWhenADeviceFallsSilent) {
 }
 
 TEST_F(ScanAction, IsNotFinishedWhereTheCameraFallsSilentInTheLastMoment) {
-  node_.setParam("/fake/silent", "camera");
-  node_.setParam("/fake/silent_after", 60);  // of about 75: too late to be missed while scanning
+  node_.setParam("/fake/binder", "no end");
   const ScanResult result = run(goal("no end"));
   EXPECT_EQ(result.outcome, ScanResult::CAMERA_LOST) << result.message;
   EXPECT_NE(result.message.find("no frame of the last"), std::string::npos) << result.message;
