@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "tool_path_stretcher/prior.h"
 #include "tool_path_stretcher/similarity.h"
 #include "tool_path_stretcher/surface.h"
 
@@ -22,19 +23,20 @@ using AlignmentProgress = std::function<void(double)>;
 /// All distinct poses that may explain the object, best first, found without an initial guess: from
 /// the principal frames in all their turns, a sweep about the vertical, and an even cover of all
 /// rotations, refined in stages of which each keeps the better ones. Residuals are measured in the
-/// object's frame and in both directions, so that shrinking the reference never wins.
+/// object's frame and in both directions, so that shrinking the reference never wins. None is among
+/// them that contradicts the prior; where that holds a pose, the search starts there and ends where
+/// it finds all of the object explained.
 std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
-                                       const AlignmentProgress& progress);
-
-enum class ScaleMode { kFree, kFixed };
+                                       const Prior& prior, const AlignmentProgress& progress);
 
 /// How many points of each surface are compared (Samples).
 enum class Density { kFew, kMany };
 
 /// Refines a pose by robust point-to-plane ICP in both directions (Chen and Medioni 1992; Tukey's
-/// biweight), with the rims held on each other.
-Similarity refine(const Surface& reference, const Surface& object, Similarity start, ScaleMode mode,
-                  Density density, int iterations);
+/// biweight), with the rims held on each other. The scale of the start must lie in the prior's
+/// range.
+Similarity refine(const Surface& reference, const Surface& object, Similarity start,
+                  const ScalePrior& scale, Density density, int iterations);
 
 /// The pose with the reference moved by about `step` [m] in the two ways, each to both sides, that
 /// the surfaces resist least.

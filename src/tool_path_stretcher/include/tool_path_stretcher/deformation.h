@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tool_path_stretcher/prior.h"
 #include "tool_path_stretcher/similarity.h"
 #include "tool_path_stretcher/surface.h"
 
@@ -71,6 +72,6 @@ struct Mapping {
 /// while they explain the other half better, so that noise is not followed. No graph if none does;
 /// otherwise the similarity is the one nearest to the whole mapping.
 Mapping fit_deformation(const Surface& reference, const Surface& object,
-                        const Similarity& similarity, int finest_level);
+                        const Similarity& similarity, const ScalePrior& scale, int finest_level);
 
 }  // namespace tool_path_stretcher

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "tool_path_stretcher/points.h"
 
@@ -26,8 +27,14 @@ struct Similarity {
 /// Root mean square distance [m] between where the two put the points.
 double distance(const Similarity& a, const Similarity& b, const Points& points);
 
+/// Scales that are allowed; all of them by default.
+struct ScaleRange {
+  double least = 0;
+  double most = std::numeric_limits<double>::infinity();
+};
+
 /// Least squares over pairs of points, with the symmetric scale of Horn 1987, which wrong pairs do
 /// not shrink.
-Similarity fit_similarity(const Points& from, const Points& to);
+Similarity fit_similarity(const Points& from, const Points& to, const ScaleRange& scales = {});
 
 }  // namespace tool_path_stretcher

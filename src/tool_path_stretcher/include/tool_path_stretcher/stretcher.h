@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tool_path_stretcher/placement.h"
+#include "tool_path_stretcher/prior.h"
 #include "tool_path_stretcher/similarity.h"
 #include "tool_path_stretcher/surface.h"
 #include "tool_path_stretcher/tool_path.h"
@@ -28,6 +29,7 @@ Method method_from_string(const std::string& name);
 struct StretchParameters {
   Method method = Method::kGeneral;
   Eigen::Vector3d leaf = {0.002, 0.002, 0.0005};  //!< [m] grid reduction after loading
+  Prior prior;                                    //!< what is known of size and pose before
   double min_scale = 0.45;
   double max_scale = 2.2;
   double scale_range = 0.15;          //!< affine: searched about the initial scale, 0.15 = +-15 %

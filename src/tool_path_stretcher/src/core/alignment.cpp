@@ -89,9 +89,10 @@ std::vector<Similarity> turned_in_itself(const PrincipalFrame& frame, const Simi
 /// The search over all poses, in stages of which each keeps the better candidates.
 class Search {
  public:
-  Search(const Surface& reference, const Surface& object)
+  Search(const Surface& reference, const Surface& object, const Prior& prior)
       : reference_(reference),
         object_(object),
+        prior_(prior),
         coarse_reference_(coarsen(reference)),
         coarse_object_(coarsen(object)) {}
 
@@ -99,12 +100,16 @@ class Search {
   void try_coarsely(const std::vector<Similarity>& guesses) {
     constexpr int kFirstIterations = 4;
     constexpr int kMoreIterations = 10;
+    const ScaleRange scales = prior_.scale.range();
     std::vector<Candidate> tried;
-    for (const Similarity& guess : guesses)
-      tried.push_back(improve_coarsely(coarse_reference_, coarse_object_, guess, kFirstIterations));
+    for (const Similarity& guess : allowed(guesses)) {
+      tried.push_back(
+          improve_coarsely(coarse_reference_, coarse_object_, guess, scales, kFirstIterations));
+    }
     tried = distinct(tried, probes(), 0.1 * object_.size, 40);
     for (Candidate& each : tried) {
-      each = improve_coarsely(coarse_reference_, coarse_object_, each.similarity, kMoreIterations);
+      each = improve_coarsely(coarse_reference_, coarse_object_, each.similarity, scales,
+                              kMoreIterations);
     }
     for (const Candidate& each : distinct(tried, probes(), 0.05 * object_.size, 12))
       untried_.push_back(each);
@@ -156,13 +161,34 @@ class Search {
   void improve(std::vector<Candidate>& candidates, Density density, int iterations) const {
     for (Candidate& each : candidates) {
       each.similarity =
-          refine(reference_, object_, each.similarity, ScaleMode::kFree, density, iterations);
+          refine(reference_, object_, each.similarity, prior_.scale, density, iterations);
       each.cost = cost_of(reference_, object_, each.similarity, density);
     }
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                    [this](const Candidate& each) {
+                                      return !prior_.allows(each.similarity, middle());
+                                    }),
+                     candidates.end());
   }
+
+  /// The guesses that may lead to a pose that the prior allows.
+  std::vector<Similarity> allowed(const std::vector<Similarity>& guesses) const {
+    constexpr double kAngle = 0.5;     // [rad] that the search may turn a guess
+    constexpr double kDistance = 0.5;  // of the object's size that it may move one
+    const Prior wide = prior_.widened(kAngle, kDistance * object_.size);
+    std::vector<Similarity> result;
+    for (const Similarity& guess : guesses) {
+      const Similarity sized = clamped(guess, prior_.scale.range(), middle());
+      if (wide.allows(sized, middle())) result.push_back(sized);
+    }
+    return result;
+  }
+
+  const Eigen::Vector3d& middle() const { return coarse_reference_.frame.centroid; }
 
   const Surface& reference_;
   const Surface& object_;
+  const Prior& prior_;
   CoarseSurface coarse_reference_;
   CoarseSurface coarse_object_;
   std::vector<Candidate> untried_;
@@ -172,11 +198,17 @@ class Search {
 }  // namespace
 
 std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
-                                       const AlignmentProgress& progress) {
+                                       const Prior& prior, const AlignmentProgress& progress) {
   constexpr std::size_t kPartialGuesses = 40;
-  Search search(reference, object);
-  search.try_coarsely(principal_guesses(search.reference().frame, search.object().frame));
-  search.refine_tried();
+  Search search(reference, object, prior);
+  if (prior.pose) {
+    search.try_coarsely(guesses_about(prior, search.reference().frame, search.object().frame));
+    search.refine_tried();
+  }
+  if (!search.settled()) {
+    search.try_coarsely(principal_guesses(search.reference().frame, search.object().frame));
+    search.refine_tried();
+  }
   progress(0.3);
   if (!search.settled()) {
     search.try_coarsely(even_guesses(search.reference().frame, search.object().frame));

@@ -71,15 +71,14 @@ bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, d
 }
 
 std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
-                                       const Mapping& mapping) {
+                                       const Mapping& mapping, const ScalePrior& scale) {
   constexpr double kStep = 0.12;  // of the object's size
   constexpr int kIterations = 30;
   std::vector<Mapping> result;
   for (const Similarity& slid :
        slides(reference, object, mapping.similarity, kStep * object.size)) {
     result.push_back(
-        {refine(reference, object, slid, ScaleMode::kFree, Density::kMany, kIterations),
-         mapping.graph});
+        {refine(reference, object, slid, scale, Density::kMany, kIterations), mapping.graph});
   }
   return result;
 }

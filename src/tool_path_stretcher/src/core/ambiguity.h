@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tool_path_stretcher/deformation.h"
+#include "tool_path_stretcher/prior.h"
 #include "tool_path_stretcher/tool_path.h"
 
 namespace tool_path_stretcher {
@@ -16,6 +17,6 @@ bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, d
 /// (Gelfand 2003), and then held on the object again: a figure of revolution, or a part too
 /// straight, stays where it was slid to.
 std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
-                                       const Mapping& mapping);
+                                       const Mapping& mapping, const ScalePrior& scale);
 
 }  // namespace tool_path_stretcher

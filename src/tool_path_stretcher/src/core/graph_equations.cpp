@@ -3,6 +3,7 @@
 #include "graph_equations.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 #include "robust.h"
 
@@ -91,6 +92,14 @@ void GraphEquations::add_rigidity(double strain) {
       }
     }
   }
+}
+
+void GraphEquations::add_prior(const ScalePrior& prior, double current) {
+  constexpr double kFixed = 1e-12;
+  if (!prior.is_known()) return;
+  const double deviation = prior.is_fixed() ? kFixed : prior.deviation / current;
+  add_row({matrix_.rows() - 1}, {1.0}, prior.is_fixed() ? 0 : std::log(prior.value / current),
+          1 / (deviation * deviation));
 }
 
 GraphEquations::Step GraphEquations::solve() const {

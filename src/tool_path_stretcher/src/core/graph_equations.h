@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tool_path_stretcher/deformation.h"
+#include "tool_path_stretcher/prior.h"
 
 namespace tool_path_stretcher {
 
@@ -36,6 +37,9 @@ class GraphEquations {
   /// Neighbouring nodes should move each other to where they are (the rigidity term of Sumner
   /// 2007): `strain` is how much of their distance they may well be off.
   void add_rigidity(double strain);
+
+  /// The object's scale, now `current`, is known that well before anything was measured.
+  void add_prior(const ScalePrior& prior, double current);
 
   struct Step {
     Eigen::VectorXd nodes;  // turn and shift of each

@@ -113,8 +113,8 @@ void grow(Similarity& similarity, const Eigen::Vector3d& centre, double growth) 
 }
 
 /// Fits the graph of a mapping, from where it is.
-Mapping fit(const Surface& reference, const Surface& object, const Target& target, Density density,
-            Mapping mapping) {
+Mapping fit(const Surface& reference, const Surface& object, const Target& target,
+            const ScalePrior& scale, Density density, Mapping mapping) {
   constexpr int kIterations = 15;
   constexpr double kStrain = 0.02;
   constexpr double kConverged = 3e-5;    // of the reference's size
@@ -131,6 +131,7 @@ Mapping fit(const Surface& reference, const Surface& object, const Target& targe
     equations.add(normals, std::max(deviation, widest));
     equations.add(rims, std::max({deviation_of(rims), kRimDeviation * reference.spacing, widest}));
     equations.add_rigidity(kStrain);
+    equations.add_prior(scale, mapping.similarity.scale);
     const GraphEquations::Step step = equations.solve();
     grow(mapping.similarity, centre, 1 + step.growth);
     take(step, mapping.graph);
@@ -251,7 +252,7 @@ constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, b
 }  // namespace
 
 Mapping fit_deformation(const Surface& reference, const Surface& object,
-                        const Similarity& similarity, int finest_level) {
+                        const Similarity& similarity, const ScalePrior& scale, int finest_level) {
   constexpr double kBlock = 0.25;  // of the object's size
   const Halves halves = split_in_blocks(object, kBlock * object.size);
   const Mapping rigid{similarity, {}};
@@ -261,7 +262,7 @@ Mapping fit_deformation(const Surface& reference, const Surface& object,
   int justified = 0;
   Mapping trained = rigid;
   for (int level = 1; level <= finest_level; ++level) {
-    trained = fit(reference, object, halves.training, Density::kMany,
+    trained = fit(reference, object, halves.training, scale, Density::kMany,
                   refined(reference, trained, kSpacings[level - 1] * reference.size));
     const std::vector<double> squares = held_out_squares(reference, trained, halves, cut);
     if (!explains_better(best, squares)) continue;
@@ -271,7 +272,7 @@ Mapping fit_deformation(const Surface& reference, const Surface& object,
   Mapping mapping = rigid;
   for (int level = 1; level <= justified; ++level) {
     mapping =
-        rebased(reference, fit(reference, object, target_of(object), Density::kMany,
+        rebased(reference, fit(reference, object, target_of(object), scale, Density::kMany,
                                refined(reference, mapping, kSpacings[level - 1] * reference.size)));
   }
   return mapping;

@@ -185,7 +185,7 @@ std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const Co
   }
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < guesses.size(); ++i)
-    order.emplace_back(improve_coarsely(reference, object, guesses[i], 0).cost, i);
+    order.emplace_back(improve_coarsely(reference, object, guesses[i], {}, 0).cost, i);
   std::sort(order.begin(), order.end());
   std::vector<Similarity> best;
   for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
@@ -194,7 +194,7 @@ std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const Co
 }
 
 Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,
-                           Similarity guess, int iterations) {
+                           Similarity guess, const ScaleRange& scales, int iterations) {
   std::vector<Pair> forth;
   std::vector<Pair> back;
   for (int i = 0; i < iterations; ++i) {
@@ -209,7 +209,7 @@ Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& 
       from.push_back(reference.queries[pair.query]);
       to.push_back(object.tree->points()[pair.match]);
     }
-    guess = fit_similarity(from, to);
+    guess = fit_similarity(from, to, scales);
   }
   match(reference, object, guess, forth, back);
   double squares = 0;
@@ -221,6 +221,34 @@ Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& 
   };
   squares = mean_square(forth) + mean_square(back);
   return {guess, std::sqrt(squares / 2)};
+}
+
+Similarity clamped(const Similarity& guess, const ScaleRange& scales,
+                   const Eigen::Vector3d& middle) {
+  Similarity result = guess;
+  result.scale = std::clamp(guess.scale, scales.least, scales.most);
+  result.translation = guess * middle - result.scale * (guess.rotation * middle);
+  return result;
+}
+
+std::vector<Similarity> guesses_about(const Prior& prior, const PrincipalFrame& reference,
+                                      const PrincipalFrame& object) {
+  const double ratio = object.deviation.norm() / reference.deviation.norm();
+  const double scale = prior.scale.is_known() ? prior.scale.value : ratio;
+  const Similarity given{scale, prior.pose->pose.linear(), prior.pose->pose.translation()};
+  std::vector<Eigen::Matrix3d> rotations = {given.rotation};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double share : {-0.7, 0.7}) {
+      const Eigen::AngleAxisd turn(share * prior.pose->angle, Eigen::Vector3d::Unit(axis));
+      rotations.push_back(turn * given.rotation);
+    }
+  }
+  std::vector<Similarity> guesses;
+  for (const Eigen::Matrix3d& rotation : rotations) {
+    for (const Eigen::Vector3d& middle : {given * reference.centroid, object.centroid})
+      guesses.push_back({scale, rotation, middle - scale * (rotation * reference.centroid)});
+  }
+  return guesses;
 }
 
 }  // namespace tool_path_stretcher

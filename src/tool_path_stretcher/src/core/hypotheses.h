@@ -35,6 +35,15 @@ std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const Co
 
 /// Point-to-point ICP in both directions, the farthest pairs left out.
 Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,
-                           Similarity guess, int iterations);
+                           Similarity guess, const ScaleRange& scales, int iterations);
+
+/// The guess with its scale in the range; the middle of the reference stays where it is.
+Similarity clamped(const Similarity& guess, const ScaleRange& scales,
+                   const Eigen::Vector3d& middle);
+
+/// Poses to start from where one is known roughly: that one, the same with the object's middle on
+/// the reference's, and those turned from it by up to the angle it may be off.
+std::vector<Similarity> guesses_about(const Prior& prior, const PrincipalFrame& reference,
+                                      const PrincipalFrame& object);
 
 }  // namespace tool_path_stretcher

@@ -123,13 +123,22 @@ class Equations {
     return motions;
   }
 
-  Vector7d solve(ScaleMode mode) const {
+  /// The object's scale, now `current`, is known that well before anything was measured.
+  void add_prior(const ScalePrior& prior, double current) {
+    fixed_scale_ = prior.is_fixed();
+    if (!prior.is_known() || fixed_scale_) return;
+    const double deviation = prior.deviation / current;
+    matrix_(6, 6) += 1 / (deviation * deviation);
+    right_side_[6] += std::log(prior.value / current) / (deviation * deviation);
+  }
+
+  Vector7d solve() const {
     constexpr double kDamping = 1e-9;  // pins what the surfaces do not show
     Matrix7d matrix = matrix_;
     for (int i = 0; i < 7; ++i)
       matrix(i, i) += kDamping * matrix_(i, i) + 1e-12;
     Vector7d step = Vector7d::Zero();
-    if (mode == ScaleMode::kFixed) {
+    if (fixed_scale_) {
       step.head<6>() = matrix.topLeftCorner<6, 6>().ldlt().solve(right_side_.head<6>());
     } else {
       step = matrix.ldlt().solve(right_side_);
@@ -141,6 +150,7 @@ class Equations {
   Eigen::Vector3d centre_;
   Matrix7d matrix_ = Matrix7d::Zero();
   Vector7d right_side_ = Vector7d::Zero();
+  bool fixed_scale_ = false;
 };
 
 Similarity moved(const Similarity& similarity, const Eigen::Vector3d& centre,
@@ -161,8 +171,8 @@ Similarity moved(const Similarity& similarity, const Eigen::Vector3d& centre,
 
 }  // namespace
 
-Similarity refine(const Surface& reference, const Surface& object, Similarity start, ScaleMode mode,
-                  Density density, int iterations) {
+Similarity refine(const Surface& reference, const Surface& object, Similarity start,
+                  const ScalePrior& scale, Density density, int iterations) {
   constexpr double kConverged = 1e-8;
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   const auto sample_of = [density](const Surface& surface) -> const std::vector<std::size_t>& {
@@ -178,7 +188,8 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
     equations.add(forth, deviation_of(forth, least));
     equations.add(back, deviation_of(back, least));
     equations.add(rim, deviation_of(rim, kRimDeviation * object.spacing));
-    const Vector7d step = equations.solve(mode);
+    equations.add_prior(scale, start.scale);
+    const Vector7d step = equations.solve();
     start = moved(start, centre, step);
     const double motion =
         step.head<3>().norm() + step.segment<3>(3).norm() / object.size + std::abs(step[6]);

@@ -46,7 +46,7 @@ Scored sweep(const Surface& reference, const Surface& object, const Similarity& 
   for (int i = -steps; i <= steps; ++i) {
     const double tried = scale * (1 + range * i / static_cast<double>(steps));
     const Similarity similarity = refine(reference, object, at_scale(start, tried, centre),
-                                         ScaleMode::kFixed, Density::kFew, kIterations);
+                                         {tried, 0}, Density::kFew, kIterations);
     const double score = score_of(reference, object, similarity, inlier_distance);
     if (score > best.score) best = {similarity, score, i};
   }

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 namespace tool_path_stretcher {
@@ -22,7 +23,7 @@ double distance(const Similarity& a, const Similarity& b, const Points& points) 
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-Similarity fit_similarity(const Points& from, const Points& to) {
+Similarity fit_similarity(const Points& from, const Points& to, const ScaleRange& scales) {
   Eigen::Vector3d from_mean = Eigen::Vector3d::Zero();
   Eigen::Vector3d to_mean = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -46,6 +47,7 @@ Similarity fit_similarity(const Points& from, const Points& to) {
   Similarity result;
   result.rotation = svd.matrixU() * handed * svd.matrixV().transpose();
   result.scale = from_squares > 0 ? std::sqrt(to_squares / from_squares) : 1;
+  result.scale = std::clamp(result.scale, scales.least, scales.most);
   result.translation = to_mean - result.scale * (result.rotation * from_mean);
   return result;
 }

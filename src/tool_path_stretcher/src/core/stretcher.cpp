@@ -55,8 +55,8 @@ double capped_cost(const Explanation& explanation, double cap) {
 }
 
 Fitted fit_one(const Surface& reference, const Surface& object, const Similarity& similarity,
-               int finest_level, double inlier_distance) {
-  const Mapping mapping = fit_deformation(reference, object, similarity, finest_level);
+               const ScalePrior& scale, int finest_level, double inlier_distance) {
+  const Mapping mapping = fit_deformation(reference, object, similarity, scale, finest_level);
   return {mapping, explain(reference, object, mapping, inlier_distance)};
 }
 
@@ -83,8 +83,8 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
   std::vector<Fitted> fitted;
   for (const Candidate& candidate : candidates) {
     if (candidate.cost > kHopeless * candidates.front().cost) break;
-    fitted.push_back(fit_one(reference, object, candidate.similarity, std::min(kCoarse, finest),
-                             parameters.inlier_distance));
+    fitted.push_back(fit_one(reference, object, candidate.similarity, parameters.prior.scale,
+                             std::min(kCoarse, finest), parameters.inlier_distance));
     stages.report("refine", 0.5 + 0.1 * static_cast<double>(fitted.size()) /
                                       static_cast<double>(candidates.size()));
   }
@@ -93,8 +93,8 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
   const Explanation coarse_best = fitted.front().explanation;
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     if (i > 0 && clearly_better(coarse_best, fitted[i].explanation)) continue;
-    fitted[i] = fit_one(reference, object, fitted[i].mapping.similarity, finest,
-                        parameters.inlier_distance);
+    fitted[i] = fit_one(reference, object, fitted[i].mapping.similarity, parameters.prior.scale,
+                        finest, parameters.inlier_distance);
     stages.report("refine",
                   0.6 + 0.1 * static_cast<double>(i + 1) / static_cast<double>(fitted.size()));
   }
@@ -118,7 +118,7 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
   check_path(path, reference, parameters);
   stages.report("align", 0.05);
   const std::vector<Candidate> candidates =
-      find_candidates(reference, object, stages.within("align", 0.05, 0.5));
+      find_candidates(reference, object, parameters.prior, stages.within("align", 0.05, 0.5));
   if (candidates.empty()) refuse_wrong_part("no pose of the reference fits the object at all");
 
   std::vector<Fitted> fitted = fit_all(reference, object, candidates, parameters, stages);
@@ -138,7 +138,8 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
     check_unambiguous(path, mapping, fitted[i].mapping, reference, explanation,
                       fitted[i].explanation, parameters);
   }
-  for (const Mapping& slid : slid_along_itself(reference, object, mapping)) {
+  for (const Mapping& slid :
+       slid_along_itself(reference, object, mapping, parameters.prior.scale)) {
     check_unambiguous(path, mapping, slid, reference, explanation,
                       explain(reference, object, slid, parameters.inlier_distance), parameters);
   }
