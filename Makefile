@@ -5,9 +5,11 @@ SHELL := /bin/bash
 export PATH := /usr/bin:$(PATH)
 export ROS_LANG_DISABLE := genlisp:geneus:gennodejs
 JOBS ?= $(shell nproc)
+# of each reader of files, in make fuzz
+RUNS ?= 2000000
 IN_WORKSPACE = source devel/setup.bash &&
 
-.PHONY: all build demo test bench install lint format clean dependencies configure
+.PHONY: all build demo test bench fuzz install lint format clean dependencies configure
 
 all: build
 
@@ -37,6 +39,10 @@ demo: build
 bench: build
 	@cmake --build build --parallel $(JOBS) --target benchmarks
 	@$(IN_WORKSPACE) for bench in devel/lib/*/bench_*; do echo "== $$(basename $$bench)"; $$bench || exit 1; done
+
+fuzz: build
+	@cmake --build build --parallel $(JOBS) --target fuzzers
+	@$(IN_WORKSPACE) for fuzzer in devel/lib/*/fuzz_*; do $$fuzzer --runs $(RUNS) || exit 1; done
 
 test: build
 	@cmake --build build --parallel $(JOBS) --target tests

@@ -7,6 +7,7 @@
 #include <pcl/point_types.h>
 
 #include <string>
+#include <string_view>
 
 namespace scan_cell_common {
 
@@ -25,6 +26,13 @@ Cloud load_cloud(const std::string& path);
 /// @throw FileError if it is missing, unreadable or of another kind
 /// @throw UnusableInput if it has no triangle
 pcl::PolygonMesh load_mesh(const std::string& path);
+
+/// The parsers behind them; `source` names the bytes in errors. Not PCL's, as cloud_files.cpp says.
+/// @throw FileError where the bytes make no sense or are truncated
+Cloud parse_ply(std::string_view bytes, const std::string& source);
+Cloud parse_pcd(std::string_view bytes, const std::string& source);
+pcl::PolygonMesh parse_stl(std::string_view bytes, const std::string& source);
+pcl::PolygonMesh parse_obj(std::string_view bytes, const std::string& source);
 
 /// Writes a binary cloud as PLY or PCD, by the file's ending. Whole or not at all: it is written
 /// beside its place and then renamed; where that fails nothing is left behind.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
 
 namespace scan_cell_common {
 
@@ -76,10 +77,5 @@ class YamlEntry {
 
 /// As YamlEntry::pose() reads it, to the last digit.
 YAML::Node yaml_pose(const Eigen::Isometry3d& pose);
-
-/// Writes a text file, whole or not at all: it is written beside its place and then renamed; where
-/// that fails nothing is left behind.
-/// @throw FileError if it cannot be written
-void save_text(const std::string& path, const std::string& text);
 
 }  // namespace scan_cell_common

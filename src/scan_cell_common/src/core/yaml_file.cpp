@@ -3,8 +3,6 @@
 #include "scan_cell_common/yaml_file.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
 namespace scan_cell_common {
@@ -101,19 +99,6 @@ YAML::Node yaml_pose(const Eigen::Isometry3d& pose) {
   node["translation"] = list(Eigen::Vector3d(pose.translation()));
   node["rotation"] = list(Eigen::Quaterniond(pose.linear()).coeffs());
   return node;
-}
-
-void save_text(const std::string& path, const std::string& text) {
-  const std::string partial = path + ".partial";
-  std::ofstream file(partial);
-  file << text;
-  file.close();
-  std::error_code failure;
-  if (file) std::filesystem::rename(partial, path, failure);
-  if (!file || failure) {
-    std::filesystem::remove(partial, failure);
-    throw FileError(path, "cannot be written", "check the folder and its permissions");
-  }
 }
 
 }  // namespace scan_cell_common

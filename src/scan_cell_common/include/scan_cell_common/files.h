@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace scan_cell_common {
+
+/// The bytes of a file of at most 2 GiB.
+/// @throw FileError if it is missing, larger, unreadable or no file but a folder, device or pipe
+std::string read_file(const std::string& path);
+
+/// The ending of a file's name in lower case, with its dot.
+std::string extension_of(const std::string& path);
+
+/// Writes a file whole or not at all: `write` writes it beside its place, then it is renamed; where
+/// that fails nothing is left behind.
+/// @param write gets the name to write to and tells whether that went well
+/// @throw FileError if it cannot be written
+void save_whole(const std::string& path, const std::function<bool(const std::string&)>& write);
+
+/// Writes a text file, whole or not at all.
+/// @throw FileError if it cannot be written
+void save_text(const std::string& path, const std::string& text);
+
+}  // namespace scan_cell_common

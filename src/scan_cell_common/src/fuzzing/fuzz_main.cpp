@@ -1,0 +1,152 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
+#include "scan_cell_common/fuzzing.h"
+
+namespace scan_cell_common {
+namespace {
+
+struct Options {
+  std::string target;
+  std::uint64_t runs = 100000;
+  std::uint64_t seed = 1;
+  std::uint64_t first = 0;
+  std::string save;
+  std::string seeds;
+};
+
+/// What runs now, for the signal handler.
+struct Now {
+  const char* target = "";
+  std::uint64_t seed = 0;
+  volatile std::uint64_t run = 0;
+};
+Now now;
+
+void tell_and_exit(int signal) {
+  const char* const what = signal == SIGALRM ? "no end within 10 s" : "crashed";
+  std::array<char, 256> text;
+  const int size = std::snprintf(text.data(), text.size(), "%s, seed %llu, run %llu: %s\n",
+                                 now.target, static_cast<unsigned long long>(now.seed),
+                                 static_cast<unsigned long long>(now.run), what);
+  if (write(STDERR_FILENO, text.data(), static_cast<std::size_t>(size)) < 0) _exit(2);
+  _exit(1);
+}
+
+void watch_for_crashes() {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGALRM})
+    std::signal(signal, tell_and_exit);
+#ifndef __SANITIZE_ADDRESS__
+  const rlimit memory{rlim_t{2} << 30, rlim_t{2} << 30};
+  setrlimit(RLIMIT_AS, &memory);
+#endif
+}
+
+void fuzz_and_tell(const FuzzTarget& target, const Options& options) {
+  constexpr unsigned kLongest = 10;  // [s]
+  constexpr double kTell = 10;       // [s]
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  };
+  const Clock::time_point start = Clock::now();
+  Clock::time_point told = start;
+  FuzzCount count;
+  const auto tell = [&](const char* end) {
+    std::cerr << '\r' << target.name << ": " << count.taken + count.refused << " runs, "
+              << count.taken << " taken, " << count.refused << " refused, " << since(start) << " s"
+              << end << std::flush;
+  };
+  now.target = target.name.c_str();
+  now.seed = options.seed;
+  for (std::uint64_t run = options.first; run < options.first + options.runs; ++run) {
+    now.run = run;
+    alarm(kLongest);
+    fuzz_once(target, fuzz_input(target, options.seed, run), count);
+    constexpr std::uint64_t kLook = 1024;
+    if (run % kLook != 0 || since(told) < kTell) continue;
+    tell("");
+    told = Clock::now();
+  }
+  alarm(0);
+  tell("\n");
+}
+
+void save_seeds(const FuzzTarget& target, const std::string& folder) {
+  for (std::size_t i = 0; i < target.seeds.size(); ++i)
+    save_text(folder + "/" + target.name + "_" + std::to_string(i), target.seeds[i]);
+}
+
+Options parse(int argc, char** argv, const std::vector<FuzzTarget>& targets) {
+  Options options;
+  std::vector<std::string> names;
+  for (const FuzzTarget& target : targets)
+    names.push_back(target.name);
+  CLI::App app("Gives readers changed valid files: each must be taken or refused with an Error.");
+  app.add_option("--target", options.target, "one of the readers; all where not given")
+      ->check(CLI::IsMember(names));
+  app.add_option("--runs", options.runs, "of each reader")->capture_default_str();
+  app.add_option("--seed", options.seed, "of the changes")->capture_default_str();
+  app.add_option("--first", options.first, "number of the first run")->capture_default_str();
+  app.add_option("--save", options.save, "writes the input of the first run here, and ends");
+  app.add_option("--seeds", options.seeds, "writes what is changed into this folder, and ends");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::exit(app.exit(error));
+  }
+  return options;
+}
+
+}  // namespace
+
+int fuzz_main(int argc, char** argv, const std::vector<FuzzTarget>& targets) {
+  const Options options = parse(argc, argv, targets);
+  watch_for_crashes();
+  try {
+    for (const FuzzTarget& target : targets) {
+      if (!options.target.empty() && target.name != options.target) continue;
+      if (!options.save.empty()) {
+        save_text(options.save, fuzz_input(target, options.seed, options.first));
+        return 0;
+      }
+      if (options.seeds.empty()) {
+        fuzz_and_tell(target, options);
+      } else {
+        save_seeds(target, options.seeds);
+      }
+    }
+    return 0;
+  } catch (const FuzzFault& fault) {
+    std::cerr << '\n'
+              << now.target << ", seed " << now.seed << ", run " << now.run << ": " << fault.what()
+              << '\n';
+    return 1;
+  }
+}
+
+int fuzz_bytes(const std::vector<FuzzTarget>& targets, const std::uint8_t* data, std::size_t size) {
+  const char* const name = std::getenv("FUZZ_TARGET");
+  for (const FuzzTarget& target : targets) {
+    if (name == nullptr || target.name != name) continue;
+    FuzzCount count;
+    fuzz_once(target, std::string(reinterpret_cast<const char*>(data), size), count);
+    return 0;
+  }
+  std::cerr << "FUZZ_TARGET names none of the readers\n";
+  std::exit(1);
+}
+
+}  // namespace scan_cell_common
