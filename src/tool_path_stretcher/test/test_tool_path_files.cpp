@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <random>
+#include <fstream>
+#include <map>
 
 #include "scan_cell_common/errors.h"
+#include "tool_path_file_targets.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace fs = std::filesystem;
@@ -215,40 +217,69 @@ TEST(ToolPathFiles, AreRefusedWhereMissingOrOfAnotherKind) {
 }
 
 TEST(ToolPathFiles, AreReadOrRefusedWhateverIsInThem) {
-  std::mt19937 engine(7);
-  const std::string csv = tool_path_to_csv(example());
-  const std::string yaml = tool_path_to_yaml(example());
-  const std::string alphabet = "0123456789.-+eE,:[]{}&*!|>'\"#% \n\tnaxyzqw\xff";
-  std::size_t read = 0;
-  std::size_t refused = 0;
-  for (int run = 0; run < 20000; ++run) {
-    const bool is_csv = run % 2 == 0;
-    std::string text = is_csv ? csv : yaml;
-    const std::size_t changes = 1 + engine() % 5;
-    for (std::size_t i = 0; i < changes && !text.empty(); ++i) {
-      const std::size_t at = engine() % text.size();
-      switch (engine() % 4) {
-        case 0:
-          text[at] = alphabet[engine() % alphabet.size()];
-          break;
-        case 1:
-          text.erase(at, engine() % 20);
-          break;
-        case 2:
-          text.insert(at, 1, alphabet[engine() % alphabet.size()]);
-          break;
-        default:
-          text.resize(at);
-          break;
-      }
-    }
+  for (const auto& target : tool_path_file_targets()) {
+    SCOPED_TRACE(target.name);
+    for (const std::string& seed : target.seeds)
+      EXPECT_NO_THROW(target.run(seed)) << seed;
+    const std::uint64_t runs = 20000 / target.cost;
+    const auto count = scan_cell_common::fuzz(target, 1, runs);
+    EXPECT_GT(count.taken, runs / 20);
+    EXPECT_GT(count.refused, runs / 4);
+  }
+}
+
+TEST(ToolPathCsv, IsReadAsSpreadsheetsWriteIt) {
+  const ToolPath path = parse_tool_path_csv("\xef\xbb\xbfx,y,z\r\n+0.5,0.25,1\r\n", "path");
+  EXPECT_EQ(path.segments[0].waypoints[0].pose.translation(), Eigen::Vector3d(0.5, 0.25, 1));
+  EXPECT_TRUE(
+      names(csv_complaint("x;y;z\n0,5;1;2\n"), "separated by ';'; separate them by commas"));
+  EXPECT_TRUE(names(csv_complaint("x,y,z\n0,5,1,25,2,0\n"), "line 2: 6 values"));
+  EXPECT_TRUE(names(csv_complaint("x,y,z\n0,5,1,25,2,0\n"), "write 0.5, not 0,5"));
+}
+
+TEST(ToolPathYaml, IsReadAsEditorsWriteIt) {
+  const ToolPath path = parse_tool_path_yaml("\xef\xbb\xbf- [1, 2, 3]\r\n- [4, 5, 6]\r\n", "path");
+  EXPECT_EQ(path.segments[0].waypoints[1].pose.translation(), Eigen::Vector3d(4, 5, 6));
+  EXPECT_TRUE(names(yaml_complaint("- [\"0,5\", 1, 2]\n"), "element 0 = '0,5'"));
+}
+
+TEST(ToolPathFiles, SayShortlyWhatIsWrongInAHugeLine) {
+  const std::string huge(3000000, '7');
+  std::string quotes = "a";
+  std::string columns = "x,y,z";
+  for (int i = 0; i < 300000; ++i) {
+    quotes += "a\"";
+    columns += ",c" + std::to_string(i);
+  }
+  for (const std::string& text :
+       {"x,y,z\n1,2," + huge + "x\n", "x,y,z\n" + quotes + "\n", huge, columns + "\n1,2,3\n"}) {
+    const std::string message = csv_complaint(text);
+    EXPECT_FALSE(message.empty());
+    EXPECT_LT(message.size(), 200U);
+  }
+  EXPECT_LT(yaml_complaint("- [1, 2, " + huge + "x]").size(), 200U);
+}
+
+TEST(ToolPathFiles, AreRefusedByNameWhereTheyAreOfAnotherKind) {
+  const fs::path folder = fs::temp_directory_path() / ("paths_" + std::to_string(getpid()));
+  fs::create_directories(folder / "folder.csv");
+  std::ofstream(folder / "utf16.csv") << std::string("\xff\xfex\0,\0", 6);
+  std::ofstream(folder / "picture.csv") << "\x89PNG\r\n\x1a\n" << std::string(100, '\0');
+  std::ofstream(folder / "picture.yaml") << "\x89PNG\r\n\x1a\n" << std::string(100, '\0');
+  std::ofstream(folder / "empty.yaml");
+  const std::map<std::string, std::string> complaints = {{"folder.csv", "a folder"},
+                                                         {"utf16.csv", "UTF-16"},
+                                                         {"picture.csv", "no column 'x'"},
+                                                         {"picture.yaml", "picture.yaml"},
+                                                         {"empty.yaml", "no poses"}};
+  for (const auto& [name, part] : complaints) {
     try {
-      check(is_csv ? parse_tool_path_csv(text, "p") : parse_tool_path_yaml(text, "p"));
-      ++read;
-    } catch (const Error&) {
-      ++refused;
+      load_tool_path((folder / name).string());
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_TRUE(names(error.what(), name)) << error.what();
+      EXPECT_TRUE(names(error.what(), part)) << error.what();
     }
   }
-  EXPECT_GT(read, 100U);
-  EXPECT_GT(refused, 1000U);
+  fs::remove_all(folder);
 }

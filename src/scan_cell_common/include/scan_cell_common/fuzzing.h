@@ -18,6 +18,8 @@ struct FuzzTarget {
 
   /// Returns where it could use the bytes, throws an Error where not; all else is a fault.
   std::function<void(const std::string& bytes)> run;
+
+  std::uint64_t cost = 1;  //!< the command makes so many times fewer runs
 };
 
 /// A target did what it must not.

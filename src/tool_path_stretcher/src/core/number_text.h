@@ -3,14 +3,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <optional>
 #include <string>
 
 namespace tool_path_stretcher {
-
-/// The number a text is from its first to its last character; none if it is not. Independent of the
-/// locale.
-std::optional<double> parse_number(const std::string& text);
 
 /// The shortest text that comes back as the same number.
 std::string to_text(double number);

@@ -2,25 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <set>
 #include <sstream>
 
 #include "number_text.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/text.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace tool_path_stretcher {
 namespace {
 
+using scan_cell_common::excerpt;
+using scan_cell_common::parse_number;
 using scan_cell_common::UnusableInput;
 
 const std::array<std::string, 3> kPosition = {"x", "y", "z"};
 const std::array<std::string, 4> kOrientation = {"qx", "qy", "qz", "qw"};
 const std::string kSegment = "segment";
 
+constexpr const char* kBlanks = " \t\r";
+
 std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\r");
+  const auto begin = text.find_first_not_of(kBlanks);
   if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+bool is_blank(const std::string& text) {
+  return text.find_first_not_of(kBlanks) == std::string::npos;
 }
 
 /// The fields of a line; one in double quotes may hold commas, and quotes doubled (RFC 4180).
@@ -32,7 +42,7 @@ std::vector<std::string> split(const std::string& line, const std::string& where
     const char c = line[i];
     if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
       fields.back() += line[++i];
-    } else if (c == '"' && (quoted || trimmed(fields.back()).empty())) {
+    } else if (c == '"' && (quoted || is_blank(fields.back()))) {
       if (!quoted) fields.back().clear();
       quoted = !quoted;
       was_quoted = true;
@@ -60,18 +70,26 @@ struct Columns {
   std::vector<std::string> names;
 };
 
+void check_names(const std::vector<std::string>& names, const std::string& where) {
+  if (names.size() == 1 && names[0].find(';') != std::string::npos) {
+    throw UnusableInput(where, "columns separated by ';'",
+                        "separate them by commas, and write 0.5, not 0,5");
+  }
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (!name.empty() && seen.insert(name).second) continue;
+    throw UnusableInput(where, "column '" + excerpt(name) + "' is unnamed or occurs twice",
+                        "give each column a name of its own");
+  }
+}
+
 Columns columns_of(const std::vector<std::string>& names, const std::string& where) {
+  check_names(names, where);
   Columns columns;
   columns.names = names;
   const auto find = [&names](const std::string& name) {
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   };
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (find(names[i]) != i || names[i].empty()) {
-      throw UnusableInput(where, "column '" + names[i] + "' is unnamed or occurs twice",
-                          "give each column a name of its own");
-    }
-  }
   std::size_t quaternion_columns = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     columns.position[i] = find(kPosition[i]);
@@ -105,12 +123,14 @@ Waypoint waypoint_of(const std::vector<std::string>& fields, const Columns& colu
                      const std::string& where) {
   if (fields.size() != columns.names.size()) {
     throw UnusableInput(where, std::to_string(fields.size()) + " values",
-                        "give " + std::to_string(columns.names.size()) + ", as in the header");
+                        "give " + std::to_string(columns.names.size()) +
+                            ", as in the header, and write 0.5, not 0,5");
   }
   const auto number = [&](std::size_t column) {
     const std::optional<double> value = parse_number(fields[column]);
     if (!value || !std::isfinite(*value)) {
-      throw UnusableInput(where, columns.names[column] + " = '" + fields[column] + "'",
+      throw UnusableInput(where,
+                          excerpt(columns.names[column]) + " = '" + excerpt(fields[column]) + "'",
                           "give a finite number");
     }
     return *value;
@@ -162,7 +182,7 @@ ToolPath parse_tool_path_csv(const std::string& text, const std::string& source)
   ToolPath path;
   path.name = source;
   Columns columns;
-  std::istringstream lines(text);
+  std::istringstream lines{std::string(scan_cell_common::without_byte_order_mark(text))};
   std::string line;
   std::size_t number = 0;
   while (std::getline(lines, line)) {

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/tool_path_files.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "scan_cell_common/errors.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -19,22 +15,15 @@ using scan_cell_common::FileError;
 enum class Format { kCsv, kYaml };
 
 Format format_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = scan_cell_common::extension_of(path);
   if (extension == ".csv") return Format::kCsv;
   if (extension == ".yaml" || extension == ".yml") return Format::kYaml;
   throw FileError(path, "ending '" + extension + "'", "give a tool path as .csv or .yaml");
 }
 
-std::string read_text(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) {
-    throw FileError(path, "no such file", "check the path");
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(file)), {});
-  if (!file) throw FileError(path, "cannot be read", "check its permissions");
-  return text;
+void refuse_utf16(const std::string& text, const std::string& path) {
+  if (text.substr(0, 2) != "\xff\xfe" && text.substr(0, 2) != "\xfe\xff") return;
+  throw scan_cell_common::UnusableInput(path, "in UTF-16", "save it as UTF-8");
 }
 
 }  // namespace
@@ -45,7 +34,8 @@ void check_tool_path_name(const std::string& path) {
 
 ToolPath load_tool_path(const std::string& path) {
   const Format format = format_of(path);
-  const std::string text = read_text(path);
+  const std::string text = scan_cell_common::read_file(path);
+  refuse_utf16(text, path);
   ToolPath result =
       format == Format::kCsv ? parse_tool_path_csv(text, path) : parse_tool_path_yaml(text, path);
   if (result.name == path) result.name = std::filesystem::path(path).stem().string();

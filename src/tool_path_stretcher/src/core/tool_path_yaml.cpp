@@ -4,11 +4,14 @@
 
 #include "number_text.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/text.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace tool_path_stretcher {
 namespace {
 
+using scan_cell_common::excerpt;
+using scan_cell_common::parse_number;
 using scan_cell_common::UnusableInput;
 
 /// Finds the pose arrays of a document wherever they are nested: each innermost list of poses is a
@@ -52,7 +55,7 @@ class Reader {
         node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
     if (!value || !std::isfinite(*value)) {
       throw UnusableInput(where(node),
-                          name + " = '" + (node.IsScalar() ? node.Scalar() : "...") + "'",
+                          name + " = '" + (node.IsScalar() ? excerpt(node.Scalar()) : "...") + "'",
                           "give a finite number");
     }
     return *value;
@@ -128,8 +131,9 @@ class Reader {
     if (!position.IsMap()) {
       throw UnusableInput(where(position), "position is not a map", "give x, y and z");
     }
-    waypoint.pose.translation() << number(position["x"], position, "x"),
-        number(position["y"], position, "y"), number(position["z"], position, "z");
+    waypoint.pose.translation() =
+        Eigen::Vector3d(number(position["x"], position, "x"), number(position["y"], position, "y"),
+                        number(position["z"], position, "z"));
     note_orientation(static_cast<bool>(orientation), node);
     if (orientation) {
       if (!orientation.IsMap()) {
