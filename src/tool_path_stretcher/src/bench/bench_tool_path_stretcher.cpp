@@ -1,112 +1,78 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
+#include "case_table.h"
 #include "cases/case_list.h"
-#include "cases/thesis_method.h"
-#include "tool_path_stretcher/stretcher.h"
+#include "growth.h"
+#include "registration.h"
+#include "scan_cell_common/cloud_files.h"
+#include "tool_path_stretcher/tool_path_files.h"
 
 namespace {
 
-using namespace tool_path_stretcher;
-
-template <class Work>
-double seconds_of(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+std::vector<cases::Case> cases_named(const std::string& word, const std::string& data) {
+  std::vector<cases::Case> all = cases::all_cases(data);
+  const auto other = [&word](const cases::Case& each) {
+    return each.name.find(word) == std::string::npos;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), other), all.end());
+  return all;
 }
 
-double middle_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0 : values[values.size() / 2];
-}
-
-/// What all cases came to.
-struct Sums {
-  std::size_t cases = 0;
-  std::size_t right = 0;
-  std::size_t wrong_accepted = 0;
-  std::size_t within_goals = 0;
-  std::size_t accepted = 0;
-  std::size_t thesis_within_5_mm = 0;
-  std::vector<double> seconds;
-  std::vector<double> thesis_seconds;
-};
-
-bool within_goals(const cases::PathError& error) {
-  return error.normal <= 1e-4 && error.tangential <= 5e-4 && error.orientation <= M_PI / 180;
-}
-
-void run(const cases::Case& each, Sums& sums) {
-  const StretchParameters parameters;
-  const Points reference =
-      cases::scan(each.reference, cases::none(), Similarity(), each.reference_scan);
-  const Points object =
-      cases::scan(each.object, each.deformation, each.similarity, each.object_scan);
-  const ToolPath& path = each.reference.path;
-  const ToolPath truth = cases::truth(path, each.deformation, each.similarity);
-  StretchResult ours;
-  const double seconds = seconds_of([&] {
-    ours = stretch(surface_from_cloud(reference, parameters.leaf, "reference"),
-                   surface_from_cloud(object, parameters.leaf, "object"), path, parameters);
-  });
-  ToolPath thesis;
-  const double thesis_seconds =
-      seconds_of([&] { thesis = cases::thesis_method(reference, object, path); });
-  const cases::PathError thesis_error = cases::error_of(thesis, truth, {});
-
-  const bool right = ours.verdict.reason == each.expected;
-  ++sums.cases;
-  sums.right += right;
-  sums.wrong_accepted += ours.verdict.accepted() && !right;
-  sums.thesis_within_5_mm += thesis_error.worst < 0.005;
-  sums.seconds.push_back(seconds);
-  sums.thesis_seconds.push_back(thesis_seconds);
-  std::printf("| %s | %s%s ", each.name.c_str(), to_string(ours.verdict.reason).c_str(),
-              right ? "" : " (WRONG)");
-  if (ours.verdict.accepted()) {
-    const cases::PathError error = cases::error_of(ours.path, truth, {});
-    ++sums.accepted;
-    sums.within_goals += within_goals(error);
-    std::printf("| %.3f | %.3f | %.2f ", 1e3 * error.normal, 1e3 * error.tangential,
-                error.orientation * 180 / M_PI);
-  } else {
-    std::printf("| | | ");
+scan_cell_common::Cloud to_cloud(const cases::Points& points) {
+  scan_cell_common::Cloud cloud;
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3f at = point.cast<float>();
+    cloud.push_back({at.x(), at.y(), at.z()});
   }
-  std::printf("| %.2f | %.3f | %.3f | %.2f |\n", seconds, 1e3 * thesis_error.normal,
-              1e3 * thesis_error.tangential, thesis_seconds);
-  std::fflush(stdout);
+  return cloud;
+}
+
+/// As the stretch command reads it.
+void write(const cases::Case& each, const std::filesystem::path& folder) {
+  const cases::Scene scene = cases::scene_of(each);
+  std::filesystem::create_directories(folder);
+  scan_cell_common::save_cloud((folder / "reference.ply").string(), to_cloud(scene.reference));
+  scan_cell_common::save_cloud((folder / "object.ply").string(), to_cloud(scene.object));
+  tool_path_stretcher::save_tool_path((folder / "path.csv").string(), scene.path);
+  tool_path_stretcher::save_tool_path((folder / "truth.csv").string(), scene.truth);
 }
 
 }  // namespace
 
-int main() {
-  const char* data = std::getenv("SCAN_CELL_DATA");
-  const std::vector<cases::Case> all = cases::all_cases(data == nullptr ? "" : data);
-  if (data == nullptr) {
+int main(int argc, char** argv) {
+  CLI::App app("Figures of the stretcher beside their yardsticks. Without options: all of them.");
+  std::string word, folder;
+  std::size_t growth_of = 0;
+  bool only_registration = false, only_growth = false;
+  app.add_option("--cases", word, "only the cases whose name holds this");
+  app.add_option("--write", folder, "write clouds and path of the first such case here instead");
+  app.add_option("--growth-of", growth_of, "only this size of the growth, in this process");
+  app.add_flag("--registration", only_registration, "only car and bunny");
+  app.add_flag("--growth", only_growth, "only the growth");
+  CLI11_PARSE(app, argc, argv);
+  const char* variable = std::getenv("SCAN_CELL_DATA");
+  const std::string data = variable == nullptr ? "" : variable;
+  if (growth_of > 0) {
+    bench::run_growth(growth_of);
+    return 0;
+  }
+  const std::vector<cases::Case> chosen = cases_named(word, data);
+  if (!folder.empty()) {
+    if (chosen.empty()) return 1;
+    write(chosen.front(), folder);
+    return 0;
+  }
+  if (data.empty()) {
     std::printf("Without the real parts: SCAN_CELL_DATA names no folder that holds parts/\n");
   }
-  std::printf(
-      "Path errors RMS against exact truth: normal mm, tangential mm, orientation deg; the last\n"
-      "three columns are the thesis' general method with PCL, which never refuses.\n\n"
-      "| case | verdict | normal | tangential | orientation | s | normal | tangential | s |\n"
-      "|---|---|---|---|---|---|---|---|---|\n");
-  Sums sums;
-  for (const cases::Case& each : all)
-    run(each, sums);
-  std::printf("\nverdicts right: %zu of %zu; wrong paths accepted: %zu\n", sums.right, sums.cases,
-              sums.wrong_accepted);
-  std::printf("accepted paths within 0.1 mm normal, 0.5 mm tangential, 1 degree: %zu of %zu\n",
-              sums.within_goals, sums.accepted);
-  std::printf("thesis' method: within 5 mm everywhere in %zu of %zu\n", sums.thesis_within_5_mm,
-              sums.cases);
-  const double median = middle_of(sums.seconds);
-  const double thesis_median = middle_of(sums.thesis_seconds);
-  std::printf("median time: %.2f s, thesis' method %.2f s, ratio %.2f\n", median, thesis_median,
-              thesis_median / median);
+  if (!only_registration && !only_growth) bench::print_case_table(chosen);
+  if (word.empty() && !only_growth) bench::print_registration(data);
+  if (word.empty() && !only_registration) bench::print_growth();
   return 0;
 }

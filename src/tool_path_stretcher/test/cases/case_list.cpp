@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_list.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -33,7 +34,7 @@ class Family {
 
   Case& add(const std::string& what, const Similarity& similarity,
             const Deformation& deformation = none()) {
-    Case each{name_ + ", " + what, part_, part_, deformation, similarity, {}, {}, {}};
+    Case each{name_ + ", " + what, part_, part_, deformation, similarity, {}, {}};
     each.reference_scan.from_above = from_above_;
     each.object_scan.from_above = from_above_;
     each.object_scan.seed = static_cast<unsigned>(all_.size()) + 100;
@@ -125,6 +126,7 @@ void add_others(std::vector<Case>& all) {
   refused("symmetric box", box(false), box(false), Reason::kAmbiguous);
   refused("cup", cup(), cup(), Reason::kAmbiguous);
   refused("symmetric box, symmetric path", box_with_loop(), box_with_loop(), Reason::kAccepted);
+  all.back().own_image = true;
   Family("frame", photo_frame(0.003), true, all).add("x 2.6", turned(2.6, 10)).expected =
       Reason::kScaleAtBound;
   Family("frame", photo_frame(0.003), true, all).add("x 0.38", turned(0.38, 10)).expected =
@@ -150,6 +152,39 @@ void add_real(const std::string& data, std::vector<Case>& all) {
 
 }  // namespace
 
+Scene scene_of(const Case& each) {
+  const auto off_the_surface = [](ToolPath path, double distance) {
+    for (auto& segment : path.segments) {
+      for (auto& waypoint : segment.waypoints)
+        waypoint.pose.translation() += distance * waypoint.pose.linear().col(2);
+    }
+    return path;
+  };
+  const ToolPath& path = each.reference.path;
+  return {scan(each.reference, none(), Similarity(), each.reference_scan),
+          scan(each.object, each.deformation, each.similarity, each.object_scan),
+          off_the_surface(path, each.stand_off),
+          off_the_surface(truth(path, each.deformation, each.similarity),
+                          each.similarity.scale * each.stand_off)};
+}
+
+PathError error_of(const ToolPath& path, const Scene& scene, const Case& each) {
+  if (!each.own_image) return error_of(path, scene.truth, {});
+  ToolPath nearest = scene.truth;
+  for (std::size_t s = 0; s < nearest.segments.size(); ++s) {
+    auto& waypoints = nearest.segments[s].waypoints;
+    for (std::size_t w = 0; w < waypoints.size(); ++w) {
+      const Eigen::Vector3d at = path.segments.at(s).waypoints.at(w).pose.translation();
+      const auto closer = [&at](const auto& a, const auto& b) {
+        return (a.pose.translation() - at).norm() < (b.pose.translation() - at).norm();
+      };
+      const auto& candidates = scene.truth.segments[s].waypoints;
+      waypoints[w] = *std::min_element(candidates.begin(), candidates.end(), closer);
+    }
+  }
+  return error_of(path, nearest, {});
+}
+
 std::vector<Case> all_cases(const std::string& data) {
   std::vector<Case> all;
   add_frames(all);
@@ -157,6 +192,7 @@ std::vector<Case> all_cases(const std::string& data) {
   add_panels(all);
   add_others(all);
   add_real(data, all);
+  add_harder(all);
   return all;
 }
 

@@ -37,6 +37,13 @@ Deformation bulge(double rise, double radius, const Eigen::Vector2d& at) {
   };
 }
 
+Deformation bulge_at(const Eigen::Vector3d& at, const Eigen::Vector3d& rise, double radius) {
+  return [=](const Eigen::Vector3d& p) {
+    const double away = (p - at).norm() / radius;
+    return Eigen::Vector3d(p + std::exp(-away * away) * rise);
+  };
+}
+
 Deformation swelling(double most, double width) {
   return [=](const Eigen::Vector3d& p) {
     const double x = p.x() / width;

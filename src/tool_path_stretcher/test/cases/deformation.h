@@ -24,6 +24,9 @@ Deformation twist(double angle, double width);
 /// A Gaussian hill of `rise` [m] along z, or a dent where that is below 0.
 Deformation bulge(double rise, double radius, const Eigen::Vector2d& at);
 
+/// A Gaussian hill around a place in space, in any direction; `rise` is its top [m].
+Deformation bulge_at(const Eigen::Vector3d& at, const Eigen::Vector3d& rise, double radius);
+
 /// Stretched within x and y by up to `most` [m], unevenly.
 Deformation swelling(double most, double width);
 

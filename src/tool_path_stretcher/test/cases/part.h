@@ -62,6 +62,28 @@ Part straight_moulding();
 /// A cup: a figure of revolution of 120 mm, its path a line down one side.
 Part cup();
 
+/// An angle bracket with legs of 120 and 80 mm, 60 mm wide and 8 mm thick; the path runs over the
+/// inner side of one leg and up the other.
+Part bracket();
+
+/// A turned shaft of 160 mm with shoulders, the path a helix on its middle. Only the keyway, 40 x 8
+/// x 4 mm in its far end, tells how far it is turned.
+Part shaft(bool keyway);
+
+/// The shaft without keyway, with a path that is its own image: once around.
+Part shaft_with_ring();
+
+/// A plate of 240 x 160 mm with four ribs and a boss; the path runs between two ribs and over none.
+/// @param moved_rib [m] of the third rib to the side: another variant of the part
+Part ribbed_plate(double moved_rib = 0);
+
+/// A quarter of a pipe of 50 mm round a bend of 80 mm, with a flange; the path winds along the
+/// outside of the bend.
+Part elbow();
+
+/// The part with some of its path: the waypoints between two shares of their count.
+Part with_path_between(Part part, double from, double to);
+
 /// A part from a mesh with its own path.
 Part part_of_mesh(const pcl::PolygonMesh& mesh, const ToolPath& path);
 

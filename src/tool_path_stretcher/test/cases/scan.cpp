@@ -18,7 +18,9 @@ class Scanner {
     for (const Facet& facet : part.facets) {
       sum += facet.area;
       area_to_.push_back(sum);
-      box_.extend(facet.at(0.5, 0.5).position);
+      for (const double u : {0.0, 1.0})
+        for (const double v : {0.0, 1.0})
+          box_.extend(facet.at(u, v).position);
     }
   }
 
@@ -59,7 +61,7 @@ class Scanner {
     constexpr double kFacing = 0.25;
     if (how_.from_above && point.normal.z() < kFacing) return false;
     const Eigen::Vector3d at = (point.position - box_.min()).cwiseQuotient(box_.sizes());
-    if (at.x() > how_.share) return false;
+    if ((how_.far_end ? 1 - at.x() : at.x()) > how_.share) return false;
     const double density = 1 + (how_.density_ratio - 1) * at.y();
     if (uniform() * std::max(1.0, how_.density_ratio) > density) return false;
     return how_.hole == 0 || away_from_holes(point.position);

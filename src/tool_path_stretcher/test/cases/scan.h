@@ -17,6 +17,7 @@ struct Scan {
   double noise = 0.0001;     //!< [m] of each coordinate
   bool from_above = false;   //!< surfaces that face away from z are not seen
   double share = 1;          //!< of the part's extent along x that is scanned, from one end
+  bool far_end = false;      //!< that end is the one where x is greatest
   double density_ratio = 1;  //!< of one end along y to the other
   double hole = 0;           //!< [m] radius of holes in the scan, a third of the size apart
   double outliers = 0;       //!< share of the points, anywhere around

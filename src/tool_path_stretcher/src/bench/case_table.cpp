@@ -1,0 +1,158 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "case_table.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cases/pcl_pipeline.h"
+#include "cases/thesis_method.h"
+#include "stopwatch.h"
+#include "tool_path_stretcher/stretcher.h"
+
+namespace bench {
+namespace {
+
+using namespace tool_path_stretcher;
+
+constexpr double kGross = 0.005;  // [m] a path so far off somewhere is wrong
+
+double middle_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+bool must_be_accepted(const cases::Case& each) {
+  return each.expected == Reason::kAccepted;
+}
+
+/// How the suite fared.
+struct Ours {
+  std::size_t right = 0;
+  std::size_t wrong_accepted = 0;
+  std::size_t gross = 0;
+  std::size_t accepted = 0;
+  std::size_t within_goals = 0;
+  std::vector<double> seconds;
+};
+
+/// How a yardstick fared.
+struct Theirs {
+  std::size_t within = 0;          // of the cases to be accepted: converged, and nowhere gross
+  std::size_t gross_accepted = 0;  // of those: converged, but gross somewhere
+  std::size_t wrong_accepted = 0;  // of the cases to be refused: converged
+  std::vector<double> seconds;
+};
+
+struct Sums {
+  std::size_t to_accept = 0;
+  std::size_t to_refuse = 0;
+  Ours ours;
+  Theirs thesis;
+  Theirs pcl;
+};
+
+bool within_goals(const cases::PathError& error) {
+  return error.normal <= 1e-4 && error.tangential <= 5e-4 && error.orientation <= M_PI / 180;
+}
+
+void run_ours(const cases::Case& each, const cases::Scene& scene, Ours& sums) {
+  const StretchParameters parameters;
+  StretchResult result;
+  sums.seconds.push_back(seconds_of([&] {
+    result = stretch(surface_from_cloud(scene.reference, parameters.leaf, "reference"),
+                     surface_from_cloud(scene.object, parameters.leaf, "object"), scene.path,
+                     parameters);
+  }));
+  const bool right = each.is_right(result.verdict.reason);
+  sums.right += right;
+  std::printf("| %s | %s%s ", each.name.c_str(), to_string(result.verdict.reason).c_str(),
+              right ? "" : " (WRONG)");
+  if (!result.verdict.accepted()) {
+    std::printf("| | | | | %.2f ", sums.seconds.back());
+    return;
+  }
+  const cases::PathError error = cases::error_of(result.path, scene, each);
+  ++sums.accepted;
+  sums.wrong_accepted += !right;
+  sums.gross += right && error.worst >= kGross;
+  sums.within_goals += right && within_goals(error);
+  std::printf("| %.3f | %.3f | %.2f | %.2f | %.2f ", 1e3 * error.normal, 1e3 * error.tangential,
+              error.orientation * 180 / M_PI, 1e3 * error.worst, sums.seconds.back());
+}
+
+/// @param converged what the yardstick says of itself; the thesis' method says nothing
+void run_theirs(const cases::Case& each, const cases::Scene& scene, const ToolPath& path,
+                bool converged, Theirs& sums) {
+  if (!must_be_accepted(each)) {
+    sums.wrong_accepted += converged;
+    std::printf("| | %.2f ", sums.seconds.back());
+    return;
+  }
+  const double worst = cases::error_of(path, scene, each).worst;
+  sums.within += converged && worst < kGross;
+  sums.gross_accepted += converged && worst >= kGross;
+  std::printf("| %.2f | %.2f ", 1e3 * worst, sums.seconds.back());
+}
+
+void run(const cases::Case& each, Sums& sums) {
+  const cases::Scene scene = cases::scene_of(each);
+  ++(must_be_accepted(each) ? sums.to_accept : sums.to_refuse);
+  run_ours(each, scene, sums.ours);
+  ToolPath thesis;
+  sums.thesis.seconds.push_back(seconds_of(
+      [&] { thesis = cases::thesis_method(scene.reference, scene.object, scene.path); }));
+  run_theirs(each, scene, thesis, true, sums.thesis);
+  cases::PclResult pcl;
+  sums.pcl.seconds.push_back(
+      seconds_of([&] { pcl = cases::pcl_pipeline(scene.reference, scene.object, scene.path); }));
+  std::printf("| %s ", pcl.converged ? "converged" : "not");
+  run_theirs(each, scene, pcl.path, pcl.converged, sums.pcl);
+  std::printf("|\n");
+  std::fflush(stdout);
+}
+
+void print_theirs(const char* name, const Theirs& theirs, const Sums& sums, double our_median) {
+  const double median = middle_of(theirs.seconds);
+  std::printf("| %s | %zu of %zu | %zu | %zu of %zu | %.2f | %.2f |\n", name, theirs.within,
+              sums.to_accept, theirs.gross_accepted, theirs.wrong_accepted, sums.to_refuse, median,
+              median / our_median);
+}
+
+void print_sums(const Sums& sums) {
+  const double median = middle_of(sums.ours.seconds);
+  const std::size_t rightly = sums.ours.accepted - sums.ours.wrong_accepted;
+  std::printf("\n### All cases together\n\n");
+  std::printf("- verdicts right: %zu of %zu\n", sums.ours.right, sums.to_accept + sums.to_refuse);
+  std::printf("- accepted what is to be refused: %zu; accepted but more than 5 mm off: %zu\n",
+              sums.ours.wrong_accepted, sums.ours.gross);
+  std::printf(
+      "- of those rightly accepted, within 0.1 mm normal, 0.5 mm tangential, 1 degree: %zu of "
+      "%zu\n\n",
+      sums.ours.within_goals, rightly);
+  std::printf(
+      "| method | accepted, within 5 mm everywhere | accepted, but farther off | accepted what is "
+      "to be refused | median s | ratio |\n|---|---|---|---|---|---|\n");
+  std::printf("| here | %zu of %zu | %zu | %zu of %zu | %.2f | 1 |\n", rightly - sums.ours.gross,
+              sums.to_accept, sums.ours.gross, sums.ours.wrong_accepted, sums.to_refuse, median);
+  print_theirs("thesis' general method (never refuses)", sums.thesis, sums, median);
+  print_theirs("PCL: FPFH, prerejective RANSAC, ICP with scale", sums.pcl, sums, median);
+}
+
+}  // namespace
+
+void print_case_table(const std::vector<cases::Case>& all) {
+  std::printf(
+      "### Cases\n\nRMS error of the path along the normal and along the surface [mm] and of its "
+      "orientation [deg], and its farthest waypoint [mm]. The thesis' method has no verdict; PCL's "
+      "is hasConverged().\n\n"
+      "| case | verdict | normal | tangential | orientation | worst | s | thesis: worst | s "
+      "| PCL: says | worst | s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  Sums sums;
+  for (const cases::Case& each : all)
+    run(each, sums);
+  print_sums(sums);
+}
+
+}  // namespace bench

@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tool_path_stretcher/similarity.h"
+#include "tool_path_stretcher/surface.h"
+#include "tool_path_stretcher/tool_path.h"
+
+namespace tool_path_stretcher {
+
+/// What a report says that can be shown.
+struct ReportedVerdict {
+  bool accepted = false;
+  std::string reason;
+  std::string message;
+  std::vector<std::size_t> waypoints;    //!< concerned, counted over all segments
+  std::vector<Similarity> similarities;  //!< best first; empty where it did not come to that
+};
+
+/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the file is no report
+ReportedVerdict load_report(const std::string& path);
+
+struct PictureInput {
+  Surface reference;
+  Surface object;
+  ToolPath path;
+  std::optional<ToolPath> adapted;  //!< none: where the similarity puts the path
+  ReportedVerdict verdict;
+  double azimuth = -1.05;   //!< [rad] of the eye about z
+  double elevation = 0.75;  //!< [rad] of the eye above the x-y plane
+};
+
+/// Draws the reference with its path to the left, and the object to the right, turned as the
+/// reference lies: coloured by its distance from the aligned reference, with the path on it and
+/// lines between corresponding waypoints. Waypoints that the verdict names are red.
+/// @throw scan_cell_common::FileError if it cannot be written
+void save_picture(const std::string& path, const PictureInput& input);
+
+}  // namespace tool_path_stretcher
