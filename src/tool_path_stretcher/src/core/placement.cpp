@@ -77,16 +77,40 @@ double trust(double signal, double square, double variance) {
   return here > 0 ? here / (here + variance) : 0;
 }
 
+/// Waypoints begin, begin + step .. end - 1 of a segment.
+struct Stretch {
+  std::size_t begin;
+  std::size_t end;
+  std::size_t step;
+};
+
+/// Those within `reach` [m] along the path; not all where they are far denser than any scan.
+Stretch around(const Track& track, std::size_t at, double reach) {
+  constexpr std::size_t kMost = 256;
+  const std::vector<double>& lengths = track.arc_length;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(at);
+  const auto first = std::lower_bound(lengths.begin(), middle, *middle - reach);
+  const auto last = std::upper_bound(middle, lengths.end(), *middle + reach);
+  const auto begin = static_cast<std::size_t>(first - lengths.begin());
+  const auto end = static_cast<std::size_t>(last - lengths.begin());
+  std::size_t step = 1;
+  while ((end - begin) / step > kMost)
+    step *= 2;
+  return {(begin + step - 1) / step * step, end, step};
+}
+
 /// Mean of the neighbours along the path, by their variance and a Gaussian of the arc length.
 Correction smoothed(const Track& track, std::size_t at, double width, const Signal& signal) {
   constexpr double kSlopeWidth = 2;  // a slope is noisier than a height
+  constexpr double kReach = 3 * kSlopeWidth;
   double height_weight = 0;
   double slope_weight = 0;
   Correction sum;
-  for (std::size_t i = 0; i < track.surfaces.size(); ++i) {
+  const Stretch near_by = around(track, at, kReach * width);
+  for (std::size_t i = near_by.begin; i < near_by.end; i += near_by.step) {
     const LocalSurface& surface = track.surfaces[i];
     const double steps = (track.arc_length[i] - track.arc_length[at]) / width;
-    if (!surface.measured || std::abs(steps) > 3 * kSlopeWidth) continue;
+    if (!surface.measured || std::abs(steps) > kReach) continue;
     const double near = std::exp(-steps * steps / 2);
     const double slope_near = std::exp(-steps * steps / (2 * kSlopeWidth * kSlopeWidth));
     const double height_each = near / (surface.height_variance + 1e-18);
@@ -105,16 +129,12 @@ Correction smoothed(const Track& track, std::size_t at, double width, const Sign
           trust(signal.slope_variance, slope.squaredNorm() / 2, own.slope_variance) * slope};
 }
 
-/// Between the measured waypoints before and after, by arc length; nothing past the last one.
-Correction inferred(const Track& track, const std::vector<Correction>& measured, std::size_t at) {
-  std::size_t before = at;
-  std::size_t after = at;
-  while (before > 0 && !track.surfaces[before].measured)
-    --before;
-  while (after + 1 < track.surfaces.size() && !track.surfaces[after].measured)
-    ++after;
-  const bool has_before = track.surfaces[before].measured;
-  const bool has_after = track.surfaces[after].measured;
+/// Between the measured waypoints before and after, by arc length; nothing past the last one. Where
+/// there is none before or after, that is `measured.size()`.
+Correction inferred(const Track& track, const std::vector<Correction>& measured, std::size_t at,
+                    std::size_t before, std::size_t after) {
+  const bool has_before = before < measured.size();
+  const bool has_after = after < measured.size();
   if (!has_before && !has_after) return {};
   if (!has_before || !has_after) return measured[has_before ? before : after];
   const double span = track.arc_length[after] - track.arc_length[before];
@@ -124,13 +144,22 @@ Correction inferred(const Track& track, const std::vector<Correction>& measured,
 }
 
 std::vector<Correction> corrections_of(const Track& track, double width, const Signal& signal) {
-  std::vector<Correction> corrections(track.surfaces.size());
-  for (std::size_t i = 0; i < corrections.size(); ++i) {
+  const std::size_t count = track.surfaces.size();
+  std::vector<Correction> corrections(count);
+  for (std::size_t i = 0; i < count; ++i) {
     if (track.surfaces[i].measured) corrections[i] = smoothed(track, i, width, signal);
   }
   std::vector<Correction> result = corrections;
-  for (std::size_t i = 0; i < corrections.size(); ++i) {
-    if (!track.surfaces[i].measured) result[i] = inferred(track, corrections, i);
+  std::size_t before = count;
+  std::size_t after = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    while (after < count && (after < i || !track.surfaces[after].measured))
+      ++after;
+    if (track.surfaces[i].measured) {
+      before = i;
+    } else {
+      result[i] = inferred(track, corrections, i, before, after);
+    }
   }
   return result;
 }
