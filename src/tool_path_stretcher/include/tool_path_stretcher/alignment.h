@@ -29,9 +29,6 @@ using AlignmentProgress = std::function<void(double)>;
 std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
                                        const Prior& prior, const AlignmentProgress& progress);
 
-/// How many points of each surface are compared (Samples).
-enum class Density { kFew, kMany };
-
 /// Refines a pose by robust point-to-plane ICP in both directions (Chen and Medioni 1992; Tukey's
 /// biweight), with the rims held on each other. The scale of the start must lie in the prior's
 /// range.

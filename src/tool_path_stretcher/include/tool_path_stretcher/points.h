@@ -54,6 +54,13 @@ class KdTree {
   /// The set must not be empty.
   Neighbour nearest(const Eigen::Vector3d& query) const;
 
+  /// The nearest point, and how much farther [m] away the next one is (infinite: there is none).
+  struct Clear {
+    std::size_t index;
+    double lead;
+  };
+  Clear clearly_nearest(const Eigen::Vector3d& query) const;
+
   /// The `count` nearest, nearest first; fewer where the set has fewer.
   void nearest(const Eigen::Vector3d& query, std::size_t count,
                std::vector<Neighbour>& found) const;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "hypotheses.h"
 #include "robust.h"
@@ -32,35 +34,52 @@ std::vector<Candidate> distinct(std::vector<Candidate> candidates, const Points&
   return kept;
 }
 
-/// Root mean square residual of both directions, each point counted up to a cap; of the reference
-/// only the share that any scan covers.
+double mean_of_least(std::vector<double> values, double share) {
+  const auto end =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size())) + 1;
+  std::nth_element(values.begin(), end - 1, values.end());
+  return std::accumulate(values.begin(), end, 0.0) / static_cast<double>(end - values.begin());
+}
+
+/// Root mean square residual of both directions, each point counted up to a cap; of the object
+/// without the share that may be none of the part, of the reference only the share that any scan
+/// covers.
 double cost_of(const Surface& reference, const Surface& object, const Similarity& similarity,
                Density density) {
   constexpr double kCap = 0.05;  // of the object's size
+  constexpr double kObjectShare = 0.9;
   constexpr double kReferenceShare = 0.5;
   const double cap = kCap * object.size;
   const Mapping mapping{similarity, {}};
-  double forth = 0;
-  const bool few = density == Density::kFew;
-  const Points object_points =
-      select(object.points, few ? object.samples.few : object.samples.many);
-  for (const Residual& residual : residuals_of(reference, mapping, object_points)) {
-    const double distance = similarity.scale * std::hypot(residual.along_normal, residual.beside);
-    forth += std::pow(std::min(distance, cap), 2);
+  const auto capped_square = [cap](double distance) {
+    return std::pow(std::min(distance, cap), 2);
+  };
+  std::vector<double> forth;
+  for (const Residual& residual :
+       residuals_of(reference, mapping, select(object.points, object.samples.of(density)))) {
+    forth.push_back(
+        capped_square(similarity.scale * std::hypot(residual.along_normal, residual.beside)));
   }
   std::vector<double> back;
-  for (const std::size_t i : few ? reference.samples.few : reference.samples.many) {
+  for (const std::size_t i : reference.samples.of(density)) {
     const double squared = object.tree->nearest(similarity * reference.points[i]).squared_distance;
-    back.push_back(std::pow(std::min(std::max(0.0, std::sqrt(squared) - object.spacing), cap), 2));
+    back.push_back(capped_square(std::max(0.0, std::sqrt(squared) - object.spacing)));
   }
-  std::sort(back.begin(), back.end());
-  back.resize(static_cast<std::size_t>(kReferenceShare * static_cast<double>(back.size())) + 1);
-  double back_sum = 0;
-  for (const double square : back)
-    back_sum += square;
-  return std::sqrt((forth / static_cast<double>(object_points.size()) +
-                    back_sum / static_cast<double>(back.size())) /
+  return std::sqrt((mean_of_least(std::move(forth), kObjectShare) +
+                    mean_of_least(std::move(back), kReferenceShare)) /
                    2);
+}
+
+/// Candidates that cost many times what the best does will not win.
+constexpr double kHopeless = 3;
+
+void drop_hopeless(std::vector<Candidate>& candidates, double factor, double best) {
+  for (const Candidate& each : candidates)
+    best = std::min(best, each.cost);
+  candidates.erase(
+      std::remove_if(candidates.begin(), candidates.end(),
+                     [&](const Candidate& each) { return !(each.cost <= factor * best); }),
+      candidates.end());
 }
 
 /// The best pose, with the reference turned within itself as a cube is, and in small steps about
@@ -106,7 +125,8 @@ class Search {
       tried.push_back(
           improve_coarsely(coarse_reference_, coarse_object_, guess, scales, kFirstIterations));
     }
-    tried = distinct(tried, probes(), 0.1 * object_.size, 40);
+    drop_hopeless(tried, kHopeless, std::numeric_limits<double>::infinity());
+    tried = distinct(std::move(tried), probes(), 0.1 * object_.size, 40);
     for (Candidate& each : tried) {
       each = improve_coarsely(coarse_reference_, coarse_object_, each.similarity, scales,
                               kMoreIterations);
@@ -115,36 +135,46 @@ class Search {
       untried_.push_back(each);
   }
 
+  /// Tries the best pose turned in itself, where that is not hopeless from the start.
+  void try_turned() {
+    const Similarity& best = candidates_.front().similarity;
+    std::vector<Similarity> promising;
+    const double cost = cost_as_it_is(best);
+    for (const Similarity& turned : turned_in_itself(coarse_reference_.frame, best)) {
+      if (cost_as_it_is(turned) < kHopeless * cost) promising.push_back(turned);
+    }
+    try_coarsely(promising);
+  }
+
   /// Refines what was tried coarsely since the last time.
   void refine_tried() {
-    constexpr int kIterations = 15;
+    constexpr int kFirstIterations = 5;
+    constexpr int kMoreIterations = 15;
     untried_ = distinct(std::move(untried_), probes(), 0.05 * object_.size, 12);
-    improve(untried_, Density::kFew, kIterations);
+    improve(untried_, Density::kFew, kFirstIterations);
+    drop_hopeless(
+        untried_, kHopeless,
+        candidates_.empty() ? std::numeric_limits<double>::infinity() : candidates_.front().cost);
+    improve(untried_, Density::kFew, kMoreIterations);
     for (const Candidate& each : untried_)
       candidates_.push_back(each);
     untried_.clear();
     candidates_ = distinct(std::move(candidates_), probes(), 0.03 * object_.size, 5);
   }
 
-  /// Whether the best pose leaves nothing to explain: most of the object lies on the reference, and
-  /// most of the reference was found again.
+  /// Whether the best pose leaves nothing to explain, as it is or slightly deformed: most of the
+  /// object lies on the reference, and most of the reference was found again.
   bool settled() const {
-    constexpr double kExplained = 0.95;
-    constexpr double kCovered = 0.8;
+    constexpr int kLevel = 2;
     if (candidates_.empty()) return false;
-    const Explanation explanation = explain(
-        reference_, object_, {candidates_.front().similarity, {}}, kSettled * object_.spacing);
-    return explanation.inlier_ratio > kExplained && explanation.overlap > kCovered;
+    const Similarity& best = candidates_.front().similarity;
+    return explains_most({best, {}}) ||
+           explains_most(fit_deformation(reference_, object_, best, prior_.scale, kLevel));
   }
 
   void finish() {
     constexpr int kIterations = 30;
-    constexpr double kHopeless = 5;  // times the cost of the best
-    const double best = candidates_.empty() ? 0 : candidates_.front().cost;
-    candidates_.erase(
-        std::remove_if(candidates_.begin(), candidates_.end(),
-                       [&](const Candidate& each) { return each.cost > kHopeless * best; }),
-        candidates_.end());
+    drop_hopeless(candidates_, kHopeless, candidates_.front().cost);
     improve(candidates_, Density::kMany, kIterations);
     candidates_ = distinct(std::move(candidates_), probes(), 0.01 * object_.size, 5);
   }
@@ -154,9 +184,20 @@ class Search {
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
  private:
-  static constexpr double kSettled = 0.4;  // spacings
+  bool explains_most(const Mapping& mapping) const {
+    constexpr double kReach = 0.4;  // spacings
+    constexpr double kExplained = 0.88;
+    constexpr double kCovered = 0.8;
+    const Explanation explanation = explain(reference_, object_, mapping, kReach * object_.spacing);
+    return explanation.inlier_ratio > kExplained && explanation.overlap > kCovered;
+  }
 
   const Points& probes() const { return coarse_reference_.queries; }
+
+  double cost_as_it_is(const Similarity& similarity) const {
+    return improve_coarsely(coarse_reference_, coarse_object_, similarity, prior_.scale.range(), 0)
+        .cost;
+  }
 
   void improve(std::vector<Candidate>& candidates, Density density, int iterations) const {
     for (Candidate& each : candidates) {
@@ -218,8 +259,7 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
   }
   progress(0.7);
   if (search.candidates().empty()) return {};
-  search.try_coarsely(
-      turned_in_itself(search.reference().frame, search.candidates().front().similarity));
+  search.try_turned();
   search.refine_tried();
   progress(0.85);
   search.finish();

@@ -73,12 +73,16 @@ bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, d
 std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
                                        const Mapping& mapping, const ScalePrior& scale) {
   constexpr double kStep = 0.12;  // of the object's size
+  constexpr double kBack = 0.05;  // of the object's size: it slid back to where it was
   constexpr int kIterations = 30;
+  const Points probes = select(reference.points, reference.samples.few);
   std::vector<Mapping> result;
-  for (const Similarity& slid :
-       slides(reference, object, mapping.similarity, kStep * object.size)) {
-    result.push_back(
-        {refine(reference, object, slid, scale, Density::kMany, kIterations), mapping.graph});
+  for (Similarity slid : slides(reference, object, mapping.similarity, kStep * object.size)) {
+    for (const Density density : {Density::kFew, Density::kMany}) {
+      slid = refine(reference, object, slid, scale, density, kIterations);
+      if (distance(slid, mapping.similarity, probes) < kBack * object.size) break;
+      if (density == Density::kMany) result.push_back({slid, mapping.graph});
+    }
   }
   return result;
 }

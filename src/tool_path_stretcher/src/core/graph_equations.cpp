@@ -10,7 +10,8 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr Eigen::Index kUnknowns = 6;  // of a node: turn, shift
+constexpr int kUnknowns = 6;  // of a node: turn, shift
+using NodeRow = Eigen::Matrix<double, kUnknowns, 1>;
 
 Eigen::Matrix3d small_turn(const Eigen::Vector3d& turn) {
   const double angle = turn.norm();
@@ -27,48 +28,41 @@ GraphEquations::GraphEquations(const DeformationGraph& graph, const Eigen::Vecto
   right_side_ = Eigen::VectorXd::Zero(size);
 }
 
-void GraphEquations::add_row(const std::vector<Eigen::Index>& columns,
-                             const std::vector<double>& values, double error, double weight) {
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const double weighted = weight * values[i];
-    right_side_[columns[i]] += weighted * error;
-    for (std::size_t j = 0; j <= i; ++j)  // the columns rise: the lower triangle
-      matrix_(columns[i], columns[j]) += weighted * values[j];
-  }
-}
-
 void GraphEquations::add(const std::vector<GraphConstraint>& constraints, double deviation) {
+  const Eigen::Index growth = matrix_.rows() - 1;
   std::vector<Eigen::Index> columns;
-  std::vector<double> values;
+  std::vector<NodeRow> rows;
   for (const GraphConstraint& constraint : constraints) {
     const double weight =
         tukey_weight(constraint.error, kTukeyCut * deviation) / (deviation * deviation);
     if (weight == 0) continue;
     columns.clear();
-    values.clear();
+    rows.clear();
     for (const auto& influence : constraint.anchor->influences) {
       const DeformationGraph::Node& node = graph_.nodes()[influence.node];
       const Eigen::Vector3d arm = node.rotation * (constraint.anchor->at - node.at);
-      const Eigen::Vector3d turn = influence.weight * arm.cross(constraint.direction);
-      const Eigen::Vector3d shift = influence.weight * constraint.direction;
-      const Eigen::Index column = kUnknowns * static_cast<Eigen::Index>(influence.node);
-      for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        columns.push_back(column + axis);
-        values.push_back(turn[axis]);
-      }
-      for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        columns.push_back(column + 3 + axis);
-        values.push_back(shift[axis]);
-      }
+      columns.push_back(kUnknowns * static_cast<Eigen::Index>(influence.node));
+      rows.emplace_back();
+      rows.back() << influence.weight * arm.cross(constraint.direction),
+          influence.weight * constraint.direction;
     }
-    columns.push_back(matrix_.rows() - 1);
-    values.push_back(constraint.direction.dot(constraint.target - centre_));
-    add_row(columns, values, constraint.error, weight);
+    const double grown = constraint.direction.dot(constraint.target - centre_);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const NodeRow weighted = weight * rows[i];
+      right_side_.segment<kUnknowns>(columns[i]) += constraint.error * weighted;
+      matrix_.block<1, kUnknowns>(growth, columns[i]) += grown * weighted.transpose();
+      for (std::size_t j = 0; j <= i; ++j)  // nodes rise: the lower triangle
+        matrix_.block<kUnknowns, kUnknowns>(columns[i], columns[j]).noalias() +=
+            weighted * rows[j].transpose();
+    }
+    right_side_[growth] += weight * grown * constraint.error;
+    matrix_(growth, growth) += weight * grown * grown;
   }
 }
 
 void GraphEquations::add_rigidity(double strain) {
   constexpr double kNeighbours = 1.8;  // spacings
+  using Block = Eigen::Matrix<double, 3, kUnknowns>;
   const std::vector<DeformationGraph::Node>& nodes = graph_.nodes();
   const double reach = kNeighbours * graph_.spacing();
   for (std::size_t j = 0; j < nodes.size(); ++j) {
@@ -76,20 +70,28 @@ void GraphEquations::add_rigidity(double strain) {
       const Eigen::Vector3d way = nodes[k].at - nodes[j].at;
       if (j == k || way.norm() > reach) continue;
       const double deviation = strain * way.norm();
+      const double weight = 1 / (deviation * deviation);
       const Eigen::Vector3d arm = nodes[j].rotation * way;
       const Eigen::Vector3d error =
           nodes[k].at + nodes[k].shift - (arm + nodes[j].at + nodes[j].shift);
-      const Eigen::Index from = kUnknowns * static_cast<Eigen::Index>(j);
-      const Eigen::Index to = kUnknowns * static_cast<Eigen::Index>(k);
-      for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        const Eigen::Vector3d turn = arm.cross(Eigen::Vector3d::Unit(axis));
-        std::vector<Eigen::Index> columns = {from, from + 1, from + 2, from + 3 + axis};
-        std::vector<double> values = {turn.x(), turn.y(), turn.z(), 1.0};
-        const auto at = to < from ? columns.begin() : columns.end();
-        values.insert(to < from ? values.begin() : values.end(), -1.0);
-        columns.insert(at, to + 3 + axis);
-        add_row(columns, values, error[axis], 1 / (deviation * deviation));
-      }
+      Block from = Block::Zero();
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        from.block<1, 3>(axis, 0) = arm.cross(Eigen::Vector3d::Unit(axis)).transpose();
+      from.rightCols<3>().setIdentity();
+      Block to = Block::Zero();
+      to.rightCols<3>() = -Eigen::Matrix3d::Identity();
+      const Eigen::Index at = kUnknowns * static_cast<Eigen::Index>(j);
+      const Eigen::Index other = kUnknowns * static_cast<Eigen::Index>(k);
+      const auto add_block = [&](Eigen::Index row, const Block& left, Eigen::Index column,
+                                 const Block& right) {
+        matrix_.block<kUnknowns, kUnknowns>(row, column) += weight * left.transpose() * right;
+      };
+      add_block(at, from, at, from);
+      add_block(other, to, other, to);
+      if (at > other) add_block(at, from, other, to);
+      if (at < other) add_block(other, to, at, from);
+      right_side_.segment<kUnknowns>(at) += weight * from.transpose() * error;
+      right_side_.segment<kUnknowns>(other) += weight * to.transpose() * error;
     }
   }
 }
@@ -98,8 +100,11 @@ void GraphEquations::add_prior(const ScalePrior& prior, double current) {
   constexpr double kFixed = 1e-12;
   if (!prior.is_known()) return;
   const double deviation = prior.is_fixed() ? kFixed : prior.deviation / current;
-  add_row({matrix_.rows() - 1}, {1.0}, prior.is_fixed() ? 0 : std::log(prior.value / current),
-          1 / (deviation * deviation));
+  const double error = prior.is_fixed() ? 0 : std::log(prior.value / current);
+  const double weight = 1 / (deviation * deviation);
+  const Eigen::Index growth = matrix_.rows() - 1;
+  matrix_(growth, growth) += weight;
+  right_side_[growth] += weight * error;
 }
 
 GraphEquations::Step GraphEquations::solve() const {
@@ -107,7 +112,7 @@ GraphEquations::Step GraphEquations::solve() const {
   constexpr double kDamping = 1e-9;  // pins what neither data nor neighbours show
   matrix.diagonal() *= 1 + kDamping;
   matrix.diagonal().array() += kDamping;
-  Eigen::VectorXd step = matrix.selfadjointView<Eigen::Lower>().ldlt().solve(right_side_);
+  Eigen::VectorXd step = matrix.selfadjointView<Eigen::Lower>().llt().solve(right_side_);
   if (!step.allFinite()) step.setZero();
   double farthest = 0;
   for (Eigen::Index at = 0; at + kUnknowns < step.size(); at += kUnknowns)

@@ -49,9 +49,6 @@ class GraphEquations {
   Step solve() const;
 
  private:
-  void add_row(const std::vector<Eigen::Index>& columns, const std::vector<double>& values,
-               double error, double weight);
-
   const DeformationGraph& graph_;
   Eigen::Vector3d centre_;
   Eigen::MatrixXd matrix_;

@@ -1,11 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "graph_equations.h"
+#include "nearest_cache.h"
 #include "robust.h"
 #include "tool_path_stretcher/alignment.h"
 #include "tool_path_stretcher/residuals.h"
@@ -36,8 +39,7 @@ void add_anchor(const DeformationGraph& graph, const Eigen::Vector3d& at,
 
 Anchors surface_anchors(const Surface& reference, const DeformationGraph& graph, Density density) {
   Anchors anchors;
-  const bool few = density == Density::kFew;
-  for (const std::size_t i : few ? reference.samples.few : reference.samples.many)
+  for (const std::size_t i : reference.samples.of(density))
     add_anchor(graph, reference.points[i], reference.normals[i], anchors);
   return anchors;
 }
@@ -62,13 +64,15 @@ constexpr double kFacesAlike = 0.7;  // cosine
 /// From where the mapping puts points of the reference to the scanned surface beside them, along
 /// its normal, where the two may be the same place.
 Constraints along_normals(const Anchors& anchors, const Surface& object, const Target& target,
-                          const Mapping& mapping) {
+                          const Mapping& mapping, NearestCache& in_target) {
   constexpr double kReach = 3;  // spacings
   Constraints constraints;
-  for (const GraphAnchor& anchor : anchors) {
+  constraints.reserve(anchors.size());
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    const GraphAnchor& anchor = anchors[i];
     const Eigen::Vector3d mapped =
         mapping.similarity * mapping.graph.moved(anchor.at, anchor.influences);
-    const std::size_t nearest = target.tree->nearest(mapped).index;
+    const std::size_t nearest = in_target.nearest(i, mapped);
     const Eigen::Vector3d& normal = target.normals[nearest];
     if (std::abs(normal.dot(mapping.similarity.rotation * anchor.along)) < kFacesAlike) continue;
     const Eigen::Vector3d way = target.points[nearest] - mapped;
@@ -122,9 +126,10 @@ Mapping fit(const Surface& reference, const Surface& object, const Target& targe
   const Eigen::Vector3d centre = principal_frame(reference.points).centroid;
   const Anchors surface = surface_anchors(reference, mapping.graph, density);
   const Anchors rim = rim_anchors(reference, mapping.graph);
+  NearestCache in_target(*target.tree, surface.size());
   double widest = 0.02 * reference.size;  // a bulge is no outlier before it was followed
   for (int i = 0; i < kIterations; ++i) {
-    const Constraints normals = along_normals(surface, object, target, mapping);
+    const Constraints normals = along_normals(surface, object, target, mapping, in_target);
     const Constraints rims = along_rims(rim, object, mapping);
     const double deviation = std::max(deviation_of(normals), 1e-7 * reference.size);
     GraphEquations equations(mapping.graph, centre);
@@ -215,15 +220,20 @@ Halves split_in_blocks(const Surface& object, double edge) {
   return halves;
 }
 
+/// Whether a scanned point lies beside the reference's surface by little.
+bool lies_on_reference(const Residual& residual, const Surface& reference) {
+  constexpr double kReach = 2;  // spacings
+  return residual.beside < kReach * reference.spacing;
+}
+
 /// Square residuals of the points held out that lie on the reference, each up to the square of
 /// `cut`, summed by block.
 std::vector<double> held_out_squares(const Surface& reference, const Mapping& mapping,
                                      const Halves& halves, double cut) {
-  constexpr double kReach = 2;  // spacings beside the reference, beyond which a point is none of it
   std::vector<double> sums(halves.blocks, 0);
   for (std::size_t i = 0; i < halves.held_out.size(); ++i) {
     const Residual residual = residual_of(reference, mapping, halves.held_out[i]);
-    if (residual.beside >= kReach * reference.spacing) continue;
+    if (!lies_on_reference(residual, reference)) continue;
     sums[halves.block[i]] += std::min(residual.along_normal * residual.along_normal, cut * cut);
   }
   return sums;
@@ -247,35 +257,70 @@ bool explains_better(const std::vector<double>& before, const std::vector<double
   return gain > kLeastGain * sum && gain > kSignificance * deviation;
 }
 
+/// Sums over the points of one patch: a cell, and the axis that its normals are nearest to.
+struct Patch {
+  double count = 0;
+  double sum = 0;      // [m]
+  double squares = 0;  // [m^2]
+};
+
+/// Share of the square residuals that neighbours on the surface have in common, about 0 where they
+/// are noise: a smooth deformation can explain no more than that. One-way analysis of variance over
+/// patches, each residual counted up to `cut`.
+double common_share(const Surface& reference, const Mapping& mapping, const Points& object_points,
+                    double cut) {
+  constexpr double kCell = 0.12;  // of the reference's size
+  std::map<std::pair<Cell, Eigen::Index>, Patch> patches;
+  for (const Residual& residual : residuals_of(reference, mapping, object_points)) {
+    if (!lies_on_reference(residual, reference)) continue;
+    const Eigen::Vector3d& normal = reference.normals[residual.reference];
+    Eigen::Index axis = 0;
+    normal.cwiseAbs().maxCoeff(&axis);
+    Patch& patch = patches[{cell_of(residual.pulled_back, kCell * reference.size), axis}];
+    const double error = std::copysign(1.0, normal[axis]) *  // the sign of a cloud's normal is free
+                         std::clamp(residual.along_normal, -cut, cut);
+    patch.count += 1;
+    patch.sum += error;
+    patch.squares += error * error;
+  }
+  double common = 0;
+  double total = 0;
+  for (const auto& [at, patch] : patches) {
+    total += patch.squares;
+    if (patch.count < 2) continue;
+    const double of_mean = patch.sum * patch.sum / patch.count;
+    common += of_mean - (patch.squares - of_mean) / (patch.count - 1);
+  }
+  return total > 0 ? common / total : 0;
+}
+
 constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, by level
 
 }  // namespace
 
 Mapping fit_deformation(const Surface& reference, const Surface& object,
                         const Similarity& similarity, const ScalePrior& scale, int finest_level) {
-  constexpr double kBlock = 0.25;  // of the object's size
+  constexpr double kBlock = 0.25;       // of the object's size
+  constexpr double kLeastCommon = 0.1;  // below, there is nothing for a graph to explain
   const Halves halves = split_in_blocks(object, kBlock * object.size);
   const Mapping rigid{similarity, {}};
   if (halves.training.points.empty() || halves.held_out.empty()) return rigid;
   const double cut = 0.02 * reference.size;
   std::vector<double> best = held_out_squares(reference, rigid, halves, cut);
-  int justified = 0;
+  if (common_share(reference, rigid, halves.held_out, cut) < kLeastCommon) return rigid;
   Mapping trained = rigid;
+  Mapping justified = rigid;
   for (int level = 1; level <= finest_level; ++level) {
-    trained = fit(reference, object, halves.training, scale, Density::kMany,
+    trained = fit(reference, object, halves.training, scale, Density::kSome,
                   refined(reference, trained, kSpacings[level - 1] * reference.size));
     const std::vector<double> squares = held_out_squares(reference, trained, halves, cut);
     if (!explains_better(best, squares)) continue;
     best = squares;
-    justified = level;
+    justified = trained;
   }
-  Mapping mapping = rigid;
-  for (int level = 1; level <= justified; ++level) {
-    mapping =
-        rebased(reference, fit(reference, object, target_of(object), scale, Density::kMany,
-                               refined(reference, mapping, kSpacings[level - 1] * reference.size)));
-  }
-  return mapping;
+  if (justified.graph.empty()) return rigid;
+  return rebased(reference,
+                 fit(reference, object, target_of(object), scale, Density::kMany, justified));
 }
 
 }  // namespace tool_path_stretcher

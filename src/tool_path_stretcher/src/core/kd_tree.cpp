@@ -1,6 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nanoflann.hpp>
 
 #include "tool_path_stretcher/points.h"
@@ -50,6 +52,14 @@ KdTree::Neighbour KdTree::nearest(const Eigen::Vector3d& query) const {
   double squared_distance = 0;
   index_->tree.knnSearch(query.data(), 1, &index, &squared_distance);
   return {index, squared_distance};
+}
+
+KdTree::Clear KdTree::clearly_nearest(const Eigen::Vector3d& query) const {
+  std::array<std::uint32_t, 2> indices{};
+  std::array<double, 2> squares{};
+  const std::size_t found = index_->tree.knnSearch(query.data(), 2, indices.data(), squares.data());
+  if (found < 2) return {indices[0], std::numeric_limits<double>::infinity()};
+  return {indices[0], std::sqrt(squares[1]) - std::sqrt(squares[0])};
 }
 
 void KdTree::nearest(const Eigen::Vector3d& query, std::size_t count,

@@ -4,7 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "nearest_cache.h"
 #include "robust.h"
 #include "tool_path_stretcher/alignment.h"
 #include "tool_path_stretcher/residuals.h"
@@ -38,47 +40,76 @@ void add_pair(const Eigen::Vector3d& mapped, const Eigen::Vector3d& object,
   if (beside < kReach * spacing) constraints.push_back({mapped, normal, along});
 }
 
-Constraints object_to_reference(const Surface& reference, const Surface& object,
-                                const std::vector<std::size_t>& sample,
-                                const Similarity& similarity) {
-  Constraints constraints;
-  for (const std::size_t i : sample) {
-    const auto nearest = reference.tree->nearest(similarity.inverse(object.points[i]));
-    add_pair(similarity * reference.points[nearest.index], object.points[i],
-             similarity.rotation * reference.normals[nearest.index], object.normals[i],
-             similarity.scale * reference.spacing, constraints);
+/// Pairs the points of two surfaces, in both directions, as the one is moved towards the other.
+class Pairing {
+ public:
+  Pairing(const Surface& reference, const Surface& object, Density density)
+      : reference_(reference),
+        object_(object),
+        object_sample_(object.samples.of(density)),
+        reference_sample_(reference.samples.of(density)),
+        in_reference_(*reference.tree, object_sample_.size()),
+        in_object_(*object.tree, reference_sample_.size()) {
+    if (!reference.rim.tree) return;
+    rim_sample_ = spread_evenly(object.rim.points, density == Density::kFew ? kFewRim : kManyRim);
+    in_rim_.emplace(*reference.rim.tree, rim_sample_.size());
   }
-  return constraints;
-}
 
-Constraints reference_to_object(const Surface& reference, const Surface& object,
-                                const std::vector<std::size_t>& sample,
-                                const Similarity& similarity) {
-  Constraints constraints;
-  for (const std::size_t i : sample) {
-    const Eigen::Vector3d mapped = similarity * reference.points[i];
-    const auto nearest = object.tree->nearest(mapped);
-    add_pair(mapped, object.points[nearest.index], object.normals[nearest.index],
-             similarity.rotation * reference.normals[i], object.spacing, constraints);
+  Constraints object_to_reference(const Similarity& similarity) {
+    Constraints constraints;
+    constraints.reserve(object_sample_.size());
+    for (std::size_t k = 0; k < object_sample_.size(); ++k) {
+      const std::size_t i = object_sample_[k];
+      const std::size_t nearest = in_reference_.nearest(k, similarity.inverse(object_.points[i]));
+      add_pair(similarity * reference_.points[nearest], object_.points[i],
+               similarity.rotation * reference_.normals[nearest], object_.normals[i],
+               similarity.scale * reference_.spacing, constraints);
+    }
+    return constraints;
   }
-  return constraints;
-}
 
-/// The object's rim should lie on the reference's, but may slide along it.
-Constraints rim_to_rim(const Surface& reference, const Surface& object,
-                       const Similarity& similarity) {
-  constexpr double kReach = 0.08;  // of the object's size
-  Constraints constraints;
-  if (!reference.rim.tree) return constraints;
-  for (const Eigen::Vector3d& point : object.rim.points) {
-    const auto nearest = reference.rim.tree->nearest(similarity.inverse(point));
-    const Eigen::Vector3d mapped = similarity * reference.rim.points[nearest.index];
-    if ((point - mapped).norm() > kReach * object.size) continue;
-    const Eigen::Vector3d outward = similarity.rotation * reference.rim.outward[nearest.index];
-    constraints.push_back({mapped, outward, outward.dot(point - mapped)});
+  Constraints reference_to_object(const Similarity& similarity) {
+    Constraints constraints;
+    constraints.reserve(reference_sample_.size());
+    for (std::size_t k = 0; k < reference_sample_.size(); ++k) {
+      const std::size_t i = reference_sample_[k];
+      const Eigen::Vector3d mapped = similarity * reference_.points[i];
+      const std::size_t nearest = in_object_.nearest(k, mapped);
+      add_pair(mapped, object_.points[nearest], object_.normals[nearest],
+               similarity.rotation * reference_.normals[i], object_.spacing, constraints);
+    }
+    return constraints;
   }
-  return constraints;
-}
+
+  /// The object's rim should lie on the reference's, but may slide along it.
+  Constraints rim_to_rim(const Similarity& similarity) {
+    constexpr double kReach = 0.08;  // of the object's size
+    Constraints constraints;
+    const Rim& rim = reference_.rim;
+    for (std::size_t k = 0; k < rim_sample_.size(); ++k) {
+      const Eigen::Vector3d& point = object_.rim.points[rim_sample_[k]];
+      const std::size_t nearest = in_rim_->nearest(k, similarity.inverse(point));
+      const Eigen::Vector3d mapped = similarity * rim.points[nearest];
+      if ((point - mapped).norm() > kReach * object_.size) continue;
+      const Eigen::Vector3d outward = similarity.rotation * rim.outward[nearest];
+      constraints.push_back({mapped, outward, outward.dot(point - mapped)});
+    }
+    return constraints;
+  }
+
+ private:
+  static constexpr std::size_t kFewRim = 300;
+  static constexpr std::size_t kManyRim = 2000;
+
+  const Surface& reference_;
+  const Surface& object_;
+  const std::vector<std::size_t>& object_sample_;
+  const std::vector<std::size_t>& reference_sample_;
+  std::vector<std::size_t> rim_sample_;  // of the object's rim; empty where the reference has none
+  NearestCache in_reference_;
+  NearestCache in_object_;
+  std::optional<NearestCache> in_rim_;
+};
 
 double deviation_of(const Constraints& constraints, double least) {
   std::vector<double> errors;
@@ -173,17 +204,15 @@ Similarity moved(const Similarity& similarity, const Eigen::Vector3d& centre,
 
 Similarity refine(const Surface& reference, const Surface& object, Similarity start,
                   const ScalePrior& scale, Density density, int iterations) {
-  constexpr double kConverged = 1e-8;
+  const double converged = density == Density::kFew ? 3e-5 : 1e-6;
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
-  const auto sample_of = [density](const Surface& surface) -> const std::vector<std::size_t>& {
-    return density == Density::kFew ? surface.samples.few : surface.samples.many;
-  };
   const Eigen::Vector3d centre = principal_frame(object.points).centroid;
   const double least = 1e-7 * object.size;
+  Pairing pairing(reference, object, density);
   for (int i = 0; i < iterations; ++i) {
-    const Constraints forth = object_to_reference(reference, object, sample_of(object), start);
-    const Constraints back = reference_to_object(reference, object, sample_of(reference), start);
-    const Constraints rim = rim_to_rim(reference, object, start);
+    const Constraints forth = pairing.object_to_reference(start);
+    const Constraints back = pairing.reference_to_object(start);
+    const Constraints rim = pairing.rim_to_rim(start);
     Equations equations(centre);
     equations.add(forth, deviation_of(forth, least));
     equations.add(back, deviation_of(back, least));
@@ -193,7 +222,7 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
     start = moved(start, centre, step);
     const double motion =
         step.head<3>().norm() + step.segment<3>(3).norm() / object.size + std::abs(step[6]);
-    if (motion < kConverged) break;
+    if (motion < converged) break;
   }
   return start;
 }
@@ -202,7 +231,8 @@ std::vector<Similarity> slides(const Surface& reference, const Surface& object,
                                const Similarity& similarity, double step) {
   const Eigen::Vector3d centre = principal_frame(object.points).centroid;
   const double least = 1e-7 * object.size;
-  const Constraints forth = object_to_reference(reference, object, object.samples.many, similarity);
+  const Constraints forth =
+      Pairing(reference, object, Density::kMany).object_to_reference(similarity);
   Equations equations(centre);
   equations.add(forth, deviation_of(forth, least));
   std::vector<Similarity> result;

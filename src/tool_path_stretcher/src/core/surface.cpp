@@ -98,10 +98,22 @@ Samples samples_of(const Points& points, const std::vector<double>& spacings, do
       index = dense[index];
     return chosen;
   };
-  return {sample(1000), sample(6000), sample(20000)};
+  return {sample(1000), sample(3000), sample(6000), sample(20000)};
 }
 
 }  // namespace
+
+const std::vector<std::size_t>& Samples::of(Density density) const {
+  switch (density) {
+    case Density::kFew:
+      return few;
+    case Density::kSome:
+      return some;
+    case Density::kMany:
+      break;
+  }
+  return many;
+}
 
 void complete(Surface& surface) {
   const bool needs_normals = surface.normals.empty();
