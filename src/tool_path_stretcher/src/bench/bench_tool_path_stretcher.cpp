@@ -49,17 +49,18 @@ int main(int argc, char** argv) {
   CLI::App app("Figures of the stretcher beside their yardsticks. Without options: all of them.");
   std::string word, folder;
   std::size_t growth_of = 0;
-  bool only_registration = false, only_growth = false;
+  bool only_registration = false, only_growth = false, reduced = false;
   app.add_option("--cases", word, "only the cases whose name holds this");
   app.add_option("--write", folder, "write clouds and path of the first such case here instead");
   app.add_option("--growth-of", growth_of, "only this size of the growth, in this process");
+  app.add_flag("--reduced", reduced, "with --growth-of: on the default grid");
   app.add_flag("--registration", only_registration, "only car and bunny");
   app.add_flag("--growth", only_growth, "only the growth");
   CLI11_PARSE(app, argc, argv);
   const char* variable = std::getenv("SCAN_CELL_DATA");
   const std::string data = variable == nullptr ? "" : variable;
   if (growth_of > 0) {
-    bench::run_growth(growth_of);
+    bench::run_growth(growth_of, reduced);
     return 0;
   }
   const std::vector<cases::Case> chosen = cases_named(word, data);

@@ -12,6 +12,7 @@ namespace bench {
 void print_growth();
 
 /// One size, in this process: prints what it came to.
-void run_growth(std::size_t points);
+/// @param reduced on the default grid; otherwise next to nothing is
+void run_growth(std::size_t points, bool reduced);
 
 }  // namespace bench
