@@ -199,6 +199,25 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.assertEqual(reasons, {DroppedFrame.NO_POSE_AFTER})
         self.assertEqual(answer.audit.frames_bound + len(answer.audit.dropped), 60)
 
+    def test_waits_as_long_as_frames_keep_coming(self):
+        """A camera that is behind by more than the patience, but still sends."""
+        count, pace, patience = 60, 0.1, 2.0
+        del self.bound[:]
+        self.assertTrue(self.start('scan').success)
+        self.publish({'poses': poses(count), 'events': events(count)}, ('poses', 'events'))
+
+        def send():
+            for profile in profiles(count):
+                self.publishers['profiles'].publish(profile)
+                time.sleep(pace)
+
+        late = threading.Thread(target=send)
+        late.start()
+        answer = self.finish(count, rospy.Duration(patience))
+        late.join()
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.audit.frames_bound, count)
+
     def test_says_when_trigger_events_are_missing(self):
         data = {'poses': poses(20), 'events': events(20), 'profiles': profiles(20)}
         answer = self.scan_with_gaps(data, ('poses', 'events', 'profiles'), 25)

@@ -81,9 +81,14 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
     return true;
   }
   finishing_ = true;
-  news_.wait_for(lock, std::chrono::duration<double>(request.timeout.toSec()), [this, &request] {
+  const auto all = [this, &request] {
     return scan_->profiles() >= request.profiles || !failure_.empty() || !ros::ok();
-  });
+  };
+  std::uint64_t heard = 0;
+  do {
+    heard = scan_->profiles();
+  } while (!news_.wait_for(lock, std::chrono::duration<double>(request.timeout.toSec()), all) &&
+           scan_->profiles() > heard);
   finishing_ = false;
   publish_increment();
   response.statistics = scan_->statistics(scan_id_);

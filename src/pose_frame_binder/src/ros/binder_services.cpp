@@ -3,6 +3,7 @@
 #include "binder_services.h"
 
 #include <chrono>
+#include <type_traits>
 
 #include "scan_cell_common/errors.h"
 
@@ -55,6 +56,8 @@ bool BinderServices::take(const Data& data) {
     ROS_ERROR("scan %s: %s", scan_id_.c_str(), error.what());
   }
   publish_bound();
+  // Poses keep coming as long as the robot is there; they do not tell that frames will.
+  if constexpr (!std::is_same_v<Data, tf2_msgs::TFMessage>) ++arrivals_;
   if (finishing_) news_.notify_all();
   return true;
 }
@@ -96,7 +99,10 @@ void BinderServices::wait_for_all(std::unique_lock<std::mutex>& lock, std::uint6
     return binder.whole(triggers) || !failure_.empty() || !ros::ok();
   };
   finishing_ = true;
-  news_.wait_for(lock, std::chrono::duration<double>(timeout), all);
+  std::uint64_t heard = 0;
+  do {
+    heard = arrivals_;
+  } while (!news_.wait_for(lock, std::chrono::duration<double>(timeout), all) && arrivals_ > heard);
   finishing_ = false;
 }
 

@@ -21,6 +21,11 @@ RosStages::RosStages(const std::string& binder, const std::string& triangulation
                      double call_timeout)
     : binder_(binder), triangulation_(triangulation), call_timeout_(call_timeout) {}
 
+double RosStages::longest(double patience) const {
+  constexpr double kRounds = 4;  // patience begins anew while late data keeps coming
+  return call_timeout_ + kRounds * patience;
+}
+
 void RosStages::clear() {
   under_way_ = false;
   audit_ = {};
@@ -57,7 +62,7 @@ std::uint64_t RosStages::bind(std::uint64_t pulses, double patience) {
   FinishBinding::Request request;
   request.triggers = pulses;
   request.timeout = ros::Duration(patience);
-  const auto bound = ask<FinishBinding>(finish_binding(), request, call_timeout_ + patience);
+  const auto bound = ask<FinishBinding>(finish_binding(), request, longest(patience));
   audit_ = bound.audit;
   binding_ = bound.message;
   check_answer(finish_binding(), bound);
@@ -79,7 +84,7 @@ void RosStages::triangulate(bool whole, double patience) {
   request.profiles = audit_.frames_bound;
   request.timeout = ros::Duration(patience);
   request.partial = !whole;
-  const auto response = ask<FinishCloud>(finish_cloud(), request, call_timeout_ + patience);
+  const auto response = ask<FinishCloud>(finish_cloud(), request, longest(patience));
   statistics_ = response.statistics;
   cloud_ = response.cloud;  // also where it failed: what was captured is kept
   check_answer(finish_cloud(), response);

@@ -19,7 +19,7 @@ class RosStages : public Stages {
  public:
   /// @param binder node with ~start and ~finish
   /// @param triangulation node with ~start and ~finish
-  /// @param call_timeout [s] the longest a call may take beyond the patience it is given
+  /// @param call_timeout [s] the longest a call may take beyond what it waits for late data
   RosStages(const std::string& binder, const std::string& triangulation, double call_timeout);
 
   std::string trouble() const override;
@@ -37,6 +37,7 @@ class RosStages : public Stages {
   const sensor_msgs::PointCloud2& cloud() const { return cloud_; }
 
  private:
+  double longest(double patience) const;  // [s] that a call may take
   std::string finish_binding() const { return binder_ + "/finish"; }
   std::string finish_cloud() const { return triangulation_ + "/finish"; }
 
