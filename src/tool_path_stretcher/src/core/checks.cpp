@@ -40,6 +40,27 @@ void check_enough(const Surface& surface, const std::string& name, int least) {
       "scan more densely, reduce less (leaf), or lower min_points (" + std::to_string(least) + ")");
 }
 
+/// No part that a robot scans is so large; one of a few centimetres is, where millimetres are taken
+/// for metres.
+void check_unit(const Surface& surface, const std::string& name) {
+  constexpr double kLargest = 10;  // [m]
+  if (surface.size < kLargest) return;
+  refuse(Reason::kUnusableInput, name,
+         "its points lie " + number(surface.size) + " m from their middle (RMS)",
+         "give it in metres; it seems to be in millimetres");
+}
+
+/// Whether the path lies on the reference once it is scaled.
+bool lies_on(const Surface& reference, const ToolPath& path, double factor, double most) {
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      const Eigen::Vector3d at = factor * waypoint.pose.translation();
+      if (reference.tree->nearest(at).squared_distance > most * most) return false;
+    }
+  }
+  return true;
+}
+
 /// The waypoints where `bad` holds, and the worst value there.
 struct Found {
   std::vector<std::size_t> waypoints;
@@ -71,7 +92,11 @@ void check_surfaces(const Surface& reference, const Surface& object,
   check_enough(object, "object", parameters.min_points);
   const double ratio = object.size / reference.size;
   constexpr double kOtherUnit = 100;
-  if (ratio < kOtherUnit && ratio > 1 / kOtherUnit) return;
+  if (ratio < kOtherUnit && ratio > 1 / kOtherUnit) {
+    check_unit(reference, "reference");
+    check_unit(object, "object");
+    return;
+  }
   refuse(Reason::kUnusableInput, "object",
          "its size is " + number(ratio) + " times the reference's",
          "give both in metres; a ratio near 1000 or 0.001 means that one is in millimetres");
@@ -84,6 +109,7 @@ void check_path(const ToolPath& path, const Surface& reference,
   } catch (const scan_cell_common::UnusableInput& error) {
     throw Refusal{{Reason::kUnusableInput, error.what(), {}}};
   }
+  const double most = parameters.max_path_distance + reference.spacing;
   std::vector<std::size_t> off;
   double worst = 0;
   std::size_t index = 0;
@@ -91,7 +117,7 @@ void check_path(const ToolPath& path, const Surface& reference,
     for (const Waypoint& waypoint : segment.waypoints) {
       const double distance =
           std::sqrt(reference.tree->nearest(waypoint.pose.translation()).squared_distance);
-      if (distance > parameters.max_path_distance + reference.spacing) {
+      if (distance > most) {
         off.push_back(index);
         worst = std::max(worst, distance);
       }
@@ -99,6 +125,12 @@ void check_path(const ToolPath& path, const Surface& reference,
     }
   }
   if (off.empty()) return;
+  constexpr double kMillimetre = 1e-3;
+  if (lies_on(reference, path, kMillimetre, most)) {
+    refuse(Reason::kUnusableInput, "tool path",
+           "it lies on the reference only once it is divided by 1000",
+           "give it in metres; it seems to be in millimetres", off);
+  }
   refuse(Reason::kPathOffReference, "tool path",
          std::to_string(off.size()) + " of " + std::to_string(index) +
              " waypoints lie off the reference, by up to " + millimetres(worst),

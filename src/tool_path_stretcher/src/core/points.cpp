@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "scan_cell_common/errors.h"
 
@@ -30,7 +31,9 @@ std::vector<CellEntry> sort_into_cells(const Points& points, const Eigen::Vector
     for (int axis = 0; axis < 3; ++axis) {
       const double cell = std::floor(points[i][axis] / leaf[axis]);
       if (!(std::abs(cell) < kFarthestCell)) {
-        throw UnusableInput("point " + std::to_string(i), std::to_string(points[i][axis]) + " m",
+        std::ostringstream value;
+        value << points[i][axis] << " m";
+        throw UnusableInput("point " + std::to_string(i), value.str(),
                             "remove points that are not finite or far away from the part");
       }
       entries[i].cell[axis] = static_cast<std::int64_t>(cell);

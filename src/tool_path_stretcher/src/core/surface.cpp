@@ -141,12 +141,51 @@ void complete(Surface& surface) {
   surface.samples = samples_of(surface.points, spacings, surface.spacing);
 }
 
+namespace {
+
+/// Errors name the cloud.
+Points reduced(const Points& cloud, const Eigen::Vector3d& leaf, const std::string& name) {
+  try {
+    return reduce_on_grid(cloud, leaf);
+  } catch (const UnusableInput& error) {
+    throw UnusableInput(name + ", " + error.thing(), error.value(), error.cure());
+  }
+}
+
+/// A few points far away would hide the size and axes of all others.
+void check_together(const Points& points, const std::string& name) {
+  constexpr double kFar = 1000;  // times the distance of half of the points from their middle
+  Eigen::Vector3d middle;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const Eigen::Vector3d& point : points)
+      values.push_back(point[axis]);
+    middle[axis] = middle_of(std::move(values));
+  }
+  std::vector<double> distances;
+  for (const Eigen::Vector3d& point : points)
+    distances.push_back((point - middle).norm());
+  const double far = kFar * middle_of(distances);
+  const auto count = std::count_if(distances.begin(), distances.end(),
+                                   [far](double distance) { return distance > far; });
+  if (count == 0) return;
+  throw UnusableInput(name,
+                      std::to_string(count) + " of " + std::to_string(points.size()) +
+                          " points lie far away from all others, up to " +
+                          std::to_string(*std::max_element(distances.begin(), distances.end())) +
+                          " m",
+                      "remove them, for instance with cloud_preprocess");
+}
+
+}  // namespace
+
 Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
                            const std::string& name) {
   if (cloud.empty()) throw UnusableInput(name, "no points", "scan the part again");
   check_finite(cloud, name);
   Surface surface;
-  surface.points = reduce_on_grid(cloud, leaf);
+  surface.points = reduced(cloud, leaf, name);
+  check_together(surface.points, name);
   check_extent(surface.points, name);
   complete(surface);
   return surface;
