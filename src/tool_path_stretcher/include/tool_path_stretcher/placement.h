@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "tool_path_stretcher/residuals.h"
 #include "tool_path_stretcher/tool_path.h"
 
 namespace tool_path_stretcher {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// How well one adapted waypoint is founded on the scan. NaN: not known.
 struct WaypointQuality {
@@ -21,6 +24,29 @@ struct WaypointQuality {
   double surface_angle = 0;  //!< [rad] between the normal carried over and the scanned one
   double gap = 0;   //!< [m] surface beside the waypoint to the scanned one, along the normal
   double hole = 0;  //!< [m] from the surface beside the waypoint to the nearest scanned point
+
+  // One standard deviation each
+  double expected_error_normal = kUnknown;      //!< [m] along the surface's normal
+  double expected_error_tangential = kUnknown;  //!< [m] within the surface, in all
+  double expected_error_across = kUnknown;      //!< [m] within it, at right angles to least_known
+  Eigen::Vector3d least_known =
+      Eigen::Vector3d::Zero();     //!< unit length: the way along the surface known least, object
+  bool position_measured = false;  //!< the scan shows the position along the surface; false:
+                                   //!< it follows from how stiff the part is taken to be
+};
+
+/// How a waypoint was set on the scanned surface, along its normal.
+struct PlacedHeight {
+  Eigen::Vector3d normal;  //!< of the surface, in the object's frame
+  bool measured = false;   //!< otherwise inferred
+  double seen = 0;         //!< [m] of the scan over the mapped reference
+  double variance = 0;     //!< [m^2] of that
+  double applied = 0;      //!< [m] as far as it was followed
+  Eigen::Vector3d slope =
+      Eigen::Vector3d::Zero();  //!< of the height along the surface, as far as it was followed
+  double signal_variance = 0;   //!< [m^2] of such heights along the path, beyond the noise
+  double slope_variance = 0;    //!< of their slopes
+  double hole = 0;              //!< [m] to the nearest scanned point
 };
 
 struct PlacementParameters {
@@ -33,6 +59,7 @@ struct PlacementParameters {
 struct Placement {
   ToolPath path;
   std::vector<WaypointQuality> quality;  //!< one a waypoint, in the path's order
+  std::vector<PlacedHeight> heights;     //!< the same
 };
 
 /// Carries a path over to the object. Each waypoint is moved by the mapping; then by the distance

@@ -10,7 +10,8 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr int kUnknowns = 6;  // of a node: turn, shift
+constexpr int kUnknowns = 6;         // of a node: turn, shift
+constexpr double kNeighbours = 1.8;  // spacings
 using NodeRow = Eigen::Matrix<double, kUnknowns, 1>;
 
 Eigen::Matrix3d small_turn(const Eigen::Vector3d& turn) {
@@ -61,7 +62,6 @@ void GraphEquations::add(const std::vector<GraphConstraint>& constraints, double
 }
 
 void GraphEquations::add_rigidity(double strain) {
-  constexpr double kNeighbours = 1.8;  // spacings
   using Block = Eigen::Matrix<double, 3, kUnknowns>;
   const std::vector<DeformationGraph::Node>& nodes = graph_.nodes();
   const double reach = kNeighbours * graph_.spacing();
@@ -93,6 +93,60 @@ void GraphEquations::add_rigidity(double strain) {
       right_side_.segment<kUnknowns>(at) += weight * from.transpose() * error;
       right_side_.segment<kUnknowns>(other) += weight * to.transpose() * error;
     }
+  }
+}
+
+void GraphEquations::add_rigidity(double along, double across) {
+  const std::vector<DeformationGraph::Node>& nodes = graph_.nodes();
+  const double reach = kNeighbours * graph_.spacing();
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const Eigen::Vector3d way = nodes[k].at - nodes[j].at;
+      if (j == k || way.norm() > reach) continue;
+      const Eigen::Vector3d arm = nodes[j].rotation * way;
+      const Eigen::Vector3d link = arm.normalized();
+      const Eigen::Vector3d side = link.unitOrthogonal();
+      add_link(j, k, arm, link, along);
+      add_link(j, k, arm, side, across);
+      add_link(j, k, arm, link.cross(side), across);
+    }
+  }
+}
+
+void GraphEquations::add_link(std::size_t from, std::size_t to, const Eigen::Vector3d& arm,
+                              const Eigen::Vector3d& direction, double strain) {
+  const DeformationGraph::Node& a = graph_.nodes()[from];
+  const DeformationGraph::Node& b = graph_.nodes()[to];
+  const Eigen::Index from_column = kUnknowns * static_cast<Eigen::Index>(from);
+  const Eigen::Index to_column = kUnknowns * static_cast<Eigen::Index>(to);
+  const Eigen::Vector3d turn = arm.cross(direction);
+  std::vector<Eigen::Index> columns;
+  std::vector<double> values;
+  const auto add_from = [&] {
+    for (Eigen::Index axis = 0; axis < kUnknowns; ++axis) {
+      columns.push_back(from_column + axis);
+      values.push_back(axis < 3 ? turn[axis] : direction[axis - 3]);
+    }
+  };
+  if (from < to) add_from();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    columns.push_back(to_column + 3 + axis);
+    values.push_back(-direction[axis]);
+  }
+  if (from > to) add_from();
+  add_observation(columns, values, direction.dot(b.at + b.shift - (arm + a.at + a.shift)),
+                  strain * arm.norm());
+}
+
+void GraphEquations::add_observation(const std::vector<Eigen::Index>& columns,
+                                     const std::vector<double>& values, double error,
+                                     double deviation) {
+  const double weight = 1 / (deviation * deviation);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const double weighted = weight * values[i];
+    right_side_[columns[i]] += weighted * error;
+    for (std::size_t j = 0; j <= i; ++j)  // the columns rise: the lower triangle
+      matrix_(columns[i], columns[j]) += weighted * values[j];
   }
 }
 

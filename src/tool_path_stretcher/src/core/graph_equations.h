@@ -38,6 +38,14 @@ class GraphEquations {
   /// 2007): `strain` is how much of their distance they may well be off.
   void add_rigidity(double strain);
 
+  /// The same, with the strain along the links told from that across them, where nodes turn.
+  void add_rigidity(double along, double across);
+
+  /// A linear observation of single unknowns, with its deviation.
+  /// @param columns rising
+  void add_observation(const std::vector<Eigen::Index>& columns, const std::vector<double>& values,
+                       double error, double deviation);
+
   /// The object's scale, now `current`, is known that well before anything was measured.
   void add_prior(const ScalePrior& prior, double current);
 
@@ -48,12 +56,36 @@ class GraphEquations {
   };
   Step solve() const;
 
+  /// The normal equations: six unknowns a node (turn, shift), then the growth. Of the matrix the
+  /// lower triangle.
+  const Eigen::MatrixXd& matrix() const { return matrix_; }
+  const Eigen::VectorXd& right_side() const { return right_side_; }
+
  private:
+  void add_link(std::size_t from, std::size_t to, const Eigen::Vector3d& arm,
+                const Eigen::Vector3d& direction, double strain);
+
   const DeformationGraph& graph_;
   Eigen::Vector3d centre_;
   Eigen::MatrixXd matrix_;
   Eigen::VectorXd right_side_;
 };
+
+/// What a graph is fitted to: where the mapping puts anchors, and where the scan shows them.
+struct GraphObservations {
+  std::vector<GraphAnchor> surface;
+  std::vector<GraphAnchor> rim;
+  std::vector<GraphConstraint> normals;  // of the surface's anchors
+  std::vector<GraphConstraint> rims;     // of the rim's
+  double normal_deviation;               // [m, reference]
+  double rim_deviation;                  // [m, reference]
+};
+
+/// What a graph fit of the mapping would see next. The mapping must have nodes.
+GraphObservations observe(const Surface& reference, const Surface& object, const Mapping& mapping);
+
+/// Distance of the nodes of a graph of that level (1 .. 3) [m].
+double graph_spacing(const Surface& reference, int level);
 
 /// Moves the nodes.
 void take(const GraphEquations::Step& step, DeformationGraph& graph);

@@ -298,6 +298,23 @@ constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, b
 
 }  // namespace
 
+double graph_spacing(const Surface& reference, int level) {
+  return kSpacings[level - 1] * reference.size;
+}
+
+GraphObservations observe(const Surface& reference, const Surface& object, const Mapping& mapping) {
+  GraphObservations seen;
+  seen.surface = surface_anchors(reference, mapping.graph, Density::kFew);
+  seen.rim = rim_anchors(reference, mapping.graph);
+  const Target target = target_of(object);
+  NearestCache in_target(*target.tree, seen.surface.size());
+  seen.normals = along_normals(seen.surface, object, target, mapping, in_target);
+  seen.rims = along_rims(seen.rim, object, mapping);
+  seen.normal_deviation = deviation_of(seen.normals);
+  seen.rim_deviation = deviation_of(seen.rims);
+  return seen;
+}
+
 Mapping fit_deformation(const Surface& reference, const Surface& object,
                         const Similarity& similarity, const ScalePrior& scale, int finest_level) {
   constexpr double kBlock = 0.25;       // of the object's size

@@ -171,7 +171,7 @@ Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const LocalSurface& 
   const Eigen::Quaterniond tilt =
       Eigen::Quaterniond::FromTwoVectors(surface.normal, surface.normal - correction.slope);
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.translation() = mapping * at + correction.height * (turn * (tilt * surface.normal));
+  result.translation() = mapping * at + correction.height * (turn * surface.normal);
   result.linear() = Eigen::Quaterniond(turn * tilt.toRotationMatrix() * pose.linear())
                         .normalized()
                         .toRotationMatrix();
@@ -207,6 +207,21 @@ WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
   return quality;
 }
 
+PlacedHeight placed(const LocalSurface& surface, const Correction& correction,
+                    const Mapping& mapping, const Signal& signal, double hole) {
+  PlacedHeight height;
+  height.normal = mapping.turn(surface.base, surface.normal) * surface.normal;
+  height.measured = surface.measured;
+  height.seen = surface.height;
+  height.variance = surface.height_variance;
+  height.applied = correction.height;
+  height.slope = mapping.turn(surface.base, surface.normal) * correction.slope;
+  height.signal_variance = signal.height_variance;
+  height.slope_variance = signal.slope_variance;
+  height.hole = hole;
+  return height;
+}
+
 double support_radius(const PlacementParameters& parameters, const Surface& object) {
   constexpr double kSpacings = 3;  // about 28 points
   return parameters.support_radius > 0 ? parameters.support_radius : kSpacings * object.spacing;
@@ -222,7 +237,7 @@ Placement place(const ToolPath& path, const Surface& reference, const Surface& o
   for (const Segment& segment : path.segments)
     tracks.push_back(survey(segment, fitter, mapping.similarity.scale));
   const Signal signal = signal_of(tracks);
-  Placement placement{path, {}};
+  Placement placement{path, {}, {}};
   for (std::size_t s = 0; s < tracks.size(); ++s) {
     const std::vector<Correction> corrections =
         parameters.set_on_surface ? corrections_of(tracks[s], radius / 2, signal)
@@ -237,6 +252,8 @@ Placement place(const ToolPath& path, const Surface& reference, const Surface& o
           quality_of(from, pose.translation(), surface, corrections[w], mapping, object));
       placement.quality.back().segment = s;
       placement.quality.back().waypoint = w;
+      placement.heights.push_back(
+          placed(surface, corrections[w], mapping, signal, placement.quality.back().hole));
     }
   }
   return placement;

@@ -30,15 +30,21 @@ Json rows(const Matrix& matrix) {
 }
 
 Json to_json(const WaypointQuality& quality) {
-  return {{"segment", quality.segment},
-          {"waypoint", quality.waypoint},
-          {"measured", quality.measured},
-          {"distance_to_scan", number(quality.distance_to_scan)},
-          {"support", quality.support},
-          {"residual", number(quality.residual)},
-          {"displacement", number(quality.displacement)},
-          {"surface_angle", number(quality.surface_angle)},
-          {"gap", number(quality.gap)}};
+  return {
+      {"segment", quality.segment},
+      {"waypoint", quality.waypoint},
+      {"measured", quality.measured},
+      {"distance_to_scan", number(quality.distance_to_scan)},
+      {"support", quality.support},
+      {"residual", number(quality.residual)},
+      {"displacement", number(quality.displacement)},
+      {"surface_angle", number(quality.surface_angle)},
+      {"gap", number(quality.gap)},
+      {"expected_error_normal", number(quality.expected_error_normal)},
+      {"expected_error_tangential", number(quality.expected_error_tangential)},
+      {"expected_error_across", number(quality.expected_error_across)},
+      {"least_known", {quality.least_known.x(), quality.least_known.y(), quality.least_known.z()}},
+      {"position_measured", quality.position_measured}};
 }
 
 }  // namespace

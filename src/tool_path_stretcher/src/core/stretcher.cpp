@@ -8,6 +8,7 @@
 
 #include "ambiguity.h"
 #include "checks.h"
+#include "expected_error.h"
 #include "robust.h"
 #include "tool_path_stretcher/alignment.h"
 
@@ -138,8 +139,10 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
     check_unambiguous(path, mapping, fitted[i].mapping, reference, explanation,
                       fitted[i].explanation, parameters);
   }
+  const Eigen::Vector3d centroid = principal_frame(reference.points).centroid;
   for (const Mapping& slid :
        slid_along_itself(reference, object, mapping, parameters.prior.scale)) {
+    if (!parameters.prior.allows(slid.similarity, centroid)) continue;
     check_unambiguous(path, mapping, slid, reference, explanation,
                       explain(reference, object, slid, parameters.inlier_distance), parameters);
   }
@@ -152,6 +155,7 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
   Placement placement = place(
       path, reference, object, mapping,
       {parameters.support_radius, parameters.min_support, parameters.method == Method::kGeneral});
+  expect_errors(path, {reference, object, mapping, parameters.prior}, placement);
   result.quality = placement.quality;
   check_placement(placement.quality, object, parameters);
   stages.report("done", 1);

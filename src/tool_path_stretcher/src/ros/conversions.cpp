@@ -152,6 +152,14 @@ scan_cell_msgs::WaypointQuality to_message(const WaypointQuality& quality) {
   message.residual = quality.residual;
   message.displacement = quality.displacement;
   message.surface_angle = quality.surface_angle;
+  message.gap = quality.gap;
+  message.expected_error_normal = quality.expected_error_normal;
+  message.expected_error_tangential = quality.expected_error_tangential;
+  message.expected_error_across = quality.expected_error_across;
+  message.least_known.x = quality.least_known.x();
+  message.least_known.y = quality.least_known.y();
+  message.least_known.z = quality.least_known.z();
+  message.position_measured = quality.position_measured;
   return message;
 }
 
