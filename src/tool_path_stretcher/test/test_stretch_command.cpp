@@ -1,12 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/cloud_files.h"
@@ -100,6 +102,16 @@ TEST_F(StretchCommand, GivesTheSameBytesTwice) {
   EXPECT_EQ(first, text_of("out.csv"));
 }
 
+TEST_F(StretchCommand, GivesTheSameBytesOnOneThreadOrMany) {
+  setenv("OMP_NUM_THREADS", "1", 1);
+  ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
+  const std::string one = text_of("out.csv");
+  setenv("OMP_NUM_THREADS", "4", 1);
+  ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
+  unsetenv("OMP_NUM_THREADS");
+  EXPECT_EQ(one, text_of("out.csv"));
+}
+
 TEST_F(StretchCommand, RefusesAWrongPartAndRemovesAnOldPath) {
   std::ofstream(file("out.csv")) << "an old path";
   scan_cell_common::save_cloud(
@@ -125,6 +137,41 @@ TEST_F(StretchCommand, SaysWhatIsUnusable) {
   EXPECT_EQ(run("r.ply", "d.ply", "p.csv", "--tolerance -1"), 1);
   EXPECT_EQ(run("r.ply", "d.ply", "p.csv", "--no-such-option"), 1);
   EXPECT_TRUE(left_no_path());
+}
+
+TEST_F(StretchCommand, NamesTheCloudThatIsNone) {
+  const auto write = [this](const std::string& name, const std::string& bytes) {
+    std::ofstream(file(name), std::ios::binary) << bytes;
+  };
+  const std::string whole = text_of("d.ply");
+  scan_cell_common::save_cloud(file("d.pcd"), scan_cell_common::load_cloud(file("d.ply")));
+  write("picture.ply", "\x89PNG\r\n\x1a\n" + std::string(100, '\0'));
+  write("empty.ply", "");
+  write("short.ply", whole.substr(0, whole.size() / 2));
+  write("short.pcd", text_of("d.pcd").substr(0, 100000));
+  write("huge.ply",
+        std::string(whole).replace(whole.find("vertex 20000"), 12, "vertex 4000000000"));
+  write("short.stl", "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n");
+  write("short.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n");
+  fs::create_directory(file("folder.ply"));
+  ASSERT_EQ(mkfifo(file("pipe.ply").c_str(), 0600), 0);
+  const std::map<std::string, std::string> complaints = {
+      {"picture.ply", "no PLY file"},
+      {"empty.ply", "no PLY file"},
+      {"short.ply", "truncated: its header promises 20000"},
+      {"short.pcd", "truncated: its header promises 20000"},
+      {"huge.ply", "truncated: its header promises 4000000000"},
+      {"short.stl", "truncated: no 'endsolid'"},
+      {"short.obj", "line 4: a face of 2 corners"},
+      {"folder.ply", "no file but a folder"},
+      {"pipe.ply", "no file but a folder, a device or a pipe"}};
+  for (const auto& [name, complaint] : complaints) {
+    EXPECT_EQ(run(name, "d.ply", "p.csv"), 1) << name;
+    EXPECT_NE(text_of("stderr").find(name), std::string::npos) << text_of("stderr");
+    EXPECT_NE(text_of("stderr").find(complaint), std::string::npos) << text_of("stderr");
+    EXPECT_EQ(report()["reason"], "unusable_input") << name;
+    EXPECT_TRUE(left_no_path()) << name;
+  }
 }
 
 TEST_F(StretchCommand, NeverOverwritesWhatItReads) {
