@@ -380,6 +380,23 @@ TEST(Stretcher, TakesASymmetricPartWhereThePathIsSymmetricToo) {
   EXPECT_TRUE(each.run().verdict.accepted());
 }
 
+TEST(Refusal, OfSomethingThatLiesAcrossThePath) {
+  Case each;
+  constexpr double kHigh = 0.009;  // [m]
+  const Eigen::Vector3d middle = each.path.segments[0].waypoints[kWaypoints / 8].pose.translation();
+  each.scanned_part.height = [height = each.part.height, middle](double x, double y) {
+    constexpr double kHalfWide = 0.004;
+    const bool covered = std::abs(x - middle.x()) < kHalfWide && std::abs(y - middle.y()) < 0.02;
+    return height(x, y) + (covered ? kHigh : 0);
+  };
+  const StretchResult result = each.run();
+  expect_refused(result, Reason::kWrongPart);
+  EXPECT_NE(
+      std::find(result.verdict.waypoints.begin(), result.verdict.waypoints.end(), kWaypoints / 8),
+      result.verdict.waypoints.end());
+  EXPECT_LT(result.verdict.waypoints.size(), kWaypoints / 4);
+}
+
 TEST(Refusal, OfAPartThatWouldHaveToBeBentTooFar) {
   Case each;
   each.deformation = synthetic::bend(0.008, 0.200);

@@ -22,7 +22,8 @@ struct WaypointQuality {
   double residual = 0;       //!< [m] RMS distance of those points from the surface fitted to them
   double displacement = 0;   //!< [m] from where the similarity alone would put the waypoint
   double surface_angle = 0;  //!< [rad] between the normal carried over and the scanned one
-  double gap = 0;   //!< [m] surface beside the waypoint to the scanned one, along the normal
+  double gap = 0;  //!< [m] surface beside the waypoint to the scanned one, along the normal
+  std::size_t strangers = 0;  //!< scanned points beside the waypoint, far off the reference
   double hole = 0;  //!< [m] from the surface beside the waypoint to the nearest scanned point
 
   // One standard deviation each
@@ -53,7 +54,8 @@ struct PlacementParameters {
   double support_radius =
       0;                //!< [m] of the scanned points a waypoint is set on; 0: from the spacing
   int min_support = 6;  //!< fewer scanned points, and the waypoint is inferred
-  bool set_on_surface = true;  //!< false: carried over by the mapping alone (the affine method)
+  double max_stranger = 0.004;  //!< [m] farther off the reference, a scanned point is a stranger
+  bool set_on_surface = true;   //!< false: carried over by the mapping alone (the affine method)
 };
 
 struct Placement {

@@ -46,7 +46,8 @@ struct StretchParameters {
   double max_hole_distance = 0.01;  //!< [m] from the scan, up to which a waypoint may be inferred
   double tolerance = 0.002;         //!< [m] of an adapted waypoint from the scanned surface
   double max_deformation = 0.012;   //!< [m] of 95 % of the surface, or it is the wrong part
-  double max_displacement = 0.02;   //!< [m] of a waypoint from where the similarity puts it
+  double max_stranger = 0.004;     //!< [m] that the scan beside a waypoint may be off the reference
+  double max_displacement = 0.02;  //!< [m] of a waypoint from where the similarity puts it
 };
 
 /// @throw scan_cell_common::InvalidParameter naming what is out of range

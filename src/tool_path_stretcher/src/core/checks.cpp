@@ -205,10 +205,16 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
          "scan more of what breaks the part's symmetry");
 }
 
-void check_placement(const std::vector<WaypointQuality>& quality, const Surface& object,
+double most_stranger(const StretchParameters& parameters, double spacing) {
+  return std::max(parameters.max_stranger, spacing);
+}
+
+void check_placement(const std::vector<WaypointQuality>& quality, double spacing,
                      const StretchParameters& parameters) {
-  constexpr double kSparse = 3;  // spacings: a sparse scan is not a hole
-  const double most_hole = std::max(parameters.max_hole_distance, kSparse * object.spacing);
+  constexpr double kHole = 1.5;  // spacings: a sparse scan is not a hole
+  constexpr double kTolerance = 0.2;
+  const double most_hole = std::max(parameters.max_hole_distance, kHole * spacing);
+  const double tolerance = std::max(parameters.tolerance, kTolerance * spacing);
   const Found holes = find(
       quality, [](const WaypointQuality& q) { return q.measured ? 0 : q.hole; }, most_hole);
   if (!holes.waypoints.empty()) {
@@ -227,13 +233,25 @@ void check_placement(const std::vector<WaypointQuality>& quality, const Surface&
             kDeviations * q.residual / std::sqrt(std::max<double>(q.support, 1));
         return std::isnan(q.gap) ? uncertain : std::max(q.gap, uncertain);
       },
-      parameters.tolerance);
+      tolerance);
   if (!gaps.waypoints.empty()) {
     refuse(Reason::kToleranceExceeded, "adapted path",
            of_all(gaps, quality) + " are up to " + millimetres(gaps.worst) +
                " from the scanned surface",
-           "use the general method, or raise tolerance (" + millimetres(parameters.tolerance) + ")",
+           "use the general method, or raise tolerance (" + millimetres(tolerance) + ")",
            gaps.waypoints);
+  }
+  constexpr double kLoose = 2;  // points: outliers of the scan
+  const Found strange = find(
+      quality, [](const WaypointQuality& q) { return static_cast<double>(q.strangers); }, kLoose);
+  if (!strange.waypoints.empty()) {
+    refuse(Reason::kWrongPart, "object",
+           of_all(strange, quality) +
+               " pass by a surface that is not on the reference, more than " +
+               millimetres(most_stranger(parameters, spacing)) + " off it",
+           "check that it is the part of the reference and that nothing lies on it, or raise "
+           "max_stranger",
+           strange.waypoints);
   }
   const Found moved = find(
       quality, [](const WaypointQuality& q) { return q.displacement; },

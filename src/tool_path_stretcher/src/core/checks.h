@@ -37,8 +37,13 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
                        const Surface& reference, const Explanation& best_explanation,
                        const Explanation& other_explanation, const StretchParameters& parameters);
 
-/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED
-void check_placement(const std::vector<WaypointQuality>& quality, const Surface& object,
+/// [m, object] that a scanned point may be off the reference: sparser surfaces cannot show less.
+double most_stranger(const StretchParameters& parameters, double spacing);
+
+/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART. Where the surfaces are sparser than the
+/// parameters ask for, as much is allowed as they can show.
+/// @param spacing [m, object] of the reference's points and of the object's, summed
+void check_placement(const std::vector<WaypointQuality>& quality, double spacing,
                      const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher

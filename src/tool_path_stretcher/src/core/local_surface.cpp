@@ -3,28 +3,62 @@
 #include "local_surface.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "robust.h"
 
 namespace tool_path_stretcher {
+namespace {
+
+/// Those that have neighbours as points of a surface do, and loose ones do not.
+Points on_surfaces(const Points& points, double spacing) {
+  constexpr double kReach = 2;       // spacings
+  constexpr std::size_t kLeast = 5;  // of about 12 on a surface, itself included
+  Points result;
+  if (points.empty()) return result;
+  const KdTree tree(points);
+  std::vector<KdTree::Neighbour> neighbours;
+  for (const Eigen::Vector3d& point : points) {
+    tree.within(point, kReach * spacing, neighbours);
+    if (neighbours.size() >= kLeast) result.push_back(point);
+  }
+  return result;
+}
+
+}  // namespace
+
 LocalSurfaceFitter::LocalSurfaceFitter(const Surface& reference, const Surface& object,
-                                       const Mapping& mapping, double radius, int min_support)
+                                       const Mapping& mapping, double radius, int min_support,
+                                       double max_stranger)
     : reference_(reference),
       object_(object),
       mapping_(mapping),
       radius_(radius),
       min_support_(static_cast<std::size_t>(min_support)),
-      residuals_(residuals_of(reference, mapping, object.points)) {}
+      residuals_(residuals_of(reference, mapping, object.points)) {
+  const double scale = mapping.similarity.scale;
+  std::vector<double> along;
+  Points strangers;
+  along.reserve(residuals_.size());
+  for (std::size_t i = 0; i < residuals_.size(); ++i) {
+    const Residual& residual = residuals_[i];
+    along.push_back(scale * residual.along_normal);
+    if (scale * std::hypot(residual.along_normal, residual.beside) > max_stranger) {
+      strangers.push_back(object.points[i]);
+    }
+  }
+  noise_ = robust_deviation(std::move(along));
+  strangers = on_surfaces(strangers, object.spacing);
+  if (!strangers.empty()) strangers_ = std::make_unique<const KdTree>(std::move(strangers));
+}
 
-std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_around(
-    const LocalSurface& local, const Eigen::Vector3d& tangent,
-    const Eigen::Vector3d& bitangent) const {
+std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
+    const std::vector<KdTree::Neighbour>& neighbours, const LocalSurface& local,
+    const Eigen::Vector3d& tangent, const Eigen::Vector3d& bitangent) const {
   constexpr double kSameFace = 0.8;  // cosine between the normals of one face
   const double scale = mapping_.similarity.scale;
-  std::vector<KdTree::Neighbour> neighbours;
-  object_.tree->within(mapping_ * local.base, radius_, neighbours);
   std::vector<Height> heights;
   for (const KdTree::Neighbour& neighbour : neighbours) {
     const Residual& residual = residuals_[neighbour.index];
@@ -39,6 +73,22 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_around(
          scale * std::copysign(residual.along_normal, residual.along_normal * agreement), near});
   }
   return heights;
+}
+
+/// Those over and under the waypoint within the radius, and up to several times as far away: what
+/// stands there hides the surface itself.
+std::size_t LocalSurfaceFitter::strangers_beside(const LocalSurface& local) const {
+  constexpr double kReach = 4;  // radii
+  if (!strangers_) return 0;
+  const Eigen::Vector3d at = mapping_ * local.base;
+  const Eigen::Vector3d normal = mapping_.turn(local.base, local.normal) * local.normal;
+  std::vector<KdTree::Neighbour> neighbours;
+  strangers_->within(at, kReach * radius_, neighbours);
+  return static_cast<std::size_t>(
+      std::count_if(neighbours.begin(), neighbours.end(), [&](const KdTree::Neighbour& neighbour) {
+        const Eigen::Vector3d way = strangers_->points()[neighbour.index] - at;
+        return (way - way.dot(normal) * normal).norm() < radius_;
+      }));
 }
 
 namespace {
@@ -96,7 +146,10 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
   local.residual = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Vector3d tangent = local.normal.unitOrthogonal();
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
-  const std::vector<Height> heights = heights_around(local, tangent, bitangent);
+  std::vector<KdTree::Neighbour> neighbours;
+  object_.tree->within(mapping_ * local.base, radius_, neighbours);
+  local.strangers = strangers_beside(local);
+  const std::vector<Height> heights = heights_of(neighbours, local, tangent, bitangent);
   local.support = heights.size();
   if (local.support < min_support_) return local;
 
@@ -110,9 +163,10 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
   local.height_variance = variance * (fit.inverse(0, 0) + kCommon);
   local.slope_variance =
       variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius_ * radius_);
-  // Points on one side only tell little of the height here.
+  // Points on one side only tell little of the height here, and those of two faces nothing.
   constexpr double kMostLeverage = 0.5;
-  local.measured = fit.inverse(0, 0) < kMostLeverage;
+  constexpr double kRough = 5;  // times the noise
+  local.measured = fit.inverse(0, 0) < kMostLeverage && fit.rms < kRough * noise_;
   return local;
 }
 

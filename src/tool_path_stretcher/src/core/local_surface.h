@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "tool_path_stretcher/residuals.h"
@@ -21,6 +22,7 @@ struct LocalSurface {
   double slope_variance = 0;    //!< of each component
   double residual = 0;          //!< [m] RMS of the scanned points from the fitted surface
   std::size_t support = 0;      //!< scanned points
+  std::size_t strangers = 0;    //!< scanned points beside it that are far off the reference
 };
 
 /// Fits heights linearly over the reference's tangent plane, robustly (Tukey's biweight), to the
@@ -28,8 +30,9 @@ struct LocalSurface {
 class LocalSurfaceFitter {
  public:
   /// @param radius [m, object]
+  /// @param max_stranger [m, object] farther off the reference, a scanned point is a stranger
   LocalSurfaceFitter(const Surface& reference, const Surface& object, const Mapping& mapping,
-                     double radius, int min_support);
+                     double radius, int min_support, double max_stranger);
 
   /// The surface beside `point` of the reference's space.
   LocalSurface fit(const Eigen::Vector3d& point) const;
@@ -41,15 +44,19 @@ class LocalSurfaceFitter {
     double weight;       // falls to zero at the radius
   };
 
-  std::vector<Height> heights_around(const LocalSurface& local, const Eigen::Vector3d& tangent,
-                                     const Eigen::Vector3d& bitangent) const;
+  std::vector<Height> heights_of(const std::vector<KdTree::Neighbour>& neighbours,
+                                 const LocalSurface& local, const Eigen::Vector3d& tangent,
+                                 const Eigen::Vector3d& bitangent) const;
+  std::size_t strangers_beside(const LocalSurface& local) const;
 
   const Surface& reference_;
   const Surface& object_;
   const Mapping& mapping_;
   double radius_;
   std::size_t min_support_;
-  std::vector<Residual> residuals_;  // of all the object's points
+  std::vector<Residual> residuals_;          // of all the object's points
+  double noise_;                             // [m, object] robust deviation of all of them
+  std::unique_ptr<const KdTree> strangers_;  // [m, object] none: there are none
 };
 
 }  // namespace tool_path_stretcher

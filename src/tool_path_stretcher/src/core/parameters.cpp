@@ -53,6 +53,7 @@ void check(const StretchParameters& parameters) {
   check_range("max_hole_distance", parameters.max_hole_distance, 0, 1);
   check_range("tolerance", parameters.tolerance, 1e-6, 1);
   check_range("max_deformation", parameters.max_deformation, 1e-6, 10);
+  check_range("max_stranger", parameters.max_stranger, 1e-6, 10);
   check_range("max_displacement", parameters.max_displacement, 1e-6, 10);
 }
 

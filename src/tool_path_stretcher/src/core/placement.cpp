@@ -202,6 +202,7 @@ WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
                                               turn * (surface.normal - surface.slope))
                               : unknown;
   quality.gap = surface.measured ? std::abs(correction.height - surface.height) : unknown;
+  quality.strangers = surface.strangers;
   quality.hole =
       distance_to_scan(mapping * surface.base + correction.height * (turn * surface.normal));
   return quality;
@@ -232,7 +233,8 @@ double support_radius(const PlacementParameters& parameters, const Surface& obje
 Placement place(const ToolPath& path, const Surface& reference, const Surface& object,
                 const Mapping& mapping, const PlacementParameters& parameters) {
   const double radius = support_radius(parameters, object);
-  const LocalSurfaceFitter fitter(reference, object, mapping, radius, parameters.min_support);
+  const LocalSurfaceFitter fitter(reference, object, mapping, radius, parameters.min_support,
+                                  parameters.max_stranger);
   std::vector<Track> tracks;
   for (const Segment& segment : path.segments)
     tracks.push_back(survey(segment, fitter, mapping.similarity.scale));

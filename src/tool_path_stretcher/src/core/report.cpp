@@ -40,6 +40,7 @@ Json to_json(const WaypointQuality& quality) {
       {"displacement", number(quality.displacement)},
       {"surface_angle", number(quality.surface_angle)},
       {"gap", number(quality.gap)},
+      {"strangers", quality.strangers},
       {"expected_error_normal", number(quality.expected_error_normal)},
       {"expected_error_tangential", number(quality.expected_error_tangential)},
       {"expected_error_across", number(quality.expected_error_across)},

@@ -152,12 +152,14 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
     take();
   }
   stages.report("adapt", 0.9);
-  Placement placement = place(
-      path, reference, object, mapping,
-      {parameters.support_radius, parameters.min_support, parameters.method == Method::kGeneral});
+  const double spacing = mapping.similarity.scale * reference.spacing + object.spacing;
+  Placement placement =
+      place(path, reference, object, mapping,
+            {parameters.support_radius, parameters.min_support, most_stranger(parameters, spacing),
+             parameters.method == Method::kGeneral});
   expect_errors(path, {reference, object, mapping, parameters.prior}, placement);
   result.quality = placement.quality;
-  check_placement(placement.quality, object, parameters);
+  check_placement(placement.quality, spacing, parameters);
   stages.report("done", 1);
   result.path = std::move(placement.path);
 }

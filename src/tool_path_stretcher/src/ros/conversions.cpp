@@ -153,6 +153,7 @@ scan_cell_msgs::WaypointQuality to_message(const WaypointQuality& quality) {
   message.displacement = quality.displacement;
   message.surface_angle = quality.surface_angle;
   message.gap = quality.gap;
+  message.strangers = static_cast<std::uint32_t>(quality.strangers);
   message.expected_error_normal = quality.expected_error_normal;
   message.expected_error_tangential = quality.expected_error_tangential;
   message.expected_error_across = quality.expected_error_across;

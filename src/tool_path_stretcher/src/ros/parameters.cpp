@@ -39,6 +39,7 @@ StretchParameters load_parameters(const ros::NodeHandle& private_node) {
   reader.read("max_hole_distance", p.max_hole_distance, Range{0, 1});
   reader.read("tolerance", p.tolerance, Range{1e-6, 1});
   reader.read("max_deformation", p.max_deformation, Range{1e-6, 10});
+  reader.read("max_stranger", p.max_stranger, Range{1e-6, 10});
   reader.read("max_displacement", p.max_displacement, Range{1e-6, 10});
   reader.refuse_unknown();
   check(p);

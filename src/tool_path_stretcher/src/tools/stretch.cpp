@@ -80,6 +80,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--max-deformation", p.max_deformation,
                  "of 95 % of the surface, or it is the wrong part [m]")
       ->capture_default_str();
+  app.add_option("--max-stranger", p.max_stranger,
+                 "of scanned points beside a waypoint from the reference [m]")
+      ->capture_default_str();
   app.add_option("--max-displacement", p.max_displacement, "over the similarity [m]")
       ->capture_default_str();
 }
