@@ -380,6 +380,34 @@ TEST(Stretcher, TakesASymmetricPartWhereThePathIsSymmetricToo) {
   EXPECT_TRUE(each.run().verdict.accepted());
 }
 
+/// A plate of which two thirds are nearly square: its principal axes turn where a third is missing.
+synthetic::Part ribbed_plate() {
+  synthetic::Part part;
+  part.width = 0.24;
+  part.depth = 0.16;
+  part.inside = [](double, double) { return true; };
+  part.height = [](double x, double y) {
+    const bool rib = std::abs(x + 0.06) < 0.004 || std::abs(x + 0.02) < 0.004;
+    const bool boss = std::hypot(x + 0.09, y - 0.04) < 0.012;
+    return (rib && std::abs(y) < 0.06) || boss ? 0.009 : 0.0;
+  };
+  part.path_position = [](double a) { return Eigen::Vector3d(-0.04, -0.05 + 0.1 * a, 0); };
+  return part;
+}
+
+TEST(Stretcher, FindsAPlateOfWhichAThirdWasNotScanned) {
+  Case each;
+  each.part = each.scanned_part = ribbed_plate();
+  each.path = synthetic::path_on(each.part, kWaypoints);
+  each.scan.is_hole = [](const Eigen::Vector3d& at) { return at.x() > 0.04; };
+  for (const double degrees : {60.0, 140.0, 200.0, 290.0}) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -0.5, degrees / 100).normalized();
+    each.moved = synthetic::similarity(
+        1.2, Eigen::AngleAxisd(degrees * kDegree, axis).toRotationMatrix(), {0.4, -0.2, 0.1});
+    expect_adapted(each, 0.0003, 1 * kDegree);
+  }
+}
+
 TEST(Refusal, OfSomethingThatLiesAcrossThePath) {
   Case each;
   constexpr double kHigh = 0.009;  // [m]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "robust.h"
 
@@ -168,21 +169,51 @@ void add_places(const CoarseSurface& reference, const Eigen::Matrix3d& axes,
 
 }  // namespace
 
-std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const CoarseSurface& object,
-                                        std::size_t most) {
+namespace {
+
+/// The axes along which the points fill the smallest rectangle, seen along the last one. Unlike
+/// the principal axes of a plate they stay along its edges where a part of it is missing.
+Eigen::Matrix3d rectangle_axes(const Eigen::Matrix3d& axes, const Points& points) {
+  constexpr int kSteps = 60;  // of a right angle
+  Eigen::Matrix3d best = axes;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kSteps; ++i) {
+    const Eigen::AngleAxisd turn(i * M_PI_2 / kSteps, Eigen::Vector3d::UnitZ());
+    const Eigen::Matrix3d turned = axes * turn.toRotationMatrix();
+    const Eigen::Vector3d sizes = extent_along(turned, points).sizes();
+    if (sizes.x() * sizes.y() >= least) continue;
+    least = sizes.x() * sizes.y();
+    best = turned;
+  }
+  return best;
+}
+
+/// The reference's axes in all the turns of a cube laid along the object's, sized by each axis.
+void add_partial_guesses(const CoarseSurface& reference, const Eigen::Matrix3d& reference_axes,
+                         const CoarseSurface& object, const Eigen::Matrix3d& object_axes,
+                         std::vector<Similarity>& guesses) {
   constexpr double kThin = 0.05;  // of the longest axis: too short to tell the size
-  const Eigen::AlignedBox3d object_box = extent_along(object.frame.axes, object.queries);
-  std::vector<Similarity> guesses;
+  const Eigen::AlignedBox3d object_box = extent_along(object_axes, object.queries);
   for (const Eigen::Matrix3d& turn : cube_turns()) {
-    const Eigen::Matrix3d rotation = object.frame.axes * turn * reference.frame.axes.transpose();
+    const Eigen::Matrix3d rotation = object_axes * turn * reference_axes.transpose();
     const Eigen::Vector3d lengths =
-        extent_along(rotation.transpose() * object.frame.axes, reference.queries).sizes();
+        extent_along(rotation.transpose() * object_axes, reference.queries).sizes();
     for (int axis = 0; axis < 3; ++axis) {
       if (lengths[axis] < kThin * lengths.maxCoeff()) continue;
-      add_places(reference, object.frame.axes, object_box, rotation,
+      add_places(reference, object_axes, object_box, rotation,
                  object_box.sizes()[axis] / lengths[axis], guesses);
     }
   }
+}
+
+}  // namespace
+
+std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const CoarseSurface& object,
+                                        std::size_t most) {
+  std::vector<Similarity> guesses;
+  add_partial_guesses(reference, reference.frame.axes, object, object.frame.axes, guesses);
+  add_partial_guesses(reference, rectangle_axes(reference.frame.axes, reference.queries), object,
+                      rectangle_axes(object.frame.axes, object.queries), guesses);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < guesses.size(); ++i)
     order.emplace_back(improve_coarsely(reference, object, guesses[i], {}, 0).cost, i);

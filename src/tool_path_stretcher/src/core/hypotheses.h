@@ -27,9 +27,9 @@ std::vector<Similarity> principal_guesses(const PrincipalFrame& reference,
 /// rotations.
 std::vector<Similarity> even_guesses(const PrincipalFrame& reference, const PrincipalFrame& object);
 
-/// Poses for a scan that shows only a part of the reference: the principal frames in all the turns
-/// of a cube, each sized by one axis alone, with the scan at either end along the axes that it does
-/// not fill. The `most` that fit best as they are.
+/// Poses for a scan that shows only a part of the reference: the principal frames, and the frames
+/// of the smallest rectangles, in all the turns of a cube, each sized by one axis alone, with the
+/// scan at either end along the axes that it does not fill. The `most` that fit best as they are.
 std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const CoarseSurface& object,
                                         std::size_t most);
 
