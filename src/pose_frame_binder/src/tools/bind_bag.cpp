@@ -11,6 +11,7 @@
 
 #include "pose_frame_binder/ros/profile_binder.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace {
@@ -98,19 +99,14 @@ pose_frame_binder::Audit bind(const Options& options, rosbag::Bag& output) {
 
 /// Writes the output whole or not at all.
 void run(const Options& options) {
-  const std::string partial = options.output + ".partial";
   pose_frame_binder::Audit audit;
-  try {
+  scan_cell_common::save_whole(options.output, [&](const std::string& partial) {
     rosbag::Bag output;
     open(output, partial, rosbag::bagmode::Write);
     audit = bind(options, output);
     output.close();
-    std::filesystem::rename(partial, options.output);
-  } catch (...) {
-    std::error_code not_there;
-    std::filesystem::remove(partial, not_there);
-    throw;
-  }
+    return true;
+  });
   std::cout << summary(audit) << '\n';
   for (const pose_frame_binder::Drop& drop : audit.dropped) {
     std::cout << name(drop.reason) << ": frame " << drop.frame_counter << ", pulse "

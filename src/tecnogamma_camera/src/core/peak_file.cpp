@@ -3,31 +3,22 @@
 #include "tecnogamma_camera/peak_file.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
+#include <sstream>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
 
 namespace tecnogamma_camera {
 
 void save_peaks(const std::string& path, const PeakProfile& profile) {
-  const std::string partial = path + ".partial";
-  std::ofstream file(partial);
+  std::ostringstream file;
   file << "row,position,width,intensity\n" << std::fixed;
   for (int i = 0; i < profile.rows(); ++i) {
     if (std::isnan(profile.position[i])) continue;
     file << profile.first_row + i << ',' << std::setprecision(4) << profile.position[i] << ','
          << std::setprecision(1) << profile.width[i] << ',' << profile.intensity[i] << '\n';
   }
-  file.close();
-  std::error_code failure;
-  if (file) std::filesystem::rename(partial, path, failure);
-  if (!file || failure) {
-    std::filesystem::remove(partial, failure);
-    throw scan_cell_common::FileError(path, "cannot be written",
-                                      "check the folder and its permissions");
-  }
+  scan_cell_common::save_text(path, file.str());
 }
 
 }  // namespace tecnogamma_camera
