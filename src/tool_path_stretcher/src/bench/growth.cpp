@@ -93,7 +93,7 @@ void run_growth(std::size_t points, bool reduced) {
   if (!result.verdict.accepted()) {
     std::printf("| %s | | ", to_string(result.verdict.reason).c_str());
   } else {
-    const cases::PathError error = cases::error_of(result.path, scene, each);
+    const cases::PathError error = cases::error_of(result.path, scene.truth, {});
     std::printf("| accepted | %.3f | %.3f ", 1e3 * error.normal, 1e3 * error.tangential);
   }
   std::printf("| %zu |\n", object.points.size());

@@ -168,8 +168,8 @@ Scene scene_of(const Case& each) {
                           each.similarity.scale * each.stand_off)};
 }
 
-PathError error_of(const ToolPath& path, const Scene& scene, const Case& each) {
-  if (!each.own_image) return error_of(path, scene.truth, {});
+ToolPath truth_beside(const ToolPath& path, const Scene& scene, const Case& each) {
+  if (!each.own_image) return scene.truth;
   ToolPath nearest = scene.truth;
   for (std::size_t s = 0; s < nearest.segments.size(); ++s) {
     auto& waypoints = nearest.segments[s].waypoints;
@@ -182,7 +182,7 @@ PathError error_of(const ToolPath& path, const Scene& scene, const Case& each) {
       waypoints[w] = *std::min_element(candidates.begin(), candidates.end(), closer);
     }
   }
-  return error_of(path, nearest, {});
+  return nearest;
 }
 
 std::vector<Case> all_cases(const std::string& data) {

@@ -38,8 +38,9 @@ struct Scene {
 };
 Scene scene_of(const Case& each);
 
-/// Errors against the truth; of a path that is its own image, against its nearest waypoints.
-PathError error_of(const ToolPath& path, const Scene& scene, const Case& each);
+/// What an adapted path is compared with: the truth, or of a path that is its own image the truth's
+/// nearest waypoints.
+ToolPath truth_beside(const ToolPath& path, const Scene& scene, const Case& each);
 
 /// All cases of the benchmark. Two real parts are among them where `data` holds them.
 /// @param data folder with parts/<name>/part.stl and toolpath.yaml; empty: none

@@ -77,7 +77,7 @@ Pose by_features(const Described& source, const Described& target, float leaf) {
   search.setSourceFeatures(source.features);
   search.setInputTarget(target.points);
   search.setTargetFeatures(target.features);
-  search.setMaximumIterations(50000);
+  search.setMaximumIterations(20000);  // of the tutorial's 50,000: time
   search.setNumberOfSamples(3);
   search.setCorrespondenceRandomness(5);
   search.setSimilarityThreshold(0.95F);
