@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "scan_cell_common/errors.h"
 #include "synthetic_parts.h"
@@ -133,6 +134,25 @@ TEST(CloudSurface, FindsNormalsSpacingAndRim) {
     ASSERT_GT(from_centre.cwiseAbs().maxCoeff(), 0.118 - 2 * 0.004);
     ASSERT_GT(from_centre.dot(surface.rim.outward[i]), 0);
   }
+}
+
+TEST(CloudSurface, IsThinnedWhereItsPointsAreDenserThanTheirNoise) {
+  constexpr std::size_t kMost = 50000;
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> across(0, 0.3);
+  std::normal_distribution<double> noise(0, 0.0001);
+  Points cloud;
+  for (int i = 0; i < 300000; ++i) {
+    const double x = across(engine), y = across(engine);
+    cloud.emplace_back(x, y, noise(engine));
+  }
+  const Surface surface = surface_from_cloud(cloud, Eigen::Vector3d::Constant(1e-5), "cloud");
+  EXPECT_LE(surface.points.size(), kMost);
+  EXPECT_GT(surface.points.size(), kMost / 2);
+  double squares = 0;
+  for (const Eigen::Vector3d& normal : surface.normals)
+    squares += std::pow(std::acos(std::min(1.0, std::abs(normal.z()))), 2);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(surface.normals.size())), 3 * M_PI / 180);
 }
 
 TEST(CloudSurface, IsRefusedByNameWhereItCannotBeUsed) {

@@ -45,7 +45,8 @@ struct Surface {
   Rim rim;
 };
 
-/// A surface from a cloud: its points are reduced on the grid, normals come from the neighbours.
+/// A surface from a cloud: its points are reduced on the grid, or a coarser one that leaves at most
+/// 50,000; normals come from the neighbours.
 /// @param name of the cloud in errors
 /// @throw scan_cell_common::UnusableInput if the cloud is empty, has points that are not finite, or
 /// all its points lie on one line

@@ -143,11 +143,19 @@ void complete(Surface& surface) {
 
 namespace {
 
-/// Errors name the cloud.
-Points reduced(const Points& cloud, const Eigen::Vector3d& leaf, const std::string& name) {
+/// On the grid, or on a coarser one where that leaves more points than are of use: denser than
+/// their noise, they blur the normals and say nothing new.
+Points reduced(const Points& cloud, Eigen::Vector3d leaf, const std::string& name) {
+  constexpr double kMost = 50000;
+  constexpr double kAim = 0.9;
   try {
-    return reduce_on_grid(cloud, leaf);
-  } catch (const UnusableInput& error) {
+    Points points = reduce_on_grid(cloud, leaf);
+    while (static_cast<double>(points.size()) > kMost) {
+      leaf *= std::sqrt(static_cast<double>(points.size()) / (kAim * kMost));
+      points = reduce_on_grid(cloud, leaf);
+    }
+    return points;
+  } catch (const UnusableInput& error) {  // does not know the cloud's name
     throw UnusableInput(name + ", " + error.thing(), error.value(), error.cure());
   }
 }
