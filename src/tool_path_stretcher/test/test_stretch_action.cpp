@@ -6,14 +6,20 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/StretchToolPathAction.h>
 #include <sys/wait.h>
+#include <unistd.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "synthetic_parts.h"
+#include "tool_path_stretcher/ros/conversions.h"
+#include "tool_path_stretcher/tool_path_files.h"
 
 using scan_cell_msgs::StretchToolPathGoal;
 using scan_cell_msgs::StretchVerdict;
@@ -160,6 +166,71 @@ TEST_F(StretchAction, RefusesUnusableInputByName) {
   StretchToolPathGoal no_path = goal(part_);
   no_path.path.segments.clear();
   EXPECT_EQ(finish(no_path, State::ABORTED).verdict.reason, StretchVerdict::UNUSABLE_INPUT);
+}
+
+TEST_F(StretchAction, GivesTheSameBytesAsTheCommand) {
+  namespace fs = std::filesystem;
+  using namespace tool_path_stretcher;
+  const fs::path folder = fs::temp_directory_path() / ("same_bytes_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  StretchToolPathGoal same = goal(part_);
+  same.path = to_message(path_, std_msgs::Header());
+  const auto save = [&folder](const sensor_msgs::PointCloud2& cloud, const char* name) {
+    scan_cell_common::save_cloud((folder / name).string(), scan_cell_common::from_message(cloud));
+  };
+  save(same.reference, "r.ply");
+  save(same.object, "d.ply");
+  save_tool_path((folder / "p.csv").string(), path_);
+  const std::string command = "cd " + folder.string() + " && " + STRETCH_COMMAND +
+                              " --reference r.ply --object d.ply --path p.csv --output out.csv"
+                              " --report report.json > /dev/null 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const auto result = finish(same, State::SUCCEEDED);
+  const auto text_of = [&folder](const char* name) {
+    std::ifstream in(folder / name);
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+  };
+  EXPECT_EQ(tool_path_to_csv(load_tool_path((folder / "out.csv").string())), text_of("out.csv"));
+  auto by_command = nlohmann::json::parse(text_of("report.json"));
+  auto by_action = nlohmann::json::parse(result.report);
+  by_command.erase("seconds");
+  by_action.erase("seconds");
+  EXPECT_EQ(by_command.dump(2), by_action.dump(2));
+  const ToolPath adapted = load_tool_path((folder / "out.csv").string());
+  const auto expected = to_message(adapted, std_msgs::Header());
+  ASSERT_EQ(result.path.segments.size(), expected.segments.size());
+  for (std::size_t s = 0; s < expected.segments.size(); ++s) {
+    ASSERT_EQ(result.path.segments[s].waypoints.size(), expected.segments[s].waypoints.size());
+    for (std::size_t w = 0; w < expected.segments[s].waypoints.size(); ++w) {
+      const auto& is = result.path.segments[s].waypoints[w].pose;
+      const auto& should = expected.segments[s].waypoints[w].pose;
+      EXPECT_EQ(is.position.x, should.position.x);
+      EXPECT_EQ(is.position.y, should.position.y);
+      EXPECT_EQ(is.position.z, should.position.z);
+      EXPECT_NEAR(is.orientation.w, should.orientation.w, 1e-15);
+    }
+  }
+  fs::remove_all(folder);
+}
+
+TEST_F(StretchAction, TakesWhatTheGoalKnowsOfTheObject) {
+  StretchToolPathGoal known = goal(part_);
+  known.scale = 1.08;
+  known.has_initial_pose = 1;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = moved_.rotation;
+  pose.translation() = moved_.translation;
+  known.initial_pose = scan_cell_common::to_ros_transform(pose);
+  known.initial_pose_angle = 0.3;
+  known.initial_pose_distance = 0.02;
+  known.resample_spacing = 0.005;
+  const auto result = finish(known, State::SUCCEEDED);
+  EXPECT_EQ(result.similarity.scale, 1.08);
+  EXPECT_GT(result.quality.size(), kWaypoints);
+  known.initial_pose_angle = -1;
+  const auto refused = finish(known, State::ABORTED);
+  EXPECT_EQ(refused.verdict.reason, StretchVerdict::UNUSABLE_INPUT);
+  EXPECT_NE(refused.verdict.message.find("initial_pose_angle"), std::string::npos);
 }
 
 TEST_F(StretchAction, UsesTheMethodOfTheGoal) {

@@ -56,6 +56,7 @@ struct PlacementParameters {
   int min_support = 6;  //!< fewer scanned points, and the waypoint is inferred
   double max_stranger = 0.004;  //!< [m] farther off the reference, a scanned point is a stranger
   bool set_on_surface = true;   //!< false: carried over by the mapping alone (the affine method)
+  bool keep_stand_off = true;   //!< as long as it is; false: scaled with the part
 };
 
 struct Placement {

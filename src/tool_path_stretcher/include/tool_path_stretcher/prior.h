@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "tool_path_stretcher/similarity.h"
 
@@ -30,6 +31,10 @@ struct PosePrior {
   /// @param centroid of the reference [m]
   bool allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const;
 };
+
+/// @param numbers x y z [m] and qx qy qz qw
+/// @throw scan_cell_common::InvalidParameter unless they are seven, with a unit quaternion
+Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers);
 
 /// What is known before the search. It bounds the search, and decides between poses that the
 /// surfaces alone cannot tell apart.

@@ -26,15 +26,28 @@ std::string to_string(Method method);
 /// @throw scan_cell_common::InvalidParameter if it is neither affine nor general
 Method method_from_string(const std::string& name);
 
+/// What becomes of the distance of a path that does not touch the surface.
+enum class StandOff {
+  kKeep,   //!< it stays as long as it is, along the normal: it belongs to the process
+  kScale,  //!< it grows with the part
+};
+
+std::string to_string(StandOff stand_off);
+
+/// @throw scan_cell_common::InvalidParameter if it is neither keep nor scale
+StandOff stand_off_from_string(const std::string& name);
+
 struct StretchParameters {
   Method method = Method::kGeneral;
   Eigen::Vector3d leaf = {0.002, 0.002, 0.0005};  //!< [m] grid reduction after loading
   Prior prior;                                    //!< what is known of size and pose before
   double min_scale = 0.45;
   double max_scale = 2.2;
-  double scale_range = 0.15;          //!< affine: searched about the initial scale, 0.15 = +-15 %
-  int scale_steps = 15;               //!< affine: to each side
-  int min_points = 200;               //!< of each surface after reduction
+  double scale_range = 0.15;    //!< affine: searched about the initial scale, 0.15 = +-15 %
+  int scale_steps = 15;         //!< affine: to each side
+  int min_points = 200;         //!< of each surface after reduction
+  double resample_spacing = 0;  //!< [m] along the path; 0: its own waypoints
+  StandOff stand_off = StandOff::kKeep;
   double max_path_distance = 0.02;    //!< [m] of a waypoint from the reference
   double inlier_distance = 0.002;     //!< [m] of a point that counts as explained
   double min_inlier_ratio = 0.8;      //!< of the object's points, or it is the wrong part
@@ -60,6 +73,7 @@ using Progress = std::function<bool(const std::string& stage, double progress)>;
 struct StretchResult {
   Verdict verdict;
   ToolPath path;                         //!< on the object; empty unless accepted
+  ToolPath reference_path;               //!< the same waypoints on the reference
   std::vector<WaypointQuality> quality;  //!< empty where it did not come to that
   Method method = Method::kGeneral;
   Similarity similarity;

@@ -35,6 +35,12 @@ std::size_t waypoint_count(const ToolPath& path);
 /// that is not finite, a rotation that is none, or process values that do not fit their names
 void check(const ToolPath& path);
 
+/// The path with waypoints at even steps of the arc length along each segment, at most `spacing`
+/// [m] long; a segment's ends are kept, and so is a segment that has no length. Positions and
+/// process values are interpolated linearly, rotations the short way.
+/// @throw scan_cell_common::UnusableInput if that makes too many waypoints
+ToolPath resampled(const ToolPath& path, double spacing);
+
 /// The rotations of a segment as unit quaternions, each in the hemisphere of the one before, so
 /// that what interpolates them goes the short way. The first has w >= 0.
 std::vector<Eigen::Quaterniond> continuous_quaternions(const Segment& segment);

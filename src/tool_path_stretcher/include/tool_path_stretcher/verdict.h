@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tool_path_stretcher/similarity.h"
+
 namespace tool_path_stretcher {
 
 /// Whether an adapted path may be used, and why not. The numbers are StretchVerdict.msg's.
@@ -20,15 +22,23 @@ enum class Reason {
   kPathNotScanned = 7,
   kToleranceExceeded = 8,
   kCancelled = 9,
+  kFoldOver = 10,
 };
 
 /// In lower case with underscores, as in reports.
 std::string to_string(Reason reason);
 
+/// A pose that explains the object, and where it would put the path.
+struct PoseCandidate {
+  Similarity similarity;
+  Points waypoints;  //!< [m] in the object's frame, over all segments
+};
+
 struct Verdict {
   Reason reason = Reason::kAccepted;
-  std::string message;                 //!< the thing, the value and what would help
-  std::vector<std::size_t> waypoints;  //!< concerned, counted over all segments
+  std::string message;                         //!< the thing, the value and what would help
+  std::vector<std::size_t> waypoints;          //!< concerned, counted over all segments
+  std::vector<PoseCandidate> candidates = {};  //!< ambiguous: those between which nothing decides
 
   bool accepted() const { return reason == Reason::kAccepted; }
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checks.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -82,6 +83,24 @@ Found find(const std::vector<WaypointQuality>& quality,
 std::string of_all(const Found& found, const std::vector<WaypointQuality>& quality) {
   return std::to_string(found.waypoints.size()) + " of " + std::to_string(quality.size()) +
          " waypoints";
+}
+
+PoseCandidate candidate_of(const ToolPath& path, const Mapping& mapping) {
+  PoseCandidate candidate{mapping.similarity, {}};
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints)
+      candidate.waypoints.push_back(mapping * waypoint.pose.translation());
+  }
+  return candidate;
+}
+
+/// Whether the mapping crushes space to nothing at a point of the reference, or turns it inside
+/// out.
+bool turned_over(const Mapping& mapping, const Eigen::Vector3d& at) {
+  constexpr double kLeastVolume = 0.1;
+  if (mapping.graph.empty()) return false;
+  const Eigen::Matrix3d local = Eigen::Matrix3d::Identity() + mapping.graph.jacobian(at);
+  return local.determinant() < kLeastVolume;
 }
 
 }  // namespace
@@ -192,17 +211,56 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
   if (apart < kSamePose * best.similarity.scale * reference.size) return;
   if (clearly_better(best_explanation, other_explanation)) return;
   if (same_path(path, best, other, parameters.ambiguity_distance)) return;
+  const PoseCandidate one = candidate_of(path, best);
+  const PoseCandidate two = candidate_of(path, other);
   double farthest = 0;
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints) {
-      const Eigen::Vector3d at = waypoint.pose.translation();
-      farthest = std::max(farthest, (best * at - other * at).norm());
+  for (std::size_t i = 0; i < one.waypoints.size(); ++i)
+    farthest = std::max(farthest, (one.waypoints[i] - two.waypoints[i]).norm());
+  throw Refusal{{Reason::kAmbiguous,
+                 "pose: two poses explain the object equally and put the path up to " +
+                     millimetres(farthest) +
+                     " apart; scan more of what breaks the part's symmetry, or say where the part "
+                     "lies (initial pose)",
+                 {},
+                 {one, two}}};
+}
+
+void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surface& reference,
+                     const Surface& object, const Mapping& mapping) {
+  const char* cure = "check the part and its scan, or lower deformation_level";
+  std::vector<std::size_t> folded;
+  std::size_t first = 0;
+  for (std::size_t s = 0; s < path.segments.size(); ++s) {
+    const std::vector<Waypoint>& from = path.segments[s].waypoints;
+    const std::vector<Waypoint>& to = adapted.segments[s].waypoints;
+    const double step = object.spacing / mapping.similarity.scale;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Eigen::Vector3d at = from[i].pose.translation();
+      const Eigen::Vector3d way = at - from[last].pose.translation();
+      const Eigen::Vector3d went = to[i].pose.translation() - to[last].pose.translation();
+      const bool far_enough = way.norm() >= step;
+      const bool back = far_enough && (mapping.similarity.rotation * way).dot(went) < 0;
+      if (back || turned_over(mapping, at)) folded.push_back(first + i);
+      if (far_enough) last = i;
     }
+    first += from.size();
   }
-  refuse(Reason::kAmbiguous, "pose",
-         "two poses explain the object equally and put the path up to " + millimetres(farthest) +
-             " apart",
-         "scan more of what breaks the part's symmetry");
+  if (!folded.empty()) {
+    refuse(
+        Reason::kFoldOver, "adapted path",
+        std::to_string(folded.size()) + " of " + std::to_string(first) +
+            " waypoints run back where the path runs on, or lie where the surface is turned over",
+        cure, folded);
+  }
+  std::size_t turned = 0;
+  for (const std::size_t i : reference.samples.few)
+    turned += turned_over(mapping, reference.points[i]);
+  if (turned == 0) return;
+  refuse(Reason::kFoldOver, "deformation",
+         "it turns the surface over at " + std::to_string(turned) + " of " +
+             std::to_string(reference.samples.few.size()) + " points",
+         cure);
 }
 
 double most_stranger(const StretchParameters& parameters, double spacing) {

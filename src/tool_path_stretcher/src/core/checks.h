@@ -37,6 +37,12 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
                        const Surface& reference, const Explanation& best_explanation,
                        const Explanation& other_explanation, const StretchParameters& parameters);
 
+/// FOLD_OVER: the mapping turns the surface over, or the adapted path runs back where the path runs
+/// on
+/// @param adapted the path as it was placed
+void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surface& reference,
+                     const Surface& object, const Mapping& mapping);
+
 /// [m, object] that a scanned point may be off the reference: sparser surfaces cannot show less.
 double most_stranger(const StretchParameters& parameters, double spacing);
 

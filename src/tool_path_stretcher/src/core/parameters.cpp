@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/LU>
 #include <cmath>
 #include <sstream>
 
@@ -34,7 +35,44 @@ Method method_from_string(const std::string& name) {
   throw InvalidParameter("method", "'" + name + "'", "give affine or general");
 }
 
+std::string to_string(StandOff stand_off) {
+  return stand_off == StandOff::kKeep ? "keep" : "scale";
+}
+
+StandOff stand_off_from_string(const std::string& name) {
+  if (name == "keep") return StandOff::kKeep;
+  if (name == "scale") return StandOff::kScale;
+  throw InvalidParameter("stand_off", "'" + name + "'", "give keep or scale");
+}
+
+namespace {
+
+void check(const Prior& prior) {
+  const ScalePrior& scale = prior.scale;
+  if (scale.value != 0) check_range("scale", scale.value, 0.01, 100);
+  check_range("scale_deviation", scale.deviation, 0, 10);
+  if (scale.value == 0 && scale.deviation != 0) {
+    throw InvalidParameter("scale_deviation", std::to_string(scale.deviation),
+                           "give the scale that deviates so far too");
+  }
+  if (!prior.pose) return;
+  const Eigen::Isometry3d& pose = prior.pose->pose;
+  if (!pose.matrix().allFinite() || !(pose.linear() * pose.linear().transpose()).isIdentity(1e-6) ||
+      pose.linear().determinant() < 0) {
+    throw InvalidParameter("initial_pose", "not a rotation and a translation",
+                           "give finite numbers and a unit quaternion");
+  }
+  check_range("initial_pose_angle", prior.pose->angle, 1e-6, M_PI);
+  check_range("initial_pose_distance", prior.pose->distance, 1e-6, 100);
+}
+
+}  // namespace
+
 void check(const StretchParameters& parameters) {
+  check(parameters.prior);
+  if (parameters.resample_spacing != 0) {
+    check_range("resample_spacing", parameters.resample_spacing, 1e-6, 10);
+  }
   for (const double leaf : parameters.leaf)
     check_range("leaf", leaf, 1e-6, 1);
   check_range("min_scale", parameters.min_scale, 0.01, 100);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "local_surface.h"
+#include "robust.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -164,14 +165,36 @@ std::vector<Correction> corrections_of(const Track& track, double width, const S
   return result;
 }
 
+/// [m] of a point over the surface beside it, along its normal, where it does not touch. Less than
+/// the spacing shows, it touches; between, the two are blended.
+double stand_off(const Surface& reference, const Eigen::Vector3d& at,
+                 const Eigen::Vector3d& normal) {
+  constexpr std::size_t kNeighbours = 7;
+  constexpr double kTouching = 0.3;  // spacings
+  std::vector<KdTree::Neighbour> neighbours;
+  reference.tree->nearest(at, kNeighbours, neighbours);
+  std::vector<double> heights;
+  for (const KdTree::Neighbour& neighbour : neighbours) {
+    const Eigen::Vector3d& other = reference.normals[neighbour.index];
+    const double height = other.dot(at - reference.points[neighbour.index]);
+    heights.push_back(std::copysign(1.0, other.dot(normal)) * height);
+  }
+  const double height = quantile(std::move(heights), 0.5);
+  const double touching = kTouching * reference.spacing;
+  const double apart = std::clamp(std::abs(height) / touching - 1, 0.0, 1.0);
+  return apart * height;
+}
+
+/// @param longer [m] than the scaled one the stand-off should be
 Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const LocalSurface& surface,
-                             const Correction& correction, const Mapping& mapping) {
+                             const Correction& correction, const Mapping& mapping, double longer) {
   const Eigen::Vector3d at = pose.translation();
   const Eigen::Matrix3d turn = mapping.turn(surface.base, surface.normal);
   const Eigen::Quaterniond tilt =
       Eigen::Quaterniond::FromTwoVectors(surface.normal, surface.normal - correction.slope);
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.translation() = mapping * at + correction.height * (turn * surface.normal);
+  result.translation() = mapping * at + correction.height * (turn * surface.normal) +
+                         longer * (turn * (tilt * surface.normal));
   result.linear() = Eigen::Quaterniond(turn * tilt.toRotationMatrix() * pose.linear())
                         .normalized()
                         .toRotationMatrix();
@@ -184,7 +207,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
                            const Eigen::Vector3d& adapted_point, const LocalSurface& surface,
-                           const Correction& correction, const Mapping& mapping,
+                           const Correction& correction, double longer, const Mapping& mapping,
                            const Surface& object) {
   const auto distance_to_scan = [&object](const Eigen::Vector3d& point) {
     return std::sqrt(object.tree->nearest(point).squared_distance);
@@ -196,7 +219,8 @@ WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
   quality.distance_to_scan = distance_to_scan(adapted_point);
   quality.support = surface.support;
   quality.residual = surface.residual;
-  quality.displacement = (adapted_point - mapping.similarity * reference_point).norm();
+  const Eigen::Vector3d kept = longer * (mapping.similarity.rotation * surface.normal);
+  quality.displacement = (adapted_point - mapping.similarity * reference_point - kept).norm();
   quality.surface_angle = surface.measured
                               ? angle_between(mapping.similarity.rotation * surface.normal,
                                               turn * (surface.normal - surface.slope))
@@ -248,10 +272,14 @@ Placement place(const ToolPath& path, const Surface& reference, const Surface& o
       Eigen::Isometry3d& pose = placement.path.segments[s].waypoints[w].pose;
       const Eigen::Vector3d from = pose.translation();
       const LocalSurface& surface = tracks[s].surfaces[w];
-      pose = carry_over(pose, surface, corrections[w], mapping);
+      const double longer =
+          parameters.keep_stand_off
+              ? (1 - mapping.similarity.scale) * stand_off(reference, from, surface.normal)
+              : 0;
+      pose = carry_over(pose, surface, corrections[w], mapping, longer);
       if (!path.has_orientation) pose.linear().setIdentity();
       placement.quality.push_back(
-          quality_of(from, pose.translation(), surface, corrections[w], mapping, object));
+          quality_of(from, pose.translation(), surface, corrections[w], longer, mapping, object));
       placement.quality.back().segment = s;
       placement.quality.back().waypoint = w;
       placement.heights.push_back(

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "number_text.h"
+#include "scan_cell_common/errors.h"
+
 namespace tool_path_stretcher {
 
 ScaleRange ScalePrior::range() const {
@@ -18,6 +21,26 @@ bool PosePrior::allows(const Similarity& similarity, const Eigen::Vector3d& cent
   const Similarity given{similarity.scale, pose.linear(), pose.translation()};
   const Eigen::AngleAxisd between(pose.linear().transpose() * similarity.rotation);
   return between.angle() <= angle && (given * centroid - similarity * centroid).norm() <= distance;
+}
+
+Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers) {
+  constexpr std::size_t kNumbers = 7;
+  if (numbers.size() != kNumbers) {
+    throw scan_cell_common::InvalidParameter("initial_pose",
+                                             std::to_string(numbers.size()) + " numbers",
+                                             "give seven: x y z in metres and qx qy qz qw");
+  }
+  const Eigen::Vector4d xyzw(numbers[3], numbers[4], numbers[5], numbers[6]);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() << numbers[0], numbers[1], numbers[2];
+  try {
+    pose.linear() = rotation_from(xyzw, "initial_pose");
+  } catch (const scan_cell_common::UnusableInput& error) {
+    throw scan_cell_common::InvalidParameter(
+        "initial_pose", "a quaternion of length " + std::to_string(xyzw.norm()),
+        "give a unit quaternion qx qy qz qw");
+  }
+  return pose;
 }
 
 bool Prior::allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const {

@@ -29,23 +29,37 @@ Json rows(const Matrix& matrix) {
   return result;
 }
 
+Json list(const Eigen::Vector3d& vector) {
+  return {number(vector.x()), number(vector.y()), number(vector.z())};
+}
+
+Json to_json(const PoseCandidate& candidate) {
+  Json waypoints = Json::array();
+  for (const Eigen::Vector3d& at : candidate.waypoints)
+    waypoints.push_back(list(at));
+  return {{"scale", number(candidate.similarity.scale)},
+          {"translation", list(candidate.similarity.translation)},
+          {"rotation", rows(candidate.similarity.rotation)},
+          {"transform", rows(candidate.similarity.matrix())},
+          {"waypoints", waypoints}};
+}
+
 Json to_json(const WaypointQuality& quality) {
-  return {
-      {"segment", quality.segment},
-      {"waypoint", quality.waypoint},
-      {"measured", quality.measured},
-      {"distance_to_scan", number(quality.distance_to_scan)},
-      {"support", quality.support},
-      {"residual", number(quality.residual)},
-      {"displacement", number(quality.displacement)},
-      {"surface_angle", number(quality.surface_angle)},
-      {"gap", number(quality.gap)},
-      {"strangers", quality.strangers},
-      {"expected_error_normal", number(quality.expected_error_normal)},
-      {"expected_error_tangential", number(quality.expected_error_tangential)},
-      {"expected_error_across", number(quality.expected_error_across)},
-      {"least_known", {quality.least_known.x(), quality.least_known.y(), quality.least_known.z()}},
-      {"position_measured", quality.position_measured}};
+  return {{"segment", quality.segment},
+          {"waypoint", quality.waypoint},
+          {"measured", quality.measured},
+          {"distance_to_scan", number(quality.distance_to_scan)},
+          {"support", quality.support},
+          {"residual", number(quality.residual)},
+          {"displacement", number(quality.displacement)},
+          {"surface_angle", number(quality.surface_angle)},
+          {"gap", number(quality.gap)},
+          {"strangers", quality.strangers},
+          {"expected_error_normal", number(quality.expected_error_normal)},
+          {"expected_error_tangential", number(quality.expected_error_tangential)},
+          {"expected_error_across", number(quality.expected_error_across)},
+          {"least_known", list(quality.least_known)},
+          {"position_measured", quality.position_measured}};
 }
 
 }  // namespace
@@ -56,11 +70,12 @@ std::string report_to_json(const StretchResult& result) {
   report["reason"] = to_string(result.verdict.reason);
   report["message"] = result.verdict.message;
   report["waypoints_concerned"] = result.verdict.waypoints;
+  report["candidates"] = Json::array();
+  for (const PoseCandidate& candidate : result.verdict.candidates)
+    report["candidates"].push_back(to_json(candidate));
   report["method"] = to_string(result.method);
   report["scale"] = number(result.similarity.scale);
-  const Eigen::Vector3d& translation = result.similarity.translation;
-  report["translation"] = {number(translation.x()), number(translation.y()),
-                           number(translation.z())};
+  report["translation"] = list(result.similarity.translation);
   report["rotation"] = rows(result.similarity.rotation);
   report["transform"] = rows(result.similarity.matrix());
   report["deformation_nodes"] = result.deformation_nodes;

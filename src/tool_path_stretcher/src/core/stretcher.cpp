@@ -10,6 +10,7 @@
 #include "checks.h"
 #include "expected_error.h"
 #include "robust.h"
+#include "scan_cell_common/errors.h"
 #include "tool_path_stretcher/alignment.h"
 
 namespace tool_path_stretcher {
@@ -105,22 +106,40 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
 
 Mapping affine_mapping(const Surface& reference, const Surface& object, const Similarity& start,
                        const StretchParameters& parameters, const Stages& stages) {
+  const ScalePrior& known = parameters.prior.scale;
+  if (known.is_fixed()) return {start, {}};
   const ScaleSearch search = search_scale(
-      reference, object, start, principal_scale(reference, object), parameters.scale_range,
-      parameters.scale_steps, parameters.inlier_distance, stages.within("scale search", 0.7, 0.9));
+      reference, object, start, known.is_known() ? known.value : principal_scale(reference, object),
+      parameters.scale_range, parameters.scale_steps, parameters.inlier_distance,
+      stages.within("scale search", 0.7, 0.9));
   if (search.at_bound) refuse_search_at_bound(search.best.scale, parameters);
   return {search.best, {}};
 }
 
-void run(const Surface& reference, const Surface& object, const ToolPath& path,
+ToolPath waypoints_of(const ToolPath& path, double spacing) {
+  if (spacing == 0) return path;
+  try {
+    return resampled(path, spacing);
+  } catch (const scan_cell_common::UnusableInput& error) {
+    throw Refusal{{Reason::kUnusableInput, error.what(), {}}};
+  }
+}
+
+void run(const Surface& reference, const Surface& object, const ToolPath& given,
          const StretchParameters& parameters, const Stages& stages, StretchResult& result) {
   stages.report("check", 0);
   check_surfaces(reference, object, parameters);
-  check_path(path, reference, parameters);
+  check_path(given, reference, parameters);
+  const ToolPath path = waypoints_of(given, parameters.resample_spacing);
   stages.report("align", 0.05);
   const std::vector<Candidate> candidates =
       find_candidates(reference, object, parameters.prior, stages.within("align", 0.05, 0.5));
-  if (candidates.empty()) refuse_wrong_part("no pose of the reference fits the object at all");
+  if (candidates.empty()) {
+    refuse_wrong_part(parameters.prior.pose || parameters.prior.scale.is_known()
+                          ? "no pose of the reference fits it with the scale and the initial pose "
+                            "given, as far as they may be off"
+                          : "no pose of the reference fits the object at all");
+  }
 
   std::vector<Fitted> fitted = fit_all(reference, object, candidates, parameters, stages);
   Mapping mapping = fitted.front().mapping;
@@ -156,12 +175,14 @@ void run(const Surface& reference, const Surface& object, const ToolPath& path,
   Placement placement =
       place(path, reference, object, mapping,
             {parameters.support_radius, parameters.min_support, most_stranger(parameters, spacing),
-             parameters.method == Method::kGeneral});
+             parameters.method == Method::kGeneral, parameters.stand_off == StandOff::kKeep});
   expect_errors(path, {reference, object, mapping, parameters.prior}, placement);
   result.quality = placement.quality;
+  check_fold_over(path, placement.path, reference, object, mapping);
   check_placement(placement.quality, spacing, parameters);
   stages.report("done", 1);
   result.path = std::move(placement.path);
+  result.reference_path = path;
 }
 
 }  // namespace

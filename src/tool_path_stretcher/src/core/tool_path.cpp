@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/tool_path.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scan_cell_common/errors.h"
@@ -61,6 +62,66 @@ void check(const ToolPath& path) {
     for (std::size_t w = 0; w < waypoints.size(); ++w)
       check(waypoints[w], path, name_of(path, s, w));
   }
+}
+
+namespace {
+
+/// [m] along the segment to each waypoint
+std::vector<double> arc_lengths(const Segment& segment) {
+  std::vector<double> lengths = {0};
+  for (std::size_t i = 1; i < segment.waypoints.size(); ++i) {
+    const Eigen::Vector3d way =
+        segment.waypoints[i].pose.translation() - segment.waypoints[i - 1].pose.translation();
+    lengths.push_back(lengths.back() + way.norm());
+  }
+  return lengths;
+}
+
+Waypoint between(const Waypoint& from, const Waypoint& to, double share) {
+  Waypoint result = from;
+  result.pose.translation() = (1 - share) * from.pose.translation() + share * to.pose.translation();
+  const Eigen::Quaterniond start(from.pose.linear());
+  result.pose.linear() =
+      start.slerp(share, Eigen::Quaterniond(to.pose.linear())).normalized().toRotationMatrix();
+  for (std::size_t i = 0; i < result.process_values.size(); ++i) {
+    result.process_values[i] = (1 - share) * from.process_values[i] + share * to.process_values[i];
+  }
+  return result;
+}
+
+Segment resampled(const Segment& segment, const std::vector<double>& lengths, std::size_t steps) {
+  Segment result{segment.name, {segment.waypoints.front()}};
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < steps; ++i) {
+    const double at = lengths.back() * static_cast<double>(i) / static_cast<double>(steps);
+    while (lengths[next] < at)
+      ++next;
+    const double share = (at - lengths[next - 1]) / (lengths[next] - lengths[next - 1]);
+    result.waypoints.push_back(
+        between(segment.waypoints[next - 1], segment.waypoints[next], share));
+  }
+  result.waypoints.push_back(segment.waypoints.back());
+  return result;
+}
+
+}  // namespace
+
+ToolPath resampled(const ToolPath& path, double spacing) {
+  constexpr double kMost = 1e6;       // waypoints of a segment
+  constexpr double kRounding = 1e-9;  // a segment of ten steps has ten of them
+  ToolPath result = path;
+  for (Segment& segment : result.segments) {
+    const std::vector<double> lengths = arc_lengths(segment);
+    if (!(lengths.back() > 0)) continue;
+    const double steps = std::ceil(lengths.back() / spacing - kRounding);
+    if (!(steps <= kMost)) {
+      throw UnusableInput("tool path '" + path.name + "'",
+                          std::to_string(lengths.back()) + " m long",
+                          "raise resample_spacing, or give the path in metres");
+    }
+    segment = resampled(segment, lengths, static_cast<std::size_t>(std::max(1.0, steps)));
+  }
+  return result;
 }
 
 std::vector<Eigen::Quaterniond> continuous_quaternions(const Segment& segment) {

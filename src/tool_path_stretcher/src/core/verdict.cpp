@@ -26,6 +26,8 @@ std::string to_string(Reason reason) {
       return "tolerance_exceeded";
     case Reason::kCancelled:
       return "cancelled";
+    case Reason::kFoldOver:
+      return "fold_over";
   }
   return "unknown";
 }

@@ -72,6 +72,28 @@ ToolPath from_message(const scan_cell_msgs::ToolPath& message) {
   return path;
 }
 
+StretchParameters with_goal(const StretchParameters& parameters,
+                            const scan_cell_msgs::StretchToolPathGoal& goal) {
+  StretchParameters result = parameters;
+  if (!goal.method.empty()) result.method = method_from_string(goal.method);
+  if (goal.tolerance != 0) result.tolerance = goal.tolerance;
+  if (goal.resample_spacing != 0) result.resample_spacing = goal.resample_spacing;
+  if (goal.scale != 0 || goal.scale_deviation != 0) {
+    result.prior.scale = {goal.scale, goal.scale_deviation};
+  }
+  if (goal.has_initial_pose) {
+    PosePrior pose;
+    const geometry_msgs::Vector3& at = goal.initial_pose.translation;
+    const geometry_msgs::Quaternion& turn = goal.initial_pose.rotation;
+    pose.pose = pose_from_numbers({at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w});
+    pose.angle = goal.initial_pose_angle;
+    pose.distance = goal.initial_pose_distance;
+    result.prior.pose = pose;
+  }
+  check(result);
+  return result;
+}
+
 scan_cell_msgs::ToolPath to_message(const ToolPath& path, const std_msgs::Header& header) {
   scan_cell_msgs::ToolPath message;
   message.header = header;
@@ -133,12 +155,28 @@ visualization_msgs::MarkerArray correspondence_markers(const ToolPath& from, con
 
 namespace {
 
+scan_cell_msgs::Similarity to_message(const Similarity& similarity) {
+  scan_cell_msgs::Similarity message;
+  message.scale = similarity.scale;
+  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+  transform.linear() = similarity.rotation;
+  transform.translation() = similarity.translation;
+  message.transform = scan_cell_common::to_ros_transform(transform);
+  return message;
+}
+
 scan_cell_msgs::StretchVerdict to_message(const Verdict& verdict) {
   scan_cell_msgs::StretchVerdict message;
   message.reason = static_cast<std::uint8_t>(verdict.reason);
   message.name = to_string(verdict.reason);
   message.message = verdict.message;
   message.waypoints.assign(verdict.waypoints.begin(), verdict.waypoints.end());
+  for (const PoseCandidate& candidate : verdict.candidates) {
+    message.candidates.emplace_back();
+    message.candidates.back().similarity = to_message(candidate.similarity);
+    for (const Eigen::Vector3d& at : candidate.waypoints)
+      message.candidates.back().waypoints.push_back(to_point(at));
+  }
   return message;
 }
 
@@ -173,11 +211,7 @@ scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
   message.path = to_message(result.path, header);
   for (const WaypointQuality& quality : result.quality)
     message.quality.push_back(to_message(quality));
-  message.similarity.scale = result.similarity.scale;
-  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
-  transform.linear() = result.similarity.rotation;
-  transform.translation() = result.similarity.translation;
-  message.similarity.transform = scan_cell_common::to_ros_transform(transform);
+  message.similarity = to_message(result.similarity);
   message.rms = result.rms;
   message.inlier_ratio = result.inlier_ratio;
   message.seconds = result.seconds;

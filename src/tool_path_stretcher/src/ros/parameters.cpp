@@ -7,6 +7,22 @@
 
 namespace tool_path_stretcher {
 
+namespace {
+
+void read_initial_pose(scan_cell_common::ParameterReader& reader, Prior& prior) {
+  using Range = scan_cell_common::ParameterReader::Range;
+  std::vector<double> numbers;
+  PosePrior pose;
+  reader.read("initial_pose", numbers, Range{-1e3, 1e3});
+  reader.read("initial_pose_angle", pose.angle, Range{1e-6, M_PI});
+  reader.read("initial_pose_distance", pose.distance, Range{1e-6, 100});
+  if (numbers.empty()) return;
+  pose.pose = pose_from_numbers(numbers);
+  prior.pose = pose;
+}
+
+}  // namespace
+
 StretchParameters load_parameters(const ros::NodeHandle& private_node) {
   using Range = scan_cell_common::ParameterReader::Range;
   scan_cell_common::ParameterReader reader(private_node);
@@ -23,6 +39,13 @@ StretchParameters load_parameters(const ros::NodeHandle& private_node) {
                                              "give three: x, y and z in metres");
   }
   p.leaf = Eigen::Vector3d(leaf[0], leaf[1], leaf[2]);
+  reader.read("scale", p.prior.scale.value, Range{0, 100});
+  reader.read("scale_deviation", p.prior.scale.deviation, Range{0, 10});
+  read_initial_pose(reader, p.prior);
+  reader.read("resample_spacing", p.resample_spacing, Range{0, 10});
+  std::string stand_off = to_string(p.stand_off);
+  reader.read_choice("stand_off", stand_off, {"keep", "scale"});
+  p.stand_off = stand_off_from_string(stand_off);
   reader.read("min_scale", p.min_scale, Range{0.01, 100});
   reader.read("max_scale", p.max_scale, Range{0.01, 100});
   reader.read("scale_range", p.scale_range, Range{0.001, 0.9});

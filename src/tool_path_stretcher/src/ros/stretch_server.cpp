@@ -54,8 +54,7 @@ bool StretchServer::on_progress(const std::string& stage, double progress) {
 
 StretchResult StretchServer::run(const scan_cell_msgs::StretchToolPathGoal& goal,
                                  const ToolPath& path) {
-  StretchParameters parameters = parameters_;
-  if (!goal.method.empty()) parameters.method = method_from_string(goal.method);
+  const StretchParameters parameters = with_goal(parameters_, goal);
   check_frame("object", goal.object.header, goal.reference.header);
   if (!goal.path.header.frame_id.empty()) {
     check_frame("path", goal.path.header, goal.reference.header);
@@ -80,7 +79,7 @@ void StretchServer::execute(const scan_cell_msgs::StretchToolPathGoalConstPtr& g
   } catch (const scan_cell_common::Error& error) {
     result.verdict = {Reason::kUnusableInput, error.what(), {}};
   }
-  show_paths(path, result.path, *goal);
+  show_paths(result.verdict.accepted() ? result.reference_path : path, result.path, *goal);
   const scan_cell_msgs::StretchToolPathResult message = to_message(result, goal->object.header);
   const Verdict& verdict = result.verdict;
   if (verdict.accepted()) {

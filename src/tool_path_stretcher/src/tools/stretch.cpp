@@ -29,7 +29,10 @@ struct Options {
   std::string output;
   std::string report;
   std::string method = "general";
+  std::string stand_off = "keep";
   std::vector<double> leaf;
+  std::vector<double> initial_pose;
+  tool_path_stretcher::PosePrior about;
   StretchParameters parameters;
 };
 
@@ -46,6 +49,24 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--leaf", options.leaf, "grid reduction x y z [m]")
       ->capture_default_str()
       ->expected(3);
+  app.add_option("--scale", p.prior.scale.value, "known before; 0: free")->capture_default_str();
+  app.add_option("--scale-deviation", p.prior.scale.deviation,
+                 "of the scale known before, one standard deviation; 0: it is exact")
+      ->capture_default_str();
+  app.add_option("--initial-pose", options.initial_pose,
+                 "reference to object, known before: x y z [m] qx qy qz qw")
+      ->expected(7);
+  app.add_option("--initial-pose-angle", options.about.angle, "farthest that may be off [rad]")
+      ->capture_default_str();
+  app.add_option("--initial-pose-distance", options.about.distance,
+                 "farthest that may put the reference's centroid off [m]")
+      ->capture_default_str();
+  app.add_option("--resample-spacing", p.resample_spacing,
+                 "steps of the path [m]; 0: its own waypoints")
+      ->capture_default_str();
+  app.add_option("--stand-off", options.stand_off,
+                 "keep: of a path that does not touch, as long as it is; scale: with the part")
+      ->capture_default_str();
   app.add_option("--min-scale", p.min_scale, "least scale accepted")->capture_default_str();
   app.add_option("--max-scale", p.max_scale, "greatest scale accepted")->capture_default_str();
   app.add_option("--scale-range", p.scale_range, "affine: range searched, 0.15 = +-15 %")
@@ -124,6 +145,11 @@ StretchResult run(Options& options) {
   remove_old(options.output);  // a path of an earlier run must not be taken for this one's
   options.parameters.method = tool_path_stretcher::method_from_string(options.method);
   options.parameters.leaf = Eigen::Vector3d(options.leaf[0], options.leaf[1], options.leaf[2]);
+  options.parameters.stand_off = tool_path_stretcher::stand_off_from_string(options.stand_off);
+  if (!options.initial_pose.empty()) {
+    options.about.pose = tool_path_stretcher::pose_from_numbers(options.initial_pose);
+    options.parameters.prior.pose = options.about;
+  }
   tool_path_stretcher::check(options.parameters);
   const bool terminal = isatty(STDERR_FILENO) == 1;
   const auto path = tool_path_stretcher::load_tool_path(options.path);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nav_msgs/Path.h>
+#include <scan_cell_msgs/StretchToolPathGoal.h>
 #include <scan_cell_msgs/StretchToolPathResult.h>
 #include <scan_cell_msgs/ToolPath.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -14,6 +15,11 @@ namespace tool_path_stretcher {
 /// @throw scan_cell_common::UnusableInput naming a waypoint that is not finite or whose orientation
 /// is no unit quaternion
 ToolPath from_message(const scan_cell_msgs::ToolPath& message);
+
+/// The node's parameters with what the goal gives.
+/// @throw scan_cell_common::InvalidParameter naming what makes no sense
+StretchParameters with_goal(const StretchParameters& parameters,
+                            const scan_cell_msgs::StretchToolPathGoal& goal);
 
 scan_cell_msgs::ToolPath to_message(const ToolPath& path, const std_msgs::Header& header);
 

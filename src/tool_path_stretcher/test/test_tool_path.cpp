@@ -1,0 +1,104 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "scan_cell_common/errors.h"
+#include "synthetic_parts.h"
+#include "tool_path_stretcher/stretcher.h"
+
+using namespace tool_path_stretcher;
+
+namespace {
+
+Waypoint waypoint(double x, double angle, double speed) {
+  Waypoint result;
+  result.pose.translation().x() = x;
+  result.pose.linear() = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  result.process_values = {speed};
+  return result;
+}
+
+ToolPath line() {
+  ToolPath path;
+  path.has_orientation = true;
+  path.process_names = {"speed"};
+  path.segments = {{"on", {waypoint(0, 0, 1), waypoint(0.03, 0.6, 4), waypoint(0.1, 0.6, 4)}},
+                   {"dwell", {waypoint(0.2, 0, 2), waypoint(0.2, 1, 3)}},
+                   {"one", {waypoint(0.3, 0, 5)}}};
+  return path;
+}
+
+}  // namespace
+
+TEST(Resampling, StepsEvenlyAlongEachSegmentAndKeepsItsEnds) {
+  const ToolPath path = resampled(line(), 0.01);
+  ASSERT_EQ(path.segments.size(), 3U);
+  const std::vector<Waypoint>& on = path.segments[0].waypoints;
+  ASSERT_EQ(on.size(), 11U);
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    const double x = 0.01 * static_cast<double>(i);
+    EXPECT_NEAR(on[i].pose.translation().x(), x, 1e-12);
+    const double angle = std::min(0.6, 20 * x);
+    EXPECT_NEAR(Eigen::AngleAxisd(on[i].pose.linear()).angle(), angle, 1e-9);
+    EXPECT_NEAR(on[i].process_values[0], std::min(4.0, 1 + 100 * x), 1e-9);
+  }
+  EXPECT_EQ(path.segments[1].waypoints.size(), 2U);
+  EXPECT_EQ(path.segments[2].waypoints.size(), 1U);
+}
+
+TEST(Resampling, NeverStepsFartherThanAsked) {
+  const ToolPath path = resampled(line(), 0.03);
+  EXPECT_EQ(path.segments[0].waypoints.size(), 5U);  // four steps of 25 mm
+  EXPECT_EQ(path.segments[0].waypoints.back().pose.translation().x(), 0.1);
+  EXPECT_EQ(resampled(line(), 5).segments[0].waypoints.size(), 2U);
+}
+
+TEST(Resampling, RefusesMoreWaypointsThanAnyoneNeeds) {
+  EXPECT_THROW(resampled(line(), 1e-9), scan_cell_common::UnusableInput);
+}
+
+TEST(Resampling, IsDoneBeforeThePathIsAdapted) {
+  const synthetic::Part part = synthetic::curved_panel();
+  synthetic::Scan scan;
+  StretchParameters parameters;
+  parameters.resample_spacing = 0.004;
+  const ToolPath path = synthetic::path_on(part, 50);
+  const Surface surface = surface_from_cloud(
+      synthetic::scan(part, {}, synthetic::no_deformation(), scan), parameters.leaf, "panel");
+  const StretchResult result = stretch(surface, surface, path, parameters);
+  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+  EXPECT_EQ(result.path.segments[0].waypoints.size(),
+            resampled(path, 0.004).segments[0].waypoints.size());
+  EXPECT_EQ(result.quality.size(), waypoint_count(result.reference_path));
+}
+
+TEST(StandOff, StaysAsLongAsItIsUnlessItIsToGrowWithThePart) {
+  const synthetic::Part part = synthetic::curved_panel();
+  const Similarity moved = synthetic::similarity(1.5, synthetic::random_rotation(4), {0, 0.1, 0.2});
+  const ToolPath touching = synthetic::path_on(part, 50);
+  constexpr double kHigh = 0.008;
+  ToolPath path = touching;
+  for (Segment& segment : path.segments) {
+    for (Waypoint& each : segment.waypoints)
+      each.pose.translation() += kHigh * each.pose.linear().col(2);
+  }
+  StretchParameters parameters;
+  const auto surface = [&](const Similarity& similarity, unsigned seed) {
+    synthetic::Scan how;
+    how.seed = seed;
+    return surface_from_cloud(synthetic::scan(part, similarity, synthetic::no_deformation(), how),
+                              parameters.leaf, "panel");
+  };
+  const ToolPath below = synthetic::truth(touching, moved, synthetic::no_deformation());
+  for (const StandOff stand_off : {StandOff::kKeep, StandOff::kScale}) {
+    parameters.stand_off = stand_off;
+    const StretchResult result = stretch(surface({}, 11), surface(moved, 1), path, parameters);
+    ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+    const double high = stand_off == StandOff::kKeep ? kHigh : 1.5 * kHigh;
+    for (std::size_t i = 0; i < below.segments[0].waypoints.size(); ++i) {
+      const Eigen::Isometry3d& foot = below.segments[0].waypoints[i].pose;
+      const Eigen::Vector3d at = result.path.segments[0].waypoints[i].pose.translation();
+      EXPECT_NEAR(foot.linear().col(2).dot(at - foot.translation()), high, 0.0003);
+    }
+  }
+}
