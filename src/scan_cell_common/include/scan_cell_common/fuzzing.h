@@ -47,8 +47,8 @@ void fuzz_once(const FuzzTarget& target, const std::string& bytes, FuzzCount& co
 FuzzCount fuzz(const FuzzTarget& target, std::uint64_t seed, std::uint64_t runs);
 
 /// The command of a fuzzer: options --target, --runs, --seed, --first, --save, --seeds. Ends with 1
-/// at a fault, a crash, a run of more than 10 s, or one that takes more than 2 GiB, and names the
-/// run.
+/// at a fault, a crash, a run of more than 10 s of processor time, or one that takes more than 2
+/// GiB, and names the run.
 int fuzz_main(int argc, char** argv, const std::vector<FuzzTarget>& targets);
 
 /// For libFuzzer's entry point: runs the target that the environment variable FUZZ_TARGET names.
