@@ -185,6 +185,24 @@ double stand_off(const Surface& reference, const Eigen::Vector3d& at,
   return apart * height;
 }
 
+/// The stand-off of each waypoint of a segment; 0 for all where the segment touches the part: a few
+/// waypoints past an edge make no stand-off of it.
+std::vector<double> stand_offs(const Segment& segment, const Track& track,
+                               const Surface& reference) {
+  constexpr double kMostTouching = 0.1;  // of the waypoints
+  std::vector<double> result;
+  double touching = 0;
+  for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {
+    const Eigen::Vector3d at = segment.waypoints[i].pose.translation();
+    result.push_back(stand_off(reference, at, track.surfaces[i].normal));
+    if (result.back() == 0) touching += 1;
+  }
+  if (touching > kMostTouching * static_cast<double>(result.size())) {
+    std::fill(result.begin(), result.end(), 0.0);
+  }
+  return result;
+}
+
 /// @param longer [m] than the scaled one the stand-off should be
 Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const LocalSurface& surface,
                              const Correction& correction, const Mapping& mapping, double longer) {
@@ -268,14 +286,14 @@ Placement place(const ToolPath& path, const Surface& reference, const Surface& o
     const std::vector<Correction> corrections =
         parameters.set_on_surface ? corrections_of(tracks[s], radius / 2, signal)
                                   : std::vector<Correction>(tracks[s].surfaces.size());
+    const std::vector<double> standing = parameters.keep_stand_off
+                                             ? stand_offs(path.segments[s], tracks[s], reference)
+                                             : std::vector<double>(corrections.size(), 0.0);
     for (std::size_t w = 0; w < corrections.size(); ++w) {
       Eigen::Isometry3d& pose = placement.path.segments[s].waypoints[w].pose;
       const Eigen::Vector3d from = pose.translation();
       const LocalSurface& surface = tracks[s].surfaces[w];
-      const double longer =
-          parameters.keep_stand_off
-              ? (1 - mapping.similarity.scale) * stand_off(reference, from, surface.normal)
-              : 0;
+      const double longer = (1 - mapping.similarity.scale) * standing[w];
       pose = carry_over(pose, surface, corrections[w], mapping, longer);
       if (!path.has_orientation) pose.linear().setIdentity();
       placement.quality.push_back(
