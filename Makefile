@@ -48,8 +48,9 @@ test: build
 	@cmake --build build --parallel $(JOBS) --target tests
 	@rm -rf build/test_results
 	@$(IN_WORKSPACE) cmake --build build --parallel 1 --target run_tests
-	@$(IN_WORKSPACE) catkin_test_results --all build/test_results
 	@[ -n "$$SCAN_CELL_DATA" ] || echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"
+	@$(IN_WORKSPACE) set -o pipefail && catkin_test_results --all build/test_results | awk '{ print } \
+	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }'
 
 install: build
 	@cmake --install build
