@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "tool_path_stretcher/prior.h"
@@ -34,6 +35,9 @@ class DeformationGraph {
   double spacing() const { return spacing_; }
   std::vector<Node>& nodes() { return nodes_; }
   const std::vector<Node>& nodes() const { return nodes_; }
+
+  /// Pairs of neighbouring nodes, each in both orders.
+  std::vector<std::pair<std::size_t, std::size_t>> links() const;
 
   /// The nodes that move a point. At least one, however far away it is.
   void influences(const Eigen::Vector3d& point, std::vector<Influence>& found) const;

@@ -73,12 +73,13 @@ double cost_of(const Surface& reference, const Surface& object, const Similarity
 /// Candidates that cost many times what the best does will not win.
 constexpr double kHopeless = 3;
 
-void drop_hopeless(std::vector<Candidate>& candidates, double factor, double best) {
+void drop_hopeless(std::vector<Candidate>& candidates,
+                   double best = std::numeric_limits<double>::infinity()) {
   for (const Candidate& each : candidates)
     best = std::min(best, each.cost);
   candidates.erase(
       std::remove_if(candidates.begin(), candidates.end(),
-                     [&](const Candidate& each) { return !(each.cost <= factor * best); }),
+                     [&](const Candidate& each) { return !(each.cost <= kHopeless * best); }),
       candidates.end());
 }
 
@@ -125,7 +126,7 @@ class Search {
       tried.push_back(
           improve_coarsely(coarse_reference_, coarse_object_, guess, scales, kFirstIterations));
     }
-    drop_hopeless(tried, kHopeless, std::numeric_limits<double>::infinity());
+    drop_hopeless(tried);
     tried = distinct(std::move(tried), probes(), 0.1 * object_.size, 40);
     for (Candidate& each : tried) {
       each = improve_coarsely(coarse_reference_, coarse_object_, each.similarity, scales,
@@ -152,9 +153,8 @@ class Search {
     constexpr int kMoreIterations = 15;
     untried_ = distinct(std::move(untried_), probes(), 0.05 * object_.size, 12);
     improve(untried_, Density::kFew, kFirstIterations);
-    drop_hopeless(
-        untried_, kHopeless,
-        candidates_.empty() ? std::numeric_limits<double>::infinity() : candidates_.front().cost);
+    drop_hopeless(untried_, candidates_.empty() ? std::numeric_limits<double>::infinity()
+                                                : candidates_.front().cost);
     improve(untried_, Density::kFew, kMoreIterations);
     for (const Candidate& each : untried_)
       candidates_.push_back(each);
@@ -174,7 +174,7 @@ class Search {
 
   void finish() {
     constexpr int kIterations = 30;
-    drop_hopeless(candidates_, kHopeless, candidates_.front().cost);
+    drop_hopeless(candidates_);
     improve(candidates_, Density::kMany, kIterations);
     candidates_ = distinct(std::move(candidates_), probes(), 0.01 * object_.size, 5);
   }

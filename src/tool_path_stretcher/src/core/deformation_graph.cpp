@@ -17,6 +17,19 @@ DeformationGraph::DeformationGraph(const Points& points, double spacing) : spaci
   }
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> DeformationGraph::links() const {
+  constexpr double kReach = 1.8;  // spacings
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t from = 0; from < nodes_.size(); ++from) {
+    for (std::size_t to = 0; to < nodes_.size(); ++to) {
+      if (from != to && (nodes_[to].at - nodes_[from].at).norm() <= kReach * spacing_) {
+        result.emplace_back(from, to);
+      }
+    }
+  }
+  return result;
+}
+
 void DeformationGraph::influences(const Eigen::Vector3d& point,
                                   std::vector<Influence>& found) const {
   constexpr double kReach = 1.8;   // spacings

@@ -10,7 +10,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr Eigen::Index kUnknowns = 6;  // of a node: turn, shift
+constexpr Eigen::Index kUnknowns = GraphEquations::kUnknowns;
 
 /// How far the links of a graph are strained, root mean square.
 struct Strain {
@@ -23,21 +23,19 @@ struct Strain {
 Strain strain_of(const DeformationGraph& graph) {
   constexpr double kLeastAlong = 5e-4;
   constexpr double kLeastAcross = 2e-3;
-  constexpr double kWithin = 3;        // times its links, what lies between two nodes is strained
-  constexpr double kNeighbours = 1.8;  // spacings
+  constexpr double kWithin = 3;  // times its links, what lies between two nodes is strained
   double along = 0;
   double across = 0;
   double count = 1;
-  for (const DeformationGraph::Node& from : graph.nodes()) {
-    for (const DeformationGraph::Node& to : graph.nodes()) {
-      const Eigen::Vector3d way = to.at - from.at;
-      if (&from == &to || way.norm() > kNeighbours * graph.spacing()) continue;
-      const Eigen::Vector3d moved = way + to.shift - from.shift;
-      const Eigen::Vector3d error = moved - from.rotation * way;
-      along += std::pow(moved.norm() / way.norm() - 1, 2);
-      across += error.squaredNorm() / way.squaredNorm() / 2;
-      count += 1;
-    }
+  for (const auto& [one, other] : graph.links()) {
+    const DeformationGraph::Node& from = graph.nodes()[one];
+    const DeformationGraph::Node& to = graph.nodes()[other];
+    const Eigen::Vector3d way = to.at - from.at;
+    const Eigen::Vector3d moved = way + to.shift - from.shift;
+    const Eigen::Vector3d error = moved - from.rotation * way;
+    along += std::pow(moved.norm() / way.norm() - 1, 2);
+    across += error.squaredNorm() / way.squaredNorm() / 2;
+    count += 1;
   }
   return {std::max(kLeastAlong, kWithin * std::sqrt(along / count)),
           std::max(kLeastAcross, std::sqrt(across / count))};
@@ -173,24 +171,18 @@ Matrix6d seemingly_held(const GraphObservations& seen, const std::vector<double>
       4;  // neighbouring normals share points: their tilts do not average out
   Matrix6d held = Matrix6d::Zero();
   Matrix6d noise = Matrix6d::Zero();
-  const double weight = share / std::pow(seen.normal_deviation, 2);
-  for (std::size_t i = 0; i < seen.normals.size(); ++i) {
-    const GraphConstraint& constraint = seen.normals[i];
-    const Motions motions = rigid_motions(constraint.target, centre, size);
-    const Vector6d along = motions.transpose() * constraint.direction;
-    const Matrix6d one = weight * along * along.transpose();
-    held += one;
-    noise += std::pow(unsteady[i], 2) * (weight * motions.transpose() * motions - one);
-  }
-  const double rim_weight = 1 / std::pow(seen.rim_deviation, 2);
-  for (std::size_t i = 0; i < seen.rims.size(); ++i) {
-    const GraphConstraint& constraint = seen.rims[i];
-    const Motions motions = rigid_motions(constraint.target, centre, size);
-    const Vector6d along = motions.transpose() * constraint.direction;
-    const Matrix6d one = rim_weight * along * along.transpose();
-    held += one;
-    noise += std::pow(unsteady_rims[i], 2) * (rim_weight * motions.transpose() * motions - one);
-  }
+  const auto add = [&](const std::vector<GraphConstraint>& constraints,
+                       const std::vector<double>& off, double weight) {
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      const Motions motions = rigid_motions(constraints[i].target, centre, size);
+      const Vector6d along = motions.transpose() * constraints[i].direction;
+      const Matrix6d one = weight * along * along.transpose();
+      held += one;
+      noise += std::pow(off[i], 2) * (weight * motions.transpose() * motions - one);
+    }
+  };
+  add(seen.normals, unsteady, share / std::pow(seen.normal_deviation, 2));
+  add(seen.rims, unsteady_rims, 1 / std::pow(seen.rim_deviation, 2));
   const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(held - kShared * noise);
   const Vector6d clear = solver.eigenvalues().cwiseMax(0);
   const Matrix6d really =

@@ -10,8 +10,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr int kUnknowns = 6;         // of a node: turn, shift
-constexpr double kNeighbours = 1.8;  // spacings
+constexpr int kUnknowns = GraphEquations::kUnknowns;
 using NodeRow = Eigen::Matrix<double, kUnknowns, 1>;
 
 Eigen::Matrix3d small_turn(const Eigen::Vector3d& turn) {
@@ -61,55 +60,15 @@ void GraphEquations::add(const std::vector<GraphConstraint>& constraints, double
   }
 }
 
-void GraphEquations::add_rigidity(double strain) {
-  using Block = Eigen::Matrix<double, 3, kUnknowns>;
-  const std::vector<DeformationGraph::Node>& nodes = graph_.nodes();
-  const double reach = kNeighbours * graph_.spacing();
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Eigen::Vector3d way = nodes[k].at - nodes[j].at;
-      if (j == k || way.norm() > reach) continue;
-      const double deviation = strain * way.norm();
-      const double weight = 1 / (deviation * deviation);
-      const Eigen::Vector3d arm = nodes[j].rotation * way;
-      const Eigen::Vector3d error =
-          nodes[k].at + nodes[k].shift - (arm + nodes[j].at + nodes[j].shift);
-      Block from = Block::Zero();
-      for (Eigen::Index axis = 0; axis < 3; ++axis)
-        from.block<1, 3>(axis, 0) = arm.cross(Eigen::Vector3d::Unit(axis)).transpose();
-      from.rightCols<3>().setIdentity();
-      Block to = Block::Zero();
-      to.rightCols<3>() = -Eigen::Matrix3d::Identity();
-      const Eigen::Index at = kUnknowns * static_cast<Eigen::Index>(j);
-      const Eigen::Index other = kUnknowns * static_cast<Eigen::Index>(k);
-      const auto add_block = [&](Eigen::Index row, const Block& left, Eigen::Index column,
-                                 const Block& right) {
-        matrix_.block<kUnknowns, kUnknowns>(row, column) += weight * left.transpose() * right;
-      };
-      add_block(at, from, at, from);
-      add_block(other, to, other, to);
-      if (at > other) add_block(at, from, other, to);
-      if (at < other) add_block(other, to, at, from);
-      right_side_.segment<kUnknowns>(at) += weight * from.transpose() * error;
-      right_side_.segment<kUnknowns>(other) += weight * to.transpose() * error;
-    }
-  }
-}
-
 void GraphEquations::add_rigidity(double along, double across) {
-  const std::vector<DeformationGraph::Node>& nodes = graph_.nodes();
-  const double reach = kNeighbours * graph_.spacing();
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Eigen::Vector3d way = nodes[k].at - nodes[j].at;
-      if (j == k || way.norm() > reach) continue;
-      const Eigen::Vector3d arm = nodes[j].rotation * way;
-      const Eigen::Vector3d link = arm.normalized();
-      const Eigen::Vector3d side = link.unitOrthogonal();
-      add_link(j, k, arm, link, along);
-      add_link(j, k, arm, side, across);
-      add_link(j, k, arm, link.cross(side), across);
-    }
+  for (const auto& [from, to] : graph_.links()) {
+    const DeformationGraph::Node& node = graph_.nodes()[from];
+    const Eigen::Vector3d arm = node.rotation * (graph_.nodes()[to].at - node.at);
+    const Eigen::Vector3d link = arm.normalized();
+    const Eigen::Vector3d side = link.unitOrthogonal();
+    add_link(from, to, arm, link, along);
+    add_link(from, to, arm, side, across);
+    add_link(from, to, arm, link.cross(side), across);
   }
 }
 
@@ -155,10 +114,7 @@ void GraphEquations::add_prior(const ScalePrior& prior, double current) {
   if (!prior.is_known()) return;
   const double deviation = prior.is_fixed() ? kFixed : prior.deviation / current;
   const double error = prior.is_fixed() ? 0 : std::log(prior.value / current);
-  const double weight = 1 / (deviation * deviation);
-  const Eigen::Index growth = matrix_.rows() - 1;
-  matrix_(growth, growth) += weight;
-  right_side_[growth] += weight * error;
+  add_observation({matrix_.rows() - 1}, {1.0}, error, deviation);
 }
 
 GraphEquations::Step GraphEquations::solve() const {

@@ -29,16 +29,15 @@ struct GraphConstraint {
 /// about a centre.
 class GraphEquations {
  public:
+  static constexpr int kUnknowns = 6;  // of a node: turn, shift
+
   GraphEquations(const DeformationGraph& graph, const Eigen::Vector3d& centre);
 
   /// Each constraint counts by its deviation [m], and not at all far beyond it.
   void add(const std::vector<GraphConstraint>& constraints, double deviation);
 
-  /// Neighbouring nodes should move each other to where they are (the rigidity term of Sumner
-  /// 2007): `strain` is how much of their distance they may well be off.
-  void add_rigidity(double strain);
-
-  /// The same, with the strain along the links told from that across them, where nodes turn.
+  /// Linked nodes should move each other to where they are (the rigidity term of Sumner 2007): of
+  /// their distance, so much may they well be off, along the link and across it, where nodes turn.
   void add_rigidity(double along, double across);
 
   /// A linear observation of single unknowns, with its deviation.

@@ -135,7 +135,7 @@ Mapping fit(const Surface& reference, const Surface& object, const Target& targe
     GraphEquations equations(mapping.graph, centre);
     equations.add(normals, std::max(deviation, widest));
     equations.add(rims, std::max({deviation_of(rims), kRimDeviation * reference.spacing, widest}));
-    equations.add_rigidity(kStrain);
+    equations.add_rigidity(kStrain, kStrain);
     equations.add_prior(scale, mapping.similarity.scale);
     const GraphEquations::Step step = equations.solve();
     grow(mapping.similarity, centre, 1 + step.growth);
@@ -228,13 +228,14 @@ bool lies_on_reference(const Residual& residual, const Surface& reference) {
 
 /// Square residuals of the points held out that lie on the reference, each up to the square of
 /// `cut`, summed by block.
-std::vector<double> held_out_squares(const Surface& reference, const Mapping& mapping,
-                                     const Halves& halves, double cut) {
+std::vector<double> held_out_squares(const Surface& reference,
+                                     const std::vector<Residual>& residuals, const Halves& halves,
+                                     double cut) {
   std::vector<double> sums(halves.blocks, 0);
-  for (std::size_t i = 0; i < halves.held_out.size(); ++i) {
-    const Residual residual = residual_of(reference, mapping, halves.held_out[i]);
-    if (!lies_on_reference(residual, reference)) continue;
-    sums[halves.block[i]] += std::min(residual.along_normal * residual.along_normal, cut * cut);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (!lies_on_reference(residuals[i], reference)) continue;
+    sums[halves.block[i]] +=
+        std::min(residuals[i].along_normal * residuals[i].along_normal, cut * cut);
   }
   return sums;
 }
@@ -267,11 +268,10 @@ struct Patch {
 /// Share of the square residuals that neighbours on the surface have in common, about 0 where they
 /// are noise: a smooth deformation can explain no more than that. One-way analysis of variance over
 /// patches, each residual counted up to `cut`.
-double common_share(const Surface& reference, const Mapping& mapping, const Points& object_points,
-                    double cut) {
+double common_share(const Surface& reference, const std::vector<Residual>& residuals, double cut) {
   constexpr double kCell = 0.12;  // of the reference's size
   std::map<std::pair<Cell, Eigen::Index>, Patch> patches;
-  for (const Residual& residual : residuals_of(reference, mapping, object_points)) {
+  for (const Residual& residual : residuals) {
     if (!lies_on_reference(residual, reference)) continue;
     const Eigen::Vector3d& normal = reference.normals[residual.reference];
     Eigen::Index axis = 0;
@@ -323,14 +323,16 @@ Mapping fit_deformation(const Surface& reference, const Surface& object,
   const Mapping rigid{similarity, {}};
   if (halves.training.points.empty() || halves.held_out.empty()) return rigid;
   const double cut = 0.02 * reference.size;
-  std::vector<double> best = held_out_squares(reference, rigid, halves, cut);
-  if (common_share(reference, rigid, halves.held_out, cut) < kLeastCommon) return rigid;
+  const std::vector<Residual> at_first = residuals_of(reference, rigid, halves.held_out);
+  if (common_share(reference, at_first, cut) < kLeastCommon) return rigid;
+  std::vector<double> best = held_out_squares(reference, at_first, halves, cut);
   Mapping trained = rigid;
   Mapping justified = rigid;
   for (int level = 1; level <= finest_level; ++level) {
     trained = fit(reference, object, halves.training, scale, Density::kSome,
-                  refined(reference, trained, kSpacings[level - 1] * reference.size));
-    const std::vector<double> squares = held_out_squares(reference, trained, halves, cut);
+                  refined(reference, trained, graph_spacing(reference, level)));
+    const std::vector<double> squares =
+        held_out_squares(reference, residuals_of(reference, trained, halves.held_out), halves, cut);
     if (!explains_better(best, squares)) continue;
     best = squares;
     justified = trained;

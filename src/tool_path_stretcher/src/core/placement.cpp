@@ -203,11 +203,12 @@ std::vector<double> stand_offs(const Segment& segment, const Track& track,
   return result;
 }
 
+/// @param turn of the surface there, from the reference to the object
 /// @param longer [m] than the scaled one the stand-off should be
 Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const LocalSurface& surface,
-                             const Correction& correction, const Mapping& mapping, double longer) {
+                             const Correction& correction, const Mapping& mapping,
+                             const Eigen::Matrix3d& turn, double longer) {
   const Eigen::Vector3d at = pose.translation();
-  const Eigen::Matrix3d turn = mapping.turn(surface.base, surface.normal);
   const Eigen::Quaterniond tilt =
       Eigen::Quaterniond::FromTwoVectors(surface.normal, surface.normal - correction.slope);
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
@@ -226,11 +227,10 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
                            const Eigen::Vector3d& adapted_point, const LocalSurface& surface,
                            const Correction& correction, double longer, const Mapping& mapping,
-                           const Surface& object) {
+                           const Eigen::Matrix3d& turn, const Surface& object) {
   const auto distance_to_scan = [&object](const Eigen::Vector3d& point) {
     return std::sqrt(object.tree->nearest(point).squared_distance);
   };
-  const Eigen::Matrix3d turn = mapping.turn(surface.base, surface.normal);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   WaypointQuality quality;
   quality.measured = surface.measured;
@@ -251,14 +251,14 @@ WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
 }
 
 PlacedHeight placed(const LocalSurface& surface, const Correction& correction,
-                    const Mapping& mapping, const Signal& signal, double hole) {
+                    const Eigen::Matrix3d& turn, const Signal& signal, double hole) {
   PlacedHeight height;
-  height.normal = mapping.turn(surface.base, surface.normal) * surface.normal;
+  height.normal = turn * surface.normal;
   height.measured = surface.measured;
   height.seen = surface.height;
   height.variance = surface.height_variance;
   height.applied = correction.height;
-  height.slope = mapping.turn(surface.base, surface.normal) * correction.slope;
+  height.slope = turn * correction.slope;
   height.signal_variance = signal.height_variance;
   height.slope_variance = signal.slope_variance;
   height.hole = hole;
@@ -294,14 +294,15 @@ Placement place(const ToolPath& path, const Surface& reference, const Surface& o
       const Eigen::Vector3d from = pose.translation();
       const LocalSurface& surface = tracks[s].surfaces[w];
       const double longer = (1 - mapping.similarity.scale) * standing[w];
-      pose = carry_over(pose, surface, corrections[w], mapping, longer);
+      const Eigen::Matrix3d turn = mapping.turn(surface.base, surface.normal);
+      pose = carry_over(pose, surface, corrections[w], mapping, turn, longer);
       if (!path.has_orientation) pose.linear().setIdentity();
-      placement.quality.push_back(
-          quality_of(from, pose.translation(), surface, corrections[w], longer, mapping, object));
+      placement.quality.push_back(quality_of(from, pose.translation(), surface, corrections[w],
+                                             longer, mapping, turn, object));
       placement.quality.back().segment = s;
       placement.quality.back().waypoint = w;
       placement.heights.push_back(
-          placed(surface, corrections[w], mapping, signal, placement.quality.back().hole));
+          placed(surface, corrections[w], turn, signal, placement.quality.back().hole));
     }
   }
   return placement;
