@@ -185,21 +185,29 @@ double stand_off(const Surface& reference, const Eigen::Vector3d& at,
   return apart * height;
 }
 
-/// The stand-off of each waypoint of a segment; 0 for all where the segment touches the part: a few
-/// waypoints past an edge make no stand-off of it.
+/// Whether a tool is led over a segment at one distance: a few waypoints past an edge make no
+/// stand-off of it, nor does a way through the air.
+bool is_even(const std::vector<double>& heights) {
+  constexpr double kMostTouching = 0.1;  // of the waypoints
+  constexpr double kUneven = 0.2;        // of the stand-off
+  const auto touching = static_cast<double>(std::count(heights.begin(), heights.end(), 0.0));
+  if (touching > kMostTouching * static_cast<double>(heights.size())) return false;
+  const double middle = quantile(heights, 0.5);
+  std::vector<double> off;
+  for (const double height : heights)
+    off.push_back(height - middle);
+  return robust_deviation(std::move(off)) <= kUneven * std::abs(middle);
+}
+
+/// The stand-off of each waypoint of a segment; 0 for all where the segment has none.
 std::vector<double> stand_offs(const Segment& segment, const Track& track,
                                const Surface& reference) {
-  constexpr double kMostTouching = 0.1;  // of the waypoints
   std::vector<double> result;
-  double touching = 0;
   for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {
     const Eigen::Vector3d at = segment.waypoints[i].pose.translation();
     result.push_back(stand_off(reference, at, track.surfaces[i].normal));
-    if (result.back() == 0) touching += 1;
   }
-  if (touching > kMostTouching * static_cast<double>(result.size())) {
-    std::fill(result.begin(), result.end(), 0.0);
-  }
+  if (!is_even(result)) std::fill(result.begin(), result.end(), 0.0);
   return result;
 }
 
