@@ -14,7 +14,8 @@ namespace tool_path_stretcher {
 /// A pose and size of the reference that is a local optimum, and how well it explains the object.
 struct Candidate {
   Similarity similarity;
-  double cost = 0;  //!< [m] residual of both directions in the object's frame
+  double cost = 0;       //!< [m] residual of both directions in the object's frame
+  double bulk_cost = 0;  //!< [m] the same without more of the object: floor and loose points
 };
 
 /// Says how far the search is (0 .. 1); may throw to end it.

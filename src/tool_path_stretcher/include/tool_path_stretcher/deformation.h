@@ -78,4 +78,8 @@ struct Mapping {
 Mapping fit_deformation(const Surface& reference, const Surface& object,
                         const Similarity& similarity, const ScalePrior& scale, int finest_level);
 
+/// The same, but fitted to that one half of the scan only: less work, to compare poses by.
+Mapping sketch_deformation(const Surface& reference, const Surface& object,
+                           const Similarity& similarity, const ScalePrior& scale, int finest_level);
+
 }  // namespace tool_path_stretcher

@@ -20,15 +20,16 @@ struct Rim {
   std::shared_ptr<const KdTree> tree;
 };
 
-enum class Density { kFew, kSome, kMany };
+enum class Density { kFewest, kFew, kSome, kMany };
 
 /// Points spread evenly over a surface, whatever its own density, without loose ones far from all
 /// others.
 struct Samples {
-  std::vector<std::size_t> few;   //!< at most 1000
-  std::vector<std::size_t> some;  //!< at most 3000
-  std::vector<std::size_t> many;  //!< at most 6000
-  std::vector<std::size_t> most;  //!< at most 20,000
+  std::vector<std::size_t> fewest;  //!< at most 300
+  std::vector<std::size_t> few;     //!< at most 1000
+  std::vector<std::size_t> some;    //!< at most 3000
+  std::vector<std::size_t> many;    //!< at most 6000
+  std::vector<std::size_t> most;    //!< at most 20,000
 
   const std::vector<std::size_t>& of(Density density) const;
 };

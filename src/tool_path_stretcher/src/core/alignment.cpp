@@ -34,22 +34,23 @@ std::vector<Candidate> distinct(std::vector<Candidate> candidates, const Points&
   return kept;
 }
 
-double mean_of_least(std::vector<double> values, double share) {
+double mean_of_least(std::vector<double>& values, double share) {
   const auto end =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size())) + 1;
   std::nth_element(values.begin(), end - 1, values.end());
   return std::accumulate(values.begin(), end, 0.0) / static_cast<double>(end - values.begin());
 }
 
-/// Root mean square residual of both directions, each point counted up to a cap; of the object
-/// without the share that may be none of the part, of the reference only the share that any scan
-/// covers.
-double cost_of(const Surface& reference, const Surface& object, const Similarity& similarity,
-               Density density) {
+/// Sets the costs of a candidate: the root mean square residual of both directions, each point
+/// counted up to a cap; of the object without the share that may be none of the part, of the
+/// reference only the share that any scan covers.
+void judge(const Surface& reference, const Surface& object, Density density, Candidate& candidate) {
   constexpr double kCap = 0.05;  // of the object's size
   constexpr double kObjectShare = 0.9;
+  constexpr double kBulkShare = 0.75;
   constexpr double kReferenceShare = 0.5;
   const double cap = kCap * object.size;
+  const Similarity& similarity = candidate.similarity;
   const Mapping mapping{similarity, {}};
   const auto capped_square = [cap](double distance) {
     return std::pow(std::min(distance, cap), 2);
@@ -65,9 +66,9 @@ double cost_of(const Surface& reference, const Surface& object, const Similarity
     const double squared = object.tree->nearest(similarity * reference.points[i]).squared_distance;
     back.push_back(capped_square(std::max(0.0, std::sqrt(squared) - object.spacing)));
   }
-  return std::sqrt((mean_of_least(std::move(forth), kObjectShare) +
-                    mean_of_least(std::move(back), kReferenceShare)) /
-                   2);
+  const double of_reference = mean_of_least(back, kReferenceShare);
+  candidate.cost = std::sqrt((mean_of_least(forth, kObjectShare) + of_reference) / 2);
+  candidate.bulk_cost = std::sqrt((mean_of_least(forth, kBulkShare) + of_reference) / 2);
 }
 
 /// Candidates that cost many times what the best does will not win.
@@ -76,10 +77,10 @@ constexpr double kHopeless = 3;
 void drop_hopeless(std::vector<Candidate>& candidates,
                    double best = std::numeric_limits<double>::infinity()) {
   for (const Candidate& each : candidates)
-    best = std::min(best, each.cost);
+    best = std::min(best, each.bulk_cost);
   candidates.erase(
       std::remove_if(candidates.begin(), candidates.end(),
-                     [&](const Candidate& each) { return !(each.cost <= kHopeless * best); }),
+                     [&](const Candidate& each) { return !(each.bulk_cost <= kHopeless * best); }),
       candidates.end());
 }
 
@@ -147,14 +148,22 @@ class Search {
     try_coarsely(promising);
   }
 
-  /// Refines what was tried coarsely since the last time.
+  /// Refines what was tried coarsely since the last time, and did not lead to a known pose.
   void refine_tried() {
     constexpr int kFirstIterations = 5;
     constexpr int kMoreIterations = 15;
-    untried_ = distinct(std::move(untried_), probes(), 0.05 * object_.size, 12);
+    untried_ = new_ones(std::move(untried_), refined_, 0.05 * object_.size, 12);
+    for (const Candidate& each : untried_)
+      refined_.push_back(each.similarity);
+    improve(untried_, Density::kFewest, kFirstIterations);
+    drop_hopeless(untried_);
+    std::vector<Similarity> known;
+    for (const Candidate& each : candidates_)
+      known.push_back(each.similarity);
+    untried_ = new_ones(std::move(untried_), known, 0.02 * object_.size, 12);
     improve(untried_, Density::kFew, kFirstIterations);
     drop_hopeless(untried_, candidates_.empty() ? std::numeric_limits<double>::infinity()
-                                                : candidates_.front().cost);
+                                                : candidates_.front().bulk_cost);
     improve(untried_, Density::kFew, kMoreIterations);
     for (const Candidate& each : untried_)
       candidates_.push_back(each);
@@ -169,13 +178,13 @@ class Search {
     if (candidates_.empty()) return false;
     const Similarity& best = candidates_.front().similarity;
     return explains_most({best, {}}) ||
-           explains_most(fit_deformation(reference_, object_, best, prior_.scale, kLevel));
+           explains_most(sketch_deformation(reference_, object_, best, prior_.scale, kLevel));
   }
 
   void finish() {
     constexpr int kIterations = 30;
     drop_hopeless(candidates_);
-    improve(candidates_, Density::kMany, kIterations);
+    improve(candidates_, Density::kSome, kIterations);
     candidates_ = distinct(std::move(candidates_), probes(), 0.01 * object_.size, 5);
   }
 
@@ -184,12 +193,28 @@ class Search {
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
  private:
+  /// The best `most` that differ by more than `least_distance` [m] from each other and from those
+  /// that are known.
+  std::vector<Candidate> new_ones(std::vector<Candidate> candidates,
+                                  const std::vector<Similarity>& known, double least_distance,
+                                  std::size_t most) const {
+    const auto is_known = [&](const Candidate& candidate) {
+      return std::any_of(known.begin(), known.end(), [&](const Similarity& other) {
+        return distance(candidate.similarity, other, probes()) < least_distance;
+      });
+    };
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_known),
+                     candidates.end());
+    return distinct(std::move(candidates), probes(), least_distance, most);
+  }
+
   bool explains_most(const Mapping& mapping) const {
     constexpr double kReach = 0.4;  // spacings
-    constexpr double kExplained = 0.88;
-    constexpr double kCovered = 0.8;
     const Explanation explanation = explain(reference_, object_, mapping, kReach * object_.spacing);
-    return explanation.inlier_ratio > kExplained && explanation.overlap > kCovered;
+    const auto reaches = [&](double explained, double covered) {
+      return explanation.inlier_ratio > explained && explanation.overlap > covered;
+    };
+    return reaches(0.88, 0.8) || reaches(0.75, 0.95);  // all of it, and other things beside it
   }
 
   const Points& probes() const { return coarse_reference_.queries; }
@@ -203,7 +228,7 @@ class Search {
     for (Candidate& each : candidates) {
       each.similarity =
           refine(reference_, object_, each.similarity, prior_.scale, density, iterations);
-      each.cost = cost_of(reference_, object_, each.similarity, density);
+      judge(reference_, object_, density, each);
     }
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                     [this](const Candidate& each) {
@@ -233,6 +258,7 @@ class Search {
   CoarseSurface coarse_reference_;
   CoarseSurface coarse_object_;
   std::vector<Candidate> untried_;
+  std::vector<Similarity> refined_;  // as they were before
   std::vector<Candidate> candidates_;
 };
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robust.h"
 #include "tool_path_stretcher/alignment.h"
+#include "tool_path_stretcher/residuals.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -70,17 +72,33 @@ bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, d
          lies_on(b, a, path.has_orientation, tolerance);
 }
 
+namespace {
+
+/// [m] robust standard deviation of the scan from the mapped reference
+double misfit(const Surface& reference, const Surface& object, const Mapping& mapping) {
+  std::vector<double> distances;
+  for (const Residual& residual :
+       residuals_of(reference, mapping, select(object.points, object.samples.few)))
+    distances.push_back(mapping.similarity.scale * residual.along_normal);
+  return robust_deviation(std::move(distances));
+}
+
+}  // namespace
+
 std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
                                        const Mapping& mapping, const ScalePrior& scale) {
-  constexpr double kStep = 0.12;  // of the object's size
-  constexpr double kBack = 0.05;  // of the object's size: it slid back to where it was
+  constexpr double kStep = 0.12;   // of the object's size
+  constexpr double kBack = 0.05;   // of the object's size: it slid back to where it was
+  constexpr double kHopeless = 5;  // times the misfit of the mapping
   constexpr int kIterations = 30;
   const Points probes = select(reference.points, reference.samples.few);
+  const double most = kHopeless * misfit(reference, object, mapping);
   std::vector<Mapping> result;
   for (Similarity slid : slides(reference, object, mapping.similarity, kStep * object.size)) {
     for (const Density density : {Density::kFew, Density::kMany}) {
       slid = refine(reference, object, slid, scale, density, kIterations);
       if (distance(slid, mapping.similarity, probes) < kBack * object.size) break;
+      if (misfit(reference, object, {slid, mapping.graph}) > most) break;
       if (density == Density::kMany) result.push_back({slid, mapping.graph});
     }
   }

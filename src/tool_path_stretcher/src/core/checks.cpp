@@ -94,6 +94,14 @@ PoseCandidate candidate_of(const ToolPath& path, const Mapping& mapping) {
   return candidate;
 }
 
+/// The similarity that puts the points halfway between where two others put them.
+Similarity halfway(const Similarity& one, const Similarity& other, const Points& points) {
+  Points between;
+  for (const Eigen::Vector3d& point : points)
+    between.push_back((one * point + other * point) / 2);
+  return fit_similarity(points, between);
+}
+
 /// Whether the mapping crushes space to nothing at a point of the reference, or turns it inside
 /// out.
 bool turned_over(const Mapping& mapping, const Eigen::Vector3d& at) {
@@ -204,13 +212,19 @@ void check_deformation(const Surface& reference, const Mapping& mapping,
 }
 
 void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
-                       const Surface& reference, const Explanation& best_explanation,
-                       const Explanation& other_explanation, const StretchParameters& parameters) {
+                       const Surface& reference, const Surface& object,
+                       const Explanation& best_explanation, const Explanation& other_explanation,
+                       const StretchParameters& parameters) {
   constexpr double kSamePose = 0.05;  // of the size: the same pose, not quite as well refined
   const double apart = distance(best.similarity, other.similarity, reference.points);
   if (apart < kSamePose * best.similarity.scale * reference.size) return;
   if (clearly_better(best_explanation, other_explanation)) return;
   if (same_path(path, best, other, parameters.ambiguity_distance)) return;
+  if (parameters.prior.pose) {
+    const Mapping between{halfway(best.similarity, other.similarity, reference.points), best.graph};
+    const Explanation explanation = explain(reference, object, between, parameters.inlier_distance);
+    if (!clearly_better(best_explanation, explanation)) return;
+  }
   const PoseCandidate one = candidate_of(path, best);
   const PoseCandidate two = candidate_of(path, other);
   double farthest = 0;

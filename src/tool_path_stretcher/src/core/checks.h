@@ -32,10 +32,13 @@ void check_explanation(const Explanation& explanation, const Similarity& similar
 void check_deformation(const Surface& reference, const Mapping& mapping,
                        const StretchParameters& parameters);
 
-/// AMBIGUOUS: the other explains the object as well and puts the path elsewhere
+/// AMBIGUOUS: the other explains the object as well and puts the path elsewhere. Where an initial
+/// pose is known, poses that lead into each other, as along a straight moulding, count as one: how
+/// far apart they lie is in the expected errors.
 void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
-                       const Surface& reference, const Explanation& best_explanation,
-                       const Explanation& other_explanation, const StretchParameters& parameters);
+                       const Surface& reference, const Surface& object,
+                       const Explanation& best_explanation, const Explanation& other_explanation,
+                       const StretchParameters& parameters);
 
 /// FOLD_OVER: the mapping turns the surface over, or the adapted path runs back where the path runs
 /// on

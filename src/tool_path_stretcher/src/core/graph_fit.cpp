@@ -267,9 +267,14 @@ struct Patch {
 
 /// Share of the square residuals that neighbours on the surface have in common, about 0 where they
 /// are noise: a smooth deformation can explain no more than that. One-way analysis of variance over
-/// patches, each residual counted up to `cut`.
-double common_share(const Surface& reference, const std::vector<Residual>& residuals, double cut) {
+/// patches, each residual counted up to a cut, so that few loose points do not decide.
+double common_share(const Surface& reference, const std::vector<Residual>& residuals) {
   constexpr double kCell = 0.12;  // of the reference's size
+  constexpr double kCut = 5;      // robust deviations
+  std::vector<double> along;
+  for (const Residual& residual : residuals)
+    along.push_back(residual.along_normal);
+  const double cut = kCut * robust_deviation(std::move(along));
   std::map<std::pair<Cell, Eigen::Index>, Patch> patches;
   for (const Residual& residual : residuals) {
     if (!lies_on_reference(residual, reference)) continue;
@@ -315,8 +320,12 @@ GraphObservations observe(const Surface& reference, const Surface& object, const
   return seen;
 }
 
-Mapping fit_deformation(const Surface& reference, const Surface& object,
-                        const Similarity& similarity, const ScalePrior& scale, int finest_level) {
+namespace {
+
+/// The finest graph that explains the half held out better, fitted to the other half.
+Mapping justified_deformation(const Surface& reference, const Surface& object,
+                              const Similarity& similarity, const ScalePrior& scale,
+                              int finest_level) {
   constexpr double kBlock = 0.25;       // of the object's size
   constexpr double kLeastCommon = 0.1;  // below, there is nothing for a graph to explain
   const Halves halves = split_in_blocks(object, kBlock * object.size);
@@ -324,7 +333,7 @@ Mapping fit_deformation(const Surface& reference, const Surface& object,
   if (halves.training.points.empty() || halves.held_out.empty()) return rigid;
   const double cut = 0.02 * reference.size;
   const std::vector<Residual> at_first = residuals_of(reference, rigid, halves.held_out);
-  if (common_share(reference, at_first, cut) < kLeastCommon) return rigid;
+  if (common_share(reference, at_first) < kLeastCommon) return rigid;
   std::vector<double> best = held_out_squares(reference, at_first, halves, cut);
   Mapping trained = rigid;
   Mapping justified = rigid;
@@ -337,9 +346,26 @@ Mapping fit_deformation(const Surface& reference, const Surface& object,
     best = squares;
     justified = trained;
   }
-  if (justified.graph.empty()) return rigid;
+  return justified;
+}
+
+}  // namespace
+
+Mapping fit_deformation(const Surface& reference, const Surface& object,
+                        const Similarity& similarity, const ScalePrior& scale, int finest_level) {
+  const Mapping justified =
+      justified_deformation(reference, object, similarity, scale, finest_level);
+  if (justified.graph.empty()) return justified;
   return rebased(reference,
                  fit(reference, object, target_of(object), scale, Density::kMany, justified));
+}
+
+Mapping sketch_deformation(const Surface& reference, const Surface& object,
+                           const Similarity& similarity, const ScalePrior& scale,
+                           int finest_level) {
+  const Mapping justified =
+      justified_deformation(reference, object, similarity, scale, finest_level);
+  return justified.graph.empty() ? justified : rebased(reference, justified);
 }
 
 }  // namespace tool_path_stretcher

@@ -53,7 +53,7 @@ CoarseSurface coarsen(const Surface& surface) {
   const Points dense = select(surface.points, surface.samples.few);
   coarse.frame = principal_frame(dense);
   coarse.queries = select(dense, spread_evenly(dense, kQueryPoints));
-  coarse.tree = std::make_shared<const KdTree>(dense);
+  coarse.found = std::make_shared<NearestGrid>(dense);
   return coarse;
 }
 
@@ -105,12 +105,15 @@ void match(const CoarseSurface& reference, const CoarseSurface& object,
   forth.clear();
   back.clear();
   for (std::size_t i = 0; i < object.queries.size(); ++i) {
-    const auto nearest = reference.tree->nearest(similarity.inverse(object.queries[i]));
-    forth.push_back({i, nearest.index, similarity.scale * std::sqrt(nearest.squared_distance)});
+    const Eigen::Vector3d query = similarity.inverse(object.queries[i]);
+    const std::size_t nearest = reference.found->nearest(query);
+    forth.push_back(
+        {i, nearest, similarity.scale * (reference.found->points()[nearest] - query).norm()});
   }
   for (std::size_t i = 0; i < reference.queries.size(); ++i) {
-    const auto nearest = object.tree->nearest(similarity * reference.queries[i]);
-    back.push_back({i, nearest.index, std::sqrt(nearest.squared_distance)});
+    const Eigen::Vector3d query = similarity * reference.queries[i];
+    const std::size_t nearest = object.found->nearest(query);
+    back.push_back({i, nearest, (object.found->points()[nearest] - query).norm()});
   }
   // A scan may show only one side of the reference, but nothing that is not on it.
   constexpr double kObjectShare = 0.9;
@@ -233,12 +236,12 @@ Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& 
     Points from;
     Points to;
     for (const Pair& pair : forth) {
-      from.push_back(reference.tree->points()[pair.match]);
+      from.push_back(reference.found->points()[pair.match]);
       to.push_back(object.queries[pair.query]);
     }
     for (const Pair& pair : back) {
       from.push_back(reference.queries[pair.query]);
-      to.push_back(object.tree->points()[pair.match]);
+      to.push_back(object.found->points()[pair.match]);
     }
     guess = fit_similarity(from, to, scales);
   }
@@ -251,7 +254,8 @@ Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& 
     return sum / static_cast<double>(pairs.size());
   };
   squares = mean_square(forth) + mean_square(back);
-  return {guess, std::sqrt(squares / 2)};
+  const double cost = std::sqrt(squares / 2);
+  return {guess, cost, cost};
 }
 
 Similarity clamped(const Similarity& guess, const ScaleRange& scales,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nearest_grid.h"
 #include "tool_path_stretcher/alignment.h"
 
 namespace tool_path_stretcher {
@@ -9,8 +10,8 @@ namespace tool_path_stretcher {
 /// A surface thinned for the search over all poses.
 struct CoarseSurface {
   PrincipalFrame frame;
-  Points queries;                      //!< few points, to look up in the other's tree
-  std::shared_ptr<const KdTree> tree;  //!< more points, to be found
+  Points queries;                      //!< few points, to look up in the other's
+  std::shared_ptr<NearestGrid> found;  //!< more points, to be found
 };
 
 CoarseSurface coarsen(const Surface& surface);

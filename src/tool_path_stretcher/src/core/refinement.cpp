@@ -51,7 +51,8 @@ class Pairing {
         in_reference_(*reference.tree, object_sample_.size()),
         in_object_(*object.tree, reference_sample_.size()) {
     if (!reference.rim.tree) return;
-    rim_sample_ = spread_evenly(object.rim.points, density == Density::kFew ? kFewRim : kManyRim);
+    constexpr std::size_t kRimShare = 3;  // of the sample, one part
+    rim_sample_ = spread_evenly(object.rim.points, object_sample_.size() / kRimShare);
     in_rim_.emplace(*reference.rim.tree, rim_sample_.size());
   }
 
@@ -98,9 +99,6 @@ class Pairing {
   }
 
  private:
-  static constexpr std::size_t kFewRim = 300;
-  static constexpr std::size_t kManyRim = 2000;
-
   const Surface& reference_;
   const Surface& object_;
   const std::vector<std::size_t>& object_sample_;
@@ -204,7 +202,8 @@ Similarity moved(const Similarity& similarity, const Eigen::Vector3d& centre,
 
 Similarity refine(const Surface& reference, const Surface& object, Similarity start,
                   const ScalePrior& scale, Density density, int iterations) {
-  const double converged = density == Density::kFew ? 3e-5 : 1e-6;
+  const double converged = density == Density::kMany ? 1e-6 : 3e-5;
+  constexpr double kConverged = 0.01;  // of the residuals' deviation: their mean is known no better
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   const Eigen::Vector3d centre = principal_frame(object.points).centroid;
   const double least = 1e-7 * object.size;
@@ -214,7 +213,8 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
     const Constraints back = pairing.reference_to_object(start);
     const Constraints rim = pairing.rim_to_rim(start);
     Equations equations(centre);
-    equations.add(forth, deviation_of(forth, least));
+    const double deviation = deviation_of(forth, least);
+    equations.add(forth, deviation);
     equations.add(back, deviation_of(back, least));
     equations.add(rim, deviation_of(rim, kRimDeviation * object.spacing));
     equations.add_prior(scale, start.scale);
@@ -222,7 +222,7 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
     start = moved(start, centre, step);
     const double motion =
         step.head<3>().norm() + step.segment<3>(3).norm() / object.size + std::abs(step[6]);
-    if (motion < converged) break;
+    if (motion < std::max(converged, kConverged * deviation / object.size)) break;
   }
   return start;
 }

@@ -56,12 +56,6 @@ double capped_cost(const Explanation& explanation, double cap) {
   return mean(explanation.object_distance) + mean(explanation.reference_distance);
 }
 
-Fitted fit_one(const Surface& reference, const Surface& object, const Similarity& similarity,
-               const ScalePrior& scale, int finest_level, double inlier_distance) {
-  const Mapping mapping = fit_deformation(reference, object, similarity, scale, finest_level);
-  return {mapping, explain(reference, object, mapping, inlier_distance)};
-}
-
 void sort_best_first(std::vector<Fitted>& fitted) {
   constexpr double kDeviations = 3;
   double noise = fitted.front().explanation.noise;
@@ -81,27 +75,50 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
                             const StretchParameters& parameters, const Stages& stages) {
   constexpr double kHopeless = 5;  // times the cost of the best
   constexpr int kCoarse = 1;
-  const int finest = parameters.deformation_level;
+  constexpr int kIterations = 30;
+  const ScalePrior& scale = parameters.prior.scale;
+  const auto explained = [&](const Mapping& mapping) {
+    return Fitted{mapping, explain(reference, object, mapping, parameters.inlier_distance)};
+  };
   std::vector<Fitted> fitted;
   for (const Candidate& candidate : candidates) {
-    if (candidate.cost > kHopeless * candidates.front().cost) break;
-    fitted.push_back(fit_one(reference, object, candidate.similarity, parameters.prior.scale,
-                             std::min(kCoarse, finest), parameters.inlier_distance));
+    if (candidate.bulk_cost > kHopeless * candidates.front().bulk_cost) continue;
+    fitted.push_back(
+        explained(sketch_deformation(reference, object, candidate.similarity, scale,
+                                     std::min(kCoarse, parameters.deformation_level))));
     stages.report("refine", 0.5 + 0.1 * static_cast<double>(fitted.size()) /
                                       static_cast<double>(candidates.size()));
   }
   sort_best_first(fitted);
-  if (finest <= kCoarse) return fitted;
   const Explanation coarse_best = fitted.front().explanation;
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     if (i > 0 && clearly_better(coarse_best, fitted[i].explanation)) continue;
-    fitted[i] = fit_one(reference, object, fitted[i].mapping.similarity, parameters.prior.scale,
-                        finest, parameters.inlier_distance);
+    Similarity start = fitted[i].mapping.similarity;
+    if (fitted[i].mapping.graph.empty()) {
+      start = refine(reference, object, start, scale, Density::kMany, kIterations);
+    }
+    fitted[i] =
+        explained(fit_deformation(reference, object, start, scale, parameters.deformation_level));
     stages.report("refine",
                   0.6 + 0.1 * static_cast<double>(i + 1) / static_cast<double>(fitted.size()));
   }
   sort_best_first(fitted);
   return fitted;
+}
+
+/// Puts the one that lies nearest to the given pose first, of those that explain the object as well
+/// as the first does.
+void prefer_given_pose(const PosePrior& given, const Eigen::Vector3d& middle,
+                       std::vector<Fitted>& fitted) {
+  const auto off = [&](const Fitted& each) {
+    return (each.mapping * middle - given.pose * middle).norm();
+  };
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < fitted.size(); ++i) {
+    if (clearly_better(fitted.front().explanation, fitted[i].explanation)) continue;
+    if (off(fitted[i]) < off(fitted[nearest])) nearest = i;
+  }
+  std::swap(fitted.front(), fitted[nearest]);
 }
 
 Mapping affine_mapping(const Surface& reference, const Surface& object, const Similarity& start,
@@ -142,6 +159,8 @@ void run(const Surface& reference, const Surface& object, const ToolPath& given,
   }
 
   std::vector<Fitted> fitted = fit_all(reference, object, candidates, parameters, stages);
+  const Eigen::Vector3d centroid = principal_frame(reference.points).centroid;
+  if (parameters.prior.pose) prefer_given_pose(*parameters.prior.pose, centroid, fitted);
   Mapping mapping = fitted.front().mapping;
   Explanation explanation = fitted.front().explanation;
   const auto take = [&] {
@@ -155,14 +174,13 @@ void run(const Surface& reference, const Surface& object, const ToolPath& given,
   check_explanation(explanation, mapping.similarity, parameters);
   check_deformation(reference, mapping, parameters);
   for (std::size_t i = 1; i < fitted.size(); ++i) {
-    check_unambiguous(path, mapping, fitted[i].mapping, reference, explanation,
+    check_unambiguous(path, mapping, fitted[i].mapping, reference, object, explanation,
                       fitted[i].explanation, parameters);
   }
-  const Eigen::Vector3d centroid = principal_frame(reference.points).centroid;
   for (const Mapping& slid :
        slid_along_itself(reference, object, mapping, parameters.prior.scale)) {
     if (!parameters.prior.allows(slid.similarity, centroid)) continue;
-    check_unambiguous(path, mapping, slid, reference, explanation,
+    check_unambiguous(path, mapping, slid, reference, object, explanation,
                       explain(reference, object, slid, parameters.inlier_distance), parameters);
   }
   if (parameters.method == Method::kAffine) {

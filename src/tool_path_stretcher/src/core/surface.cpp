@@ -91,20 +91,27 @@ Samples samples_of(const Points& points, const std::vector<double>& spacings, do
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (spacings[i] < kLoose * typical) dense.push_back(i);
   }
-  const Points dense_points = select(points, dense);
-  const auto sample = [&](std::size_t most) {
-    std::vector<std::size_t> chosen = spread_evenly(dense_points, most);
+  const auto sample = [&points](const std::vector<std::size_t>& from, std::size_t most) {
+    std::vector<std::size_t> chosen = spread_evenly(select(points, from), most);
     for (std::size_t& index : chosen)
-      index = dense[index];
+      index = from[index];
     return chosen;
   };
-  return {sample(1000), sample(3000), sample(6000), sample(20000)};
+  Samples samples;
+  samples.most = sample(dense, 20000);
+  samples.many = sample(samples.most, 6000);
+  samples.some = sample(samples.many, 3000);
+  samples.few = sample(samples.some, 1000);
+  samples.fewest = sample(samples.few, 300);
+  return samples;
 }
 
 }  // namespace
 
 const std::vector<std::size_t>& Samples::of(Density density) const {
   switch (density) {
+    case Density::kFewest:
+      return fewest;
     case Density::kFew:
       return few;
     case Density::kSome:

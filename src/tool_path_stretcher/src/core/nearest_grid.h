@@ -1,0 +1,69 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "tool_path_stretcher/points.h"
+
+namespace tool_path_stretcher {
+
+/// Nearest points of a fixed set, to within the size of a cell: of each cell of space the point
+/// nearest to its middle is looked up once, when it is first asked for. Far cheaper than a tree for
+/// poses that are only roughly right.
+class NearestGrid {
+ public:
+  /// The set must not be empty.
+  explicit NearestGrid(Points points) : tree_(std::move(points)) {
+    constexpr double kCells = 50;  // along the longest side
+    constexpr double kMargin = 0.25;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& point : tree_.points())
+      box.extend(point);
+    const double longest = box.sizes().maxCoeff();
+    edge_ = longest > 0 ? longest / kCells : 1;
+    corner_ = box.min() - Eigen::Vector3d::Constant(kMargin * longest);
+    const Eigen::Vector3d sizes = box.sizes() + Eigen::Vector3d::Constant(2 * kMargin * longest);
+    counts_ = (sizes / edge_).array().ceil().cast<int>().max(1);
+    known_.assign(static_cast<std::size_t>(counts_.x()) * static_cast<std::size_t>(counts_.y()) *
+                      static_cast<std::size_t>(counts_.z()),
+                  kUnknown);
+  }
+
+  const Points& points() const { return tree_.points(); }
+
+  std::size_t nearest(const Eigen::Vector3d& query) {
+    const Eigen::Array3i at = cell_of(query);
+    std::uint32_t& known =
+        known_[static_cast<std::size_t>((at.z() * counts_.y() + at.y()) * counts_.x() + at.x())];
+    if (known == kUnknown) {
+      known = static_cast<std::uint32_t>(
+          tree_.nearest(corner_ + edge_ * (at.cast<double>() + 0.5).matrix()).index);
+    }
+    return known;
+  }
+
+ private:
+  static constexpr std::uint32_t kUnknown = 0xffffffff;
+
+  /// The cell at the border for what lies outside; the first for what is not a number.
+  Eigen::Array3i cell_of(const Eigen::Vector3d& query) const {
+    Eigen::Array3i cell;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double at = (query[axis] - corner_[axis]) / edge_;
+      cell[axis] = at > 0 ? static_cast<int>(std::min(at, counts_[axis] - 1.0)) : 0;
+    }
+    return cell;
+  }
+
+  KdTree tree_;
+  Eigen::Vector3d corner_;
+  double edge_;
+  Eigen::Array3i counts_;
+  std::vector<std::uint32_t> known_;
+};
+
+}  // namespace tool_path_stretcher
