@@ -193,6 +193,7 @@ std::vector<Case> all_cases(const std::string& data) {
   add_others(all);
   add_real(data, all);
   add_harder(all);
+  add_partial(all);
   return all;
 }
 

@@ -49,4 +49,7 @@ std::vector<Case> all_cases(const std::string& data);
 /// Those with kinds of parts, scans and combinations that the stretcher was not developed on.
 void add_harder(std::vector<Case>& all);
 
+/// Those of which the reference, the object or both are partial, with the path in what both have.
+void add_partial(std::vector<Case>& all);
+
 }  // namespace cases
