@@ -24,6 +24,9 @@ struct Similarity {
   Eigen::Matrix4d matrix() const;
 };
 
+/// The rotation nearest to a matrix, in the least squares of its elements (Kabsch 1978).
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
+
 /// Root mean square distance [m] between where the two put the points.
 double distance(const Similarity& a, const Similarity& b, const Points& points);
 

@@ -1,7 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -91,10 +90,7 @@ Eigen::Vector3d Mapping::pull_back(const Eigen::Vector3d& point) const {
 Eigen::Matrix3d Mapping::turn(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
   if (graph.empty()) return similarity.rotation;
   const Eigen::Matrix3d local = Eigen::Matrix3d::Identity() + graph.jacobian(point);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(local, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d handed = Eigen::Matrix3d::Identity();
-  handed(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  const Eigen::Matrix3d nearest = svd.matrixU() * handed * svd.matrixV().transpose();
+  const Eigen::Matrix3d nearest = nearest_rotation(local);
   // A shear turns a surface further than the rotation nearest to it.
   const Eigen::Vector3d turned = local.inverse().transpose() * normal;
   const auto rest = Eigen::Quaterniond::FromTwoVectors(nearest * normal, turned);

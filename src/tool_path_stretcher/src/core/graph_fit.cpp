@@ -1,6 +1,5 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -172,8 +171,7 @@ Mapping refined(const Surface& reference, const Mapping& coarse, double spacing)
   Mapping fine{coarse.similarity, DeformationGraph(reference.points, spacing)};
   for (DeformationGraph::Node& node : fine.graph.nodes()) {
     const Eigen::Matrix3d local = Eigen::Matrix3d::Identity() + coarse.graph.jacobian(node.at);
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(local, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    node.rotation = svd.matrixU() * svd.matrixV().transpose();
+    node.rotation = nearest_rotation(local);
     node.shift = coarse.graph.displacement(node.at);
   }
   return fine;

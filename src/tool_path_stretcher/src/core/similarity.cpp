@@ -16,6 +16,13 @@ Eigen::Matrix4d Similarity::matrix() const {
   return result;
 }
 
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d handed = Eigen::Matrix3d::Identity();
+  handed(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  return svd.matrixU() * handed * svd.matrixV().transpose();
+}
+
 double distance(const Similarity& a, const Similarity& b, const Points& points) {
   double sum = 0;
   for (const Eigen::Vector3d& point : points)
@@ -40,12 +47,8 @@ Similarity fit_similarity(const Points& from, const Points& to, const ScaleRange
     from_squares += (from[i] - from_mean).squaredNorm();
     to_squares += (to[i] - to_mean).squaredNorm();
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d handed = Eigen::Matrix3d::Identity();
-  handed(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
   Similarity result;
-  result.rotation = svd.matrixU() * handed * svd.matrixV().transpose();
+  result.rotation = nearest_rotation(covariance);
   result.scale = from_squares > 0 ? std::sqrt(to_squares / from_squares) : 1;
   result.scale = std::clamp(result.scale, scales.least, scales.most);
   result.translation = to_mean - result.scale * (result.rotation * from_mean);
