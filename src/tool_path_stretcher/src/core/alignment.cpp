@@ -211,10 +211,14 @@ class Search {
   bool explains_most(const Mapping& mapping) const {
     constexpr double kReach = 0.4;  // spacings
     const Explanation explanation = explain(reference_, object_, mapping, kReach * object_.spacing);
-    const auto reaches = [&](double explained, double covered) {
+    const auto reaches = [&explanation](double explained, double covered) {
       return explanation.inlier_ratio > explained && explanation.overlap > covered;
     };
-    return reaches(0.88, 0.8) || reaches(0.75, 0.95);  // all of it, and other things beside it
+    constexpr double kExplained = 0.88;
+    constexpr double kCovered = 0.8;
+    constexpr double kExplainedBesideOthers = 0.75;  // floor and loose points are in the scan, too
+    constexpr double kWhollyCovered = 0.95;
+    return reaches(kExplained, kCovered) || reaches(kExplainedBesideOthers, kWhollyCovered);
   }
 
   const Points& probes() const { return coarse_reference_.queries; }
