@@ -30,6 +30,12 @@ using AlignmentProgress = std::function<void(double)>;
 std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
                                        const Prior& prior, const AlignmentProgress& progress);
 
+/// The same, with a search over partial surfaces that may go on to be used.
+class PartialSearch;
+std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
+                                       const Prior& prior, PartialSearch& partial,
+                                       const AlignmentProgress& progress);
+
 /// Refines a pose by robust point-to-plane ICP in both directions (Chen and Medioni 1992; Tukey's
 /// biweight), with the rims held on each other. The scale of the start must lie in the prior's
 /// range.

@@ -15,8 +15,9 @@ namespace tool_path_stretcher {
 /// Where a surface ends or has a sharp edge: it shows a position along the surface that a smooth
 /// surface itself does not.
 struct Rim {
-  Points points;   //!< [m]
-  Points outward;  //!< unit length, in the surface and away from it
+  Points points;           //!< [m]
+  Points outward;          //!< unit length, in the surface and away from it
+  std::vector<bool> open;  //!< whether the surface ends there, rather than bends sharply
   std::shared_ptr<const KdTree> tree;
 };
 

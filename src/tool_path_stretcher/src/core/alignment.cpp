@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "hypotheses.h"
+#include "partial_search.h"
 #include "robust.h"
 #include "tool_path_stretcher/residuals.h"
 
@@ -135,6 +136,12 @@ class Search {
     }
     for (const Candidate& each : distinct(tried, probes(), 0.05 * object_.size, 12))
       untried_.push_back(each);
+  }
+
+  /// Takes poses that were improved already.
+  void take(const std::vector<PartialFit>& fits) {
+    for (const PartialFit& fit : fits)
+      untried_.push_back({fit.similarity, fit.agreement.cost, fit.agreement.cost});
   }
 
   /// Tries the best pose turned in itself, where that is not hopeless from the start.
@@ -269,8 +276,8 @@ class Search {
 }  // namespace
 
 std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
-                                       const Prior& prior, const AlignmentProgress& progress) {
-  constexpr std::size_t kPartialGuesses = 40;
+                                       const Prior& prior, PartialSearch& partial,
+                                       const AlignmentProgress& progress) {
   Search search(reference, object, prior);
   if (prior.pose) {
     search.try_coarsely(guesses_about(prior, search.reference().frame, search.object().frame));
@@ -282,9 +289,10 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
   }
   progress(0.3);
   if (!search.settled()) {
-    search.try_coarsely(even_guesses(search.reference().frame, search.object().frame));
+    search.take(partial.fits());
     progress(0.5);
-    search.try_coarsely(partial_guesses(search.reference(), search.object(), kPartialGuesses));
+    if (!partial.is_certain())
+      search.try_coarsely(even_guesses(search.reference().frame, search.object().frame));
     search.refine_tried();
   }
   progress(0.7);
@@ -295,6 +303,12 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
   search.finish();
   progress(1);
   return search.candidates();
+}
+
+std::vector<Candidate> find_candidates(const Surface& reference, const Surface& object,
+                                       const Prior& prior, const AlignmentProgress& progress) {
+  PartialSearch partial(reference, object, prior);
+  return find_candidates(reference, object, prior, partial, progress);
 }
 
 }  // namespace tool_path_stretcher

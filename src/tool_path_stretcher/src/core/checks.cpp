@@ -177,13 +177,15 @@ void refuse_search_at_bound(double scale, const StretchParameters& parameters) {
          "raise scale_range (" + number(parameters.scale_range) + ") or use the general method");
 }
 
-void check_explanation(const Explanation& explanation, const Similarity& similarity,
-                       const StretchParameters& parameters) {
-  if (explanation.inlier_ratio < parameters.min_inlier_ratio) {
-    refuse_wrong_part("the reference explains only " + number(100 * explanation.inlier_ratio) +
-                      " % of its points to " + millimetres(parameters.inlier_distance) +
-                      " (min_inlier_ratio is " + number(100 * parameters.min_inlier_ratio) + " %)");
-  }
+void check_explained(const Explanation& explanation, const StretchParameters& parameters) {
+  if (explanation.inlier_ratio >= parameters.min_inlier_ratio) return;
+  refuse_wrong_part("the reference explains only " + number(100 * explanation.inlier_ratio) +
+                    " % of its points to " + millimetres(parameters.inlier_distance) +
+                    " (min_inlier_ratio is " + number(100 * parameters.min_inlier_ratio) + " %)");
+}
+
+void check_overlap(const Explanation& explanation, const Similarity& similarity,
+                   const StretchParameters& parameters) {
   if (explanation.overlap < parameters.min_overlap) {
     refuse_wrong_part("it shows only " + number(100 * explanation.overlap) +
                       " % of the reference (min_overlap is " +
@@ -211,20 +213,12 @@ void check_deformation(const Surface& reference, const Mapping& mapping,
                     ")");
 }
 
-void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
-                       const Surface& reference, const Surface& object,
-                       const Explanation& best_explanation, const Explanation& other_explanation,
-                       const StretchParameters& parameters) {
+bool is_same_pose(const Similarity& one, const Similarity& other, const Surface& reference) {
   constexpr double kSamePose = 0.05;  // of the size: the same pose, not quite as well refined
-  const double apart = distance(best.similarity, other.similarity, reference.points);
-  if (apart < kSamePose * best.similarity.scale * reference.size) return;
-  if (clearly_better(best_explanation, other_explanation)) return;
-  if (same_path(path, best, other, parameters.ambiguity_distance)) return;
-  if (parameters.prior.pose) {
-    const Mapping between{halfway(best.similarity, other.similarity, reference.points), best.graph};
-    const Explanation explanation = explain(reference, object, between, parameters.inlier_distance);
-    if (!clearly_better(best_explanation, explanation)) return;
-  }
+  return distance(one, other, reference.points) < kSamePose * one.scale * reference.size;
+}
+
+void refuse_ambiguous(const ToolPath& path, const Mapping& best, const Mapping& other) {
   const PoseCandidate one = candidate_of(path, best);
   const PoseCandidate two = candidate_of(path, other);
   double farthest = 0;
@@ -237,6 +231,21 @@ void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping&
                      "lies (initial pose)",
                  {},
                  {one, two}}};
+}
+
+void check_unambiguous(const ToolPath& path, const Mapping& best, const Mapping& other,
+                       const Surface& reference, const Surface& object,
+                       const Explanation& best_explanation, const Explanation& other_explanation,
+                       const StretchParameters& parameters) {
+  if (is_same_pose(best.similarity, other.similarity, reference)) return;
+  if (clearly_better(best_explanation, other_explanation)) return;
+  if (same_path(path, best, other, parameters.ambiguity_distance)) return;
+  if (parameters.prior.pose) {
+    const Mapping between{halfway(best.similarity, other.similarity, reference.points), best.graph};
+    const Explanation explanation = explain(reference, object, between, parameters.inlier_distance);
+    if (!clearly_better(best_explanation, explanation)) return;
+  }
+  refuse_ambiguous(path, best, other);
 }
 
 void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surface& reference,

@@ -24,13 +24,20 @@ void check_path(const ToolPath& path, const Surface& reference,
 
 [[noreturn]] void refuse_search_at_bound(double scale, const StretchParameters& parameters);
 
+/// WRONG_PART: too little of the object lies on the reference
+void check_explained(const Explanation& explanation, const StretchParameters& parameters);
+
 /// WRONG_PART, SCALE_AT_BOUND
-void check_explanation(const Explanation& explanation, const Similarity& similarity,
-                       const StretchParameters& parameters);
+void check_overlap(const Explanation& explanation, const Similarity& similarity,
+                   const StretchParameters& parameters);
 
 /// WRONG_PART: the deformation is larger than allowed over the surface
 void check_deformation(const Surface& reference, const Mapping& mapping,
                        const StretchParameters& parameters);
+
+bool is_same_pose(const Similarity& one, const Similarity& other, const Surface& reference);
+
+[[noreturn]] void refuse_ambiguous(const ToolPath& path, const Mapping& best, const Mapping& other);
 
 /// AMBIGUOUS: the other explains the object as well and puts the path elsewhere. Where an initial
 /// pose is known, poses that lead into each other, as along a straight moulding, count as one: how

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "robust.h"
 
@@ -53,6 +52,7 @@ CoarseSurface coarsen(const Surface& surface) {
   const Points dense = select(surface.points, surface.samples.few);
   coarse.frame = principal_frame(dense);
   coarse.queries = select(dense, spread_evenly(dense, kQueryPoints));
+  coarse.normals = select(surface.normals, surface.samples.few);
   coarse.found = std::make_shared<NearestGrid>(dense);
   return coarse;
 }
@@ -129,103 +129,6 @@ void match(const CoarseSurface& reference, const CoarseSurface& object,
 }
 
 }  // namespace
-
-namespace {
-
-/// The box of points in a frame turned by `axes` (its columns).
-Eigen::AlignedBox3d extent_along(const Eigen::Matrix3d& axes, const Points& points) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : points)
-    box.extend(Eigen::Vector3d(axes.transpose() * point));
-  return box;
-}
-
-/// Where the middle of `moved` may lie along one axis so that it covers `fixed`.
-std::vector<double> middles(double fixed_min, double fixed_max, double moved_length) {
-  constexpr double kFilled = 0.93;
-  const double length = fixed_max - fixed_min;
-  const double middle = (fixed_min + fixed_max) / 2;
-  if (length > kFilled * moved_length) return {middle};
-  return {fixed_min + moved_length / 2, middle, fixed_max - moved_length / 2};
-}
-
-/// All places of the reference, turned and sized, that cover the object's box.
-void add_places(const CoarseSurface& reference, const Eigen::Matrix3d& axes,
-                const Eigen::AlignedBox3d& object_box, const Eigen::Matrix3d& rotation,
-                double scale, std::vector<Similarity>& guesses) {
-  const Eigen::Matrix3d turned = axes.transpose() * rotation;
-  const Eigen::AlignedBox3d box = extent_along(turned.transpose(), reference.queries);
-  const Eigen::Vector3d lengths = scale * box.sizes();
-  const Eigen::Vector3d centre = scale * box.center();
-  std::array<std::vector<double>, 3> places;
-  for (int axis = 0; axis < 3; ++axis) {
-    places[static_cast<std::size_t>(axis)] =
-        middles(object_box.min()[axis], object_box.max()[axis], lengths[axis]);
-  }
-  for (const double x : places[0]) {
-    for (const double y : places[1]) {
-      for (const double z : places[2])
-        guesses.push_back({scale, rotation, axes * (Eigen::Vector3d(x, y, z) - centre)});
-    }
-  }
-}
-
-}  // namespace
-
-namespace {
-
-/// The axes along which the points fill the smallest rectangle, seen along the last one. Unlike
-/// the principal axes of a plate they stay along its edges where a part of it is missing.
-Eigen::Matrix3d rectangle_axes(const Eigen::Matrix3d& axes, const Points& points) {
-  constexpr int kSteps = 60;  // of a right angle
-  Eigen::Matrix3d best = axes;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kSteps; ++i) {
-    const Eigen::AngleAxisd turn(i * M_PI_2 / kSteps, Eigen::Vector3d::UnitZ());
-    const Eigen::Matrix3d turned = axes * turn.toRotationMatrix();
-    const Eigen::Vector3d sizes = extent_along(turned, points).sizes();
-    if (sizes.x() * sizes.y() >= least) continue;
-    least = sizes.x() * sizes.y();
-    best = turned;
-  }
-  return best;
-}
-
-/// The reference's axes in all the turns of a cube laid along the object's, sized by each axis.
-void add_partial_guesses(const CoarseSurface& reference, const Eigen::Matrix3d& reference_axes,
-                         const CoarseSurface& object, const Eigen::Matrix3d& object_axes,
-                         std::vector<Similarity>& guesses) {
-  constexpr double kThin = 0.05;  // of the longest axis: too short to tell the size
-  const Eigen::AlignedBox3d object_box = extent_along(object_axes, object.queries);
-  for (const Eigen::Matrix3d& turn : cube_turns()) {
-    const Eigen::Matrix3d rotation = object_axes * turn * reference_axes.transpose();
-    const Eigen::Vector3d lengths =
-        extent_along(rotation.transpose() * object_axes, reference.queries).sizes();
-    for (int axis = 0; axis < 3; ++axis) {
-      if (lengths[axis] < kThin * lengths.maxCoeff()) continue;
-      add_places(reference, object_axes, object_box, rotation,
-                 object_box.sizes()[axis] / lengths[axis], guesses);
-    }
-  }
-}
-
-}  // namespace
-
-std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const CoarseSurface& object,
-                                        std::size_t most) {
-  std::vector<Similarity> guesses;
-  add_partial_guesses(reference, reference.frame.axes, object, object.frame.axes, guesses);
-  add_partial_guesses(reference, rectangle_axes(reference.frame.axes, reference.queries), object,
-                      rectangle_axes(object.frame.axes, object.queries), guesses);
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < guesses.size(); ++i)
-    order.emplace_back(improve_coarsely(reference, object, guesses[i], {}, 0).cost, i);
-  std::sort(order.begin(), order.end());
-  std::vector<Similarity> best;
-  for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
-    best.push_back(guesses[order[i].second]);
-  return best;
-}
 
 Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,
                            Similarity guess, const ScaleRange& scales, int iterations) {

@@ -12,6 +12,7 @@ struct CoarseSurface {
   PrincipalFrame frame;
   Points queries;                      //!< few points, to look up in the other's
   std::shared_ptr<NearestGrid> found;  //!< more points, to be found
+  Points normals;                      //!< of those, unit length
 };
 
 CoarseSurface coarsen(const Surface& surface);
@@ -27,12 +28,6 @@ std::vector<Similarity> principal_guesses(const PrincipalFrame& reference,
 /// Poses to start from where those fail: a sweep about the vertical, and an even cover of all
 /// rotations.
 std::vector<Similarity> even_guesses(const PrincipalFrame& reference, const PrincipalFrame& object);
-
-/// Poses for a scan that shows only a part of the reference: the principal frames, and the frames
-/// of the smallest rectangles, in all the turns of a cube, each sized by one axis alone, with the
-/// scan at either end along the axes that it does not fill. The `most` that fit best as they are.
-std::vector<Similarity> partial_guesses(const CoarseSurface& reference, const CoarseSurface& object,
-                                        std::size_t most);
 
 /// Point-to-point ICP in both directions, the farthest pairs left out.
 Candidate improve_coarsely(const CoarseSurface& reference, const CoarseSurface& object,

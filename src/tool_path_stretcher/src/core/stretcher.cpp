@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "ambiguity.h"
 #include "checks.h"
 #include "expected_error.h"
+#include "partial_verdict.h"
 #include "robust.h"
 #include "scan_cell_common/errors.h"
 #include "tool_path_stretcher/alignment.h"
@@ -20,6 +22,7 @@ namespace {
 struct Fitted {
   Mapping mapping;
   Explanation explanation;
+  bool of_partial_reference = false;  // it need not explain all of the object
 };
 
 /// Tells the caller how far the work is, and ends it where the caller wants that.
@@ -78,7 +81,7 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
   constexpr int kIterations = 30;
   const ScalePrior& scale = parameters.prior.scale;
   const auto explained = [&](const Mapping& mapping) {
-    return Fitted{mapping, explain(reference, object, mapping, parameters.inlier_distance)};
+    return Fitted{mapping, explain(reference, object, mapping, parameters.inlier_distance), false};
   };
   std::vector<Fitted> fitted;
   for (const Candidate& candidate : candidates) {
@@ -142,6 +145,75 @@ ToolPath waypoints_of(const ToolPath& path, double spacing) {
   }
 }
 
+void tell(const Mapping& mapping, const Explanation& explanation, StretchResult& result) {
+  result.similarity = mapping.similarity;
+  result.deformation_nodes = mapping.graph.nodes().size();
+  result.rms = explanation.rms;
+  result.inlier_ratio = explanation.inlier_ratio;
+  result.overlap = explanation.overlap;
+}
+
+/// Where the best of all poses does not explain the object: the pose of a reference that shows only
+/// a part of it, if there is one.
+std::optional<Fitted> partial_reference(const Surface& reference, const Surface& object,
+                                        const ToolPath& path, PartialSearch& search,
+                                        const StretchParameters& parameters) {
+  const std::optional<Similarity> pose =
+      pose_of_partial_reference(path, reference, object, search, parameters);
+  if (!pose) return {};
+  const Mapping mapping{*pose, {}};
+  return Fitted{mapping, explain(reference, object, mapping, parameters.inlier_distance), true};
+}
+
+std::string accepted_message(const Fitted& fitted) {
+  const std::string adapted = "the path was adapted";
+  if (!fitted.of_partial_reference) return adapted;
+  constexpr double kPercent = 100;
+  return adapted + "; the reference shows only a part of the object, about " +
+         std::to_string(std::lround(kPercent * fitted.explanation.inlier_ratio)) + " % of its scan";
+}
+
+/// The best mapping, or a refusal: nothing explains the object, or more than one mapping does.
+Fitted choose(const Surface& reference, const Surface& object, const ToolPath& path,
+              const StretchParameters& parameters, const Stages& stages, StretchResult& result) {
+  PartialSearch partial(reference, object, parameters.prior);
+  const std::vector<Candidate> candidates = find_candidates(
+      reference, object, parameters.prior, partial, stages.within("align", 0.05, 0.5));
+  if (candidates.empty()) {
+    refuse_wrong_part(parameters.prior.pose || parameters.prior.scale.is_known()
+                          ? "no pose of the reference fits it with the scale and the initial pose "
+                            "given, as far as they may be off"
+                          : "no pose of the reference fits the object at all");
+  }
+  const Eigen::Vector3d centroid = principal_frame(reference.points).centroid;
+  std::vector<Fitted> fitted = fit_all(reference, object, candidates, parameters, stages);
+  if (parameters.prior.pose) prefer_given_pose(*parameters.prior.pose, centroid, fitted);
+  tell(fitted.front().mapping, fitted.front().explanation, result);
+  if (fitted.front().explanation.inlier_ratio < parameters.min_inlier_ratio) {
+    const auto whole = partial_reference(reference, object, path, partial, parameters);
+    if (whole) fitted = {*whole};
+    tell(fitted.front().mapping, fitted.front().explanation, result);
+    if (!whole) check_explained(fitted.front().explanation, parameters);
+  }
+  const Fitted& best = fitted.front();
+  check_overlap(best.explanation, best.mapping.similarity, parameters);
+  check_deformation(reference, best.mapping, parameters);
+  for (std::size_t i = 1; i < fitted.size(); ++i) {
+    check_unambiguous(path, best.mapping, fitted[i].mapping, reference, object, best.explanation,
+                      fitted[i].explanation, parameters);
+  }
+  for (const Mapping& slid :
+       slid_along_itself(reference, object, best.mapping, parameters.prior.scale)) {
+    if (!parameters.prior.allows(slid.similarity, centroid)) continue;
+    check_unambiguous(path, best.mapping, slid, reference, object, best.explanation,
+                      explain(reference, object, slid, parameters.inlier_distance), parameters);
+  }
+  constexpr double kWhole = 0.95;
+  if (std::min(best.explanation.overlap, best.explanation.inlier_ratio) < kWhole)
+    check_rivals(path, reference, best.mapping, partial, parameters);
+  return best;
+}
+
 void run(const Surface& reference, const Surface& object, const ToolPath& given,
          const StretchParameters& parameters, const Stages& stages, StretchResult& result) {
   stages.report("check", 0);
@@ -149,44 +221,12 @@ void run(const Surface& reference, const Surface& object, const ToolPath& given,
   check_path(given, reference, parameters);
   const ToolPath path = waypoints_of(given, parameters.resample_spacing);
   stages.report("align", 0.05);
-  const std::vector<Candidate> candidates =
-      find_candidates(reference, object, parameters.prior, stages.within("align", 0.05, 0.5));
-  if (candidates.empty()) {
-    refuse_wrong_part(parameters.prior.pose || parameters.prior.scale.is_known()
-                          ? "no pose of the reference fits it with the scale and the initial pose "
-                            "given, as far as they may be off"
-                          : "no pose of the reference fits the object at all");
-  }
-
-  std::vector<Fitted> fitted = fit_all(reference, object, candidates, parameters, stages);
-  const Eigen::Vector3d centroid = principal_frame(reference.points).centroid;
-  if (parameters.prior.pose) prefer_given_pose(*parameters.prior.pose, centroid, fitted);
-  Mapping mapping = fitted.front().mapping;
-  Explanation explanation = fitted.front().explanation;
-  const auto take = [&] {
-    result.similarity = mapping.similarity;
-    result.deformation_nodes = mapping.graph.nodes().size();
-    result.rms = explanation.rms;
-    result.inlier_ratio = explanation.inlier_ratio;
-    result.overlap = explanation.overlap;
-  };
-  take();
-  check_explanation(explanation, mapping.similarity, parameters);
-  check_deformation(reference, mapping, parameters);
-  for (std::size_t i = 1; i < fitted.size(); ++i) {
-    check_unambiguous(path, mapping, fitted[i].mapping, reference, object, explanation,
-                      fitted[i].explanation, parameters);
-  }
-  for (const Mapping& slid :
-       slid_along_itself(reference, object, mapping, parameters.prior.scale)) {
-    if (!parameters.prior.allows(slid.similarity, centroid)) continue;
-    check_unambiguous(path, mapping, slid, reference, object, explanation,
-                      explain(reference, object, slid, parameters.inlier_distance), parameters);
-  }
+  const Fitted chosen = choose(reference, object, path, parameters, stages, result);
+  result.verdict.message = accepted_message(chosen);
+  Mapping mapping = chosen.mapping;
   if (parameters.method == Method::kAffine) {
     mapping = affine_mapping(reference, object, mapping.similarity, parameters, stages);
-    explanation = explain(reference, object, mapping, parameters.inlier_distance);
-    take();
+    tell(mapping, explain(reference, object, mapping, parameters.inlier_distance), result);
   }
   stages.report("adapt", 0.9);
   const double spacing = mapping.similarity.scale * reference.spacing + object.spacing;
@@ -215,7 +255,6 @@ StretchResult stretch(const Surface& reference, const Surface& object, const Too
   result.object_points = object.points.size();
   try {
     run(reference, object, path, parameters, Stages(progress), result);
-    result.verdict.message = "the path was adapted";
   } catch (const Refusal& refusal) {
     result.verdict = refusal.verdict;
   }

@@ -78,6 +78,16 @@ Eigen::Vector3d outward_at(const Points& points, const Eigen::Vector3d& at,
   return gap > kGap ? Eigen::Vector3d(-sum.normalized()) : Eigen::Vector3d::Zero();
 }
 
+/// Whether all neighbours lie in the plane of the surface: beside a sharp edge some lie below it.
+bool is_flat_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
+                const std::vector<KdTree::Neighbour>& neighbours) {
+  constexpr double kSteepest = 0.5;  // sine
+  return std::all_of(neighbours.begin(), neighbours.end(), [&](const auto& neighbour) {
+    const Eigen::Vector3d way = points[neighbour.index] - at;
+    return std::abs(way.dot(normal)) <= kSteepest * std::sqrt(neighbours.back().squared_distance);
+  });
+}
+
 double middle_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -140,6 +150,7 @@ void complete(Surface& surface) {
     if (outward.isZero()) continue;
     surface.rim.points.push_back(point);
     surface.rim.outward.push_back(outward);
+    surface.rim.open.push_back(is_flat_at(surface.points, point, surface.normals[i], neighbours));
   }
   surface.spacing = middle_of(spacings);
   if (!surface.rim.points.empty()) {

@@ -84,6 +84,9 @@ Part elbow();
 /// The part with some of its path: the waypoints between two shares of their count.
 Part with_path_between(Part part, double from, double to);
 
+/// The part with the longest piece of its path that lies between two shares of its extent along x.
+Part with_path_within(Part part, double from, double to);
+
 /// A part from a mesh with its own path.
 Part part_of_mesh(const pcl::PolygonMesh& mesh, const ToolPath& path);
 

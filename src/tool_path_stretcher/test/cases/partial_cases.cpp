@@ -11,12 +11,6 @@ namespace {
 
 using tool_path_stretcher::Waypoint;
 
-/// Of the part's extent along x.
-struct Stretch {
-  double from;
-  double to;
-};
-
 Eigen::AlignedBox3d extent_of(const Part& part) {
   constexpr int kSteps = 20;
   Eigen::AlignedBox3d box;
@@ -29,15 +23,16 @@ Eigen::AlignedBox3d extent_of(const Part& part) {
   return box;
 }
 
-/// The part with the longest piece of its path that lies within the stretch.
-Part with_path_inside(Part part, const Stretch& stretch) {
+}  // namespace
+
+Part with_path_within(Part part, double from, double to) {
   const Eigen::AlignedBox3d box = extent_of(part);
   std::vector<Waypoint>& waypoints = part.path.segments.at(0).waypoints;
   std::vector<Waypoint> longest;
   std::vector<Waypoint> piece;
   for (const Waypoint& waypoint : waypoints) {
     const double at = (waypoint.pose.translation().x() - box.min().x()) / box.sizes().x();
-    if (at < stretch.from || at > stretch.to) {
+    if (at < from || at > to) {
       piece.clear();
       continue;
     }
@@ -48,6 +43,8 @@ Part with_path_inside(Part part, const Stretch& stretch) {
   return part;
 }
 
+namespace {
+
 class PartialCases {
  public:
   explicit PartialCases(std::vector<Case>& all) : all_(all) {}
@@ -56,7 +53,7 @@ class PartialCases {
   void add(const std::string& name, const Part& part, const Scan& whole) {
     Scan begin = whole;
     begin.share = 0.6;
-    const Part within = with_path_inside(part, {0.1, 0.5});
+    const Part within = with_path_within(part, 0.1, 0.5);
     add_one(name + ", reference of 60 %", within, 1.1, begin, whole);
     add_one(name + ", 60 % scanned, path within", within, 0.9, whole, begin);
     begin.share = 0.75;
@@ -64,7 +61,7 @@ class PartialCases {
     end.share = 0.65;
     end.far_end = true;
     // The features that break its symmetry may lie outside of what both scans show.
-    add_one(name + ", reference of 75 %, other 65 % scanned", with_path_inside(part, {0.4, 0.7}), 1,
+    add_one(name + ", reference of 75 %, other 65 % scanned", with_path_within(part, 0.4, 0.7), 1,
             begin, end)
         .also = tool_path_stretcher::Reason::kAmbiguous;
   }

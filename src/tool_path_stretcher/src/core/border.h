@@ -1,0 +1,34 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "tool_path_stretcher/surface.h"
+
+namespace tool_path_stretcher {
+
+/// Where a surface ends, and nothing is known of what lies beyond: the part may go on there.
+class Border {
+ public:
+  /// @param points of the surface, all or some of them evenly spread
+  /// @param spacing [m] of those
+  Border(const Surface& surface, const Points& points, double spacing);
+
+  /// Whether a point lies beyond the border rather than off the surface.
+  /// @param nearest index of the nearest of the points
+  /// @param distance [m] to that
+  bool is_beyond(const Eigen::Vector3d& point, std::size_t nearest, double distance) const {
+    return at_border_[nearest] && is_outward(point, distance);
+  }
+
+ private:
+  bool is_outward(const Eigen::Vector3d& point, double distance) const;
+
+  double spacing_;
+  std::optional<KdTree> rim_;
+  Points outward_;               // of the rim
+  std::vector<bool> at_border_;  // of the points
+};
+
+}  // namespace tool_path_stretcher
