@@ -19,6 +19,10 @@ namespace {
 
 constexpr int kWordsHigh = 90;  // rows of the picture that hold words
 
+const nlohmann::json kIdentity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+const nlohmann::json kHalfATurn = {
+    {-1, 0, 0, 0.295}, {0, -1, 0, 0.195}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+
 class PictureCommand : public testing::Test {
  protected:
   void SetUp() override {
@@ -37,14 +41,15 @@ class PictureCommand : public testing::Test {
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-  void write_report(const std::string& verdict, const std::vector<int>& waypoints) const {
-    const nlohmann::json report = {
-        {"verdict", verdict},
-        {"reason", verdict == "accepted" ? verdict : "path_not_scanned"},
-        {"message", "what the stretcher says"},
-        {"waypoints_concerned", waypoints},
-        {"inlier_ratio", 1},
-        {"transform", {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
+  void write_report(const std::string& verdict, const std::vector<int>& waypoints,
+                    const nlohmann::json& candidates = nlohmann::json::array()) const {
+    const nlohmann::json report = {{"verdict", verdict},
+                                   {"reason", verdict == "accepted" ? verdict : "path_not_scanned"},
+                                   {"message", "what the stretcher says"},
+                                   {"waypoints_concerned", waypoints},
+                                   {"candidates", candidates},
+                                   {"inlier_ratio", 1},
+                                   {"transform", kIdentity}};
     std::ofstream(file("report.json")) << report;
   }
 
@@ -58,16 +63,27 @@ class PictureCommand : public testing::Test {
   }
 
   /// Pixels below the words.
-  int count_red() const {
+  /// @param is_so of blue, green, red
+  template <class Is>
+  int count_pixels(const Is& is_so) const {
     const cv::Mat picture = cv::imread(file("picture.png"));
     int count = 0;
     for (int row = kWordsHigh; row < picture.rows; ++row) {
       for (int column = 0; column < picture.cols; ++column) {
         const auto& pixel = picture.at<cv::Vec3b>(row, column);
-        count += pixel[2] > 200 && pixel[1] < 80 && pixel[0] < 80;
+        count += is_so(pixel[0], pixel[1], pixel[2]);
       }
     }
     return count;
+  }
+
+  int count_red() const {
+    return count_pixels([](int b, int g, int r) { return r > 200 && g < 80 && b < 80; });
+  }
+
+  int count_orange() const {
+    return count_pixels(
+        [](int b, int g, int r) { return r > 200 && g > 100 && g < 180 && b < 80; });
   }
 
   fs::path folder_;
@@ -86,6 +102,17 @@ TEST_F(PictureCommand, ShowsTheWaypointsThatTheVerdictNamesOnBothParts) {
   write_report("refused", {0, 1, 2});
   ASSERT_EQ(run(), 0);
   EXPECT_NEAR(count_red(), 3 * one, one);
+}
+
+TEST_F(PictureCommand, ShowsThePathsOfBothPosesOfAnAmbiguousVerdict) {
+  const nlohmann::json as_it_is = nlohmann::json::object({{"transform", kIdentity}});
+  const nlohmann::json turned = nlohmann::json::object({{"transform", kHalfATurn}});
+  write_report("refused", {}, nlohmann::json::array({as_it_is}));
+  ASSERT_EQ(run(), 0);
+  EXPECT_EQ(count_orange(), 0);
+  write_report("refused", {}, nlohmann::json::array({as_it_is, turned}));
+  ASSERT_EQ(run(), 0);
+  EXPECT_GT(count_orange(), 20);
 }
 
 TEST_F(PictureCommand, RefusesWhatIsNoReport) {

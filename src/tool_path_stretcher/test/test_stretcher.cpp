@@ -259,6 +259,15 @@ TEST(Refusal, OfAPathOffTheReferenceNamesTheWaypoints) {
   EXPECT_EQ(result.verdict.waypoints, std::vector<std::size_t>{kWaypoints / 2 + 3});
 }
 
+TEST(Refusal, OfAPathBesideTheReferenceDoesNotTakeItForMillimetres) {
+  Case each;
+  for (Segment& segment : each.path.segments) {
+    for (Waypoint& waypoint : segment.waypoints)
+      waypoint.pose.translation().y() += 0.4;
+  }
+  expect_refused(each.run(), Reason::kPathOffReference);
+}
+
 TEST(Refusal, OfAPathThatWasNotScannedNamesTheWaypoints) {
   Case each;
   const auto is_hole = [](const Eigen::Vector3d& at) { return at.x() > 0.02 && at.y() < -0.03; };

@@ -153,7 +153,9 @@ void check_path(const ToolPath& path, const Surface& reference,
   }
   if (off.empty()) return;
   constexpr double kMillimetre = 1e-3;
-  if (lies_on(reference, path, kMillimetre, most)) {
+  constexpr double kFar =
+      10;  // sizes of the reference: any path shrinks to a point that lies on it
+  if (worst > kFar * reference.size && lies_on(reference, path, kMillimetre, most)) {
     refuse(Reason::kUnusableInput, "tool path",
            "it lies on the reference only once it is divided by 1000",
            "give it in metres; it seems to be in millimetres", off);

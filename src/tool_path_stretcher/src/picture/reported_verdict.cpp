@@ -33,7 +33,11 @@ ReportedVerdict verdict_of(const Json& report) {
   verdict.message = report.at("message").get<std::string>();
   verdict.waypoints = report.at("waypoints_concerned").get<std::vector<std::size_t>>();
   const bool aligned = report.at("inlier_ratio").get<double>() > 0;
-  if (aligned) verdict.similarities.push_back(similarity_of(report.at("transform")));
+  const Json& candidates = report.at("candidates");
+  for (const Json& candidate : candidates)
+    verdict.similarities.push_back(similarity_of(candidate.at("transform")));
+  if (aligned && candidates.empty())
+    verdict.similarities.push_back(similarity_of(report.at("transform")));
   return verdict;
 }
 
