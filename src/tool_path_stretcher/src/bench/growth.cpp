@@ -3,7 +3,6 @@
 #include "growth.h"
 
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -42,17 +41,16 @@ struct StageTimes {
   double place = 0;
 
   Progress watch() {
-    return
-        [this, last = std::chrono::steady_clock::now()](const std::string& stage, double) mutable {
-          const auto now = std::chrono::steady_clock::now();
-          const double passed = std::chrono::duration<double>(now - last).count();
-          last = now;
-          if (stage == "align") align += passed;
-          if (stage == "refine") refine += passed;
-          if (stage == "adapt") slide += passed;
-          if (stage == "done") place += passed;
-          return true;
-        };
+    return [this, last = processor_seconds()](const std::string& stage, double) mutable {
+      const double now = processor_seconds();
+      const double passed = now - last;
+      last = now;
+      if (stage == "align") align += passed;
+      if (stage == "refine") refine += passed;
+      if (stage == "adapt") slide += passed;
+      if (stage == "done") place += passed;
+      return true;
+    };
   }
 };
 
