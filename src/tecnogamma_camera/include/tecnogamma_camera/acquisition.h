@@ -52,11 +52,15 @@ struct FrameCounts {
   std::uint64_t late = 0;      //!< came after a later one
   std::uint64_t restarts = 0;  //!< the counter jumped back: the camera was restarted
   std::uint64_t invalid = 0;   //!< number lost with its packets: dropped, and in lost as well
+  std::uint64_t unusable = 0;  //!< damaged, or without what the mode needs: dropped
+  std::uint64_t impossible_peaks =
+      0;  //!< sent by the camera, with no place on the sensor: left out
 };
 
 struct AcquisitionState {
   bool connected = false;
   std::string message;  //!< why it is not connected, or was stopped without being asked
+  std::string fault;    //!< of the last frame that could not be used
   AcquisitionMode mode = AcquisitionMode::STOP;
   Trigger trigger = Trigger::EXTERNAL;
   std::uint32_t acquisition = 0;
@@ -72,12 +76,16 @@ class AcquisitionListener {
   virtual ~AcquisitionListener() = default;
   virtual void on_frame(const NumberedFrame& frame) = 0;
   virtual void on_connected(const CameraDescription& camera) = 0;
-  /// Once for each reason: the camera cannot be opened, was lost, or did not start.
+  /// Once for each reason: the camera cannot be opened, was lost, did not start, has ended; and
+  /// once an acquisition: a frame cannot be used.
   virtual void on_trouble(const std::string& reason) = 0;
 };
 
 /// Runs a camera in a thread of its own: opens it, keeps it in the mode asked for, numbers its
 /// frames, maps their times to the host's clock, and finds it again when it is lost.
+///
+/// A camera that counts back was restarted if its clock went on, or if it counts on from there for
+/// three frames: what follows is a new acquisition. Else the frame is late.
 ///
 /// After a loss, an acquisition in external trigger is resumed, with a new number: nothing happens
 /// until the next pulse. One in free run is not, since the camera would run, and drive its strobe
@@ -129,8 +137,12 @@ class Acquisition {
   void report(const std::string& reason);
   void start(AcquisitionMode mode, Trigger trigger);
   void stop();
+  void finish(const std::string& reason);
   bool deliver_next(double timeout);
-  void deliver(const Frame& frame);
+  bool deliver(const Frame& frame);
+  void drop(const std::string& fault);
+  void begin_anew();
+  bool was_restarted(const Frame& frame);
   CounterStep number(const Frame& frame);
   Nanoseconds time_of(const Frame& frame, bool late);
   void throw_if_silent() const;
@@ -156,6 +168,9 @@ class Acquisition {
   CounterUnwrapper unwrapper_{kCounter64};
   scan_cell_common::ClockMap clock_;
   Nanoseconds last_device_time_ = 0;
+  int counted_back_ = 0;          // frames in a row, each numbered after the one before
+  std::uint64_t last_back_ = 0;   // the number of the last of them
+  std::uint32_t fault_told_ = 0;  // the acquisition in which a fault was last told
   std::chrono::steady_clock::time_point last_frame_;
   std::string reported_;
 

@@ -66,7 +66,7 @@ std::uint32_t Acquisition::set(AcquisitionMode mode, Trigger trigger) {
         wanted_ = AcquisitionMode::STOP;  // where the start fails, its caller knows
         ended_by_loss_ = false;
         start(mode, trigger);
-        wanted_ = mode;
+        wanted_ = mode_;  // STOP where a recording has ended already
         return acquisition_;
       },
       true);
@@ -250,6 +250,8 @@ void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   ++acquisition_;
   unwrapper_.reset();
   last_device_time_ = 0;
+  counted_back_ = 0;
+  reported_.clear();
   last_frame_ = Clock::now();
   change_state([&](AcquisitionState& s) {
     s.message.clear();
@@ -260,11 +262,18 @@ void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   const bool free_run = trigger == Trigger::FREE_RUN;
   const Clock::time_point end =
       Clock::now() + seconds(free_run ? parameters_.start_timeout : parameters_.arming_time);
-  while (Clock::now() < end) {
+  bool delivered = false;
+  while (Clock::now() < end && mode_ != AcquisitionMode::STOP) {  // a recording may end
     const double left = scan_cell_common::to_seconds((end - Clock::now()).count());
-    if (deliver_next(std::min(kPoll, std::max(0.0, left))) && free_run) return;
+    delivered |= deliver_next(std::min(kPoll, std::max(0.0, left)));
+    if (delivered && free_run) return;
   }
-  if (!free_run) return;
+  if (delivered || (!free_run && mode_ != AcquisitionMode::STOP)) return;
+  if (fault_told_ == acquisition_) {
+    const std::string fault = state().fault;
+    stop();
+    throw UnusableInput("camera", "none of its frames can be used", fault);
+  }
   throw ConnectionError("camera", "no frame within " + to_text(parameters_.start_timeout) + " s",
                         "check its rate, and that the firewall lets its stream through");
 }
@@ -278,45 +287,89 @@ void Acquisition::stop() {
   });
 }
 
+void Acquisition::finish(const std::string& reason) {
+  wanted_ = AcquisitionMode::STOP;
+  stop();
+  report(reason);
+}
+
 bool Acquisition::deliver_next(double timeout) {
-  const auto frame =
-      camera_->grab(std::chrono::duration_cast<std::chrono::microseconds>(seconds(timeout)));
+  std::optional<Frame> frame;
+  try {
+    frame = camera_->grab(std::chrono::duration_cast<std::chrono::microseconds>(seconds(timeout)));
+  } catch (const StreamEnded& end) {
+    finish(end.what());
+    return false;
+  }
   const StreamStatistics statistics = camera_->statistics();
   change_state([&](AcquisitionState& s) { s.stream = statistics; });
   if (!frame) return false;
   last_frame_ = Clock::now();
-  deliver(*frame);
-  return true;
+  return deliver(*frame);
 }
 
-void Acquisition::deliver(const Frame& frame) {
+void Acquisition::drop(const std::string& fault) {
+  change_state([&](AcquisitionState& s) {
+    ++s.frames.received;
+    ++s.frames.unusable;
+    s.fault = fault;
+  });
+  if (fault_told_ == acquisition_) return;
+  fault_told_ = acquisition_;
+  listener_.on_trouble("a frame cannot be used: " + fault);
+}
+
+bool Acquisition::deliver(const Frame& frame) {
+  if (frame.restarted) begin_anew();
+  if (!frame.fault.empty()) {
+    drop(frame.fault);
+    return false;
+  }
+  if (mode_ == AcquisitionMode::LIVE_ONLY && frame.peaks && !frame.image.pixels) {
+    drop("it holds peaks and no image: set the camera to send images, or use a relief mode");
+    return false;
+  }
   const CounterStep step = number(frame);
   const bool numbered = step.kind != CounterStep::Kind::INVALID;
   change_state([&](AcquisitionState& s) {
     ++s.frames.received;
     if (numbered && frame.packets_lost > 0) ++s.frames.incomplete;
+    s.frames.impossible_peaks += frame.impossible_peaks;
     s.acquisition = acquisition_;
   });
-  if (!numbered) return;
+  if (!numbered) return true;
   const Nanoseconds time = time_of(frame, step.kind == CounterStep::Kind::BACKWARD);
   listener_.on_frame({mode_, acquisition_, step.count, time, frame, description_});
+  return true;
+}
+
+void Acquisition::begin_anew() {
+  ++acquisition_;
+  unwrapper_.reset();
+  last_device_time_ = 0;
+  counted_back_ = 0;
+  change_state([](AcquisitionState& s) { ++s.frames.restarts; });
+}
+
+/// Of a frame that counts back.
+bool Acquisition::was_restarted(const Frame& frame) {
+  constexpr int kInARow = 3;
+  const bool goes_on = counted_back_ > 0 && frame.counter == last_back_ + 1;
+  counted_back_ = goes_on ? counted_back_ + 1 : 1;
+  last_back_ = frame.counter;
+  return frame.device_time > last_device_time_ || counted_back_ == kInARow;
 }
 
 CounterStep Acquisition::number(const Frame& frame) {
   using Kind = CounterStep::Kind;
   CounterStep step = unwrapper_.unwrap(frame.counter);
   FrameCounts found;
-  if (step.kind == Kind::BACKWARD) {
-    // Only a camera that was restarted counts back while its clock goes on.
-    if (frame.device_time > last_device_time_) {
-      ++acquisition_;
-      ++found.restarts;
-      unwrapper_.reset();
-      step = unwrapper_.unwrap(frame.counter);
-    } else {
-      ++found.late;
-    }
+  if (step.kind == Kind::BACKWARD && was_restarted(frame)) {
+    begin_anew();
+    step = unwrapper_.unwrap(frame.counter);
   }
+  if (step.kind == Kind::BACKWARD) ++found.late;
+  if (step.kind == Kind::NEXT || step.kind == Kind::GAP) counted_back_ = 0;
   if (step.kind == Kind::REPEATED) ++found.repeated;
   if (step.kind == Kind::INVALID) ++found.invalid;
   found.lost = step.lost;
@@ -325,13 +378,13 @@ CounterStep Acquisition::number(const Frame& frame) {
     s.frames.lost += found.lost;
     s.frames.repeated += found.repeated;
     s.frames.late += found.late;
-    s.frames.restarts += found.restarts;
     s.frames.invalid += found.invalid;
   });
   return step;
 }
 
 Nanoseconds Acquisition::time_of(const Frame& frame, bool late) {
+  if (frame.time != 0) return frame.time;
   if (frame.device_time == 0) return frame.host_time;  // no clock, or lost with its packets
   if (!parameters_.device_clock_is_host) {
     // The map would take an earlier time for that of a device that was restarted.

@@ -34,6 +34,7 @@ class AravisCamera : public Camera {
   void stop() override;
   std::optional<Frame> grab(std::chrono::microseconds timeout) override;
   void software_trigger() override;
+  std::optional<std::int64_t> feature(const std::string& name) override;
   StreamStatistics statistics() override;
   void throw_if_lost() override;
 
@@ -53,8 +54,8 @@ class AravisCamera : public Camera {
   ArvStreamPtr stream_;
   ArvBuffer* grabbed_ = nullptr;
   Region region_;
-  std::string trigger_source_;
-  std::optional<double> rate_;  // of free run
+  CameraSettings settings_;
+  std::unique_ptr<StrobeOutput> strobe_;
   std::uint64_t missing_packets_ = 0;
   StreamStatistics last_statistics_;
   gulong control_lost_handler_ = 0;
@@ -148,12 +149,12 @@ CameraDescription AravisCamera::describe() {
 void AravisCamera::configure(const CameraSettings& settings) {
   throw_if_lost();
   refuse_while_running("camera settings");
-  trigger_source_ = settings.trigger_source;
-  region_ = write_region(camera_.get(), settings.region);
+  region_ = options_.is_payload ? write_payload_region(camera_.get(), settings.region)
+                                : write_region(camera_.get(), settings.region);
   if (settings.exposure) write_exposure(camera_.get(), *settings.exposure);
   if (settings.gain) write_gain(camera_.get(), *settings.gain);
   if (settings.rate) write_rate(camera_.get(), *settings.rate);
-  rate_ = settings.rate;
+  settings_ = settings;
 }
 
 void AravisCamera::set_exposure(double exposure) {
@@ -192,14 +193,20 @@ void AravisCamera::create_stream() {
 void AravisCamera::start(Trigger trigger) {
   throw_if_lost();
   refuse_while_running("camera start");
-  write_trigger(camera_.get(), trigger, trigger_source_);
-  // An external trigger switched the rate off.
-  if (trigger == Trigger::FREE_RUN && rate_) write_rate(camera_.get(), *rate_);
   try {
+    if (!settings_.strobe_line.empty()) {
+      strobe_ = std::make_unique<StrobeOutput>(camera_.get(), settings_.strobe_line,
+                                               settings_.strobe_source);
+    }
+    write_trigger(camera_.get(), trigger, settings_.trigger_source);
+    // An external trigger switched the rate off.
+    if (trigger == Trigger::FREE_RUN && settings_.rate) write_rate(camera_.get(), *settings_.rate);
+    if (options_.is_payload) region_ = write_payload_region(camera_.get(), settings_.region);
     create_stream();
     aravis("AcquisitionStart", [&](GError** e) { arv_camera_start_acquisition(camera_.get(), e); });
   } catch (...) {
     stream_.reset();
+    strobe_.reset();
     throw;
   }
   missing_packets_ = 0;
@@ -212,6 +219,8 @@ void AravisCamera::stop() {
   if (!lost_) arv_camera_stop_acquisition(camera_.get(), nullptr);
   last_statistics_ = statistics();
   stream_.reset();
+  if (lost_ && strobe_) strobe_->forget();
+  strobe_.reset();
 }
 
 void AravisCamera::release_frame() {
@@ -264,6 +273,13 @@ Frame AravisCamera::to_frame(ArvBuffer* buffer) {
 void AravisCamera::software_trigger() {
   throw_if_lost();
   aravis("TriggerSoftware", [&](GError** e) { arv_camera_software_trigger(camera_.get(), e); });
+}
+
+std::optional<std::int64_t> AravisCamera::feature(const std::string& name) {
+  throw_if_lost();
+  if (!has_feature(camera_.get(), name.c_str())) return std::nullopt;
+  return aravis(name,
+                [&](GError** e) { return arv_camera_get_integer(camera_.get(), name.c_str(), e); });
 }
 
 StreamStatistics AravisCamera::statistics() {

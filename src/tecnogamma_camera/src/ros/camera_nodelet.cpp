@@ -5,6 +5,7 @@
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "bag_recording.h"
 #include "diagnostics.h"
 #include "messages.h"
 
@@ -32,7 +33,7 @@ void CameraNodelet::onInit() {
   advertise();
   acquisition_ = std::make_unique<Acquisition>(
       parameters_.acquisition,
-      [this] { return open_aravis_camera(parameters_.camera, parameters_.stream); }, *this);
+      [this] { return open_camera(parameters_.camera, parameters_.source, recordings()); }, *this);
   start_reconfigure();
   // A start may wait for the camera: the diagnostics, on the other queue, go on.
   set_acquisition_ = getMTPrivateNodeHandle().advertiseService(
@@ -56,6 +57,11 @@ void CameraNodelet::advertise() {
     write_diagnostics(diagnosed_, now, fault_of_model(now.camera), status);
     diagnosed_ = now;
   });
+}
+
+RecordingKinds CameraNodelet::recordings() const {
+  const std::string topic = parameters_.bag_topic;
+  return {{"bag", [topic](const std::string& path) { return open_bag_recording(path, topic); }}};
 }
 
 void CameraNodelet::start_reconfigure() {
@@ -84,9 +90,10 @@ void CameraNodelet::on_trouble(const std::string& reason) {
 void CameraNodelet::on_frame(const NumberedFrame& frame) {
   const bool live_only = frame.mode == AcquisitionMode::LIVE_ONLY;
   if (!live_only) publish_profile(frame);
+  if (!frame.frame.image.pixels) return;
   const bool with_image = live_only || (frame.mode == AcquisitionMode::RELIEF_LIVE &&
                                         profiles_to_image_++ % parameters_.live_ratio == 0);
-  if (with_image && frame.frame.packets_lost == 0) publish_image(frame);
+  if (with_image) publish_image(frame);
 }
 
 void CameraNodelet::publish_profile(const NumberedFrame& frame) {
@@ -97,7 +104,9 @@ void CameraNodelet::publish_profile(const NumberedFrame& frame) {
   }
   PeakProfile profile;
   const ImageView8& image = frame.frame.image;
-  if (frame.frame.packets_lost == 0) {
+  if (frame.frame.peaks) {
+    profile = *frame.frame.peaks;
+  } else if (image.pixels) {
     detector->detect(image, profile);
   } else {
     profile.clear(image.first_row, image.rows);
@@ -111,6 +120,7 @@ void CameraNodelet::publish_image(const NumberedFrame& frame) {
   const auto info = boost::make_shared<sensor_msgs::CameraInfo>(
       to_camera_info(frame.camera, model_ ? &*model_ : nullptr, parameters_.frame_id));
   info->header = image->header;
+  set_region(frame, *info);  // a smart camera's may change from frame to frame
   images_.publish(image);
   camera_infos_.publish(info);
 }

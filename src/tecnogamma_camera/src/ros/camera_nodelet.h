@@ -24,6 +24,7 @@ class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
  private:
   void onInit() override;
   void advertise();
+  RecordingKinds recordings() const;
   void start_reconfigure();
 
   void on_frame(const NumberedFrame& frame) override;

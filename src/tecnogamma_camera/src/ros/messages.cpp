@@ -47,6 +47,14 @@ sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::st
   return message;
 }
 
+void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info) {
+  const auto& image = frame.frame.image;
+  info.roi.x_offset = image.first_column;
+  info.roi.y_offset = image.first_row;
+  info.roi.width = image.columns;
+  info.roi.height = image.rows;
+}
+
 std::string find_fault(const laser_triangulation::ScannerModel& model,
                        const CameraDescription& camera) {
   const auto size = [](int columns, int rows) {

@@ -26,6 +26,8 @@ void read_camera(ParameterReader& reader, CameraSettings& camera) {
   read_optional(reader, "gain", camera.gain, -1, {-1, 1000});
   read_optional(reader, "rate", camera.rate, 0, {0, 100000});
   reader.read("trigger_source", camera.trigger_source);
+  reader.read("strobe_line", camera.strobe_line);
+  reader.read("strobe_source", camera.strobe_source);
 }
 
 void read_detection(ParameterReader& reader, Parameters& parameters) {
@@ -42,6 +44,22 @@ void read_stream(ParameterReader& reader, AravisOptions& stream) {
   reader.read("packet_socket", stream.packet_socket);
   reader.read("packet_resend", stream.packet_resend);
   reader.read("realtime", stream.realtime);
+}
+
+void read_recording(ParameterReader& reader, Parameters& parameters) {
+  reader.read("bag_topic", parameters.bag_topic);
+  reader.read("playback_speed", parameters.source.playback.speed, {0, 1000});
+  reader.read("loop", parameters.source.playback.loop);
+}
+
+void read_payload(ParameterReader& reader, PayloadOptions& payload) {
+  reader.read_choice("payload", payload.format, payload_names());
+  reader.read("payload_tick", payload.tecnogamma.tick, {0, 1});
+  reader.read("scan_first_row", payload.photonfocus.scan_first_row, {-1, 65535});
+  reader.read("scan_rows", payload.photonfocus.scan_rows, {-1, 1024});
+  reader.read("scan_with_image", payload.photonfocus.with_image);
+  payload.tecnogamma.check();
+  payload.photonfocus.check();
 }
 
 AcquisitionMode to_mode(const std::string& name) {
@@ -76,7 +94,9 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   reader.read("frame_id", parameters.frame_id);
   reader.read("scanner_model", parameters.scanner_model);
   read_detection(reader, parameters);
-  read_stream(reader, parameters.stream);
+  read_stream(reader, parameters.source.stream);
+  read_recording(reader, parameters);
+  read_payload(reader, parameters.source.payload);
   read_camera(reader, parameters.acquisition.camera);
   read_acquisition(reader, parameters.acquisition);
   reader.refuse_unknown();
