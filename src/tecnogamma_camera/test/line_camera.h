@@ -6,7 +6,10 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "stripes.h"
 
@@ -19,10 +22,14 @@ class LineCamera {
   /// Sensor column of the line's centre in a sensor row.
   static double line(int row) { return 100 + 0.25 * row; }
 
-  explicit LineCamera(const std::string& genicam_file = "")
-      : camera_(arv_gv_fake_camera_new_full(
+  /// Writes what it sends: `columns` x `rows` bytes.
+  using Fill = std::function<void(std::uint8_t* bytes, int columns, int rows)>;
+
+  explicit LineCamera(const std::string& genicam_file = "", Fill fill = nullptr)
+      : fill_(std::move(fill)),
+        camera_(arv_gv_fake_camera_new_full(
             "127.0.0.1", "LINE", genicam_file.empty() ? nullptr : genicam_file.c_str())) {
-    arv_fake_camera_set_fill_pattern(fake(), &LineCamera::draw, nullptr);
+    arv_fake_camera_set_fill_pattern(fake(), &LineCamera::draw, this);
     constexpr double kPollingRate = 1000;
     arv_fake_camera_set_trigger_frequency(fake(), kPollingRate);
   }
@@ -43,6 +50,46 @@ class LineCamera {
   /// Its description of itself, with a feature renamed: a camera without that feature.
   static void save_genicam_without(const std::string& feature, const std::string& path) {
     save_genicam(feature, "NoSuchThing", path);
+  }
+
+  /// A camera with more features: whole numbers, or words from 0 up.
+  class Features {
+   public:
+    Features& number(const std::string& name) {
+      nodes_ += "<Integer Name=\"" + name + "\"><pValue>" + name + "Register</pValue></Integer>";
+      return add_register(name);
+    }
+    Features& words(const std::string& name, const std::vector<std::string>& values) {
+      nodes_ += "<Enumeration Name=\"" + name + "\">";
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        nodes_ += "<EnumEntry Name=\"" + values[i] + "\"><Value>" + std::to_string(i) +
+                  "</Value></EnumEntry>";
+      }
+      nodes_ += "<pValue>" + name + "Register</pValue></Enumeration>";
+      return add_register(name);
+    }
+    void save(const std::string& path) const { save_genicam("", "", path, nodes_); }
+
+   private:
+    Features& add_register(const std::string& name) {
+      nodes_ += "<IntReg Name=\"" + name + "Register\"><Address>" +
+                std::to_string(kFirst + 4 * count_++) +
+                "</Address><Length>4</Length><AccessMode>RW</AccessMode><pPort>Device</pPort>"
+                "<Sign>Unsigned</Sign><Endianess>BigEndian</Endianess></IntReg>";
+      return *this;
+    }
+    std::string nodes_;
+    unsigned count_ = 0;
+  };
+
+  /// Of the features that were added, counted from 0.
+  guint32 read_feature(unsigned index) {
+    guint32 value = 0;
+    arv_fake_camera_read_register(fake(), kFirst + 4 * index, &value);
+    return value;
+  }
+  void write_feature(unsigned index, guint32 value) {
+    arv_fake_camera_write_register(fake(), kFirst + 4 * index, value);
   }
 
   /// A camera that rounds widths down to multiples of 16.
@@ -72,6 +119,7 @@ class LineCamera {
   }
 
  private:
+  static constexpr guint32 kFirst = 0x8000;  // unused in its memory
   static constexpr guint32 kSoftwareTriggerRegister = 0x30c;
   static constexpr guint32 kRateEnableRegister = 0x1f0;  // that of its TestRegister
 
@@ -92,12 +140,14 @@ class LineCamera {
 
   ArvFakeCamera* fake() { return arv_gv_fake_camera_get_fake_camera(camera_); }
 
-  static void draw(ArvBuffer* buffer, void*, guint32, guint32, ArvPixelFormat) {
+  static void draw(ArvBuffer* buffer, void* self, guint32, guint32, ArvPixelFormat) {
     int x = 0, y = 0, width = 0, height = 0;
     arv_buffer_get_image_region(buffer, &x, &y, &width, &height);
     std::size_t size = 0;
     auto* pixels = static_cast<std::uint8_t*>(
         const_cast<void*>(arv_buffer_get_data(buffer, &size)));  // its size reads 0 here
+    if (const Fill& fill = static_cast<LineCamera*>(self)->fill_)
+      return fill(pixels, width, height);
     constexpr double kSigma = 1.5, kHeight = 200, kBackground = 10;
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
@@ -107,6 +157,7 @@ class LineCamera {
     }
   }
 
+  Fill fill_;
   ArvGvFakeCamera* camera_;
 };
 

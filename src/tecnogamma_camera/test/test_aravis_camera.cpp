@@ -10,7 +10,9 @@
 
 #include "fake_cameras.h"
 #include "line_camera.h"
+#include "payloads.h"
 #include "tecnogamma_camera/aravis_camera.h"
+#include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 using fake_cameras::kAddress;
@@ -254,6 +256,109 @@ TEST(AravisCamera, NamesTheFeatureThatItDoesNotHave) {
     camera->start(Trigger::FREE_RUN);  // what it has still works
     EXPECT_TRUE(grab(*camera));
   }
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, DrivesTheStrobeWhileItRunsAndSetsTheLineBack) {
+  const std::string file = genicam_file();
+  LineCamera::Features()
+      .words("LineSelector", {"Line0", "Line1"})
+      .words("LineMode", {"Input", "Output"})
+      .words("LineSource", {"Off", "UserOutput0", "ExposureActive"})
+      .save(file);
+  LineCamera line(file);
+  line.write_feature(2, 1);
+  const auto camera = open();
+  CameraSettings settings = small_region(50);
+  settings.strobe_line = "Line1";
+  camera->configure(settings);
+  EXPECT_EQ(line.read_feature(1), 0U) << "nothing is driven in STOP";
+  for (const Trigger trigger : {Trigger::EXTERNAL, Trigger::FREE_RUN}) {
+    camera->start(trigger);
+    EXPECT_EQ(line.read_feature(0), 1U);
+    EXPECT_EQ(line.read_feature(1), 1U);
+    EXPECT_EQ(line.read_feature(2), 2U);
+    camera->stop();
+    for (unsigned i = 0; i < 3; ++i)
+      EXPECT_EQ(line.read_feature(i), i == 2 ? 1U : 0U) << "as it was before";
+  }
+  settings.strobe_source = "Moonlight";
+  camera->configure(settings);
+  EXPECT_THROW(camera->start(Trigger::FREE_RUN), scan_cell_common::Error);
+  for (unsigned i = 0; i < 3; ++i)
+    EXPECT_EQ(line.read_feature(i), i == 2 ? 1U : 0U) << "also where the start fails";
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, NeedsLinesOnlyWhereAStrobeIsAskedFor) {
+  const Program program;
+  const auto camera = open();
+  CameraSettings settings = small_region(50);
+  settings.strobe_line = "Line1";
+  camera->configure(settings);
+  try {
+    camera->start(Trigger::FREE_RUN);
+    FAIL();
+  } catch (const MissingFeature& error) {
+    EXPECT_EQ(error.value(), "LineSelector");
+  }
+  camera->configure(small_region(50));
+  camera->start(Trigger::FREE_RUN);
+  EXPECT_TRUE(grab(*camera));
+}
+
+TEST(AravisCamera, ThatSends3D03FramesGivesItsPeaksNumbersAndTimes) {
+  const std::string file = genicam_file();
+  LineCamera::Features()
+      .number("HeightInterface")
+      .number("Peak0_3DY")
+      .number("Peak0_3DH")
+      .save(file);
+  std::uint32_t counter = 0xFFFFF0;
+  LineCamera smart(file, [&counter](std::uint8_t* bytes, int columns, int rows) {
+    payloads::Photonfocus sent(columns, rows / 5);
+    for (int block = 0; block < rows / 5; ++block) {
+      sent.number(block, counter & 0xFFFFFF, 100 * counter);
+      ++counter;
+      for (int column = 0; column < columns; ++column)
+        sent.set(block, column, 14, 176, 10, 128);
+    }
+    std::copy(sent.bytes.begin(), sent.bytes.end(), bytes);
+  });
+  smart.write_feature(0, 10);  // two frames combined
+  smart.write_feature(1, 300);
+  smart.write_feature(2, 400);
+  open();
+  tecnogamma_camera::CameraOptions options;
+  options.payload.format = "photonfocus_3d03";
+  const auto camera = tecnogamma_camera::open_camera(kAddress, options);
+  CameraSettings settings;
+  settings.region = {64, 0, 256, 0};
+  settings.rate = 50;
+  camera->configure(settings);
+  tecnogamma_camera::CounterUnwrapper unwrapper(camera->describe().counter);
+  camera->start(Trigger::FREE_RUN);
+  scan_cell_common::Nanoseconds last = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    ASSERT_EQ(frame->fault, "");
+    if (frame->packets_lost > 0) continue;
+    const CounterStep step = unwrapper.unwrap(frame->counter);
+    ASSERT_TRUE(step.kind == CounterStep::Kind::NEXT || step.kind == CounterStep::Kind::GAP ||
+                i == 0);
+    ASSERT_NE(frame->peaks, nullptr);
+    EXPECT_EQ(frame->peaks->rows(), 256);
+    EXPECT_EQ(frame->peaks->first_row, 2048 - 64 - 256);
+    EXPECT_EQ(frame->peaks->position[0], 300 + 58.75);
+    if (step.kind == CounterStep::Kind::NEXT) {
+      EXPECT_EQ(frame->device_time - last, 100000);
+    }
+    last = frame->device_time;
+  }
+  settings.region = {64, 10, 256, 0};
+  camera->stop();
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "region");
   std::filesystem::remove(file);
 }
 

@@ -31,7 +31,7 @@ void write_rate(ArvCamera* arv, double rate);
 void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source);
 
 /// Drives an output of the camera while it lives: reads how the line was set, makes it an output of
-/// `source`, and sets all back in the end. The other lines and the selector are left as they were.
+/// `source`, and sets all back in the end, the selector too. Other lines are left alone.
 class StrobeOutput {
  public:
   /// @throw MissingFeature if the camera has no lines to set; InvalidParameter if not this one
