@@ -138,6 +138,7 @@ class Recorder : public AcquisitionListener {
     frames_.push_back({frame.acquisition, frame.counter, frame.time});
   }
   void on_connected(const CameraDescription&) override { ++connections; }
+  void on_ended(const std::string&) override { ++endings; }
   void on_trouble(const std::string& reason) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     troubles_.push_back(reason);
@@ -151,6 +152,7 @@ class Recorder : public AcquisitionListener {
     return troubles_;
   }
   std::atomic<int> connections{0};
+  std::atomic<int> endings{0};
 
  private:
   std::mutex mutex_;
@@ -352,6 +354,8 @@ TEST_F(AcquisitionOfScriptedCamera, StopsWhereARecordingEndsAndSaysSo) {
   EXPECT_TRUE(wait_until([&] { return acquisition.state().mode == AcquisitionMode::STOP; }));
   expect_frames({{1, 1, 0}});
   EXPECT_NE(acquisition.state().message.find("ended"), std::string::npos);
+  EXPECT_EQ(recorder_.endings, 1);
+  EXPECT_TRUE(recorder_.troubles().empty()) << "that is no trouble";
   EXPECT_TRUE(acquisition.state().connected);
   EXPECT_EQ(acquisition.state().times_lost, 0U);
   script_.send(1);  // and can be played again

@@ -76,8 +76,10 @@ class AcquisitionListener {
   virtual ~AcquisitionListener() = default;
   virtual void on_frame(const NumberedFrame& frame) = 0;
   virtual void on_connected(const CameraDescription& camera) = 0;
-  /// Once for each reason: the camera cannot be opened, was lost, did not start, has ended; and
-  /// once an acquisition: a frame cannot be used.
+  /// A recording was played to its end, and is in STOP.
+  virtual void on_ended(const std::string& recording) = 0;
+  /// Once for each reason: the camera cannot be opened, was lost, or did not start; and once an
+  /// acquisition: a frame cannot be used.
   virtual void on_trouble(const std::string& reason) = 0;
 };
 
@@ -137,7 +139,7 @@ class Acquisition {
   void report(const std::string& reason);
   void start(AcquisitionMode mode, Trigger trigger);
   void stop();
-  void finish(const std::string& reason);
+  void finish(const std::string& recording);
   bool deliver_next(double timeout);
   bool deliver(const Frame& frame);
   void drop(const std::string& fault);

@@ -251,7 +251,6 @@ void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   unwrapper_.reset();
   last_device_time_ = 0;
   counted_back_ = 0;
-  reported_.clear();
   last_frame_ = Clock::now();
   change_state([&](AcquisitionState& s) {
     s.message.clear();
@@ -287,10 +286,11 @@ void Acquisition::stop() {
   });
 }
 
-void Acquisition::finish(const std::string& reason) {
+void Acquisition::finish(const std::string& recording) {
   wanted_ = AcquisitionMode::STOP;
   stop();
-  report(reason);
+  change_state([&](AcquisitionState& s) { s.message = recording; });
+  listener_.on_ended(recording);
 }
 
 bool Acquisition::deliver_next(double timeout) {

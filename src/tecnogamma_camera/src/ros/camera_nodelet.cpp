@@ -83,6 +83,10 @@ std::string CameraNodelet::fault_of_model(const CameraDescription& camera) const
   return model_ ? find_fault(*model_, camera) : "";
 }
 
+void CameraNodelet::on_ended(const std::string& recording) {
+  NODELET_INFO("%s", recording.c_str());
+}
+
 void CameraNodelet::on_trouble(const std::string& reason) {
   NODELET_ERROR("%s", reason.c_str());
 }

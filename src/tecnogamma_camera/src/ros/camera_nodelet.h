@@ -29,6 +29,7 @@ class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
 
   void on_frame(const NumberedFrame& frame) override;
   void on_connected(const CameraDescription& camera) override;
+  void on_ended(const std::string& recording) override;
   void on_trouble(const std::string& reason) override;
 
   std::string fault_of_model(const CameraDescription& camera) const;
