@@ -195,6 +195,17 @@ TEST(TecnogammaRelief, RefusesAPayloadOfTheWrongSizeAndARegionThatCannotBe) {
   EXPECT_TRUE(holds(refusal(tecnogamma(), below.bytes()), "1696 x 1710"));
 }
 
+TEST(TecnogammaRelief, DoesNotTakeADecimatedImageForRows) {
+  Relief live;  // 64 x 8 pixels
+  live.kernels = 2;
+  live.last_row = live.first_row + 7;
+  live.decimation = 4;
+  live.payload.assign(16 * 2, '\x55');  // 4 bytes for each of 8 rows
+  EXPECT_TRUE(holds(refusal(tecnogamma(), live.bytes()), "decimated by 4"));
+  live.decimation = 0;
+  EXPECT_EQ(refusal(tecnogamma(), live.bytes()), "nothing") << "these are rows";
+}
+
 TEST(TecnogammaRelief, RefusesAnOffsetThatLeadsOutOfTheMemory) {
   Relief relief;
   relief.spot(40, 5).spot(40, 5).spot(40, 5).spot(40, 5);

@@ -245,6 +245,7 @@ void Acquisition::report(const std::string& reason) {
 void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   stop();
   camera_->start(trigger);
+  description_ = camera_->describe();  // the size of packets was found in starting
   mode_ = mode;
   trigger_ = trigger;
   ++acquisition_;
@@ -257,6 +258,7 @@ void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
     s.mode = mode;
     s.trigger = trigger;
     s.acquisition = acquisition_;
+    s.camera = description_;
   });
   const bool free_run = trigger == Trigger::FREE_RUN;
   const Clock::time_point end =

@@ -49,6 +49,15 @@ void read_peaks(const std::uint8_t* bytes, std::size_t size, const Region& regio
   }
 }
 
+/// Some decimated images have the size of relief rows.
+bool is_decimated(const TecnogammaFrameInfo& info, std::size_t columns, std::size_t rows) {
+  const std::size_t step = info.decimation;
+  if (step < 2) return false;
+  const std::size_t least = (columns / step) * (rows / step);
+  const std::size_t most = ((columns + step - 1) / step) * ((rows + step - 1) / step);
+  return info.size >= least && info.size <= most;
+}
+
 void set_place(const Region& region, ImageView8& image) {
   image = {};
   image.columns = region.width;
@@ -137,6 +146,10 @@ std::size_t TecnogammaDecoder::decode(const ImageView8& payload,
   const std::uint8_t* const begin = bytes.data() + kInfoSize + info.offset;
   const auto rows = static_cast<std::size_t>(region.height);
   const auto columns = static_cast<std::size_t>(region.width);
+  if (is_decimated(info, columns, rows)) {
+    throw UnusableInput("relief frame", "an image decimated by " + std::to_string(info.decimation),
+                        "switch the decimation off");
+  }
   if (info.size == kThreshold * rows || info.size == kCenter * rows) {
     frame.peaks.clear(region.y, region.height);
     read_peaks(begin, info.size / rows, region, frame);
