@@ -269,6 +269,15 @@ TEST_F(AcquisitionOfScriptedCamera, TakesACounterWithoutClockThatCountsOnFromLes
   EXPECT_EQ(acquisition.state().frames.restarts, 1U);
 }
 
+TEST_F(AcquisitionOfScriptedCamera, TakesLateFramesBetweenOthersForLateHoweverMany) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  for (const std::uint64_t raw : {50, 40, 51, 41, 52, 42, 53})
+    script_.send(raw);
+  expect_frames(
+      {{1, 50, 0}, {1, 40, 0}, {1, 51, 0}, {1, 41, 0}, {1, 52, 0}, {1, 42, 0}, {1, 53, 0}});
+}
+
 TEST_F(AcquisitionOfScriptedCamera, NoticesARestartAlsoWhereTheClockWasSetBackWithTheCounter) {
   Acquisition& acquisition = start();
   acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
@@ -358,7 +367,10 @@ TEST_F(AcquisitionOfScriptedCamera, StopsWhereARecordingEndsAndSaysSo) {
   EXPECT_TRUE(recorder_.troubles().empty()) << "that is no trouble";
   EXPECT_TRUE(acquisition.state().connected);
   EXPECT_EQ(acquisition.state().times_lost, 0U);
-  script_.send(1);  // and can be played again
+  lose_and_find();
+  acquisition.set(AcquisitionMode::STOP, Trigger::EXTERNAL);
+  EXPECT_EQ(acquisition.state().acquisition, 1U) << "what has ended is not resumed";
+  script_.send(1);  // but can be played again
   EXPECT_EQ(acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::FREE_RUN), 2U);
 }
 

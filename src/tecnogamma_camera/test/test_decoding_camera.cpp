@@ -178,6 +178,7 @@ TEST(DecodingCamera, ForgetsWhatWasNotHandedOutWhenItIsStopped) {
   camera.start(Trigger::EXTERNAL);
   EXPECT_TRUE(grab(camera));
   camera.stop();
+  EXPECT_FALSE(grab(camera)) << "the second of the two";
   camera.start(Trigger::EXTERNAL);
   EXPECT_FALSE(grab(camera));
 }

@@ -20,6 +20,8 @@ TEST(TickClock, GoesOnAcrossTheTurn) {
   const Nanoseconds before = clock.unwrap(0xFFFFFFF0, host);
   host += 32 * kMicrosecond;
   EXPECT_EQ(clock.unwrap(0x10, host) - before, 32 * kMicrosecond);
+  EXPECT_EQ(clock.unwrap(0xFFFFFFF4, host) - before, 4 * kMicrosecond) << "late";
+  EXPECT_EQ(clock.unwrap(0x18, host) - before, 40 * kMicrosecond) << "the host runs behind";
 }
 
 TEST(TickClock, KnowsHowManyTurnsAPauseTook) {
