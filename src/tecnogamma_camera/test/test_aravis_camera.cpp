@@ -405,6 +405,48 @@ TEST(CameraMenu, StopsTheCameraWhereAFrameCannotBeSaved) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(RecordFrames, WritesAFolderThatPlaysAsTheCameraDid) {
+  LineCamera line;
+  open();
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("frames_" + std::to_string(getpid()));
+  const auto record = [&](const std::string& options) {
+    return WEXITSTATUS(
+        std::system((std::string(RECORD_FRAMES) + " --camera " + kAddress + " --output " +
+                     folder.string() + " " + options + " > /dev/null 2>&1")
+                        .c_str()));
+  };
+  ASSERT_EQ(record("--frames 5 --rate 50 --region-x 64 --region-y 32 --region-width 256 "
+                   "--region-height 64"),
+            0);
+  EXPECT_EQ(record("--frames 5"), 1) << "a recording is never overwritten";
+  tecnogamma_camera::CameraOptions options;
+  options.playback.speed = 0;
+  const auto camera = tecnogamma_camera::open_camera("folder:" + folder.string(), options);
+  EXPECT_EQ(camera->describe().sensor_columns, 2048);
+  camera->start(Trigger::FREE_RUN);
+  std::uint64_t number = 0;
+  scan_cell_common::Nanoseconds device_time = 0, time = 0;
+  for (int i = 0; i < 5; ++i) {
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    EXPECT_GT(frame->counter, number);
+    EXPECT_GT(frame->device_time, device_time);
+    EXPECT_GT(frame->time, time);
+    number = frame->counter;
+    device_time = frame->device_time;
+    time = frame->time;
+    if (frame->packets_lost > 0) continue;
+    tecnogamma_camera::PeakProfile profile;
+    tecnogamma_camera::CenterOfGravityDetector({}).detect(frame->image, profile);
+    ASSERT_EQ(profile.rows(), 64);
+    EXPECT_EQ(profile.first_row, 32);
+    EXPECT_NEAR(profile.position[7], LineCamera::line(39), 0.02);
+  }
+  EXPECT_THROW(grab(*camera), tecnogamma_camera::StreamEnded);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(AravisCamera, IsFoundAgainAfterItWasLost) {
   auto program = std::make_unique<Program>();
   auto camera = open();
