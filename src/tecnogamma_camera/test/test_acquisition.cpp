@@ -296,9 +296,12 @@ TEST_F(AcquisitionOfScriptedCamera, BeginsANewAcquisitionWhereTheFrameSaysSo) {
   script_.send(frame);
   frame.restarted = true;
   script_.send(frame);
-  expect_frames({{1, 7, 0}, {2, 7, 0}});
+  frame.fault = "damaged";  // it may be the first of a turn that is
+  script_.send(frame);
+  script_.send(3);
+  expect_frames({{1, 7, 0}, {2, 7, 0}, {3, 3, 0}});
   EXPECT_EQ(acquisition.state().frames.repeated, 0U);
-  EXPECT_EQ(acquisition.state().frames.restarts, 1U);
+  EXPECT_EQ(acquisition.state().frames.restarts, 2U);
 }
 
 TEST_F(AcquisitionOfScriptedCamera, TakesTheTimeThatWasRecordedAsItIs) {

@@ -13,8 +13,8 @@
 #include <string>
 #include <thread>
 
-#include "scan_cell_common/clock_map.h"
 #include "tecnogamma_camera/camera.h"
+#include "tecnogamma_camera/frame_numbering.h"
 
 namespace tecnogamma_camera {
 
@@ -25,12 +25,11 @@ struct AcquisitionParameters {
   CameraSettings camera;
   AcquisitionMode mode = AcquisitionMode::STOP;  //!< once the camera is first found
   Trigger trigger = Trigger::EXTERNAL;
-  double retry_period = 1.0;          //!< [s] from a lost camera to the next try, and between tries
-  double start_timeout = 5.0;         //!< [s] for the camera to be found and stream
-  double arming_time = 0.2;           //!< [s] after a start in which a camera may miss pulses
-  double silence_timeout = 2.0;       //!< [s] without a frame in free run: the camera is lost
-  double clock_window = 10.0;         //!< [s] over which the least delay of the stream is sought
-  bool device_clock_is_host = false;  //!< the camera's clock is synchronised to the host's (PTP)
+  double retry_period = 1.0;     //!< [s] from a lost camera to the next try, and between tries
+  double start_timeout = 5.0;    //!< [s] for the camera to be found and stream
+  double arming_time = 0.2;      //!< [s] after a start in which a camera may miss pulses
+  double silence_timeout = 2.0;  //!< [s] without a frame in free run: the camera is lost
+  ClockSettings clock;
 };
 
 /// A frame with its place in the run of frames.
@@ -86,8 +85,7 @@ class AcquisitionListener {
 /// Runs a camera in a thread of its own: opens it, keeps it in the mode asked for, numbers its
 /// frames, maps their times to the host's clock, and finds it again when it is lost.
 ///
-/// A camera that counts back was restarted if its clock went on, or if it counts on from there for
-/// three frames: what follows is a new acquisition. Else the frame is late.
+/// What follows a restart of the camera's counter is a new acquisition.
 ///
 /// After a loss, an acquisition in external trigger is resumed, with a new number: nothing happens
 /// until the next pulse. One in free run is not, since the camera would run, and drive its strobe
@@ -143,10 +141,8 @@ class Acquisition {
   bool deliver_next(double timeout);
   bool deliver(const Frame& frame);
   void drop(const std::string& fault);
-  void begin_anew();
-  bool was_restarted(const Frame& frame);
-  CounterStep number(const Frame& frame);
-  Nanoseconds time_of(const Frame& frame, bool late);
+  void count_restart();
+  void count(const Frame& frame, const FramePlace& place);
   void throw_if_silent() const;
 
   template <class Change>
@@ -167,11 +163,7 @@ class Acquisition {
   bool ended_by_loss_ = false;  // wanted_ became STOP because the camera was lost
   Trigger trigger_;
   std::uint32_t acquisition_ = 0;
-  CounterUnwrapper unwrapper_{kCounter64};
-  scan_cell_common::ClockMap clock_;
-  Nanoseconds last_device_time_ = 0;
-  int counted_back_ = 0;          // frames in a row, each numbered after the one before
-  std::uint64_t last_back_ = 0;   // the number of the last of them
+  FrameNumbering numbering_;
   std::uint32_t fault_told_ = 0;  // the acquisition in which a fault was last told
   std::chrono::steady_clock::time_point last_frame_;
   std::string reported_;

@@ -3,7 +3,6 @@
 #include "tecnogamma_camera/acquisition.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tecnogamma_camera {
 namespace {
@@ -35,7 +34,7 @@ Acquisition::Acquisition(const AcquisitionParameters& parameters, Open open,
       listener_(listener),
       wanted_(parameters.mode),
       trigger_(parameters.trigger),
-      clock_(scan_cell_common::from_seconds(parameters.clock_window)) {
+      numbering_(kCounter64, parameters.clock) {
   state_.message = "the camera was not looked for yet";
   state_.trigger = trigger_;
   thread_ = std::thread([this] { run(); });
@@ -190,8 +189,7 @@ void Acquisition::connect() {
   camera_ = open_();
   camera_->configure(parameters_.camera);
   description_ = camera_->describe();
-  clock_ = scan_cell_common::ClockMap(scan_cell_common::from_seconds(parameters_.clock_window));
-  unwrapper_ = CounterUnwrapper(description_.counter);
+  numbering_ = FrameNumbering(description_.counter, parameters_.clock);
   reported_.clear();
   change_state([&](AcquisitionState& s) {
     s.connected = true;
@@ -249,9 +247,7 @@ void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   mode_ = mode;
   trigger_ = trigger;
   ++acquisition_;
-  unwrapper_.reset();
-  last_device_time_ = 0;
-  counted_back_ = 0;
+  numbering_.begin();
   last_frame_ = Clock::now();
   change_state([&](AcquisitionState& s) {
     s.message.clear();
@@ -322,7 +318,10 @@ void Acquisition::drop(const std::string& fault) {
 }
 
 bool Acquisition::deliver(const Frame& frame) {
-  if (frame.restarted) begin_anew();
+  if (frame.restarted) {
+    numbering_.begin();
+    count_restart();
+  }
   if (!frame.fault.empty()) {
     drop(frame.fault);
     return false;
@@ -331,75 +330,32 @@ bool Acquisition::deliver(const Frame& frame) {
     drop("it holds peaks and no image: set the camera to send images, or use a relief mode");
     return false;
   }
-  const CounterStep step = number(frame);
-  const bool numbered = step.kind != CounterStep::Kind::INVALID;
-  change_state([&](AcquisitionState& s) {
-    ++s.frames.received;
-    if (numbered && frame.packets_lost > 0) ++s.frames.incomplete;
-    s.frames.impossible_peaks += frame.impossible_peaks;
-    s.acquisition = acquisition_;
-  });
-  if (!numbered) return true;
-  const Nanoseconds time = time_of(frame, step.kind == CounterStep::Kind::BACKWARD);
-  listener_.on_frame({mode_, acquisition_, step.count, time, frame, description_});
+  const FramePlace place = numbering_.place(frame);
+  if (place.restarted) count_restart();
+  count(frame, place);
+  if (place.step.kind == CounterStep::Kind::INVALID) return true;
+  listener_.on_frame({mode_, acquisition_, place.step.count, place.time, frame, description_});
   return true;
 }
 
-void Acquisition::begin_anew() {
+void Acquisition::count_restart() {
   ++acquisition_;
-  unwrapper_.reset();
-  last_device_time_ = 0;
-  counted_back_ = 0;
   change_state([](AcquisitionState& s) { ++s.frames.restarts; });
 }
 
-/// Of a frame that counts back.
-bool Acquisition::was_restarted(const Frame& frame) {
-  constexpr int kInARow = 3;
-  const bool goes_on = counted_back_ > 0 && frame.counter == last_back_ + 1;
-  counted_back_ = goes_on ? counted_back_ + 1 : 1;
-  last_back_ = frame.counter;
-  return frame.device_time > last_device_time_ || counted_back_ == kInARow;
-}
-
-CounterStep Acquisition::number(const Frame& frame) {
+void Acquisition::count(const Frame& frame, const FramePlace& place) {
   using Kind = CounterStep::Kind;
-  CounterStep step = unwrapper_.unwrap(frame.counter);
-  FrameCounts found;
-  if (step.kind == Kind::BACKWARD && was_restarted(frame)) {
-    begin_anew();
-    step = unwrapper_.unwrap(frame.counter);
-  }
-  if (step.kind == Kind::BACKWARD) ++found.late;
-  if (step.kind == Kind::NEXT || step.kind == Kind::GAP) counted_back_ = 0;
-  if (step.kind == Kind::REPEATED) ++found.repeated;
-  if (step.kind == Kind::INVALID) ++found.invalid;
-  found.lost = step.lost;
-  last_device_time_ = std::max(last_device_time_, frame.device_time);
+  const Kind kind = place.step.kind;
   change_state([&](AcquisitionState& s) {
-    s.frames.lost += found.lost;
-    s.frames.repeated += found.repeated;
-    s.frames.late += found.late;
-    s.frames.invalid += found.invalid;
+    s.acquisition = acquisition_;
+    ++s.frames.received;
+    s.frames.incomplete += kind != Kind::INVALID && frame.packets_lost > 0 ? 1 : 0;
+    s.frames.impossible_peaks += frame.impossible_peaks;
+    s.frames.lost += place.step.lost;
+    s.frames.repeated += kind == Kind::REPEATED ? 1 : 0;
+    s.frames.late += kind == Kind::BACKWARD ? 1 : 0;
+    s.frames.invalid += kind == Kind::INVALID ? 1 : 0;
   });
-  return step;
-}
-
-Nanoseconds Acquisition::time_of(const Frame& frame, bool late) {
-  if (frame.time != 0) return frame.time;
-  if (frame.device_time == 0) return frame.host_time;  // no clock, or lost with its packets
-  if (!parameters_.device_clock_is_host) {
-    // The map would take an earlier time for that of a device that was restarted.
-    if (!late || clock_.empty()) clock_.add(frame.device_time, frame.host_time);
-    return clock_.to_host(frame.device_time);
-  }
-  const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
-  if (std::abs(off) > 1.0) {
-    throw UnusableInput("device_clock",
-                        "the camera's clock is " + to_text(off) + " s off the host's",
-                        "synchronise it (PTP), or let its clock be mapped");
-  }
-  return frame.device_time;
 }
 
 void Acquisition::throw_if_silent() const {

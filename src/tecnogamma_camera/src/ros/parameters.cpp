@@ -77,12 +77,12 @@ void read_acquisition(ParameterReader& reader, AcquisitionParameters& acquisitio
   acquisition.trigger = trigger == "free_run" ? Trigger::FREE_RUN : Trigger::EXTERNAL;
   std::string clock = "mapped";
   reader.read_choice("device_clock", clock, {"mapped", "host"});
-  acquisition.device_clock_is_host = clock == "host";
+  acquisition.clock.device_is_host = clock == "host";
   reader.read("retry_period", acquisition.retry_period, {0.1, 60});
   reader.read("start_timeout", acquisition.start_timeout, {0.1, 60});
   reader.read("arming_time", acquisition.arming_time, {0, 10});
   reader.read("silence_timeout", acquisition.silence_timeout, {0.1, 3600});
-  reader.read("clock_window", acquisition.clock_window, {0.1, 3600});
+  reader.read("clock_window", acquisition.clock.window, {0.1, 3600});
 }
 
 }  // namespace
