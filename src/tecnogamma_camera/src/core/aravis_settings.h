@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tecnogamma_camera/camera.h"
+#include "tecnogamma_camera/pixel_format.h"
 
 /// Writes what Camera::configure() takes to a GenICam camera. All throw as it does.
 namespace tecnogamma_camera {
@@ -18,6 +19,9 @@ Region read_region(ArvCamera* arv);
 /// A region that is refused leaves the camera as it was.
 /// @return with width and height
 Region write_region(ArvCamera* arv, const Region& wanted);
+
+/// @throw MissingFeature naming the pixel format if the camera does not have it
+const PixelFormat& write_pixel_format(ArvCamera* arv, const std::string& name);
 
 void write_exposure(ArvCamera* arv, double exposure);
 void write_gain(ArvCamera* arv, double gain);

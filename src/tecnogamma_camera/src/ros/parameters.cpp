@@ -3,6 +3,7 @@
 #include "parameters.h"
 
 #include "scan_cell_common/ros/parameter_reader.h"
+#include "tecnogamma_camera/pixel_format.h"
 
 namespace tecnogamma_camera {
 namespace {
@@ -26,13 +27,17 @@ void read_camera(ParameterReader& reader, CameraSettings& camera) {
   read_optional(reader, "gain", camera.gain, -1, {-1, 1000});
   read_optional(reader, "rate", camera.rate, 0, {0, 100000});
   reader.read("trigger_source", camera.trigger_source);
+  reader.read_choice("pixel_format", camera.pixel_format, pixel_format_names());
 }
 
 void read_detection(ParameterReader& reader, Parameters& parameters) {
   reader.read_choice("detector", parameters.detector, detector_names());
-  reader.read("trigger_level", parameters.detection.trigger_level, {0, 255});
+  std::string choice = choice_names().front();
+  reader.read_choice("choice", choice, choice_names());
+  parameters.detection.choice = to_choice(choice);
+  reader.read("trigger_level", parameters.detection.trigger_level, {kAutomaticLevel, 65535});
   reader.read("permanence", parameters.detection.permanence, {1, 64});
-  reader.read("window", parameters.detection.window, {3, 255});
+  reader.read("window", parameters.detection.window, {0, 255});
   reader.read("live_ratio", parameters.live_ratio, {1, 100000});
 }
 
