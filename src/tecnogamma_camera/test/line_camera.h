@@ -102,6 +102,14 @@ class LineCamera {
                     </IntConverter>)");
   }
 
+  /// A camera that has Mono12p as well.
+  static void save_genicam_with_mono12p(const std::string& path) {
+    save_genicam("</DisplayName>\n\t\t<EnumEntry Name=\"BayerBG8\"",
+                 "</DisplayName>\n\t\t<EnumEntry Name=\"Mono12p\" NameSpace=\"Standard\">"
+                 "<Value>17563719</Value></EnumEntry>\n\t\t<EnumEntry Name=\"BayerBG8\"",
+                 path);
+  }
+
   /// A camera whose rate can be switched on and off, as most of the real ones.
   static void save_genicam_with_rate_enable(const std::string& path) {
     save_genicam("", "", path,
@@ -140,19 +148,41 @@ class LineCamera {
 
   ArvFakeCamera* fake() { return arv_gv_fake_camera_get_fake_camera(camera_); }
 
-  static void draw(ArvBuffer* buffer, void* self, guint32, guint32, ArvPixelFormat) {
+  /// 8 bits, or 16 times that in Mono16 and Mono12p.
+  static void draw(ArvBuffer* buffer, void* self, guint32, guint32, ArvPixelFormat format) {
     int x = 0, y = 0, width = 0, height = 0;
     arv_buffer_get_image_region(buffer, &x, &y, &width, &height);
     std::size_t size = 0;
-    auto* pixels = static_cast<std::uint8_t*>(
+    auto* bytes = static_cast<std::uint8_t*>(
         const_cast<void*>(arv_buffer_get_data(buffer, &size)));  // its size reads 0 here
-    if (const Fill& fill = static_cast<LineCamera*>(self)->fill_)
-      return fill(pixels, width, height);
+    if (const Fill& fill = static_cast<LineCamera*>(self)->fill_) return fill(bytes, width, height);
     constexpr double kSigma = 1.5, kHeight = 200, kBackground = 10;
+    std::vector<std::uint16_t> pixels;
+    const int scale = format == ARV_PIXEL_FORMAT_MONO_8 ? 1 : 16;
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
         const double light = kHeight * stripes::gaussian_pixel(x + column, line(y + row), kSigma);
-        pixels[row * width + column] = static_cast<std::uint8_t>(std::lround(kBackground + light));
+        pixels.push_back(static_cast<std::uint16_t>(std::lround(scale * (kBackground + light))));
+      }
+    }
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      write_pixel(format, i, pixels[i], bytes);
+  }
+
+  static void write_pixel(ArvPixelFormat format, std::size_t index, int grey, std::uint8_t* bytes) {
+    if (format == ARV_PIXEL_FORMAT_MONO_8) {
+      bytes[index] = static_cast<std::uint8_t>(grey);
+    } else if (format == ARV_PIXEL_FORMAT_MONO_16) {
+      bytes[2 * index] = static_cast<std::uint8_t>(grey & 0xFF);
+      bytes[2 * index + 1] = static_cast<std::uint8_t>(grey >> 8);
+    } else {  // Mono12p: 8 bits and 4, then 4 and 8
+      std::uint8_t* const pair = bytes + index / 2 * 3;
+      if (index % 2 == 0) {
+        pair[0] = static_cast<std::uint8_t>(grey & 0xFF);
+        pair[1] = static_cast<std::uint8_t>(grey >> 8);
+      } else {
+        pair[1] = static_cast<std::uint8_t>(pair[1] | (grey & 0xF) << 4);
+        pair[2] = static_cast<std::uint8_t>(grey >> 4);
       }
     }
   }

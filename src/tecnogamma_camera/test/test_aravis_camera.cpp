@@ -149,7 +149,7 @@ TEST(AravisCamera, ShowsWhatIsInFrontOfIt) {
   ASSERT_TRUE(frame);
   ASSERT_EQ(frame->packets_lost, 0U);
   tecnogamma_camera::PeakProfile profile;
-  tecnogamma_camera::CenterOfGravityDetector({}).detect(frame->image, profile);
+  tecnogamma_camera::make_detector("fir_derivative", {})->detect(frame->image, profile);
   ASSERT_EQ(profile.rows(), 64);
   for (int row = 0; row < profile.rows(); ++row)
     EXPECT_NEAR(profile.position[row], LineCamera::line(profile.first_row + row), 0.02);
@@ -224,6 +224,48 @@ TEST(AravisCamera, KeepsItsRegionWhereAnotherIsRefused) {
   EXPECT_EQ(frame->packets_lost, 0U) << "the frame must be of the region that was kept";
   EXPECT_EQ(frame->image.columns, 256);
   std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, HandsOutGreyValuesOfMoreThanEightBitsPackedOrNot) {
+  const std::string file = genicam_file();
+  LineCamera::save_genicam_with_mono12p(file);
+  LineCamera line(file);
+  const auto camera = open();
+  for (const auto& [format, bits] : {std::pair{"Mono16", 16}, {"Mono12p", 12}, {"Mono8", 8}}) {
+    CameraSettings settings = small_region(50);
+    settings.pixel_format = format;
+    camera->configure(settings);
+    EXPECT_EQ(camera->describe().grey_bits, bits);
+    camera->start(Trigger::FREE_RUN);
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->image.bits, bits);
+    tecnogamma_camera::PeakProfile profile;
+    tecnogamma_camera::make_detector("fir_derivative", {})->detect(frame->image, profile);
+    for (int row = 0; row < profile.rows(); ++row) {
+      const double centre = LineCamera::line(profile.first_row + row);
+      const double light = 10 + 200 * stripes::gaussian_pixel(std::lround(centre), centre, 1.5);
+      EXPECT_NEAR(profile.position[row], centre, 0.02) << format;
+      EXPECT_NEAR(profile.intensity[row], bits == 8 ? light : 16 * light, 1) << format;
+    }
+    camera->stop();
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, NamesThePixelFormatThatItDoesNotHave) {
+  LineCamera line;
+  const auto camera = open();
+  CameraSettings settings = small_region(50);
+  settings.pixel_format = "Mono10";
+  try {
+    camera->configure(settings);
+    FAIL();
+  } catch (const MissingFeature& error) {
+    EXPECT_EQ(error.value(), "PixelFormat Mono10");
+  }
+  settings.pixel_format = "RGB8";  // it has that, but there are no grey values in it
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "pixel_format");
 }
 
 TEST(AravisCamera, KeepsTheRateOfFreeRunAfterAnExternalTrigger) {
@@ -416,8 +458,8 @@ TEST(RecordFrames, WritesAFolderThatPlaysAsTheCameraDid) {
                      folder.string() + " " + options + " > /dev/null 2>&1")
                         .c_str()));
   };
-  ASSERT_EQ(record("--frames 5 --rate 50 --region-x 64 --region-y 32 --region-width 256 "
-                   "--region-height 64"),
+  ASSERT_EQ(record("--frames 5 --rate 50 --pixel-format Mono16 --region-x 64 --region-y 32 "
+                   "--region-width 256 --region-height 64"),
             0);
   EXPECT_EQ(record("--frames 5"), 1) << "a recording is never overwritten";
   tecnogamma_camera::CameraOptions options;
@@ -438,7 +480,7 @@ TEST(RecordFrames, WritesAFolderThatPlaysAsTheCameraDid) {
     time = frame->time;
     if (frame->packets_lost > 0) continue;
     tecnogamma_camera::PeakProfile profile;
-    tecnogamma_camera::CenterOfGravityDetector({}).detect(frame->image, profile);
+    tecnogamma_camera::make_detector("center_of_gravity", {})->detect(frame->image, profile);
     ASSERT_EQ(profile.rows(), 64);
     EXPECT_EQ(profile.first_row, 32);
     EXPECT_NEAR(profile.position[7], LineCamera::line(39), 0.02);

@@ -62,7 +62,7 @@ TEST_F(FolderRecording, WithoutAnIndexComesInTheOrderOfTheNumbersInItsNames) {
     const auto frame = recording->next();
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->counter, static_cast<std::uint64_t>(i - 8));
-    EXPECT_EQ(frame->image.row(6)[11], i);
+    EXPECT_EQ(frame->image.as<std::uint8_t>().row(6)[11], i);
     EXPECT_EQ(frame->device_time, 0);
   }
   EXPECT_FALSE(recording->next());
@@ -90,12 +90,12 @@ TEST_F(FolderRecording, TakesNumbersTimesAndPlaceFromTheIndex) {
   EXPECT_EQ(first->time, 1700000000000000001);
   EXPECT_EQ(first->image.first_column, 64);
   EXPECT_EQ(first->image.first_row, 32);
-  EXPECT_EQ(first->image.row(0)[0], 10);
+  EXPECT_EQ(first->image.as<std::uint8_t>().row(0)[0], 10);
   const auto torn = recording->next();
   EXPECT_EQ(torn->packets_lost, 4U);
   EXPECT_EQ(torn->image.pixels, nullptr);
   EXPECT_EQ(torn->image.rows, 7);
-  EXPECT_EQ(recording->next()->image.row(0)[0], 20);
+  EXPECT_EQ(recording->next()->image.as<std::uint8_t>().row(0)[0], 20);
   EXPECT_FALSE(recording->next());
   EXPECT_EQ(recording->describe().region, (Region{64, 32, 12, 7}));
   EXPECT_EQ(recording->describe().sensor_columns, 2048);
@@ -140,7 +140,27 @@ TEST_F(FolderRecording, MakesAFaultOfAnImageThatCannotBeUsedAndGoesOn) {
     EXPECT_TRUE(holds(frame->fault, part)) << frame->fault;
     EXPECT_EQ(frame->image.pixels, nullptr);
   }
-  EXPECT_EQ(recording->next()->image.row(3)[3], 6);
+  EXPECT_EQ(recording->next()->image.as<std::uint8_t>().row(3)[3], 6);
+}
+
+TEST_F(FolderRecording, KeepsSixteenBitsAsTheyAre) {
+  cv::Mat pixels(7, 12, CV_16UC1, cv::Scalar(4095));
+  pixels.at<std::uint16_t>(6, 11) = 65535;
+  pixels.at<std::uint16_t>(0, 1) = 258;
+  for (const std::string extension : {"png", "pgm", "tif"})
+    cv::imwrite((folder_ / ("deep." + extension)).string(), pixels);
+  image("shallow.png", 1);
+  const auto recording = open();
+  EXPECT_EQ(recording->describe().grey_bits, 16);
+  for (int i = 0; i < 3; ++i) {
+    const auto frame = recording->next();
+    ASSERT_EQ(frame->fault, "");
+    const auto view = frame->image.as<std::uint16_t>();
+    EXPECT_EQ(view.row(0)[0], 4095);
+    EXPECT_EQ(view.row(0)[1], 258);
+    EXPECT_EQ(view.row(6)[11], 65535);
+  }
+  EXPECT_TRUE(holds(recording->next()->fault, "12 x 7 CV_8UC1"));
 }
 
 TEST_F(FolderRecording, RefusesAFolderThatIsNotThereOrHoldsNoImages) {
@@ -158,7 +178,7 @@ TEST_F(FolderRecording, HandsOutTheBytesOfPayloadsAsTheyCame) {
   const auto frame = recording->next();
   EXPECT_EQ(frame->image.columns, 3);
   EXPECT_EQ(frame->image.rows, 1);
-  EXPECT_EQ(frame->image.row(0)[2], 255);
+  EXPECT_EQ(frame->image.as<std::uint8_t>().row(0)[2], 255);
   EXPECT_EQ(recording->next()->image.columns, 0);
   EXPECT_EQ(recording->next()->image.columns, 21);
 }

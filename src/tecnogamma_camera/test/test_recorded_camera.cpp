@@ -44,7 +44,7 @@ class Recording : public tecnogamma_camera::Recording {
     frame.counter = next_ + 1;
     frame.device_time = times_[next_];
     if (frame.device_time != 0) frame.time = 1'000'000'000 + frame.device_time;
-    frame.image = {pixels_.data(), 8, 6, 8, 100, 50};
+    frame.image = tecnogamma_camera::ImageView8{pixels_.data(), 8, 6, 8, 100, 50};
     ++next_;
     return frame;
   }
@@ -159,7 +159,7 @@ TEST(RecordedCamera, CutsTheRegionOutOfWhatWasRecorded) {
   EXPECT_EQ(recorded.describe().region, (Region{102, 51, 4, 5}));
   recorded.start(Trigger::FREE_RUN);
   const auto frame = grab(recorded);
-  const auto& image = frame->image;
+  const auto image = frame->image.as<std::uint8_t>();
   EXPECT_EQ(image.columns, 4);
   EXPECT_EQ(image.rows, 5);
   EXPECT_EQ(image.first_column, 102);

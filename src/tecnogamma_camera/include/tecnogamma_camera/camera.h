@@ -53,6 +53,7 @@ struct CameraSettings {
   std::string trigger_source = "Line0";  //!< GenICam TriggerSource of the external trigger
   std::string strobe_line;  //!< GenICam LineSelector of the output to drive; empty: leave all alone
   std::string strobe_source = "ExposureActive";  //!< GenICam LineSource of that output
+  std::string pixel_format = "Mono8";  //!< GenICam PixelFormat; one of pixel_format_names()
 };
 
 struct CameraDescription {
@@ -64,6 +65,7 @@ struct CameraDescription {
   int sensor_columns = 0;  //!< [px]
   int sensor_rows = 0;     //!< [px]
   Region region;           //!< as read back, never 0
+  int grey_bits = 8;       //!< of a grey value
   double exposure = 0;     //!< [s] 0 where the camera does not tell
   int packet_size = 0;     //!< [bytes] of the stream; 0 where it has no packets
   CounterRule counter{};   //!< of its frame counter
@@ -81,7 +83,7 @@ struct StreamStatistics {
 /// The counter of a frame whose number was lost with its packets.
 constexpr std::uint64_t kNoFrameNumber = UINT64_MAX;
 
-/// One frame, 8 bits a pixel. The pixels are the camera's: they are valid until the next grab(),
+/// One frame. The pixels are the camera's: they are valid until the next grab(),
 /// stop() or the camera's end. Where packets are missing there are none, since some would be of an
 /// earlier frame; image then tells only their place.
 struct Frame {
@@ -89,7 +91,7 @@ struct Frame {
   Nanoseconds device_time = 0;             //!< [ns] camera's clock at the exposure; 0: not known
   Nanoseconds host_time = 0;               //!< [ns] when it was received
   std::uint32_t packets_lost = 0;          //!< packets missing from it
-  ImageView8 image;
+  GreyImage image;
 
   Nanoseconds time = 0;    //!< [ns] of the exposure on the host's clock, where known already; or 0
   bool restarted = false;  //!< the counter and the clock begin anew with this frame

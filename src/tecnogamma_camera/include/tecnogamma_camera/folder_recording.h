@@ -34,9 +34,9 @@ struct FolderIndex {
 /// @throw scan_cell_common::UnusableInput naming the line
 FolderIndex parse_folder_index(const std::string& text, const std::string& source);
 
-/// A folder of images of 8 bit grey (PNG, PGM, TIFF, BMP) or of payloads (.bin: the bytes as they
-/// came). With index.csv: the files named there, else all by name (numbers in names by their value)
-/// with frame numbers from 1. All images have the size of the first.
+/// A folder of images of 8 or 16 bit grey (PNG, PGM, TIFF, BMP) or of payloads (.bin: the bytes as
+/// they came). With index.csv: the files named there, else all by name (numbers in names by their
+/// value) with frame numbers from 1. All images have size and bits of the first.
 /// @throw scan_cell_common::FileError, UnusableInput if folder, index or first image cannot be used
 std::unique_ptr<Recording> open_folder_recording(const std::string& path);
 

@@ -70,7 +70,7 @@ class RecordedCamera : public Camera {
   void advance();
   void schedule();
   void shift_times(Frame& frame) const;
-  void cut(ImageView8& image) const;
+  void cut(GreyImage& image) const;
 
   std::unique_ptr<Recording> recording_;
   PlaybackOptions options_;

@@ -46,6 +46,8 @@ class AravisCamera : public Camera {
   void create_stream();
   void release_frame();
   Frame to_frame(ArvBuffer* buffer);
+  bool is_whole(ArvBuffer* buffer) const;
+  void set_pixels(ArvBuffer* buffer, GreyImage& image);
   std::uint32_t packets_lost_since_last_frame();
   CounterRule counter_rule();
 
@@ -53,6 +55,8 @@ class AravisCamera : public Camera {
   ArvCameraPtr camera_;
   ArvStreamPtr stream_;
   ArvBuffer* grabbed_ = nullptr;
+  PixelFormat format_;
+  std::vector<std::uint16_t> unpacked_;  // pixels of the last frame, where they came packed
   Region region_;
   CameraSettings settings_;
   std::unique_ptr<StrobeOutput> strobe_;
@@ -65,8 +69,7 @@ class AravisCamera : public Camera {
 AravisCamera::AravisCamera(ArvCameraPtr camera, const AravisOptions& options)
     : options_(options), camera_(std::move(camera)) {
   ArvCamera* const arv = camera_.get();
-  aravis("PixelFormat Mono8",
-         [&](GError** e) { arv_camera_set_pixel_format(arv, ARV_PIXEL_FORMAT_MONO_8, e); });
+  format_ = write_pixel_format(arv, CameraSettings().pixel_format);
   aravis("AcquisitionMode Continuous", [&](GError** e) {
     arv_camera_set_acquisition_mode(arv, ARV_ACQUISITION_MODE_CONTINUOUS, e);
   });
@@ -133,6 +136,7 @@ CameraDescription AravisCamera::describe() {
     arv_camera_get_sensor_size(arv, &result.sensor_columns, &result.sensor_rows, e);
   });
   result.region = region_;
+  result.grey_bits = format_.bits;
   if (arv_camera_is_exposure_time_available(arv, nullptr)) {
     result.exposure =
         aravis("exposure", [&](GError** e) { return arv_camera_get_exposure_time(arv, e); }) /
@@ -149,6 +153,11 @@ CameraDescription AravisCamera::describe() {
 void AravisCamera::configure(const CameraSettings& settings) {
   throw_if_lost();
   refuse_while_running("camera settings");
+  if (options_.is_payload && settings.pixel_format != CameraSettings().pixel_format) {
+    throw scan_cell_common::InvalidParameter("pixel_format", settings.pixel_format,
+                                             "payloads come as bytes: give Mono8");
+  }
+  format_ = write_pixel_format(camera_.get(), settings.pixel_format);
   region_ = options_.is_payload ? write_payload_region(camera_.get(), settings.region)
                                 : write_region(camera_.get(), settings.region);
   if (settings.exposure) write_exposure(camera_.get(), *settings.exposure);
@@ -255,19 +264,42 @@ Frame AravisCamera::to_frame(ArvBuffer* buffer) {
   frame.image.rows = region_.height;
   frame.image.first_column = region_.x;
   frame.image.first_row = region_.y;
-  const bool whole = arv_buffer_get_status(buffer) == ARV_BUFFER_STATUS_SUCCESS &&
-                     arv_buffer_get_image_width(buffer) == region_.width &&
-                     arv_buffer_get_image_height(buffer) == region_.height;
-  if (!whole) {
+  frame.image.bits = format_.bits;
+  if (is_whole(buffer)) {
+    set_pixels(buffer, frame.image);
+  } else {
     frame.packets_lost = std::max(1U, packets_lost_since_last_frame());
-    return frame;
   }
-  int x_padding = 0, y_padding = 0;
-  arv_buffer_get_image_padding(buffer, &x_padding, &y_padding);
-  std::size_t size = 0;
-  frame.image.pixels = static_cast<const std::uint8_t*>(arv_buffer_get_image_data(buffer, &size));
-  frame.image.stride = region_.width + x_padding;
   return frame;
+}
+
+bool AravisCamera::is_whole(ArvBuffer* buffer) const {
+  if (arv_buffer_get_status(buffer) != ARV_BUFFER_STATUS_SUCCESS) return false;
+  std::size_t size = 0;
+  arv_buffer_get_image_data(buffer, &size);
+  const auto pixels =
+      static_cast<std::size_t>(region_.width) * static_cast<std::size_t>(region_.height);
+  return arv_buffer_get_image_width(buffer) == region_.width &&
+         arv_buffer_get_image_height(buffer) == region_.height &&
+         arv_buffer_get_image_pixel_format(buffer) == format_.code && size >= format_.bytes(pixels);
+}
+
+/// Packed pixels follow one another over the ends of the rows.
+void AravisCamera::set_pixels(ArvBuffer* buffer, GreyImage& image) {
+  std::size_t size = 0;
+  const void* const data = arv_buffer_get_image_data(buffer, &size);
+  if (format_.packing == Packing::BYTES) {
+    int padding = 0, rows_of_padding = 0;  // [bytes] at a row's end, [rows]
+    arv_buffer_get_image_padding(buffer, &padding, &rows_of_padding);
+    image.pixels = data;
+    image.stride = region_.width + padding / image.bytes_per_pixel();
+  } else {
+    unpacked_.resize(static_cast<std::size_t>(region_.width) *
+                     static_cast<std::size_t>(region_.height));
+    unpack(format_, static_cast<const std::uint8_t*>(data), unpacked_);
+    image.pixels = unpacked_.data();
+    image.stride = region_.width;
+  }
 }
 
 void AravisCamera::software_trigger() {

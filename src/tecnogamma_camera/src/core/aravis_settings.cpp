@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aravis_settings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "aravis_support.h"
@@ -91,6 +92,23 @@ Region write_payload_region(ArvCamera* arv, const Region& wanted) {
                            "the camera took " + to_text(taken) + ": give multiples of its steps");
   }
   return taken;
+}
+
+const PixelFormat& write_pixel_format(ArvCamera* arv, const std::string& name) {
+  const PixelFormat& format = pixel_format(name);
+  guint count = 0;
+  const char** const names = aravis("PixelFormat", [&](GError** e) {
+    return arv_camera_dup_available_pixel_formats_as_strings(arv, &count, e);
+  });
+  const bool has_it = std::any_of(names, names + count, [&](const char* n) { return name == n; });
+  g_free(names);
+  if (!has_it) {
+    throw MissingFeature("camera feature", "PixelFormat " + name,
+                         "the camera does not have it; give another pixel_format");
+  }
+  aravis("PixelFormat " + name,
+         [&](GError** e) { arv_camera_set_pixel_format_from_string(arv, name.c_str(), e); });
+  return format;
 }
 
 void write_exposure(ArvCamera* arv, double exposure) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tecnogamma_camera/camera.h"
+#include "tecnogamma_camera/pixel_format.h"
 
 /// Writes what Camera::configure() takes to a GenICam camera. All throw as it does.
 namespace tecnogamma_camera {
@@ -24,6 +25,9 @@ Region write_region(ArvCamera* arv, const Region& wanted);
 /// that it says it will send (HeightInterface, where it has that).
 /// @return what it sends
 Region write_payload_region(ArvCamera* arv, const Region& wanted);
+
+/// @throw MissingFeature naming the pixel format if the camera does not have it
+const PixelFormat& write_pixel_format(ArvCamera* arv, const std::string& name);
 
 void write_exposure(ArvCamera* arv, double exposure);
 void write_gain(ArvCamera* arv, double gain);

@@ -30,7 +30,7 @@ std::optional<Frame> DecodingCamera::grab(std::chrono::microseconds timeout) {
   if (next_ < count_) return take_decoded();
   std::optional<Frame> payload = camera_->grab(timeout);
   if (!payload) return std::nullopt;
-  const ImageView8 bytes = payload->image;
+  const GreyImage bytes = payload->image;
   raw_ = std::move(*payload);
   raw_.counter = kNoFrameNumber;  // of the transport: the frames have their own
   raw_.image = {};
@@ -39,7 +39,11 @@ std::optional<Frame> DecodingCamera::grab(std::chrono::microseconds timeout) {
   try {
     next_ = 0;
     count_ = 0;
-    count_ = decoder_->decode(bytes, decoded_);
+    if (bytes.bytes_per_pixel() != 1) {
+      throw scan_cell_common::UnusableInput("payload", std::to_string(bytes.bits) + " bit pixels",
+                                            "payloads come as bytes: give Mono8");
+    }
+    count_ = decoder_->decode(bytes.as<std::uint8_t>(), decoded_);
   } catch (const scan_cell_common::Error& error) {
     raw_.fault = error.what();
     return raw_;

@@ -13,13 +13,25 @@ namespace {
 
 using scan_cell_common::FileError;
 
-/// Portable grey map (P5).
-std::string to_pgm(const ImageView8& image) {
-  std::string text =
-      "P5\n" + std::to_string(image.columns) + " " + std::to_string(image.rows) + "\n255\n";
-  for (int row = 0; row < image.rows; ++row)
-    text.append(reinterpret_cast<const char*>(image.row(row)),
-                static_cast<std::size_t>(image.columns));
+void append_row(const std::uint8_t* row, int columns, std::string& text) {
+  text.append(reinterpret_cast<const char*>(row), static_cast<std::size_t>(columns));
+}
+
+void append_row(const std::uint16_t* row, int columns, std::string& text) {
+  for (int column = 0; column < columns; ++column) {
+    text += static_cast<char>(row[column] >> 8);
+    text += static_cast<char>(row[column] & 0xFF);
+  }
+}
+
+/// Portable grey map (P5): 8 bits a pixel, or 16 with the higher byte first.
+std::string to_pgm(const GreyImage& image) {
+  std::string text = "P5\n" + std::to_string(image.columns) + " " + std::to_string(image.rows) +
+                     (image.bytes_per_pixel() == 2 ? "\n65535\n" : "\n255\n");
+  visit(image, [&text](const auto& view) {
+    for (int row = 0; row < view.rows; ++row)
+      append_row(view.row(row), view.columns, text);
+  });
   return text;
 }
 

@@ -83,7 +83,7 @@ cv::Mat read_image(const std::string& path) {
   return image;
 }
 
-/// 8 bit grey, or the bytes of a payload in one row.
+/// 8 or 16 bit grey, or the bytes of a payload in one row.
 cv::Mat read_frame(const std::string& path) {
   if (scan_cell_common::extension_of(path) == kPayload) {
     const std::string bytes = scan_cell_common::read_file(path);
@@ -91,11 +91,15 @@ cv::Mat read_frame(const std::string& path) {
         .clone();
   }
   cv::Mat image = read_image(path);
-  if (image.type() != CV_8UC1) {
+  if (image.type() != CV_8UC1 && image.type() != CV_16UC1) {
     throw UnusableInput(path, cv::typeToString(image.type()) + " pixels",
-                        "convert it to 8 bit grey");
+                        "convert it to 8 or 16 bit grey");
   }
   return image;
+}
+
+std::string to_text(int columns, int rows, int type) {
+  return std::to_string(columns) + " x " + std::to_string(rows) + " " + cv::typeToString(type);
 }
 
 class FolderRecording : public Recording {
@@ -110,6 +114,7 @@ class FolderRecording : public Recording {
     pixels_ = read_frame(path_of(*first));
     columns_ = pixels_.cols;
     rows_ = pixels_.rows;
+    type_ = pixels_.type();
     check_place();
   }
 
@@ -123,6 +128,7 @@ class FolderRecording : public Recording {
         index_.sensor_columns > 0 ? index_.sensor_columns : index_.first_column + columns_;
     description.sensor_rows =
         index_.sensor_rows > 0 ? index_.sensor_rows : index_.first_row + rows_;
+    description.grey_bits = bits();
     description.counter = kCounter64;
     return description;
   }
@@ -139,6 +145,7 @@ class FolderRecording : public Recording {
     frame.image.rows = rows_;
     frame.image.first_column = index_.first_column;
     frame.image.first_row = index_.first_row;
+    frame.image.bits = bits();
     if (file.packets_lost > 0) return frame;
     try {
       read_pixels(path_of(file), frame.image);
@@ -151,6 +158,8 @@ class FolderRecording : public Recording {
   void rewind() override { next_ = 0; }
 
  private:
+  int bits() const { return type_ == CV_16UC1 ? 16 : 8; }
+
   std::string path_of(const RecordedFile& file) const { return (folder_ / file.file).string(); }
 
   void throw_if_missing() const {
@@ -169,26 +178,27 @@ class FolderRecording : public Recording {
   }
 
   /// Payloads may differ in size, images not.
-  void read_pixels(const std::string& path, ImageView8& image) {
+  void read_pixels(const std::string& path, GreyImage& image) {
     pixels_ = read_frame(path);
     const bool payload = scan_cell_common::extension_of(path) == kPayload;
-    if (!payload && (pixels_.cols != columns_ || pixels_.rows != rows_)) {
+    if (pixels_.type() != type_ ||
+        (!payload && (pixels_.cols != columns_ || pixels_.rows != rows_))) {
       throw UnusableInput(path,
-                          std::to_string(pixels_.cols) + " x " + std::to_string(pixels_.rows) +
-                              " pixels, the first image has " + std::to_string(columns_) + " x " +
-                              std::to_string(rows_),
-                          "put images of different sizes into different folders");
+                          to_text(pixels_.cols, pixels_.rows, pixels_.type()) +
+                              " pixels, the first image has " + to_text(columns_, rows_, type_),
+                          "put images of different kinds into different folders");
     }
     image.columns = pixels_.cols;
     image.rows = pixels_.rows;
     image.pixels = pixels_.data;
-    image.stride = static_cast<std::ptrdiff_t>(pixels_.step);
+    image.stride = static_cast<std::ptrdiff_t>(pixels_.step1());
   }
 
   fs::path folder_;
   FolderIndex index_;
   int columns_ = 0;
   int rows_ = 0;
+  int type_ = CV_8UC1;  // or CV_16UC1
   std::size_t next_ = 0;
   cv::Mat pixels_;  // of the frame that next() gave last
 };

@@ -174,9 +174,11 @@ void RecordedCamera::shift_times(Frame& frame) const {
   if (frame.time != 0) frame.time += shift_;
 }
 
-void RecordedCamera::cut(ImageView8& image) const {
+void RecordedCamera::cut(GreyImage& image) const {
   if (image.pixels) {
-    image.pixels = image.row(wanted_.y - region_.y) + (wanted_.x - region_.x);
+    visit(image, [&](const auto& view) {
+      image.pixels = view.row(wanted_.y - region_.y) + (wanted_.x - region_.x);
+    });
   }
   image.columns = wanted_.width;
   image.rows = wanted_.height;

@@ -28,6 +28,14 @@ std::string beside(const std::string& topic, const std::string& name) {
   return topic.substr(0, topic.rfind('/') + 1) + name;
 }
 
+/// Of a pixel; 0: it is not grey.
+int bytes_of(const sensor_msgs::Image& image) {
+  namespace encodings = sensor_msgs::image_encodings;
+  if (image.encoding == encodings::MONO8 || image.encoding == encodings::TYPE_8UC1) return 1;
+  if (image.encoding == encodings::MONO16 || image.encoding == encodings::TYPE_16UC1) return 2;
+  return 0;
+}
+
 /// What a profile tells of the image of its stamp.
 struct Number {
   std::uint32_t acquisition;
@@ -118,8 +126,10 @@ class BagRecording : public Recording {
   }
 
   void read_first_image() {
+    if (at_ == images_->end()) throw UnusableInput(path_, "no images on " + topic_, "record some");
     const auto image = at_->instantiate<sensor_msgs::Image>();
     if (!image) throw UnusableInput(path_, "images of another definition", "record them anew");
+    description_.grey_bits = bytes_of(*image) == 2 ? 16 : 8;
     Region& region = description_.region;
     if (region.width == 0) region.width = static_cast<int>(image->width);
     if (region.height == 0) region.height = static_cast<int>(image->height);
@@ -142,10 +152,11 @@ class BagRecording : public Recording {
     frame.image.rows = region.height;
     frame.image.first_column = region.x;
     frame.image.first_row = region.y;
+    frame.image.bits = description_.grey_bits;
     frame.fault = find_fault();
     if (frame.fault.empty()) {
       frame.image.pixels = image_->data.data();
-      frame.image.stride = image_->step;
+      frame.image.stride = image_->step / bytes_of(*image_);
     }
     return frame;
   }
@@ -166,9 +177,12 @@ class BagRecording : public Recording {
   /// Why image_ cannot be used; empty where it can.
   std::string find_fault() const {
     if (!image_) return path_ + ": an image of another definition; record it anew";
-    namespace encodings = sensor_msgs::image_encodings;
-    if (image_->encoding != encodings::MONO8 && image_->encoding != encodings::TYPE_8UC1)
-      return path_ + ": encoding '" + image_->encoding + "'; record 8 bit grey (mono8)";
+    if (bytes_of(*image_) == 0)
+      return path_ + ": encoding '" + image_->encoding + "'; record grey (mono8, mono16)";
+    if (8 * bytes_of(*image_) != description_.grey_bits)
+      return path_ + ": encoding '" + image_->encoding + "', unlike the first image's";
+    if (bytes_of(*image_) == 2 && image_->is_bigendian != 0)
+      return path_ + ": big-endian pixels; record them little-endian";
     const Region& region = description_.region;
     if (static_cast<int>(image_->width) != region.width ||
         static_cast<int>(image_->height) != region.height || region.width < 1 ||
@@ -177,7 +191,9 @@ class BagRecording : public Recording {
              std::to_string(image_->height) + " pixels; the region is " + to_text(region);
     }
     const std::size_t needed = static_cast<std::size_t>(image_->step) * image_->height;
-    if (image_->step < image_->width || image_->data.size() < needed) {
+    const std::size_t bytes = static_cast<std::size_t>(bytes_of(*image_));
+    if (image_->step < image_->width * bytes || image_->step % bytes != 0 ||
+        image_->data.size() < needed) {
       return path_ + ": an image of " + std::to_string(image_->data.size()) +
              " bytes; its steps make " + std::to_string(needed);
     }

@@ -77,6 +77,11 @@ void CameraNodelet::on_connected(const CameraDescription& camera) {
                camera.region.x, camera.region.y);
   const std::string fault = fault_of_model(camera);
   if (!fault.empty()) NODELET_ERROR("%s", fault.c_str());
+  const int greatest = (1 << camera.grey_bits) - 1;
+  if (parameters_.detection.trigger_level >= greatest) {
+    NODELET_ERROR("trigger_level: %d; grey values go to %d, so no row will have a peak",
+                  parameters_.detection.trigger_level, greatest);
+  }
 }
 
 std::string CameraNodelet::fault_of_model(const CameraDescription& camera) const {
@@ -107,7 +112,7 @@ void CameraNodelet::publish_profile(const NumberedFrame& frame) {
     detector = detector_;
   }
   PeakProfile profile;
-  const ImageView8& image = frame.frame.image;
+  const GreyImage& image = frame.frame.image;
   if (frame.frame.peaks) {
     profile = *frame.frame.peaks;
   } else if (image.pixels) {
@@ -152,7 +157,7 @@ bool CameraNodelet::set_acquisition(Request& request,
 }
 
 void CameraNodelet::reconfigure(CameraConfig& config) {
-  DetectorSettings settings;
+  DetectorSettings settings = parameters_.detection;
   settings.trigger_level = config.trigger_level;
   settings.permanence = config.permanence;
   settings.window = config.window;

@@ -3,6 +3,7 @@
 #include "parameters.h"
 
 #include "scan_cell_common/ros/parameter_reader.h"
+#include "tecnogamma_camera/pixel_format.h"
 
 namespace tecnogamma_camera {
 namespace {
@@ -28,13 +29,17 @@ void read_camera(ParameterReader& reader, CameraSettings& camera) {
   reader.read("trigger_source", camera.trigger_source);
   reader.read("strobe_line", camera.strobe_line);
   reader.read("strobe_source", camera.strobe_source);
+  reader.read_choice("pixel_format", camera.pixel_format, pixel_format_names());
 }
 
 void read_detection(ParameterReader& reader, Parameters& parameters) {
   reader.read_choice("detector", parameters.detector, detector_names());
-  reader.read("trigger_level", parameters.detection.trigger_level, {0, 255});
+  std::string choice = choice_names().front();
+  reader.read_choice("choice", choice, choice_names());
+  parameters.detection.choice = to_choice(choice);
+  reader.read("trigger_level", parameters.detection.trigger_level, {kAutomaticLevel, 65535});
   reader.read("permanence", parameters.detection.permanence, {1, 64});
-  reader.read("window", parameters.detection.window, {3, 255});
+  reader.read("window", parameters.detection.window, {0, 255});
   reader.read("live_ratio", parameters.live_ratio, {1, 100000});
 }
 

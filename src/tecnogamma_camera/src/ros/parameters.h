@@ -17,7 +17,7 @@ struct Parameters {
   std::string camera;  //!< id, serial number, address, folder:PATH or bag:PATH; empty: the only one
   std::string frame_id = "camera_optical_frame";
   std::string scanner_model;  //!< path, for camera_info; empty: uncalibrated
-  std::string detector = "center_of_gravity";
+  std::string detector = "fir_derivative";
   DetectorSettings detection;
   int live_ratio = 10;  //!< profiles to an image in RELIEF_LIVE
   CameraOptions source;

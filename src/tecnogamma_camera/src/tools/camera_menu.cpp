@@ -112,9 +112,10 @@ class Menu {
         throw scan_cell_common::UnusableInput("frame", "peaks without an image",
                                               "set the camera to send images, or grab peaks");
       }
-      const cv::Mat pixels(image.rows, image.columns, CV_8UC1,
-                           const_cast<std::uint8_t*>(image.pixels),
-                           static_cast<std::size_t>(image.stride));
+      const cv::Mat pixels(image.rows, image.columns,
+                           image.bytes_per_pixel() == 2 ? CV_16UC1 : CV_8UC1,
+                           const_cast<void*>(image.pixels),
+                           static_cast<std::size_t>(image.stride * image.bytes_per_pixel()));
       constexpr const char* kPath = "image.png";
       if (!cv::imwrite(kPath, pixels)) {
         throw scan_cell_common::FileError(kPath, "cannot be written", "start where you may write");

@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
   app.add_option("--trigger-source", settings.trigger_source, "of --external");
   app.add_flag("--payload", options.payload,
                "the bytes as they come, of a camera that finds the peaks itself");
+  app.add_option("--pixel-format", settings.pixel_format, "GenICam PixelFormat of grey values");
   app.add_option("--rate", settings.rate, "[Hz] of free run")->always_capture_default(false);
   app.add_option("--exposure", settings.exposure, "[s]")->always_capture_default(false);
   app.add_option("--region-x", settings.region.x, "[px]");
