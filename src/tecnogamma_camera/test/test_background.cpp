@@ -30,9 +30,9 @@ void compare_with_sorting(int most, unsigned seed) {
   constexpr int kColumns = 5 * kTileColumns + 40, kRows = 300;
   std::vector<Pixel> pixels(kColumns * kRows);
   for (int column = 0; column < kColumns; ++column) {
-    // From tile to tile the light changes by little, by much, or from nothing to saturated.
+    // From tile to tile the light changes by little, by much, or to saturated.
     const int tile = column / kTileColumns;
-    const int middle = std::vector<int>{10, 12, most, 0, most / 2, 12}[tile];
+    const int middle = std::vector<int>{10, 12, most, 5, most / 2, 12}[tile];
     for (int row = 0; row < kRows; ++row) {
       const int noise = static_cast<int>(engine() % 9) - 4;
       pixels[row * kColumns + column] = static_cast<Pixel>(std::clamp(middle + noise, 0, most));
@@ -73,6 +73,25 @@ TEST(Background, IsTheNoisesOwnWhereALineCrossesIt) {
   for (const int tile : {0, 1}) {
     EXPECT_NEAR(background.tile(0, tile).background, 40, tile == 0 ? 4 : 1.5);
     EXPECT_NEAR(background.tile(0, tile).noise, 5, 1.5);
+  }
+}
+
+TEST(Background, KnowsNoiseThatBlackCutsOff) {
+  for (const double black : {0.1, 0.25, 0.5, 0.65}) {
+    constexpr double kNoise = 4;
+    // So high above black that this share of a normal distribution is rounded to it.
+    const double deviations = black == 0.1    ? 1.2816
+                              : black == 0.25 ? 0.6745
+                              : black == 0.5  ? 0
+                                              : -0.3853;
+    stripes::Image picture(640, 128, 0.5 + deviations * kNoise);
+    picture.add_noise(kNoise, 2);
+    Background<std::uint8_t> background(picture.view());
+    double mean = 0;
+    for (int tile = 0; tile < 5; ++tile)
+      mean += background.tile(0, tile).noise / 5;
+    EXPECT_NEAR(mean, kNoise, 0.1 * kNoise) << black;
+    EXPECT_NEAR(background.tile(0, 2).background, std::max(0.0, 0.5 + deviations * kNoise), 1);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 
@@ -20,6 +21,7 @@ constexpr double kUpper = 0.25;
 constexpr double kLower = 0.05;
 constexpr double kUpperBelowMedian = 0.6745;
 constexpr double kUpperAboveLower = 1.6449 - 0.6745;
+constexpr double kMostBlack = 0.75;  // with less left of it, noise of one grey value or less
 
 /// Pixels of a tile, one after another.
 template <class Pixel>
@@ -73,8 +75,31 @@ TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int
 }
 
 /// @param guess background and noise of another tile
+/// Where the camera's black cut the noise off, its low quantiles say nothing. The differences of
+/// neighbours do: four fifths of them are below 1.81 standard deviations of whole noise, and below
+/// less of them the more of it was cut off (a parabola through simulated values). A line has large
+/// ones only at its flanks.
+/// @param black share of the pixels at zero
+template <class Pixel>
+TECNOGAMMA_INLINE TileLight light_of_clipped(const Sample<Pixel>& sample, double black) {
+  TileLight light;
+  light.measured = true;
+  if (black > kMostBlack) return light;
+  Sample<Pixel> differences;
+  differences.size = sample.size - 1;
+  for (int i = 0; i < differences.size; ++i)
+    differences.pixels[i] =
+        static_cast<Pixel>(std::abs(int{sample.pixels[i + 1]} - int{sample.pixels[i]}));
+  light.noise = std::max(0.0, quantile(differences, 0.8, 1)) /
+                (1.807 - 1.223 * black - 0.633 * black * black);
+  light.background = std::max(0.0, quantile(sample, 0.5, 1));
+  return light;
+}
+
 template <class Pixel>
 TECNOGAMMA_INLINE TileLight light_of(const Sample<Pixel>& sample, const TileLight& guess) {
+  const double black = count_at_most(sample, Pixel{0}) / static_cast<double>(sample.size);
+  if (black > kLower) return light_of_clipped(sample, black);
   constexpr double kMost = std::numeric_limits<Pixel>::max();
   const auto start = [&](double deviations) {
     return static_cast<int>(
