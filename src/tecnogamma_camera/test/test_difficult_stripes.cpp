@@ -103,10 +103,24 @@ TEST_P(EachDetector, NeedsNeitherNoiseNorABackground) {
 }
 
 TEST_P(EachDetector, FindsNothingInNoise) {
-  for (const double noise : {0.3, 1.0, 8.0, 25.0}) {
-    stripes::Image image(kColumns, kRows, 100);
-    image.add_noise(noise, 5);
-    EXPECT_EQ(peaks(detect(image)), 0) << noise;
+  for (const double background : {0.0, 2.0, 6.0, 100.0}) {  // the low ones cut it off at black
+    for (const double noise : {0.3, 1.0, 2.0, 4.0, 8.0, 25.0}) {
+      stripes::Image image(kColumns, kRows, background);
+      image.add_noise(noise, 5);
+      EXPECT_EQ(peaks(detect(image)), 0) << noise << " on " << background;
+    }
+  }
+}
+
+TEST_P(EachDetector, FindsFaintLinesInNoiseThatIsCutOffAtBlack) {
+  for (const double background : {0.0, 3.0}) {
+    for (const double sigma : {1.0, 2.0, 6.0}) {
+      stripes::Image image = line_image({0, sigma, 30}, background);
+      image.add_noise(2, 3);
+      const Errors found = errors(detect(image));
+      EXPECT_EQ(found.missing, 0) << sigma << " px on " << background;
+      EXPECT_LT(found.worst, 0.3 + 0.25 * sigma) << sigma << " px on " << background;
+    }
   }
 }
 

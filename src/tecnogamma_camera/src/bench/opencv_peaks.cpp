@@ -8,28 +8,37 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "tecnogamma_camera/peak_detector.h"
+
 namespace tecnogamma_camera {
 namespace {
 
-constexpr int kTriggerLevel = 60;
 constexpr int kHalfWindow = 7;
 
-/// threshold, and the middle of the box about what is lit.
-float threshold_row(const cv::Mat& row) {
+/// Mean and scatter of the row, as the automatic level is usually had.
+double level_of(const cv::Mat& row, int trigger_level) {
+  if (trigger_level != kAutomaticLevel) return trigger_level;
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(row, mean, deviation);
+  return mean[0] + 4 * deviation[0];
+}
+
+/// threshold, and the middle of the box about all that is lit: it cannot tell spots from one
+/// another, for which OpenCV's functions take many times longer.
+float threshold_row(const cv::Mat& row, double level) {
   cv::Mat lit;
-  cv::threshold(row, lit, kTriggerLevel, 255, cv::THRESH_BINARY);
+  cv::threshold(row, lit, level, 255, cv::THRESH_BINARY);
   const cv::Rect box = cv::boundingRect(lit);
   if (box.width == 0) return NAN;
   return static_cast<float>(box.x) + 0.5F * static_cast<float>(box.width - 1);
 }
 
 /// Brightest pixel, and the centre of gravity about it.
-float center_of_gravity_of_row(const cv::Mat& row) {
+float center_of_gravity_of_row(const cv::Mat& row, double level) {
   double most = 0;
   cv::Point place;
   cv::minMaxLoc(row, nullptr, &most, nullptr, &place);
-  if (most <= kTriggerLevel || place.x < kHalfWindow || place.x + kHalfWindow >= row.cols)
-    return NAN;
+  if (most <= level || place.x < kHalfWindow || place.x + kHalfWindow >= row.cols) return NAN;
   const cv::Range window(place.x - kHalfWindow, place.x + kHalfWindow + 1);
   cv::Mat light;
   row.colRange(window).convertTo(light, CV_32F);
@@ -40,7 +49,7 @@ float center_of_gravity_of_row(const cv::Mat& row) {
 }
 
 /// Derivative of the smoothed row, and its zero between maximum and minimum.
-float fir_derivative_of_row(const cv::Mat& row) {
+float fir_derivative_of_row(const cv::Mat& row, double level) {
   static const cv::Mat kernel = [] {
     constexpr int kReach = 5;
     constexpr float kVariance = 1.5F * 1.5F;
@@ -56,7 +65,7 @@ float fir_derivative_of_row(const cv::Mat& row) {
   cv::Point left, right;
   double most = 0;
   cv::minMaxLoc(derivative, nullptr, &most, &right, &left);
-  if (most <= kTriggerLevel) return NAN;
+  if (most <= level) return NAN;
   for (int column = left.x; column < right.x; ++column) {
     const float before = derivative.at<float>(column), after = derivative.at<float>(column + 1);
     if (before > 0 && after <= 0) return static_cast<float>(column) + before / (before - after);
@@ -66,16 +75,18 @@ float fir_derivative_of_row(const cv::Mat& row) {
 
 }  // namespace
 
-void detect_with_opencv(const std::string& detector, const cv::Mat& image,
+void detect_with_opencv(const std::string& detector, int trigger_level, const cv::Mat& image,
                         std::vector<float>& positions) {
-  static const std::map<std::string, std::function<float(const cv::Mat&)>> kWays = {
+  static const std::map<std::string, std::function<float(const cv::Mat&, double)>> kWays = {
       {"threshold", threshold_row},
       {"center_of_gravity", center_of_gravity_of_row},
       {"fir_derivative", fir_derivative_of_row}};
   const auto& way = kWays.at(detector);
   positions.resize(static_cast<std::size_t>(image.rows));
-  for (int row = 0; row < image.rows; ++row)
-    positions[static_cast<std::size_t>(row)] = way(image.row(row));
+  for (int row = 0; row < image.rows; ++row) {
+    const cv::Mat pixels = image.row(row);
+    positions[static_cast<std::size_t>(row)] = way(pixels, level_of(pixels, trigger_level));
+  }
 }
 
 }  // namespace tecnogamma_camera

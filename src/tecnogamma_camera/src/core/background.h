@@ -41,7 +41,7 @@ class Background {
   BackgroundLine about(int row, int column);
 
  private:
-  TileLight measure(int band, int tile) const;
+  TileLight measure(int band, int tile, const TileLight& guess) const;
   int first_column_of(int tile) const;
 
   ImageView<Pixel> image_;

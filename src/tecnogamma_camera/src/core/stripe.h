@@ -91,9 +91,12 @@ Height measure_height(const Pixel* row, const Spot& spot, const BackgroundLine& 
   height.anchor = spot.rise;
   GreySums all;
   all.pixels = spot.fall - spot.rise;
+  Pixel brightest = 0;
   for (int column = spot.rise; column < spot.fall; ++column) {
-    all.add(row[column]);
-    height.anchor = row[column] > row[height.anchor] ? column : height.anchor;
+    const Pixel grey = row[column];
+    all.add(grey);
+    height.anchor = grey > brightest ? column : height.anchor;
+    brightest = std::max(brightest, grey);
   }
   const double light = all.light(background.value);
   const double squares = all.light_of_squares(background.value);
