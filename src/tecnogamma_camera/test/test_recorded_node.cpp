@@ -266,6 +266,38 @@ TEST_F(RecordedNode, PublishesThePeaksOfRecordedReliefFramesAsTheyCame) {
   EXPECT_TRUE(wait_until([this] { return diagnosed("frames unusable") == "1"; }));
 }
 
+TEST_F(RecordedNode, RunsItsOwnDetectorOnTheLiveFramesOfAHybridRecording) {
+  for (int i = 0; i < 3; ++i) {
+    payloads::Relief frame;
+    frame.counter = static_cast<std::uint16_t>(10 + i);
+    frame.kernels = 4;
+    for (int row = 0; row < 4 && i != 1; ++row)
+      frame.spot(40, 5);
+    if (i == 1) {  // 128 x 4 pixels with the same line
+      stripes::Image image(128, 4, 10);
+      for (int row = 0; row < 4; ++row)
+        image.add(row, {42, 1.5, 200});
+      const auto view = image.view();
+      frame.payload.assign(view.row(0), view.row(0) + 128 * 4);
+    }
+    std::ofstream(folder_ / (std::to_string(i) + ".bin"), std::ios::binary) << frame.bytes();
+  }
+  start({"_camera:=folder:" + folder_.string(), "_payload:=tecnogamma_relief", "_playback_speed:=0",
+         "_live_ratio:=1"});
+  ASSERT_TRUE(set(SetAcquisition::Request::RELIEF_LIVE).success);
+  ASSERT_TRUE(wait_until(
+      [this] { return profiles_.count() == 3 && images_.count() == 1 && infos_.count() == 1; }));
+  for (const PeakProfile& profile : profiles_.messages()) {
+    EXPECT_EQ(profile.first_row, 100U);
+    ASSERT_EQ(profile.position.size(), 4U);
+    EXPECT_NEAR(profile.position[2], 64 + 42, 0.02) << profile.frame_counter;
+  }
+  EXPECT_EQ(images_.messages()[0].width, 128U);
+  EXPECT_EQ(infos_.messages()[0].roi.x_offset, 64U);
+  EXPECT_EQ(infos_.messages()[0].roi.height, 4U);
+  EXPECT_EQ(infos_.messages()[0].width, 1696U);
+}
+
 TEST_F(RecordedNode, PublishesThePeaksOfRecorded3D03FramesOnTheTurnedSensor) {
   constexpr int kFrames = 3;
   for (int i = 0; i < kFrames; ++i) {

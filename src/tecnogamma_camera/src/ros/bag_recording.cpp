@@ -52,7 +52,9 @@ class BagRecording : public Recording {
       read_numbers_and_place();
       rewind();
       read_first_image();
-    } catch (const rosbag::BagException& error) {
+    } catch (const scan_cell_common::Error&) {
+      throw;
+    } catch (const std::exception& error) {  // of rosbag, or of a message that is cut off
       throw FileError(path, error.what(), "check the path, or try rosbag reindex");
     }
   }
@@ -69,7 +71,7 @@ class BagRecording : public Recording {
   std::optional<Frame> next() override {
     try {
       return read_next();
-    } catch (const rosbag::BagException& error) {
+    } catch (const std::exception& error) {
       throw StreamEnded(path_, "damaged after " + std::to_string(count_) + " images",
                         std::string("record it again, or try rosbag reindex: ") + error.what());
     }
@@ -106,6 +108,10 @@ class BagRecording : public Recording {
                                                     static_cast<Nanoseconds>(profile->device_time)};
       } else if (const auto info = message.instantiate<sensor_msgs::CameraInfo>()) {
         take_place(*info);
+      } else {
+        throw UnusableInput(
+            path_, message.getTopic() + " is of another definition of " + message.getDataType(),
+            "convert it with rosbag fix");
       }
     }
   }
