@@ -10,7 +10,6 @@
 
 using tecnogamma_camera::Background;
 using tecnogamma_camera::ImageView;
-using tecnogamma_camera::kTileColumns;
 
 namespace {
 
@@ -25,14 +24,14 @@ double sorted_quantile(std::vector<int> sample, double share) {
 }
 
 template <class Pixel>
-void compare_with_sorting(int most, unsigned seed) {
+void compare_with_sorting(int most, int other, unsigned seed) {
   std::mt19937 engine(seed);
-  constexpr int kColumns = 5 * kTileColumns + 40, kRows = 300;
+  constexpr int kTileColumns = Background<Pixel>::kTileColumns;
+  constexpr int kColumns = 6 * kTileColumns, kRows = 300;
   std::vector<Pixel> pixels(kColumns * kRows);
   for (int column = 0; column < kColumns; ++column) {
-    // From tile to tile the light changes by little, by much, or to saturated.
-    const int tile = column / kTileColumns;
-    const int middle = std::vector<int>{10, 12, most, 5, most / 2, 12}[tile];
+    // Tiles with the same light on both sides: nothing climbs.
+    const int middle = column / kTileColumns % 2 == 0 ? 10 : other;
     for (int row = 0; row < kRows; ++row) {
       const int noise = static_cast<int>(engine() % 9) - 4;
       pixels[row * kColumns + column] = static_cast<Pixel>(std::clamp(middle + noise, 0, most));
@@ -42,8 +41,8 @@ void compare_with_sorting(int most, unsigned seed) {
   for (const int band : {0, 1, 2}) {
     const int first_row = band * Background<Pixel>::kBandRows;
     const int rows = std::min(Background<Pixel>::kBandRows, kRows - first_row);
-    for (int tile = 0; tile < 6; ++tile) {
-      const int first = std::min(tile * kTileColumns, kColumns - kTileColumns);
+    for (int tile = 1; tile < 5; ++tile) {
+      const int first = tile * kTileColumns;
       std::vector<int> sample;
       for (const int eighth : {1, 3, 5, 7})
         for (int i = 0; i < kTileColumns; ++i)
@@ -59,9 +58,10 @@ void compare_with_sorting(int most, unsigned seed) {
 }  // namespace
 
 TEST(Background, IsThatOfTheSortedSample) {
-  compare_with_sorting<std::uint8_t>(255, 1);
-  compare_with_sorting<std::uint16_t>(1023, 2);
-  compare_with_sorting<std::uint16_t>(65535, 3);
+  for (const int other : {10, 12, 100, 255})
+    compare_with_sorting<std::uint8_t>(255, other, 1);
+  for (const int other : {10, 600, 4095, 65535})
+    compare_with_sorting<std::uint16_t>(65535, other, 2);
 }
 
 TEST(Background, IsTheNoisesOwnWhereALineCrossesIt) {
@@ -95,19 +95,36 @@ TEST(Background, KnowsNoiseThatBlackCutsOff) {
   }
 }
 
-TEST(Background, HasTheSlopeOfAnAmbientGradient) {
-  for (const int columns : {640, 700, 770}) {
-    stripes::Image picture(columns, 10, 20);
-    for (int row = 0; row < 10; ++row)
-      for (int column = 0; column < columns; ++column)
-        picture.at(row, column) += 0.2 * column;
-    Background<std::uint8_t> background(picture.view());
-    for (int column = 0; column < columns; column += 7) {
-      const auto line = background.about(5, column);
-      if (line.slope == 0) continue;  // at the border and where tiles overlap
-      EXPECT_NEAR(line.slope, 0.2, 0.01) << column;
-      EXPECT_NEAR(line.value, 20 + 0.2 * column, 5) << column;
+TEST(Background, HasTheSlopeOfAnAmbientGradientAndNotInItsNoise) {
+  for (const int columns : {640, 700, 770, 260}) {
+    for (const double slope : {0.1, 0.3, -0.2}) {
+      stripes::Image picture(columns, 10, slope > 0 ? 20 : 180);
+      for (int row = 0; row < 10; ++row)
+        for (int column = 0; column < columns; ++column)
+          picture.at(row, column) += slope * column;
+      picture.add_noise(2, 1);
+      Background<std::uint8_t> background(picture.view());
+      for (int column = 0; column < columns; column += 7) {
+        const auto line = background.about(5, column);
+        EXPECT_NEAR(line.slope, slope, 0.02) << column;
+        EXPECT_NEAR(line.value, (slope > 0 ? 20 : 180) + slope * column, 2) << column;
+        EXPECT_NEAR(background.tile(5, background.tile_of(column)).noise, 2, 1) << column;
+      }
     }
-    EXPECT_GT(background.about(5, columns / 2).slope, 0.19);
+  }
+}
+
+TEST(Background, DividesEveryWidthIntoTilesOfAboutTheSameWidth) {
+  for (int columns = 1; columns < 2000; ++columns) {
+    Background<std::uint8_t> background({nullptr, columns, 0, columns, 0, 0});
+    int last = 0, width = 0;
+    for (int column = 0; column < columns; ++column) {
+      const int tile = background.tile_of(column);
+      width = tile == last ? width + 1 : 1;
+      ASSERT_TRUE(tile == last || tile == last + 1) << column << " of " << columns;
+      ASSERT_LE(width, 192) << columns;
+      last = tile;
+    }
+    ASSERT_EQ(last, background.tiles() - 1) << columns;
   }
 }

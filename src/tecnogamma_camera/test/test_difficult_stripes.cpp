@@ -135,16 +135,29 @@ TEST_P(EachDetector, LeavesRowsWithoutALineOutAmongRowsWithOne) {
 }
 
 TEST_P(EachDetector, FollowsAnAmbientGradient) {
-  for (const double slope : {0.1, -0.1, 0.3}) {
-    stripes::Image image = line_image({0, 2, slope > 0.2 ? 60.0 : 25.0}, slope < 0 ? 70 : 5);
+  for (const double slope : {0.1, 0.2, -0.2}) {
+    for (const bool down : {false, true}) {
+      stripes::Image image = line_image({0, 2, 25}, slope < 0 ? 150 : 10);
+      for (int row = 0; row < kRows; ++row)
+        for (int column = 0; column < kColumns; ++column)
+          image.at(row, column) += slope * (down ? row : column);
+      image.add_noise(1.5, 3);
+      const Errors found = errors(detect(image));
+      EXPECT_EQ(found.missing, 0) << slope << (down ? " down" : " across");
+      EXPECT_LT(std::abs(found.mean), 0.03) << slope << (down ? " down" : " across");
+      EXPECT_LT(found.worst, 0.6) << slope << (down ? " down" : " across");
+    }
+  }
+}
+
+TEST_P(EachDetector, FindsNothingInAnAmbientGradient) {
+  for (const double slope : {0.1, 0.3}) {
+    stripes::Image image(kColumns, kRows, 10);
     for (int row = 0; row < kRows; ++row)
       for (int column = 0; column < kColumns; ++column)
-        image.at(row, column) += slope * column;
+        image.at(row, column) += slope * std::hypot(column, row / 2);
     image.add_noise(1.5, 3);
-    const Errors found = errors(detect(image));
-    EXPECT_EQ(found.missing, 0) << slope;
-    EXPECT_LT(std::abs(found.mean), 0.03) << slope;
-    EXPECT_LT(found.worst, 0.6) << slope;
+    EXPECT_EQ(peaks(detect(image)), 0) << slope;
   }
 }
 

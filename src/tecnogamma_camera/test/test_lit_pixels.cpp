@@ -8,7 +8,6 @@
 #include "../src/core/lit_pixels.h"
 #include "tecnogamma_camera/peak_detector.h"
 
-using tecnogamma_camera::kTileColumns;
 using tecnogamma_camera::LitPixels;
 
 namespace {
@@ -32,7 +31,9 @@ template <class Pixel>
 void expect_the_same_as_one_by_one(const std::vector<Pixel>& row,
                                    const std::vector<Pixel>& levels) {
   const int columns = static_cast<int>(row.size());
-  const auto is_lit = [&](int column) { return row[column] > levels[column / kTileColumns]; };
+  const auto is_lit = [&](int column) {
+    return row[column] > levels[column / tecnogamma_camera::kLevelColumns];
+  };
   LitPixels lit;
   lit.mark(row.data(), columns, levels);
   int next_lit = columns, next_dark = columns;
@@ -50,7 +51,7 @@ void try_rows(int most, unsigned seed) {
   std::mt19937 engine(seed);
   for (const int columns : {1, 2, 63, 64, 65, 127, 128, 129, 191, 192, 193, 640, 1696, 65535}) {
     for (int i = 0; i < 20; ++i) {
-      auto levels = random_row<Pixel>(tecnogamma_camera::tiles_in(columns), most, engine);
+      const auto levels = random_row<Pixel>(tecnogamma_camera::levels_of(columns), most, engine);
       expect_the_same_as_one_by_one(random_row<Pixel>(columns, most, engine), levels);
     }
   }

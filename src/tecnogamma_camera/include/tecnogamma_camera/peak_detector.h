@@ -52,7 +52,7 @@ struct DetectorSettings {
 /// The automatic trigger level is 3.5 standard deviations of the noise above the background, both
 /// measured in tiles of the frame (background.h), so that it follows a dark offset and an ambient
 /// gradient, but at least three grey values above it; and a spot needs the light of 6 standard
-/// deviations of its own noise.
+/// deviations of its own noise (trigger_levels.h).
 ///
 /// Stripe. What lies above half of its height over the background, about the brightest pixel of the
 /// spot; dips in it are bridged that are shorter than the permanence, or than a quarter of its

@@ -26,7 +26,7 @@ constexpr double kMostBlack = 0.75;  // with less left of it, noise of one grey 
 /// Pixels of a tile, one after another.
 template <class Pixel>
 struct Sample {
-  Pixel pixels[kSampledRows * kTileColumns];
+  Pixel pixels[kSampledRows * 3 / 2 * Background<Pixel>::kTileColumns];  // of the widest tile
   int size = 0;
 };
 
@@ -75,6 +75,16 @@ TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int
 }
 
 /// @param guess background and noise of another tile
+/// Takes a slope about the middle, and an offset, out of a row.
+template <class Pixel>
+void take_out(double slope, double offset, int columns, Pixel* pixels) {
+  constexpr long kMost = std::numeric_limits<Pixel>::max();
+  const double middle = 0.5 * (columns - 1);
+  for (int i = 0; i < columns; ++i)
+    pixels[i] = static_cast<Pixel>(
+        std::clamp(std::lround(pixels[i] - offset - slope * (i - middle)), 0L, kMost));
+}
+
 /// Where the camera's black cut the noise off, its low quantiles say nothing. The differences of
 /// neighbours do: four fifths of them are below 1.81 standard deviations of whole noise, and below
 /// less of them the more of it was cut off (a parabola through simulated values). A line has large
@@ -83,7 +93,6 @@ TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int
 template <class Pixel>
 TECNOGAMMA_INLINE TileLight light_of_clipped(const Sample<Pixel>& sample, double black) {
   TileLight light;
-  light.measured = true;
   if (black > kMostBlack) return light;
   Sample<Pixel> differences;
   differences.size = sample.size - 1;
@@ -110,7 +119,6 @@ TECNOGAMMA_INLINE TileLight light_of(const Sample<Pixel>& sample, const TileLigh
   TileLight light;
   light.noise = std::max(0.0, upper - lower) / kUpperAboveLower;
   light.background = upper + kUpperBelowMedian * light.noise;
-  light.measured = true;
   return light;
 }
 
@@ -128,52 +136,92 @@ TECNOGAMMA_VECTOR_CLONES TileLight measure_sample(const Sample<std::uint16_t>& s
 
 template <class Pixel>
 Background<Pixel>::Background(const ImageView<Pixel>& image)
-    : image_(image), tiles_(tiles_in(image.columns)) {
-  const int bands = (image.rows + kBandRows - 1) / kBandRows;
-  light_.resize(static_cast<std::size_t>(bands) * static_cast<std::size_t>(tiles_));
+    : image_(image),
+      tiles_(std::max(1, (image.columns + kTileColumns / 2) / kTileColumns)),
+      bands_((image.rows + kBandRows - 1) / kBandRows) {
+  measured_.resize(static_cast<std::size_t>(bands_) * static_cast<std::size_t>(tiles_));
+  for (int tile = 0; tile < tiles_; ++tile)
+    middles_.push_back(0.5 * (first_column_of(tile) + first_column_of(tile + 1) - 1));
 }
 
 template <class Pixel>
 const TileLight& Background<Pixel>::tile(int row, int tile) {
   const int band = row / kBandRows;
-  const auto index = static_cast<std::size_t>(band) * static_cast<std::size_t>(tiles_) +
-                     static_cast<std::size_t>(tile);
-  if (!light_[index].measured)
-    light_[index] = measure(band, tile, light_[index > 0 ? index - 1 : 0]);
-  return light_[index];
+  std::optional<TileLight>& light = at(band, tile).light;
+  if (!light) light = without_climb(band, tile);
+  return *light;
 }
 
 template <class Pixel>
-TileLight Background<Pixel>::measure(int band, int tile, const TileLight& guess) const {
+const TileLight& Background<Pixel>::as_level(int band, int tile) {
+  std::optional<TileLight>& level = at(band, tile).level;
+  if (!level) level = last_ = measure(band, tile, 0, 0, last_);
+  return *level;
+}
+
+template <class Pixel>
+TileLight Background<Pixel>::without_climb(int band, int tile) {
+  const TileLight level = as_level(band, tile);
+  // Less is within what the noise of the tiles themselves does to it.
+  const double least = (1 + level.noise) / kTileColumns;
+  const auto if_any = [&](double slope) { return std::abs(slope) < least ? 0 : slope; };
+  const double across = if_any(slope_across(band, tile));
+  const double down = if_any(slope_down(band, tile));
+  if (across == 0 && down == 0) return level;
+  TileLight light = measure(band, tile, across, down, level);
+  light.down = down;
+  return light;
+}
+
+template <class Pixel>
+double Background<Pixel>::slope_across(int band, int tile) {
+  const int left = std::max(0, tile - 1);
+  const int right = std::min(tiles_ - 1, tile + 1);
+  if (left == right) return 0;
+  return (as_level(band, right).background - as_level(band, left).background) /
+         (middles_[right] - middles_[left]);
+}
+
+template <class Pixel>
+double Background<Pixel>::slope_down(int band, int tile) {
+  const int upper = std::max(0, band - 1);
+  const int lower = std::min(bands_ - 1, band + 1);
+  if (upper == lower) return 0;
+  return (as_level(lower, tile).background - as_level(upper, tile).background) /
+         (middle_row_of(lower) - middle_row_of(upper));
+}
+
+template <class Pixel>
+TileLight Background<Pixel>::measure(int band, int tile, double across, double down,
+                                     const TileLight& guess) const {
   const int first_row = band * kBandRows;
   const int rows = std::min(kBandRows, image_.rows - first_row);
   const int first_column = first_column_of(tile);
-  const int columns = std::min(kTileColumns, image_.columns - first_column);
+  const int columns = first_column_of(tile + 1) - first_column;
   Sample<Pixel> sample;
   for (int i = 0; i < kSampledRows; ++i) {
     const int row = first_row + rows * (2 * i + 1) / (2 * kSampledRows);
-    std::copy_n(image_.row(row) + first_column, columns, sample.pixels + sample.size);
+    Pixel* const pixels = sample.pixels + sample.size;
+    std::copy_n(image_.row(row) + first_column, columns, pixels);
+    if (across != 0 || down != 0)
+      take_out(across, down * (row - middle_row_of(band)), columns, pixels);
     sample.size += columns;
   }
   return measure_sample(sample, guess);
 }
 
 template <class Pixel>
-int Background<Pixel>::first_column_of(int tile) const {
-  return std::max(0, std::min(tile * kTileColumns, image_.columns - kTileColumns));
-}
-
-template <class Pixel>
 BackgroundLine Background<Pixel>::about(int row, int column) {
-  const int here = column / kTileColumns;
-  const int half = std::min(kTileColumns, image_.columns) / 2;
-  const int middle = first_column_of(here) + half;
-  const int next = std::clamp(here + (column < middle ? -1 : 1), 0, tiles_ - 1);
-  const int distance = first_column_of(next) - first_column_of(here);
-  const double background = tile(row, here).background;
-  if (std::abs(distance) < half) return {background, 0};
-  const double slope = (tile(row, next).background - background) / distance;
-  return {background + slope * (column - middle + 0.5), slope};
+  const int here = tile_of(column);
+  const TileLight& light = tile(row, here);
+  const double at_row = light.background + light.down * (row - middle_row_of(row / kBandRows));
+  if (tiles_ == 1) return {at_row, 0};
+  const double from_middle = column - middles_[here];
+  const bool to_the_left = here > 0 && (from_middle < 0 || here == tiles_ - 1);
+  const int other = to_the_left ? here - 1 : here + 1;
+  const double across =
+      (tile(row, other).background - light.background) / (middles_[other] - middles_[here]);
+  return {at_row + across * from_middle, across};
 }
 
 template class Background<std::uint8_t>;

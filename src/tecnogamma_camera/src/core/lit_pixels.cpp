@@ -9,8 +9,9 @@
 namespace tecnogamma_camera {
 namespace {
 
-constexpr int kBits = 64;  // of a word
-constexpr int kWordsOfTile = kTileColumns / kBits;
+constexpr int kBits = kLevelColumns;  // of a word
+constexpr int kWordsOfBlock = 2;
+constexpr int kBlock = kWordsOfBlock * kBits;
 
 template <class Pixel>
 TECNOGAMMA_INLINE Pixel brightest(const Pixel* row, int columns) {
@@ -38,63 +39,63 @@ TECNOGAMMA_INLINE std::uint64_t lit_bits(const Pixel* row, int columns, Pixel le
   return bits;
 }
 
-/// Range of tiles; empty where none is lit.
-struct Tiles {
+/// Range of words; empty where no pixel is lit.
+struct Words {
   int first = 0;
   int end = 0;
 
-  void add(int tile) {
-    if (end == 0) first = tile;
-    end = tile + 1;
+  void add(int from, int to) {
+    if (end == 0) first = from;
+    end = to;
   }
 };
 
-/// Writes the words of the lit tiles and of the dark ones between them.
+/// Writes the words of the lit blocks and of the dark ones between them.
 template <class Pixel>
-TECNOGAMMA_INLINE Tiles mark_tiles(const Pixel* row, int columns, const Pixel* levels,
-                                   std::uint64_t* words) {
-  Tiles lit;
-  const int whole = columns / kTileColumns;
-  for (int tile = 0; tile < whole; ++tile) {
-    const Pixel* const pixels = row + tile * kTileColumns;
-    std::uint64_t* const bits = words + tile * kWordsOfTile;
-    if (brightest(pixels, kTileColumns) <= levels[tile]) {
-      std::fill_n(bits, kWordsOfTile, 0);
+TECNOGAMMA_INLINE Words mark_blocks(const Pixel* row, int columns, const Pixel* levels,
+                                    std::uint64_t* words) {
+  Words lit;
+  int word = 0;
+  for (; (word + kWordsOfBlock) * kBits <= columns; word += kWordsOfBlock) {
+    const Pixel* const block = row + word * kBits;
+    if (brightest(block, kBlock) <= std::min(levels[word], levels[word + 1])) {
+      std::fill_n(words + word, kWordsOfBlock, 0);
       continue;
     }
-    for (int i = 0; i < kWordsOfTile; ++i)
-      bits[i] = lit_bits(pixels + i * kBits, kBits, levels[tile]);
-    lit.add(tile);
+    for (int i = 0; i < kWordsOfBlock; ++i)
+      words[word + i] = lit_bits(block + i * kBits, kBits, levels[word + i]);
+    lit.add(word, word + kWordsOfBlock);
   }
-  const int first = whole * kTileColumns;
-  if (first == columns || brightest(row + first, columns - first) <= levels[whole]) return lit;
-  for (int column = first; column < columns; column += kBits)
-    words[column / kBits] =
-        lit_bits(row + column, std::min(kBits, columns - column), levels[whole]);
-  lit.add(whole);
+  for (; word * kBits < columns; ++word) {
+    const Pixel* const rest = row + word * kBits;
+    const int count = std::min(kBits, columns - word * kBits);
+    words[word] = 0;
+    if (brightest(rest, count) <= levels[word]) continue;
+    words[word] = lit_bits(rest, count, levels[word]);
+    lit.add(word, word + 1);
+  }
   return lit;
 }
 
-TECNOGAMMA_VECTOR_CLONES Tiles mark_row(const std::uint8_t* row, int columns,
+TECNOGAMMA_VECTOR_CLONES Words mark_row(const std::uint8_t* row, int columns,
                                         const std::uint8_t* levels, std::uint64_t* words) {
-  return mark_tiles(row, columns, levels, words);
+  return mark_blocks(row, columns, levels, words);
 }
 
-TECNOGAMMA_VECTOR_CLONES Tiles mark_row(const std::uint16_t* row, int columns,
+TECNOGAMMA_VECTOR_CLONES Words mark_row(const std::uint16_t* row, int columns,
                                         const std::uint16_t* levels, std::uint64_t* words) {
-  return mark_tiles(row, columns, levels, words);
+  return mark_blocks(row, columns, levels, words);
 }
 
 }  // namespace
 
 template <class Pixel>
 void LitPixels::mark_pixels(const Pixel* row, int columns, const std::vector<Pixel>& levels) {
-  const int words = (columns + kBits - 1) / kBits;
   columns_ = columns;
-  words_.resize(static_cast<std::size_t>(words));
-  const Tiles lit = mark_row(row, columns, levels.data(), words_.data());
-  lit_from_ = lit.first * kWordsOfTile;
-  dark_from_ = std::min(words, lit.end * kWordsOfTile);
+  words_.resize(static_cast<std::size_t>(levels_of(columns)));
+  const Words lit = mark_row(row, columns, levels.data(), words_.data());
+  lit_from_ = lit.first;
+  dark_from_ = lit.end;
 }
 
 void LitPixels::mark(const std::uint8_t* row, int columns,

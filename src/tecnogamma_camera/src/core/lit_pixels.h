@@ -9,20 +9,21 @@
 namespace tecnogamma_camera {
 
 /// Columns that share a trigger level.
-constexpr int kTileColumns = 128;
+constexpr int kLevelColumns = 64;
 
-inline int tiles_in(int columns) {
-  return (columns + kTileColumns - 1) / kTileColumns;
+inline int levels_of(int columns) {
+  return (columns + kLevelColumns - 1) / kLevelColumns;
 }
 
-/// Which pixels of a row are above the trigger level of their tile, one bit a pixel.
+/// Which pixels of a row are above the trigger level of their columns, one bit a pixel.
 ///
 /// A laser line lights a few pixels of a row, so nearly all of a frame's time goes into passing
-/// over the dark ones: a whole tile is, by its brightest pixel alone, in a loop that compilers turn
-/// into vector instructions, and the lit runs are then found in the bits, 64 columns at a time.
+/// over the dark ones: a block of them at a time, by its brightest pixel alone, in a loop that
+/// compilers turn into vector instructions; the lit runs are then found in the bits, 64 columns at
+/// a time.
 class LitPixels {
  public:
-  /// @param levels one a tile
+  /// @param levels levels_of(columns)
   void mark(const std::uint8_t* row, int columns, const std::vector<std::uint8_t>& levels);
   void mark(const std::uint16_t* row, int columns, const std::vector<std::uint16_t>& levels);
 
@@ -51,7 +52,7 @@ class LitPixels {
   }
 
  private:
-  static constexpr int kBits = 64;
+  static constexpr int kBits = kLevelColumns;  // of a word
 
   template <class Pixel>
   void mark_pixels(const Pixel* row, int columns, const std::vector<Pixel>& levels);

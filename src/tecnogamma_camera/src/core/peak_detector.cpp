@@ -39,9 +39,8 @@ class FrameDetection {
   void run(PeakProfile& profile) {
     profile.clear(image_.first_row, image_.rows);
     for (int first = 0; first < image_.rows; first += kBlockRows) {
-      if (automatic() && first % Background<Pixel>::kBandRows == 0)
-        levels_.follow(background_, first);
       const int rows = std::min(kBlockRows, image_.rows - first);
+      if (automatic()) levels_.follow(background_, first, rows);
       for (int i = 0; i < rows; ++i)
         spots_[i] = find_spot(first + i);
       if (needs_stripe()) {
@@ -64,7 +63,7 @@ class FrameDetection {
   /// Its fall is 0 where the row has none, or one that is cut.
   Spot find_spot(int index) {
     const Pixel* const row = image_.row(index);
-    lit_.mark(row, image_.columns, levels_.of_tiles());
+    lit_.mark(row, image_.columns, levels_.levels());
     const Spot spot = choose_spot(row, image_.columns, lit_, levels_, settings_);
     return spot.cut && !automatic() ? Spot{} : spot;
   }

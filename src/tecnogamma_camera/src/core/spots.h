@@ -62,8 +62,8 @@ template <class Pixel>
 std::int64_t light_above(const Pixel* row, const Spot& spot, const TriggerLevels<Pixel>& levels) {
   std::int64_t sum = 0;
   for (int i = spot.rise; i < spot.fall; ++i)
-    sum += row[i];
-  return sum - std::int64_t{levels.at(spot.rise)} * (spot.fall - spot.rise);
+    sum += row[i] - levels.at(i);
+  return sum;
 }
 
 /// The row's spot by the rule of Choice; its fall is 0 if there is none.
