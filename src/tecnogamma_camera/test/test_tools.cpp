@@ -96,6 +96,19 @@ TEST_F(ExtractPeaks, ReadsSixteenBitsAsPngTiffAndPgm) {
   }
 }
 
+TEST_F(ExtractPeaks, TakesGreyThatWasSavedAsColour) {
+  stripes::Image picture(100, 4, 10);
+  for (int row = 0; row < 4; ++row)
+    picture.add(row, {40, 1.5, 200});
+  const auto view = picture.view();
+  const cv::Mat grey(4, 100, CV_8UC1, const_cast<std::uint8_t*>(view.pixels));
+  cv::Mat colour;
+  cv::merge(std::vector<cv::Mat>{grey, grey, grey}, colour);
+  cv::imwrite(image_, colour);
+  EXPECT_EQ(run(""), 0) << log();
+  EXPECT_NE(log().find("4 peaks in 4 rows"), std::string::npos) << log();
+}
+
 TEST_F(ExtractPeaks, TakesTheSpotThatIsChosen) {
   stripes::Image picture(100, 1, 10);
   picture.add(0, {20, 1.5, 100});

@@ -57,7 +57,7 @@ TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int
   int high = std::numeric_limits<Pixel>::max();  // enough are at most it ...
   int at_most = sample.size;                     // ... these
   int level = guess;
-  for (int step = 1; low < high; step *= 2) {
+  for (int step = 1; low < high; step = std::min(2 * step, high)) {
     const int count = count_at_most(sample, static_cast<Pixel>(level));
     const bool is_enough = count >= wanted;
     if (is_enough) {

@@ -29,19 +29,15 @@ class TriggerLevels {
         levels_(static_cast<std::size_t>(levels_of(columns)),
                 static_cast<Pixel>(std::min(std::max(trigger_level, 0), kMost))) {}
 
-  /// Automatic ones for some rows, from their background.
+  /// Automatic ones for some rows of a band, from their background.
   void follow(Background<Pixel>& background, int first_row, int rows) {
-    distances_.clear();
+    if (first_row % Background<Pixel>::kBandRows == 0) measure(background, first_row);
     const int row = first_row + rows / 2;
-    for (int first = 0; first < columns_; first += kLevelColumns) {
-      const int middle = std::min(first + kLevelColumns / 2, columns_ - 1);
-      const int tile = background.tile_of(middle);
-      const BackgroundLine line = background.about(row, middle);
-      const double climb = 0.5 * kLevelColumns * std::abs(line.slope) +
-                           0.5 * rows * std::abs(background.tile(row, tile).down);
-      distances_.push_back(distance(background, row, tile));
-      levels_[first / kLevelColumns] =
-          static_cast<Pixel>(std::clamp<double>(line.value + climb + distances_.back(), 0, kMost));
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      const Place& place = places_[i];
+      const double level =
+          place.level + place.down * (row - row_of_places_) + 0.5 * rows * std::abs(place.down);
+      levels_[i] = static_cast<Pixel>(std::clamp<double>(level, 0, kMost));
     }
   }
 
@@ -58,11 +54,31 @@ class TriggerLevels {
   /// @param light sum of a spot's grey values above the level
   bool is_enough(std::int64_t light, int column, int width) const {
     return static_cast<double>(light) >=
-           distances_[column / kLevelColumns] *
+           places_[column / kLevelColumns].distance *
                (kSpotSigmas / kNoiseSigmas * std::sqrt(width) - width);
   }
 
  private:
+  /// What the level of kLevelColumns follows in a band.
+  struct Place {
+    double level;     // [grey value] in row_of_places_
+    double distance;  // [grey values] of it above the background
+    double down;      // [grey values/px] climb from row to row
+  };
+
+  void measure(Background<Pixel>& background, int first_row) {
+    places_.clear();
+    row_of_places_ = first_row;
+    for (int first = 0; first < columns_; first += kLevelColumns) {
+      const int middle = std::min(first + kLevelColumns / 2, columns_ - 1);
+      const int tile = background.tile_of(middle);
+      const BackgroundLine line = background.about(first_row, middle);
+      const double climb = 0.5 * kLevelColumns * std::abs(line.slope);
+      const double above = distance(background, first_row, tile);
+      places_.push_back({line.value + climb + above, above, background.tile(first_row, tile).down});
+    }
+  }
+
   /// Of the level above the background. The noise is the tile's own or, against the chance that it
   /// came out too low, the mean with its neighbours'.
   static double distance(Background<Pixel>& background, int row, int tile) {
@@ -83,7 +99,8 @@ class TriggerLevels {
   bool automatic_;
   int columns_;
   std::vector<Pixel> levels_;
-  std::vector<double> distances_;  // [grey values] of automatic levels above the background
+  std::vector<Place> places_;  // of automatic levels
+  int row_of_places_ = 0;
 };
 
 }  // namespace tecnogamma_camera

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <vector>
 
 #include "scan_cell_common/errors.h"
 #include "tecnogamma_camera/peak_detector.h"
@@ -16,6 +18,16 @@ using tecnogamma_camera::GreyImage;
 using tecnogamma_camera::ImageView;
 using tecnogamma_camera::PeakProfile;
 
+/// Grey that was saved as colour, its channels all the same, becomes grey.
+cv::Mat without_equal_channels(const cv::Mat& image) {
+  std::vector<cv::Mat> channels;
+  cv::split(image, channels);
+  if (channels.size() != 3) return image;
+  for (const cv::Mat& channel : {channels[1], channels[2]})
+    if (cv::norm(channels[0], channel, cv::NORM_INF) != 0) return image;
+  return channels[0];
+}
+
 cv::Mat load_image(const std::string& path) {
   constexpr const char* kCure = "give a PNG, TIFF or PGM of 8 or 16 bit grey pixels";
   cv::Mat image;
@@ -25,6 +37,7 @@ cv::Mat load_image(const std::string& path) {
     throw scan_cell_common::FileError(path, error.err, kCure);
   }
   if (image.empty()) throw scan_cell_common::FileError(path, "cannot be read as an image", kCure);
+  image = without_equal_channels(image);
   if (image.type() != CV_8UC1 && image.type() != CV_16UC1) {
     throw scan_cell_common::UnusableInput(path, cv::typeToString(image.type()) + " pixels",
                                           "convert it to 8 or 16 bit grey");
