@@ -50,6 +50,10 @@ class Binder {
   /// Of what has been decided; complete after end().
   Audit audit() const;
 
+  /// The same without what takes a walk through all frames and pulses: the list of drops, the
+  /// frames that never arrived and latency_doubtful. For the diagnostics of a scan under way.
+  Audit counts() const;
+
  private:
   enum class Fate : std::uint8_t { Unknown, Dropped, Bound };
   struct Pending {
@@ -73,7 +77,8 @@ class Binder {
   std::uint64_t settled_ = 0;            // pulses whose fate is known
   std::vector<Decision> decisions_;
   std::uint64_t triggers_ = 0;  // pulses sent, as end() was told
-  Audit audit_;
+  Audit counts_;                // of the frames bound
+  std::vector<Drop> dropped_;
 };
 
 }  // namespace pose_frame_binder

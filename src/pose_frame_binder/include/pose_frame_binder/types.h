@@ -68,7 +68,7 @@ struct Settings {
   int frames_to_agree = 3;             //!< that fix the counter's offset
   double most_acceleration = 10;       //!< [m/s^2] of the flange, for the error bound
   double most_speed = 1.5;             //!< [m/s] of the flange, for the error bound
-  std::size_t most_poses = 2'000'000;  //!< held in memory (144 bytes each)
+  std::size_t most_poses = 2'000'000;  //!< held in memory (170 bytes each)
   std::size_t most_pending_frames = 20'000;  //!< that wait for pulses or poses
 };
 

@@ -60,7 +60,7 @@ Binder::Binder(const Settings& settings)
     : settings_((check(settings), settings)),
       poses_(from_seconds(settings.pose_settle), settings.most_poses),
       matcher_(pulses_, settings) {
-  audit_.method = settings.method;
+  counts_.method = settings.method;
 }
 
 void Binder::add_pose(const TimedPose& pose) {
@@ -120,7 +120,7 @@ void Binder::take(const FrameMatcher::Result& result) {
     pending_.push_back({result.frame, *result.pulse});
     return;
   }
-  audit_.dropped.push_back(*result.drop);
+  dropped_.push_back(*result.drop);
   decisions_.push_back({result.frame, std::nullopt});
   if (result.pulse) settle(*result.pulse, Fate::Dropped);
 }
@@ -133,19 +133,20 @@ void Binder::bind() {
     pending_.pop_front();
     decisions_.push_back({frame, answer->match});
     if (!answer->match) {
-      audit_.dropped.push_back(
+      dropped_.push_back(
           {answer->reason, frame, counters_[frame], pulses_[pulse].count, answer->detail});
       settle(pulse, Fate::Dropped);
       continue;
     }
     settle(pulse, Fate::Bound);
     const Match& match = *answer->match;
-    ++audit_.frames_bound;
-    ++audit_.by_rule[static_cast<int>(match.rule)];
+    ++counts_.frames_bound;
+    ++counts_.by_rule[static_cast<int>(match.rule)];
     // The nearest pose that was used; fmin passes over the one that was not.
-    audit_.worst_time_to_pose =
-        std::max(audit_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
-    audit_.worst_position_error = std::max(audit_.worst_position_error, match.position_error_bound);
+    counts_.worst_time_to_pose =
+        std::max(counts_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
+    counts_.worst_position_error =
+        std::max(counts_.worst_position_error, match.position_error_bound);
   }
 }
 
@@ -155,9 +156,9 @@ void Binder::settle(std::size_t pulse, Fate fate) {
 }
 
 bool Binder::latency_doubtful() const {
-  if (fates_.empty() || audit_.frames_bound == 0) return false;
+  if (fates_.empty() || counts_.frames_bound == 0) return false;
   const auto without_pulse = [this](std::size_t frame) {
-    return std::any_of(audit_.dropped.begin(), audit_.dropped.end(), [frame](const Drop& drop) {
+    return std::any_of(dropped_.begin(), dropped_.end(), [frame](const Drop& drop) {
       return drop.frame == frame && drop.reason == DropReason::NoTrigger;
     });
   };
@@ -165,20 +166,26 @@ bool Binder::latency_doubtful() const {
          (fates_.back() == Fate::Unknown && without_pulse(0));
 }
 
-Audit Binder::audit() const {
-  Audit audit = audit_;
+Audit Binder::counts() const {
+  Audit audit = counts_;
   audit.triggers = std::max<std::uint64_t>(triggers_, pulses_.size());
   audit.triggers_missing = audit.triggers - pulses_.size();
   audit.triggers_refused = pulses_.refused();
   audit.frames = counters_.size();
   audit.poses = poses_.size();
-  audit.frames_dropped = audit.dropped.size();
+  audit.frames_dropped = dropped_.size();
   audit.latency = matcher_.latency();
-  audit.latency_doubtful = latency_doubtful();
   audit.slips = matcher_.slips();
   audit.poses_repeated = poses_.repeated();
   audit.poses_late = poses_.late();
   audit.poses_unusable = poses_.unusable();
+  return audit;
+}
+
+Audit Binder::audit() const {
+  Audit audit = counts();
+  audit.latency_doubtful = latency_doubtful();
+  audit.dropped = dropped_;
   std::stable_sort(audit.dropped.begin(), audit.dropped.end(),
                    [](const Drop& a, const Drop& b) { return a.frame < b.frame; });
   for (std::size_t i = 0; i < fates_.size(); ++i) {

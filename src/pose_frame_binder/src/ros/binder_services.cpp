@@ -131,7 +131,7 @@ bool BinderServices::finish(FinishBinding::Request& request, FinishBinding::Resp
 void BinderServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Level = diagnostic_msgs::DiagnosticStatus;
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Audit audit = scan_ ? scan_->binder().audit() : last_audit_;
+  const Audit audit = scan_ ? scan_->binder().counts() : last_audit_;
   status.summary(failure_.empty() ? Level::OK : Level::ERROR,
                  failure_.empty() ? (scan_ ? "binding scan " + scan_id_ : "idle") : failure_);
   status.add("frames", audit.frames);
