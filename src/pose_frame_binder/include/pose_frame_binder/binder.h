@@ -3,10 +3,12 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "pose_frame_binder/frame_matcher.h"
 #include "pose_frame_binder/pose_log.h"
+#include "pose_frame_binder/pose_rule.h"
 #include "pose_frame_binder/pulse_log.h"
 #include "pose_frame_binder/types.h"
 
@@ -68,6 +70,7 @@ class Binder {
   bool latency_doubtful() const;
 
   const Settings settings_;
+  const std::unique_ptr<PoseRule> rule_;
   PoseLog poses_;
   PulseLog pulses_;
   FrameMatcher matcher_;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "pose_frame_binder/pose_rule.h"
 #include "scan_cell_common/errors.h"
 
 namespace pose_frame_binder {
@@ -54,10 +53,12 @@ void check(const Settings& settings) {
   in("frames_to_agree", settings.frames_to_agree, 2, kMost);
   in("most_acceleration", settings.most_acceleration, 0, kMost);
   in("most_speed", settings.most_speed, 0, kMost);
+  if (settings.method == Method::ConstantSpeed) check(settings.constant_speed);
 }
 
 Binder::Binder(const Settings& settings)
     : settings_((check(settings), settings)),
+      rule_(make_pose_rule(settings)),
       poses_(from_seconds(settings.pose_settle), settings.most_poses),
       matcher_(pulses_, settings) {
   counts_.method = settings.method;
@@ -128,7 +129,7 @@ void Binder::take(const FrameMatcher::Result& result) {
 void Binder::bind() {
   while (!pending_.empty()) {
     const auto [frame, pulse] = pending_.front();
-    const std::optional<PoseAnswer> answer = find_pose(pulse, pulses_, poses_, settings_);
+    const std::optional<PoseAnswer> answer = rule_->find(pulse, pulses_, poses_);
     if (!answer) return;
     pending_.pop_front();
     decisions_.push_back({frame, answer->match});

@@ -29,6 +29,7 @@ struct Options {
   std::string method = "interpolate";
   pose_frame_binder::Frames frames;
   pose_frame_binder::Settings settings;
+  std::vector<double> start, end;
 };
 
 void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mode) {
@@ -127,10 +128,28 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--base-frame", options.frames.base)->capture_default_str();
   app.add_option("--flange-frame", options.frames.flange)->capture_default_str();
   app.add_option("--method", options.method)
-      ->check(CLI::IsMember({"interpolate", "first_pose"}))
+      ->check(CLI::IsMember({"constant_speed", "first_pose", "interpolate"}))
       ->capture_default_str();
   app.add_option("--camera-latency", options.settings.camera_latency, "[s]")->capture_default_str();
   app.add_option("--most-pose-gap", options.settings.most_pose_gap, "[s]")->capture_default_str();
+  pose_frame_binder::ConstantSpeed& motion = options.settings.constant_speed;
+  const char* const pose = "for constant_speed: x y z [m] qx qy qz qw in the fixed frame";
+  app.add_option("--start", options.start, pose)->expected(7);
+  app.add_option("--end", options.end, pose)->expected(7);
+  app.add_option("--speed", motion.speed, "for constant_speed [m/s]");
+  app.add_option("--frame-rate", motion.frame_rate, "for constant_speed [Hz]");
+  app.add_flag(
+      "--object-moves", motion.object_moves,
+      "for constant_speed: the object goes from start to end, the scanner stands at start");
+}
+
+void finish(Options& options) {
+  pose_frame_binder::Settings& settings = options.settings;
+  settings.method = pose_frame_binder::method_from(options.method);
+  if (!options.start.empty())
+    settings.constant_speed.start = pose_frame_binder::pose_from("--start", options.start);
+  if (!options.end.empty())
+    settings.constant_speed.end = pose_frame_binder::pose_from("--end", options.end);
 }
 
 }  // namespace
@@ -140,10 +159,8 @@ int main(int argc, char** argv) {
   Options options;
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
-  if (options.method == "first_pose") {
-    options.settings.method = pose_frame_binder::Method::FirstPose;
-  }
   try {
+    finish(options);
     run(options);
     return 0;
   } catch (const std::exception& error) {
