@@ -253,6 +253,26 @@ TEST(Binder, StandsJitterAndADriftingLatency) {
   EXPECT_EQ(count_right(scan, outcome), 2000U);
 }
 
+TEST(Binder, TakesOutADelayOfThePoses) {
+  const SyntheticScan scan = steady_scan(50);  // the flange is at x = 1 m/s x time
+  Settings settings;
+  settings.pose_delay = 0.013;
+  const Outcome outcome = run(scan, settings);
+  ASSERT_EQ(outcome.audit.frames_bound, 50U);
+  EXPECT_NEAR(outcome.match(0)->pose.translation().x(), 0.013, 1e-9);
+  EXPECT_NEAR(outcome.match(20)->pose.translation().x(), 0.213, 1e-9);
+}
+
+TEST(Binder, DropsAndCountsFramesWhoseCounterJumpsBack) {
+  SyntheticScan scan = steady_scan(50);
+  for (std::size_t i = 30; i < 50; ++i)
+    scan.frames[i].counter -= 25;  // the camera was restarted, and nobody said so
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 30U);
+  EXPECT_EQ(outcome.dropped(DropReason::Repeated), 20U);
+  expect_all_accounted(scan, outcome);
+}
+
 TEST(Binder, DropsWhatLostPosesLeaveWithoutOne) {
   SyntheticScan scan = steady_scan(60);
   const auto lost = [](const TimedPose& pose) {

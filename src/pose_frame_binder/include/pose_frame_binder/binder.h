@@ -48,6 +48,7 @@ class Binder {
   bool whole(std::uint64_t triggers) const;
 
   std::uint64_t pulses() const { return pulses_.size(); }
+  const PoseLog& poses() const { return poses_; }
 
   /// Of what has been decided; complete after end().
   Audit audit() const;

@@ -86,6 +86,7 @@ struct Settings {
   Method method = Method::Interpolate;
   double most_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
   double pose_settle = 0.02;    //!< [s] how far a pose may come behind a later one
+  double pose_delay = 0;        //!< [s] the poses are stamped so much too late
   double camera_latency = 0.004;       //!< [s] frame's stamp - pulse, as expected
   double latency_tolerance = 0.02;     //!< [s] at most; never above 0.45 of the pulse interval
   int frames_to_agree = 3;             //!< that fix the counter's offset

@@ -48,6 +48,7 @@ void check(const Settings& settings) {
   constexpr double kLeast = 1e-6, kMost = 1e6;
   in("most_pose_gap", settings.most_pose_gap, kLeast, kMost);
   in("pose_settle", settings.pose_settle, 0, kMost);
+  in("pose_delay", settings.pose_delay, -kMost, kMost);
   in("camera_latency", settings.camera_latency, -kMost, kMost);
   in("latency_tolerance", settings.latency_tolerance, kLeast, kMost);
   in("frames_to_agree", settings.frames_to_agree, 2, kMost);
@@ -65,7 +66,9 @@ Binder::Binder(const Settings& settings)
 }
 
 void Binder::add_pose(const TimedPose& pose) {
-  poses_.add(pose);
+  TimedPose measured = pose;
+  measured.time -= from_seconds(settings_.pose_delay);
+  poses_.add(measured);
   bind();
 }
 

@@ -23,6 +23,15 @@ ConstantSpeed load_constant_speed(scan_cell_common::ParameterReader& reader) {
   return motion;
 }
 
+LookupParameters load_lookup(scan_cell_common::ParameterReader& reader) {
+  LookupParameters lookup;
+  reader.read("lookup/address", lookup.address);
+  reader.read("lookup/port", lookup.port, {0, 65535});
+  reader.read("lookup/most_clients", lookup.limits.most_clients, {1, 64});
+  reader.read("lookup/idle_time", lookup.limits.idle_time, {1, 3600});
+  return lookup;
+}
+
 }  // namespace
 
 Parameters Parameters::load(const ros::NodeHandle& node) {
@@ -39,6 +48,7 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   reader.read_choice("method", method, {"constant_speed", "first_pose", "interpolate"});
   reader.read("most_pose_gap", settings.most_pose_gap, {1e-4, 10});
   reader.read("pose_settle", settings.pose_settle, {0, 1});
+  reader.read("pose_delay", settings.pose_delay, {-1, 1});
   reader.read("camera_latency", settings.camera_latency, {-0.1, 1});
   reader.read("latency_tolerance", settings.latency_tolerance, {1e-5, 1});
   reader.read("frames_to_agree", settings.frames_to_agree, {2, 32});
@@ -47,6 +57,7 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   reader.read("most_poses", most_poses, {100, 1e9});
   reader.read("most_pending_frames", most_pending_frames, {10, 1e7});
   settings.constant_speed = load_constant_speed(reader);
+  parameters.lookup = load_lookup(reader);
   reader.refuse_unknown();
   check(parameters.frames);
   settings.method = method_from(method);
