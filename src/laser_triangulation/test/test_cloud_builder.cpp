@@ -154,5 +154,7 @@ TEST(CloudOfTwoLasers, IsTheSameWhetherTheyAlternateOrScanInSeparatePasses) {
     }
     EXPECT_EQ(of_laser[0], 2 * kRows);
     EXPECT_EQ(of_laser[1], 2 * kRows);
+    const std::vector<std::uint64_t> counted = {2 * kRows, 2 * kRows};
+    EXPECT_EQ(builder->statistics("scan").points_of_laser, counted);
   }
 }

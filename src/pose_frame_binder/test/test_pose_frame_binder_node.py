@@ -357,6 +357,17 @@ class PoseFrameBinderNode(unittest.TestCase):
                 self.assertAlmostEqual(b.pose.position.x,
                                        -1 - SPEED * PERIOD * (b.match.trigger_count - 1), 8)
             self.assertEqual(audits[0].frames_never_arrived, 1)
+            motion = ('--start 1 2 3 0 0 0 1 --end 1 2 -3 0 0 0 1 --speed 0.3 --frame-rate 100').split()
+            subprocess.run(arguments + ['--output', folder + '/speed.bag', '--method',
+                                        'constant_speed'] + motion, check=True, timeout=60)
+            with rosbag.Bag(folder + '/speed.bag') as bag:
+                bound = [m for _, m, _ in bag.read_messages('/pose_frame_binder/bound_profiles')]
+                audits = [m for _, m, _ in bag.read_messages('/pose_frame_binder/audit')]
+            self.assertEqual(audits[0].method, BindingAudit.CONSTANT_SPEED)
+            self.assertEqual(audits[0].constant_speed, count - 1)
+            for b in bound:
+                self.assertEqual(b.match.rule, PoseMatch.CONSTANT_SPEED)
+                self.assertAlmostEqual(b.pose.position.z, 3 - 0.003 * (b.match.trigger_count - 1), 9)
             run = subprocess.run(arguments + ['--output', folder + '/none.bag', '--profiles', '/no'],
                                  stderr=subprocess.PIPE, timeout=60)
             self.assertEqual(run.returncode, 1)

@@ -39,7 +39,9 @@ bool is_pose(const geometry_msgs::Pose& pose) {
 
 CloudBuilder::CloudBuilder(const ScannerModel& model, const PeakLimits& limits,
                            std::size_t most_points)
-    : triangulator_(model, limits), lasers_(model.lasers.size()), most_points_(most_points) {}
+    : triangulator_(model, limits),
+      points_of_laser_(model.lasers.size()),
+      most_points_(most_points) {}
 
 void CloudBuilder::add(const BoundProfile& bound) {
   const scan_cell_msgs::PeakProfile& profile = bound.profile;
@@ -48,9 +50,9 @@ void CloudBuilder::add(const BoundProfile& bound) {
   if (profile.width.size() != rows || profile.intensity.size() != rows) {
     throw UnusableInput(name, "arrays of different lengths", "check the camera node");
   }
-  if (profile.laser >= lasers_) {
+  if (profile.laser >= points_of_laser_.size()) {
     throw UnusableInput(name, "laser " + std::to_string(profile.laser),
-                        "the scanner model has " + std::to_string(lasers_) +
+                        "the scanner model has " + std::to_string(points_of_laser_.size()) +
                             "; scan with one laser at a time, or say which it is");
   }
   if (!is_pose(bound.pose)) {
@@ -73,6 +75,7 @@ void CloudBuilder::add(const BoundProfile& bound) {
                      profile.width.data(), profile.intensity.data()},
                     scan_cell_common::from_ros(bound.pose), profile_);
   points_.append(profile_);
+  points_of_laser_[profile.laser] += profile_.size();
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -105,6 +108,11 @@ scan_cell_msgs::CloudStatistics CloudBuilder::statistics(const std::string& scan
   statistics.points = counts.points;
   statistics.rows_without_peak = counts.rows_without_peak;
   statistics.rejected = counts.rejected();
+  statistics.rejected_by_width = counts.by_width;
+  statistics.rejected_by_intensity = counts.by_intensity;
+  statistics.rejected_by_range = counts.by_range;
+  statistics.outside_sensor = counts.outside_sensor;
+  statistics.points_of_laser = points_of_laser_;
   statistics.seconds = seconds_;
   return statistics;
 }

@@ -46,7 +46,6 @@ TimedPose to_pose(const FaultyPose& faulty) {
 Run bind(const FaultyScan& scan) {
   Settings settings;
   settings.most_poses = kPosesAllowed;
-  settings.latency_tolerance = 0.001;
   Run run;
   run.decisions.reserve(scan.frames.size());
   const std::size_t before = memory_used();

@@ -40,7 +40,7 @@ PlacedScan::PlacedScan(const UnboundScan& scan, double delay, std::size_t most,
     const auto after = pose_at(scan.poses, time + around, settings.most_pose_gap);
     if (!before || !pose || !after) continue;
     for (const Eigen::Vector3d& point : line.points) {
-      if (number++ % stride != 0) continue;
+      if (number++ % stride != 0 || !point.allFinite()) continue;
       points_.push_back({*pose * point, (*after * point - *before * point) / (2 * kAround)});
     }
   }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_frame_binder/time_offset.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "offset_fit.h"
 #include "placed_scan.h"
 #include "scan_cell_common/errors.h"
 
@@ -18,15 +18,6 @@ using scan_cell_common::UnusableInput;
 
 constexpr std::size_t kMostPoints = 60'000;  // of a scan, in its tree
 constexpr std::size_t kMostAsked = 5'000;    // of a scan, looked for in the other
-
-/// residual + slope . (delay, two shifts across the motion) = 0 where the two scans agree.
-struct Pair {
-  Eigen::Vector3d slope;
-  Eigen::Matrix3d slope_noise;  // its covariance
-  double residual;              // [m]
-  bool on_relief;
-  int block;  // of the scene, along the motion
-};
 
 /// The motion's direction, and two across it.
 struct Axes {
@@ -44,7 +35,7 @@ Axes axes_of(const Eigen::Vector3d& velocity) {
 /// Points of `asked` on the planes of `there`.
 /// @param sign +1 where `asked` is the scan that goes back: the shifts are its
 void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, const Axes& axes,
-             const TimeOffsetSettings& settings, std::vector<Pair>& pairs) {
+             const TimeOffsetSettings& settings, std::vector<OffsetPair>& pairs) {
   constexpr double kBlock = 0.01;  // [m]
   const std::size_t stride = asked.points().size() / kMostAsked + 1;
   for (std::size_t i = 0; i < asked.points().size(); i += stride) {
@@ -52,7 +43,7 @@ void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, cons
     const auto patch = there.patch_at(point.place);
     if (!patch) continue;
     const Eigen::Vector3d& normal = patch->normal;
-    Pair pair;
+    OffsetPair pair;
     pair.residual = normal.dot(point.place - patch->middle);
     pair.on_relief = std::abs(normal.dot(axes.along)) >= settings.least_relief;
     // Flat patches say nothing but their noise about the delay.
@@ -67,113 +58,18 @@ void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, cons
   }
 }
 
-std::vector<Pair> pair_up(const PlacedScan& forward, const PlacedScan& backward, const Axes& axes,
-                          const TimeOffsetSettings& settings) {
-  std::vector<Pair> pairs;
+std::vector<OffsetPair> pair_up(const PlacedScan& forward, const PlacedScan& backward,
+                                const Axes& axes, const TimeOffsetSettings& settings) {
+  std::vector<OffsetPair> pairs;
   // Both ways round: what a curved surface is off its patches' planes cancels out.
   pair_up(backward, forward, 1, axes, settings, pairs);
   pair_up(forward, backward, -1, axes, settings, pairs);
   return pairs;
 }
 
-/// 1.4826 x the median: the standard deviation, were there no outliers.
-double robust_deviation(const std::vector<Pair>& pairs, const Eigen::Vector3d& solution) {
-  constexpr double kOfMedian = 1.4826;
-  constexpr double kLeast = 1e-6;  // [m]
-  std::vector<double> sizes;
-  for (const Pair& pair : pairs)
-    sizes.push_back(std::abs(pair.residual + pair.slope.dot(solution)));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(kLeast, kOfMedian * *middle);
-}
-
-struct Fit {
-  Eigen::Vector3d solution = Eigen::Vector3d::Zero();
-  double from_posterior = 0;
-  double from_residuals = 0;
-};
-
-struct Equations {
-  Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();  // of the information
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-};
-
-/// Normals that scatter tell the delay from a shift where the surface does not: the information
-/// that comes of their noise is taken away (errors in variables).
-double deviation_of_delay(const Equations& all, const Eigen::Matrix3d& prior) {
-  Eigen::Matrix3d measured = all.information - prior;
-  const double speed = std::sqrt(measured(0, 0) / (measured(1, 1) + measured(2, 2)));
-  const Eigen::DiagonalMatrix<double, 3> to_metres(1 / speed, 1, 1);
-  measured = to_metres * (measured - all.noise) * to_metres;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(measured);
-  measured = axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).asDiagonal() *
-             axes.eigenvectors().transpose();
-  const Eigen::Matrix3d information = measured + to_metres * prior * to_metres;
-  return std::sqrt(information.inverse()(0, 0)) / speed;
-}
-
-/// How much the delay would change were one block of the scene left out, over all blocks
-/// (jackknife): pairs of a block share their patches' and their poses' errors. These reach from
-/// block to block: of blocks one, two and three times as long, those count that say most.
-double jackknife(const Equations& all, const std::map<int, Equations>& blocks) {
-  double most = 0;
-  for (const int length : {1, 2, 3}) {
-    std::map<int, Equations> longer;
-    for (const auto& [number, block] : blocks) {
-      Equations& sum = longer[static_cast<int>(std::floor(static_cast<double>(number) / length))];
-      sum.information += block.information;
-      sum.gradient += block.gradient;
-    }
-    double squares = 0;
-    for (const auto& [number, block] : longer) {
-      const Eigen::Matrix3d rest = all.information - block.information;
-      squares += std::pow((rest.inverse() * block.gradient)[0], 2);
-    }
-    const auto count = static_cast<double>(longer.size());
-    most = std::max(most, std::sqrt(squares * (count - 1) / count));
-  }
-  return most;
-}
-
-/// Iteratively reweighted least squares with Tukey's weights.
-Fit solve(const std::vector<Pair>& pairs) {
-  constexpr int kSteps = 20;
-  constexpr double kTukey = 4.685;
-  constexpr double kAlmostNothing =
-      1e-6;                        // known of the delay, so that there is an inverse [1/s^2]
-  constexpr double kShift = 1e-3;  // [m] how far off across the motion is to be expected
-  const Eigen::Matrix3d prior =
-      Eigen::Vector3d(kAlmostNothing, 1 / (kShift * kShift), 1 / (kShift * kShift)).asDiagonal();
-  Fit fit;
-  for (int step = 0; step < kSteps; ++step) {
-    const double deviation = robust_deviation(pairs, fit.solution);
-    Equations all;
-    all.information = prior;
-    all.gradient = prior * fit.solution;
-    std::map<int, Equations> blocks;
-    for (const Pair& pair : pairs) {
-      const double residual = pair.residual + pair.slope.dot(fit.solution);
-      const double share = residual / (kTukey * deviation);
-      if (std::abs(share) >= 1) continue;
-      const double weight = std::pow(1 - share * share, 2) / (deviation * deviation);
-      for (Equations* equations : {&all, &blocks[pair.block]}) {
-        equations->information += weight * pair.slope * pair.slope.transpose();
-        equations->gradient += weight * residual * pair.slope;
-        equations->noise += weight * pair.slope_noise;
-      }
-    }
-    fit.solution -= all.information.inverse() * all.gradient;
-    fit.from_posterior = deviation_of_delay(all, prior);
-    fit.from_residuals = jackknife(all, blocks);
-  }
-  return fit;
-}
-
-double root_mean_square(const std::vector<Pair>& pairs) {
+double root_mean_square(const std::vector<OffsetPair>& pairs) {
   double sum = 0;
-  for (const Pair& pair : pairs)
+  for (const OffsetPair& pair : pairs)
     sum += pair.residual * pair.residual;
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(pairs.size(), 1)));
 }
@@ -225,19 +121,19 @@ Axes check_directions(const PlacedScan& forward, const PlacedScan& backward) {
                       "scan the scene there and back, the flange turned the same way");
 }
 
-void check_overlap(const std::vector<Pair>& pairs) {
+void check_overlap(const std::vector<OffsetPair>& pairs) {
   constexpr std::size_t kLeast = 500;
   if (pairs.size() >= kLeast) return;
   throw UnusableInput("the two scans", std::to_string(pairs.size()) + " points in common",
                       "scan the same scene twice");
 }
 
-void check_relief(const TimeOffset& offset, const std::vector<Pair>& pairs,
+void check_relief(const TimeOffset& offset, const std::vector<OffsetPair>& pairs,
                   const TimeOffsetSettings& settings) {
   constexpr std::size_t kLeastPairs = 200;
   constexpr std::size_t kLeastBlocks = 4;
   std::map<int, int> blocks;
-  for (const Pair& pair : pairs)
+  for (const OffsetPair& pair : pairs)
     if (pair.on_relief) ++blocks[pair.block];
   const char* const cure =
       "put something with slopes along the motion there, such as a box on its edge or a pipe";
@@ -268,16 +164,16 @@ TimeOffset estimate_time_offset(const UnboundScan& forward, const UnboundScan& b
 
   constexpr int kMostSteps = 25;
   constexpr double kConverged = 0.03;  // of the uncertainty
-  Fit fit;
+  OffsetFit fit;
   for (int step = 0; step < kMostSteps; ++step) {
-    const std::vector<Pair> pairs =
+    const std::vector<OffsetPair> pairs =
         pair_up(PlacedScan(forward, offset.pose_delay, kMostPoints, settings),
                 PlacedScan(backward, offset.pose_delay, kMostPoints, settings), axes, settings);
     check_overlap(pairs);
-    fit = solve(pairs);
+    fit = fit_offset(pairs);
     offset.pairs = pairs.size();
-    offset.on_relief = static_cast<std::size_t>(
-        std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.on_relief; }));
+    offset.on_relief = static_cast<std::size_t>(std::count_if(
+        pairs.begin(), pairs.end(), [](const OffsetPair& pair) { return pair.on_relief; }));
     offset.from_posterior = fit.from_posterior;
     offset.from_residuals = fit.from_residuals;
     offset.uncertainty = std::max(fit.from_posterior, fit.from_residuals);

@@ -36,7 +36,7 @@ class CloudBuilder {
 
  private:
   Triangulator triangulator_;
-  std::size_t lasers_;
+  std::vector<std::uint64_t> points_of_laser_;
   std::size_t most_points_;
   ScanCloud points_;
   std::vector<ScanPoint> profile_;  // the points of the last
