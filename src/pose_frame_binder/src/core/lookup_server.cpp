@@ -118,7 +118,11 @@ struct LookupServer::Implementation {
     Client client{
         Descriptor(::accept4(listener.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)),
         {}};
-    if (client.socket.number() < 0) return;
+    if (client.socket.number() < 0) {
+      constexpr int kPause = 100;  // [ms] out of files: what waits would wake poll at once
+      if (errno == EMFILE || errno == ENFILE) ::poll(nullptr, 0, kPause);
+      return;
+    }
     if (clients.size() >= static_cast<std::size_t>(limits.most_clients)) {
       send_line(client.socket.number(), "ERROR too many clients");
       return;
