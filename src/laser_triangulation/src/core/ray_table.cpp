@@ -4,7 +4,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "scan_cell_common/errors.h"
@@ -53,12 +55,17 @@ RayTable::RayTable(const CameraIntrinsics& camera) {
 
 void RayTable::find(std::size_t first_row, const float* columns, std::size_t count,
                     Eigen::Vector2d* rays) const {
-  const Cell* row = &cells_[first_row * cells_in_row_];
-  for (std::size_t i = 0; i < count; ++i, row += cells_in_row_) {
+  std::array<std::uint32_t, kMostRows> cell;
+  std::array<double, kMostRows> within;
+  for (std::size_t i = 0; i < count; ++i) {
     const double place = (columns[i] + kHalfPixel) * per_column_;
-    const int cell = static_cast<int>(place);
-    rays[i] = row[cell].at(place - cell);
+    const int whole = static_cast<int>(place);
+    cell[i] = static_cast<std::uint32_t>(whole);
+    within[i] = place - whole;
   }
+  const Cell* row = &cells_[first_row * cells_in_row_];
+  for (std::size_t i = 0; i < count; ++i, row += cells_in_row_)
+    rays[i] = row[cell[i]].at(within[i]);
 }
 
 /// @return how far the cubics are off

@@ -96,7 +96,7 @@ void count_rejected(const PeakFilter& filter, const ProfileView& profile, std::s
 /// Rows that are worked on together, a field after the other: the compiler turns such loops into
 /// vector instructions.
 struct Block {
-  static constexpr std::size_t kRows = 128;
+  static constexpr std::size_t kRows = RayTable::kMostRows;
 
   std::size_t count = 0;
   bool fits[kRows];
