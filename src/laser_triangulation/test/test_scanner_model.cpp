@@ -98,6 +98,12 @@ TEST_F(ScannerModelFile, IsRefusedWithTheNameOfTheBadEntry) {
             std::string::npos);
 }
 
+TEST(ScannerModel, IsRefusedWithASensorThatNoCameraHas) {
+  ScannerModel model = example();
+  model.camera.width = model.camera.height = 16000;  // its table would take gigabytes
+  EXPECT_THROW(check(model), scan_cell_common::UnusableInput);
+}
+
 TEST_F(ScannerModelFile, IsRefusedWhereMissingOrNotYaml) {
   EXPECT_THROW(laser_triangulation::load_scanner_model("/no/such/scanner.yaml"),
                scan_cell_common::FileError);

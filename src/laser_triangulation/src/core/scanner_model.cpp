@@ -3,6 +3,7 @@
 #include "laser_triangulation/scanner_model.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "scan_cell_common/errors.h"
 
@@ -18,6 +19,11 @@ void check(const CameraIntrinsics& camera) {
   if (camera.width < 1 || camera.height < 1 || camera.width > kMost || camera.height > kMost) {
     refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
            "give the sensor's columns and rows");
+  }
+  constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
+  if (std::int64_t{camera.width} * camera.height > kMostPixels) {
+    refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
+           "no camera has more than 64 million pixels: check it");
   }
   if (!(camera.fx > 0) || !(camera.fy > 0) || !std::isfinite(camera.fx + camera.fy)) {
     refuse("camera fx, fy", std::to_string(camera.fx) + ", " + std::to_string(camera.fy),

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 
 #include "scan_cell_common/errors.h"
@@ -40,7 +39,9 @@ bool is_pose(const geometry_msgs::Pose& pose) {
 
 CloudBuilder::CloudBuilder(const ScannerModel& model, const PeakLimits& limits,
                            std::size_t most_points)
-    : triangulator_(model, limits), lasers_(model.lasers.size()), most_points_(most_points) {}
+    : triangulator_(model, limits),
+      points_of_laser_(model.lasers.size()),
+      most_points_(most_points) {}
 
 void CloudBuilder::add(const BoundProfile& bound) {
   const scan_cell_msgs::PeakProfile& profile = bound.profile;
@@ -49,9 +50,9 @@ void CloudBuilder::add(const BoundProfile& bound) {
   if (profile.width.size() != rows || profile.intensity.size() != rows) {
     throw UnusableInput(name, "arrays of different lengths", "check the camera node");
   }
-  if (profile.laser >= lasers_) {
+  if (profile.laser >= points_of_laser_.size()) {
     throw UnusableInput(name, "laser " + std::to_string(profile.laser),
-                        "the scanner model has " + std::to_string(lasers_) +
+                        "the scanner model has " + std::to_string(points_of_laser_.size()) +
                             "; scan with one laser at a time, or say which it is");
   }
   if (!is_pose(bound.pose)) {
@@ -69,9 +70,12 @@ void CloudBuilder::add(const BoundProfile& bound) {
   }
   const auto begin = std::chrono::steady_clock::now();
   header_ = bound.header;
+  profile_.clear();
   triangulator_.add({profile.laser, profile.first_row, rows, profile.position.data(),
                      profile.width.data(), profile.intensity.data()},
-                    scan_cell_common::from_ros(bound.pose), points_);
+                    scan_cell_common::from_ros(bound.pose), profile_);
+  points_.append(profile_);
+  points_of_laser_[profile.laser] += profile_.size();
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -86,12 +90,13 @@ PointCloud2 CloudBuilder::cloud(std::size_t first) const {
                   field("y", offsetof(ScanPoint, y), PointField::FLOAT32),
                   field("z", offsetof(ScanPoint, z), PointField::FLOAT32),
                   field("intensity", offsetof(ScanPoint, intensity), PointField::FLOAT32),
-                  field("laser", offsetof(ScanPoint, laser), PointField::UINT8)};
+                  field("laser", offsetof(ScanPoint, laser), PointField::UINT8),
+                  field("width", offsetof(ScanPoint, width), PointField::FLOAT32)};
   cloud.point_step = sizeof(ScanPoint);
   cloud.row_step = static_cast<std::uint32_t>(count * sizeof(ScanPoint));
   cloud.is_dense = true;
   cloud.data.resize(count * sizeof(ScanPoint));
-  if (count > 0) std::memcpy(cloud.data.data(), &points_[first], cloud.data.size());
+  points_.copy(first, cloud.data.data());
   return cloud;
 }
 
@@ -103,6 +108,11 @@ scan_cell_msgs::CloudStatistics CloudBuilder::statistics(const std::string& scan
   statistics.points = counts.points;
   statistics.rows_without_peak = counts.rows_without_peak;
   statistics.rejected = counts.rejected();
+  statistics.rejected_by_width = counts.by_width;
+  statistics.rejected_by_intensity = counts.by_intensity;
+  statistics.rejected_by_range = counts.by_range;
+  statistics.outside_sensor = counts.outside_sensor;
+  statistics.points_of_laser = points_of_laser_;
   statistics.seconds = seconds_;
   return statistics;
 }
