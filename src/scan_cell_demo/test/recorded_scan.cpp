@@ -9,6 +9,8 @@
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <memory>
+
 #include "scan_cell/scan_program.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_sim/cell.h"
@@ -94,8 +96,9 @@ class Recorder {
                    static_cast<std::size_t>(region.height));
     renderer_.render(scene_, exposure, region, pixels_.data());
     tecnogamma_camera::PeakProfile peaks;
-    detector_.detect(
-        {pixels_.data(), region.width, region.height, region.width, region.x, region.y}, peaks);
+    detector_->detect(tecnogamma_camera::ImageView8{pixels_.data(), region.width, region.height,
+                                                    region.width, region.x, region.y},
+                      peaks);
     scan_cell_msgs::PeakProfile message;
     message.header.stamp = ros::Time(start_ + time);
     message.header.frame_id = "camera_optical_frame";
@@ -116,7 +119,8 @@ class Recorder {
   scan_cell_sim::LaserLineRenderer renderer_;
   Eigen::Isometry3d base_;
   scan_cell::ScanProgram program_;
-  tecnogamma_camera::CenterOfGravityDetector detector_{{}};
+  std::unique_ptr<tecnogamma_camera::PeakDetector> detector_ =
+      tecnogamma_camera::make_detector("fir_derivative", {});
   std::vector<std::uint8_t> pixels_;
 };
 

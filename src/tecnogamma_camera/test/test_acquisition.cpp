@@ -35,6 +35,7 @@ struct Script {
   double exposure = 0;
   tecnogamma_camera::Region region;
   int opened = 0;
+  bool ended = false;  // the stream, once the frames are used up
 
   void send(std::uint64_t counter, scan_cell_common::Nanoseconds device_time = 0,
             std::uint32_t packets_lost = 0, scan_cell_common::Nanoseconds delay = 0) {
@@ -45,6 +46,14 @@ struct Script {
     frame.host_time = 1000000000 + device_time + delay;
     frame.packets_lost = packets_lost;
     frames.push_back(frame);
+  }
+  void send(const Frame& frame) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    frames.push_back(frame);
+  }
+  void end() {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ended = true;
   }
   void plug(bool in) {
     const std::lock_guard<std::mutex> lock(mutex);
@@ -97,6 +106,7 @@ class ScriptedCamera : public Camera {
         script_.frames.pop_front();
         return frame;
       }
+      if (script_.ended) throw tecnogamma_camera::StreamEnded("recording", "ended", "loop");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return std::nullopt;
@@ -128,6 +138,7 @@ class Recorder : public AcquisitionListener {
     frames_.push_back({frame.acquisition, frame.counter, frame.time});
   }
   void on_connected(const CameraDescription&) override { ++connections; }
+  void on_ended(const std::string&) override { ++endings; }
   void on_trouble(const std::string& reason) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     troubles_.push_back(reason);
@@ -141,6 +152,7 @@ class Recorder : public AcquisitionListener {
     return troubles_;
   }
   std::atomic<int> connections{0};
+  std::atomic<int> endings{0};
 
  private:
   std::mutex mutex_;
@@ -236,6 +248,133 @@ TEST_F(AcquisitionOfScriptedCamera, TellsALateFrameFromARestartedCamera) {
   expect_frames({{1, 50, 0}, {1, 49, 0}, {1, 51, 0}, {2, 1, 0}, {2, 2, 0}});
   EXPECT_EQ(acquisition.state().frames.late, 1U);
   EXPECT_EQ(acquisition.state().frames.restarts, 1U);
+}
+
+TEST_F(AcquisitionOfScriptedCamera, TakesACounterWithoutClockThatCountsOnFromLessForRestarted) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  for (const std::uint64_t raw : {50, 49, 51, 48, 52, 1, 2, 3, 4})
+    script_.send(raw);
+  // 49 and 48 are late; 1 and 2 could be, and only 3 shows that it was restarted.
+  expect_frames({{1, 50, 0},
+                 {1, 49, 0},
+                 {1, 51, 0},
+                 {1, 48, 0},
+                 {1, 52, 0},
+                 {1, 1, 0},
+                 {1, 2, 0},
+                 {2, 3, 0},
+                 {2, 4, 0}});
+  EXPECT_EQ(acquisition.state().frames.late, 4U);
+  EXPECT_EQ(acquisition.state().frames.restarts, 1U);
+}
+
+TEST_F(AcquisitionOfScriptedCamera, TakesLateFramesBetweenOthersForLateHoweverMany) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  for (const std::uint64_t raw : {50, 40, 51, 41, 52, 42, 53})
+    script_.send(raw);
+  expect_frames(
+      {{1, 50, 0}, {1, 40, 0}, {1, 51, 0}, {1, 41, 0}, {1, 52, 0}, {1, 42, 0}, {1, 53, 0}});
+}
+
+TEST_F(AcquisitionOfScriptedCamera, NoticesARestartAlsoWhereTheClockWasSetBackWithTheCounter) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  script_.send(500, 5000000);
+  for (std::uint64_t raw = 1; raw <= 4; ++raw)
+    script_.send(raw, static_cast<scan_cell_common::Nanoseconds>(1000 * raw));
+  expect_frames({{1, 500, 0}, {1, 1, 0}, {1, 2, 0}, {2, 3, 0}, {2, 4, 0}});
+}
+
+TEST_F(AcquisitionOfScriptedCamera, BeginsANewAcquisitionWhereTheFrameSaysSo) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  Frame frame;
+  frame.counter = 7;
+  frame.device_time = 700;
+  script_.send(frame);
+  frame.restarted = true;
+  script_.send(frame);
+  frame.fault = "damaged";  // it may be the first of a turn that is
+  script_.send(frame);
+  script_.send(3);
+  expect_frames({{1, 7, 0}, {2, 7, 0}, {3, 3, 0}});
+  EXPECT_EQ(acquisition.state().frames.repeated, 0U);
+  EXPECT_EQ(acquisition.state().frames.restarts, 2U);
+}
+
+TEST_F(AcquisitionOfScriptedCamera, TakesTheTimeThatWasRecordedAsItIs) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  Frame frame;
+  frame.counter = 1;
+  frame.device_time = 500;
+  frame.host_time = 900000;
+  frame.time = 123456789;
+  script_.send(frame);
+  expect_frames({{1, 1, 0}});
+  EXPECT_EQ(recorder_.frames()[0].time, 123456789);
+}
+
+TEST_F(AcquisitionOfScriptedCamera, DropsAndCountsFramesWithAFaultAndTellsTheFirst) {
+  Acquisition& acquisition = start();
+  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  script_.send(1);
+  Frame damaged;
+  for (const char* fault : {"cut off after 3 bytes", "cut off after 4 bytes"}) {
+    damaged.fault = fault;
+    script_.send(damaged);
+  }
+  script_.send(4);
+  expect_frames({{1, 1, 0}, {1, 4, 0}});
+  const auto state = acquisition.state();
+  EXPECT_EQ(state.frames.unusable, 2U);
+  EXPECT_EQ(state.frames.lost, 2U) << "a gap in the counter";
+  EXPECT_EQ(state.fault, "cut off after 4 bytes");
+  ASSERT_EQ(recorder_.troubles().size(), 1U);
+  EXPECT_NE(recorder_.troubles()[0].find("after 3 bytes"), std::string::npos);
+  EXPECT_TRUE(state.connected);
+}
+
+TEST_F(AcquisitionOfScriptedCamera, RefusesAStartInFreeRunWhereNoFrameCanBeUsed) {
+  parameters_.start_timeout = 0.2;
+  Acquisition& acquisition = start();
+  tecnogamma_camera::PeakProfile peaks;
+  Frame relief;
+  relief.counter = 1;
+  relief.peaks = &peaks;
+  script_.send(relief);
+  try {
+    acquisition.set(AcquisitionMode::LIVE_ONLY, Trigger::FREE_RUN);
+    ADD_FAILURE() << "a camera that sends peaks alone has no live images";
+  } catch (const scan_cell_common::UnusableInput& error) {
+    EXPECT_NE(std::string(error.what()).find("no image"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(acquisition.state().mode, AcquisitionMode::STOP);
+  EXPECT_TRUE(acquisition.state().connected);
+  EXPECT_TRUE(recorder_.frames().empty());
+  script_.send(relief);
+  EXPECT_GT(acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::FREE_RUN), 0U);
+}
+
+TEST_F(AcquisitionOfScriptedCamera, StopsWhereARecordingEndsAndSaysSo) {
+  Acquisition& acquisition = start();
+  script_.send(1);
+  script_.end();
+  EXPECT_EQ(acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL), 1U);
+  EXPECT_TRUE(wait_until([&] { return acquisition.state().mode == AcquisitionMode::STOP; }));
+  expect_frames({{1, 1, 0}});
+  EXPECT_NE(acquisition.state().message.find("ended"), std::string::npos);
+  EXPECT_EQ(recorder_.endings, 1);
+  EXPECT_TRUE(recorder_.troubles().empty()) << "that is no trouble";
+  EXPECT_TRUE(acquisition.state().connected);
+  EXPECT_EQ(acquisition.state().times_lost, 0U);
+  lose_and_find();
+  acquisition.set(AcquisitionMode::STOP, Trigger::EXTERNAL);
+  EXPECT_EQ(acquisition.state().acquisition, 1U) << "what has ended is not resumed";
+  script_.send(1);  // but can be played again
+  EXPECT_EQ(acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::FREE_RUN), 2U);
 }
 
 TEST_F(AcquisitionOfScriptedCamera, MapsTheCamerasClockToTheHosts) {

@@ -10,7 +10,9 @@
 
 #include "fake_cameras.h"
 #include "line_camera.h"
+#include "payloads.h"
 #include "tecnogamma_camera/aravis_camera.h"
+#include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 using fake_cameras::kAddress;
@@ -147,7 +149,7 @@ TEST(AravisCamera, ShowsWhatIsInFrontOfIt) {
   ASSERT_TRUE(frame);
   ASSERT_EQ(frame->packets_lost, 0U);
   tecnogamma_camera::PeakProfile profile;
-  tecnogamma_camera::CenterOfGravityDetector({}).detect(frame->image, profile);
+  tecnogamma_camera::make_detector("fir_derivative", {})->detect(frame->image, profile);
   ASSERT_EQ(profile.rows(), 64);
   for (int row = 0; row < profile.rows(); ++row)
     EXPECT_NEAR(profile.position[row], LineCamera::line(profile.first_row + row), 0.02);
@@ -224,6 +226,48 @@ TEST(AravisCamera, KeepsItsRegionWhereAnotherIsRefused) {
   std::filesystem::remove(file);
 }
 
+TEST(AravisCamera, HandsOutGreyValuesOfMoreThanEightBitsPackedOrNot) {
+  const std::string file = genicam_file();
+  LineCamera::save_genicam_with_mono12p(file);
+  LineCamera line(file);
+  const auto camera = open();
+  for (const auto& [format, bits] : {std::pair{"Mono16", 16}, {"Mono12p", 12}, {"Mono8", 8}}) {
+    CameraSettings settings = small_region(50);
+    settings.pixel_format = format;
+    camera->configure(settings);
+    EXPECT_EQ(camera->describe().grey_bits, bits);
+    camera->start(Trigger::FREE_RUN);
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->image.bits, bits);
+    tecnogamma_camera::PeakProfile profile;
+    tecnogamma_camera::make_detector("fir_derivative", {})->detect(frame->image, profile);
+    for (int row = 0; row < profile.rows(); ++row) {
+      const double centre = LineCamera::line(profile.first_row + row);
+      const double light = 10 + 200 * stripes::gaussian_pixel(std::lround(centre), centre, 1.5);
+      EXPECT_NEAR(profile.position[row], centre, 0.02) << format;
+      EXPECT_NEAR(profile.intensity[row], bits == 8 ? light : 16 * light, 1) << format;
+    }
+    camera->stop();
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, NamesThePixelFormatThatItDoesNotHave) {
+  LineCamera line;
+  const auto camera = open();
+  CameraSettings settings = small_region(50);
+  settings.pixel_format = "Mono10";
+  try {
+    camera->configure(settings);
+    FAIL();
+  } catch (const MissingFeature& error) {
+    EXPECT_EQ(error.value(), "PixelFormat Mono10");
+  }
+  settings.pixel_format = "RGB8";  // it has that, but there are no grey values in it
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "pixel_format");
+}
+
 TEST(AravisCamera, KeepsTheRateOfFreeRunAfterAnExternalTrigger) {
   const std::string file = genicam_file();
   LineCamera::save_genicam_with_rate_enable(file);
@@ -254,6 +298,109 @@ TEST(AravisCamera, NamesTheFeatureThatItDoesNotHave) {
     camera->start(Trigger::FREE_RUN);  // what it has still works
     EXPECT_TRUE(grab(*camera));
   }
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, DrivesTheStrobeWhileItRunsAndSetsTheLineBack) {
+  const std::string file = genicam_file();
+  LineCamera::Features()
+      .words("LineSelector", {"Line0", "Line1"})
+      .words("LineMode", {"Input", "Output"})
+      .words("LineSource", {"Off", "UserOutput0", "ExposureActive"})
+      .save(file);
+  LineCamera line(file);
+  line.write_feature(2, 1);
+  const auto camera = open();
+  CameraSettings settings = small_region(50);
+  settings.strobe_line = "Line1";
+  camera->configure(settings);
+  EXPECT_EQ(line.read_feature(1), 0U) << "nothing is driven in STOP";
+  for (const Trigger trigger : {Trigger::EXTERNAL, Trigger::FREE_RUN}) {
+    camera->start(trigger);
+    EXPECT_EQ(line.read_feature(0), 1U);
+    EXPECT_EQ(line.read_feature(1), 1U);
+    EXPECT_EQ(line.read_feature(2), 2U);
+    camera->stop();
+    for (unsigned i = 0; i < 3; ++i)
+      EXPECT_EQ(line.read_feature(i), i == 2 ? 1U : 0U) << "as it was before";
+  }
+  settings.strobe_source = "Moonlight";
+  camera->configure(settings);
+  EXPECT_THROW(camera->start(Trigger::FREE_RUN), scan_cell_common::Error);
+  for (unsigned i = 0; i < 3; ++i)
+    EXPECT_EQ(line.read_feature(i), i == 2 ? 1U : 0U) << "also where the start fails";
+  std::filesystem::remove(file);
+}
+
+TEST(AravisCamera, NeedsLinesOnlyWhereAStrobeIsAskedFor) {
+  const Program program;
+  const auto camera = open();
+  CameraSettings settings = small_region(50);
+  settings.strobe_line = "Line1";
+  camera->configure(settings);
+  try {
+    camera->start(Trigger::FREE_RUN);
+    FAIL();
+  } catch (const MissingFeature& error) {
+    EXPECT_EQ(error.value(), "LineSelector");
+  }
+  camera->configure(small_region(50));
+  camera->start(Trigger::FREE_RUN);
+  EXPECT_TRUE(grab(*camera));
+}
+
+TEST(AravisCamera, ThatSends3D03FramesGivesItsPeaksNumbersAndTimes) {
+  const std::string file = genicam_file();
+  LineCamera::Features()
+      .number("HeightInterface")
+      .number("Peak0_3DY")
+      .number("Peak0_3DH")
+      .save(file);
+  std::uint32_t counter = 0xFFFFF0;
+  LineCamera smart(file, [&counter](std::uint8_t* bytes, int columns, int rows) {
+    payloads::Photonfocus sent(columns, rows / 5);
+    for (int block = 0; block < rows / 5; ++block) {
+      sent.number(block, counter & 0xFFFFFF, 100 * counter);
+      ++counter;
+      for (int column = 0; column < columns; ++column)
+        sent.set(block, column, 14, 176, 10, 128);
+    }
+    std::copy(sent.bytes.begin(), sent.bytes.end(), bytes);
+  });
+  smart.write_feature(0, 10);  // two frames combined
+  smart.write_feature(1, 300);
+  smart.write_feature(2, 400);
+  open();
+  tecnogamma_camera::CameraOptions options;
+  options.payload.format = "photonfocus_3d03";
+  const auto camera = tecnogamma_camera::open_camera(kAddress, options);
+  CameraSettings settings;
+  settings.region = {64, 0, 256, 0};
+  settings.rate = 50;
+  camera->configure(settings);
+  tecnogamma_camera::CounterUnwrapper unwrapper(camera->describe().counter);
+  camera->start(Trigger::FREE_RUN);
+  scan_cell_common::Nanoseconds last = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    ASSERT_EQ(frame->fault, "");
+    if (frame->packets_lost > 0) continue;
+    const CounterStep step = unwrapper.unwrap(frame->counter);
+    ASSERT_TRUE(step.kind == CounterStep::Kind::NEXT || step.kind == CounterStep::Kind::GAP ||
+                i == 0);
+    ASSERT_NE(frame->peaks, nullptr);
+    EXPECT_EQ(frame->peaks->rows(), 256);
+    EXPECT_EQ(frame->peaks->first_row, 2048 - 64 - 256);
+    EXPECT_EQ(frame->peaks->position[0], 300 + 58.75);
+    if (step.kind == CounterStep::Kind::NEXT) {
+      EXPECT_EQ(frame->device_time - last, 100000);
+    }
+    last = frame->device_time;
+  }
+  settings.region = {64, 10, 256, 0};
+  camera->stop();
+  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "region");
   std::filesystem::remove(file);
 }
 
@@ -297,6 +444,48 @@ TEST(CameraMenu, StopsTheCameraWhereAFrameCannotBeSaved) {
   const std::string log{std::istreambuf_iterator<char>(file), {}};
   EXPECT_NE(log.find("image.png: cannot be written"), std::string::npos) << log;
   EXPECT_EQ(log.find("is running"), std::string::npos) << log;
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RecordFrames, WritesAFolderThatPlaysAsTheCameraDid) {
+  LineCamera line;
+  open();
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("frames_" + std::to_string(getpid()));
+  const auto record = [&](const std::string& options) {
+    return WEXITSTATUS(
+        std::system((std::string(RECORD_FRAMES) + " --camera " + kAddress + " --output " +
+                     folder.string() + " " + options + " > /dev/null 2>&1")
+                        .c_str()));
+  };
+  ASSERT_EQ(record("--frames 5 --rate 50 --pixel-format Mono16 --region-x 64 --region-y 32 "
+                   "--region-width 256 --region-height 64"),
+            0);
+  EXPECT_EQ(record("--frames 5"), 1) << "a recording is never overwritten";
+  tecnogamma_camera::CameraOptions options;
+  options.playback.speed = 0;
+  const auto camera = tecnogamma_camera::open_camera("folder:" + folder.string(), options);
+  EXPECT_EQ(camera->describe().sensor_columns, 2048);
+  camera->start(Trigger::FREE_RUN);
+  std::uint64_t number = 0;
+  scan_cell_common::Nanoseconds device_time = 0, time = 0;
+  for (int i = 0; i < 5; ++i) {
+    const auto frame = grab(*camera);
+    ASSERT_TRUE(frame);
+    EXPECT_GT(frame->counter, number);
+    EXPECT_GT(frame->device_time, device_time);
+    EXPECT_GT(frame->time, time);
+    number = frame->counter;
+    device_time = frame->device_time;
+    time = frame->time;
+    if (frame->packets_lost > 0) continue;
+    tecnogamma_camera::PeakProfile profile;
+    tecnogamma_camera::make_detector("center_of_gravity", {})->detect(frame->image, profile);
+    ASSERT_EQ(profile.rows(), 64);
+    EXPECT_EQ(profile.first_row, 32);
+    EXPECT_NEAR(profile.position[7], LineCamera::line(39), 0.02);
+  }
+  EXPECT_THROW(grab(*camera), tecnogamma_camera::StreamEnded);
   std::filesystem::remove_all(folder);
 }
 

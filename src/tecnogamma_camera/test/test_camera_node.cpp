@@ -239,8 +239,9 @@ TEST_F(CameraNode, SaysThatTheCamerasOwnExposureCannotBeHadBack) {
 }
 
 TEST_F(CameraNode, RefusesToStartWithABadParameterAndNamesIt) {
-  for (const std::string bad : {"trigger_level:=999", "detector:=parabola", "exposre:=0.01",
-                                "scanner_model:=/no/such/file.yaml"}) {
+  for (const std::string bad : {"trigger_level:=70000", "detector:=parabola", "exposre:=0.01",
+                                "scanner_model:=/no/such/file.yaml", "payload:=range_map",
+                                "scan_rows:=0", "playback_speed:=-1"}) {
     const std::string command = std::string(CAMERA_NODE) + " __name:=bad_camera _" + bad + " 2>&1";
     FILE* const pipe = popen(command.c_str(), "r");
     ASSERT_NE(pipe, nullptr);

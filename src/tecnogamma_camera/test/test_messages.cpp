@@ -44,6 +44,20 @@ TEST(CameraInfo, IsUncalibratedWhereTheScannerModelIsOfAnotherSensor) {
   EXPECT_TRUE(info.D.empty());
 }
 
+TEST(ImageMessage, IsMono16OfTheCamerasOwnGreyValuesAboveEightBits) {
+  const std::uint16_t pixels[] = {0, 1, 4095, 999, 0x0102, 3, 4, 999};
+  tecnogamma_camera::Frame frame;
+  frame.image = {tecnogamma_camera::ImageView16{pixels, 3, 2, 4, 10, 20}, 12};
+  const auto message = tecnogamma_camera::to_image_message(
+      {tecnogamma_camera::AcquisitionMode::LIVE_ONLY, 1, 5, 1000, frame, camera()}, "camera");
+  EXPECT_EQ(message->encoding, "mono16");
+  EXPECT_EQ(message->width, 3U);
+  EXPECT_EQ(message->height, 2U);
+  EXPECT_EQ(message->step, 6U);
+  EXPECT_EQ(message->is_bigendian, 0);
+  EXPECT_EQ(message->data, (std::vector<std::uint8_t>{0, 0, 1, 0, 0xFF, 0x0F, 2, 1, 3, 0, 4, 0}));
+}
+
 TEST(Diagnostics, AreAnErrorWhereTheScannerModelIsOfAnotherSensor) {
   AcquisitionState state;
   state.connected = true;

@@ -4,26 +4,27 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "scan_cell_common/errors.h"
 #include "stripes.h"
 #include "tecnogamma_camera/peak_detector.h"
 
-using tecnogamma_camera::CenterOfGravityDetector;
+using tecnogamma_camera::Choice;
 using tecnogamma_camera::DetectorSettings;
+using tecnogamma_camera::GreyImage;
 using tecnogamma_camera::ImageView8;
 using tecnogamma_camera::make_detector;
 using tecnogamma_camera::PeakDetector;
 using tecnogamma_camera::PeakProfile;
-using tecnogamma_camera::ThresholdDetector;
 
 namespace {
 
-DetectorSettings settings(int trigger_level, int permanence, int window = 15) {
+DetectorSettings settings(int trigger_level, int permanence, Choice choice = Choice::BRIGHTEST) {
   DetectorSettings result;
   result.trigger_level = trigger_level;
   result.permanence = permanence;
-  result.window = window;
+  result.choice = choice;
   return result;
 }
 
@@ -36,13 +37,9 @@ class Row {
   }
 
   PeakProfile detect(const PeakDetector& detector) const {
-    ImageView8 image;
-    image.pixels = pixels_.data();
-    image.columns = static_cast<int>(pixels_.size());
-    image.rows = 1;
-    image.stride = image.columns;
+    const int columns = static_cast<int>(pixels_.size());
     PeakProfile profile;
-    detector.detect(image, profile);
+    detector.detect(ImageView8{pixels_.data(), columns, 1, columns, 0, 0}, profile);
     return profile;
   }
 
@@ -50,45 +47,32 @@ class Row {
   std::vector<std::uint8_t> pixels_;
 };
 
-float threshold_position(const std::string& picture, int permanence) {
-  return Row(picture).detect(ThresholdDetector(settings(100, permanence))).position[0];
+PeakProfile threshold(const std::string& picture, const DetectorSettings& with) {
+  return Row(picture).detect(*make_detector("threshold", with));
 }
 
-struct Errors {
-  double mean = 0;
-  double rms = 0;
-  double worst = 0;
-  int missing = 0;
-};
-
-/// Position errors of a profile whose truth in row i is first + i * step.
-Errors errors(const PeakProfile& profile, double first, double step) {
-  Errors result;
-  int found = 0;
-  for (int row = 0; row < profile.rows(); ++row) {
-    const double error = profile.position[row] - (first + row * step);
-    if (std::isnan(error)) {
-      ++result.missing;
-      continue;
-    }
-    ++found;
-    result.mean += error;
-    result.rms += error * error;
-    result.worst = std::max(result.worst, std::abs(error));
-  }
-  result.mean /= found;
-  result.rms = std::sqrt(result.rms / found);
-  return result;
+float threshold_position(const std::string& picture, int permanence,
+                         Choice choice = Choice::BRIGHTEST) {
+  return threshold(picture, settings(100, permanence, choice)).position[0];
 }
 
 }  // namespace
 
 TEST(ThresholdDetector, PutsThePeakInTheMiddleBetweenTheEdges) {
-  const PeakProfile profile = Row("....####.....").detect(ThresholdDetector(settings(100, 2)));
+  const PeakProfile profile = threshold("....####.....", settings(105, 2));
   EXPECT_EQ(profile.position[0], 5.5F);
-  EXPECT_EQ(profile.width[0], 4.0F);
+  EXPECT_EQ(profile.width[0], 4.0F);  // 105 is half way up each edge
   EXPECT_EQ(profile.intensity[0], 200.0F);
   EXPECT_EQ(threshold_position("....#####....", 2), 6.0F);
+}
+
+TEST(ThresholdDetector, InterpolatesTheEdgesBetweenColumns) {
+  const std::uint8_t pixels[] = {0, 0, 80, 200, 200, 40, 0, 0};
+  PeakProfile profile;
+  make_detector("threshold", settings(60, 2))->detect(ImageView8{pixels, 8, 1, 8, 0, 0}, profile);
+  const double rise = 1 + 60.0 / 80, fall = 4 + 140.0 / 160;
+  EXPECT_FLOAT_EQ(profile.position[0], static_cast<float>(0.5 * (rise + fall)));
+  EXPECT_FLOAT_EQ(profile.width[0], static_cast<float>(fall - rise));
 }
 
 TEST(ThresholdDetector, NeedsAsManyLitPixelsInARowAsThePermanence) {
@@ -105,9 +89,10 @@ TEST(ThresholdDetector, NeedsAsManyDarkPixelsInARowAsThePermanence) {
 }
 
 TEST(ThresholdDetector, CallsAPixelLitOnlyAboveTheTriggerLevel) {
-  EXPECT_TRUE(std::isnan(Row("...##...").detect(ThresholdDetector(settings(200, 2))).position[0]));
-  EXPECT_EQ(Row("...##...").detect(ThresholdDetector(settings(199, 2))).position[0], 3.5F);
-  EXPECT_TRUE(std::isnan(Row("..++++..").detect(ThresholdDetector(settings(255, 1))).position[0]));
+  EXPECT_TRUE(std::isnan(threshold("...##...", settings(200, 2)).position[0]));
+  EXPECT_EQ(threshold("...##...", settings(199, 2)).position[0], 3.5F);
+  EXPECT_TRUE(std::isnan(threshold("..++++..", settings(255, 1)).position[0]));
+  EXPECT_TRUE(std::isnan(threshold("..++++..", settings(300, 1)).position[0]));  // not 300 - 256
 }
 
 TEST(ThresholdDetector, RefusesSpotsThatTheBorderCuts) {
@@ -126,16 +111,16 @@ TEST(ThresholdDetector, TakesTheSpotWithTheMostLightAndTheLeftOfEquals) {
   EXPECT_EQ(threshold_position("..+++....###...", 2), 3.0F);
 }
 
+TEST(PeakDetector, TakesTheFirstOrTheLastSpotWhereThatIsChosen) {
+  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::FIRST), 2.5F);
+  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::LAST), 13.5F);
+  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::BRIGHTEST), 8.0F);
+  EXPECT_EQ(threshold_position("..#..+++++..#....", 2, Choice::FIRST), 7.0F);  // too short an edge
+}
+
 TEST(ThresholdDetector, DoesNotFallBackToAReflectionWhereTheLineIsCut) {
   EXPECT_TRUE(std::isnan(threshold_position("#####...##....", 2)));
   EXPECT_EQ(threshold_position("##...####....", 2), 6.5F);
-}
-
-TEST(ThresholdDetector, FindsSpotsAcrossTheBlocksOfTheFastSearch) {
-  for (int start = 1; start < 300; ++start) {
-    const std::string picture = std::string(start, '.') + "####" + std::string(310 - start, '.');
-    ASSERT_EQ(threshold_position(picture, 2), start + 1.5F) << start;
-  }
 }
 
 TEST(PeakDetector, GivesSensorCoordinatesInARegion) {
@@ -155,22 +140,24 @@ TEST(PeakDetector, GivesSensorCoordinatesInARegion) {
 }
 
 TEST(PeakDetector, ReadsOnlyTheRegionOfAWiderImage) {
-  stripes::Image picture(100, 3);
-  for (int row = 0; row < 3; ++row) {
-    picture.add(row, {20, 1.5, 180});
-    picture.add(row, {80, 3, 250});
+  for (const std::string& name : tecnogamma_camera::detector_names()) {
+    stripes::Image picture(100, 3);
+    for (int row = 0; row < 3; ++row) {
+      picture.add(row, {20, 1.5, 180});
+      picture.add(row, {80, 3, 250});
+    }
+    ImageView8 image = picture.view();
+    image.columns = 50;
+    PeakProfile profile;
+    make_detector(name, settings(60, 2))->detect(image, profile);
+    for (const float position : profile.position)
+      EXPECT_NEAR(position, 20, 1e-3) << name;
   }
-  ImageView8 image = picture.view();
-  image.columns = 50;
-  PeakProfile profile;
-  CenterOfGravityDetector(settings(60, 2)).detect(image, profile);
-  for (const float position : profile.position)
-    EXPECT_NEAR(position, 20, 1e-3);
 }
 
 TEST(PeakDetector, HasNoPeakInADarkAnEmptyOrATinyImage) {
   for (const std::string& name : tecnogamma_camera::detector_names()) {
-    const auto detector = make_detector(name, settings(60, 2));
+    const auto detector = make_detector(name, {});
     PeakProfile profile;
     stripes::Image dark(200, 7, 20);
     detector->detect(dark.view(), profile);
@@ -198,89 +185,27 @@ TEST(PeakDetector, RefusesSettingsOutOfRangeByName) {
     }
     return "nothing";
   };
-  EXPECT_EQ(refused(settings(256, 2)), "trigger_level");
-  EXPECT_EQ(refused(settings(-1, 2)), "trigger_level");
+  EXPECT_EQ(refused(settings(65536, 2)), "trigger_level");
+  EXPECT_EQ(refused(settings(-2, 2)), "trigger_level");
   EXPECT_EQ(refused(settings(60, 0)), "permanence");
-  EXPECT_EQ(refused(settings(60, 2, 1)), "window");
+  DetectorSettings window;
+  window.window = 256;
+  EXPECT_EQ(refused(window), "window");
   EXPECT_THROW(make_detector("parabola", {}), scan_cell_common::InvalidParameter);
 }
 
-TEST(CenterOfGravityDetector, FindsAGaussianStripeAtEverySubPixelPhase) {
-  constexpr int kRows = 200;
-  for (const double sigma : {1.2, 1.5, 2.0}) {
-    stripes::Image picture(80, kRows, 12);
-    for (int row = 0; row < kRows; ++row)
-      picture.add(row, {40 + row * 0.01, sigma, 200});
-    PeakProfile profile;
-    CenterOfGravityDetector(settings(60, 2)).detect(picture.view(), profile);
-    const Errors found = errors(profile, 40, 0.01);
-    EXPECT_EQ(found.missing, 0);
-    EXPECT_LT(found.worst, 0.03) << sigma;  // four sigma of the 8 bit rounding
-    EXPECT_LT(std::abs(found.mean), 0.002) << sigma;
+TEST(PeakDetector, TakesGreyValuesOfMoreThanEightBitsAsTheyAre) {
+  for (const std::string& name : tecnogamma_camera::detector_names()) {
+    for (const int bits : {10, 12, 16}) {
+      const double most = (1 << bits) - 1;
+      stripes::Image picture(80, 1, 0.05 * most);
+      picture.add(0, {30.3, 1.5, 0.7 * most});
+      for (const int level : {tecnogamma_camera::kAutomaticLevel, static_cast<int>(0.4 * most)}) {
+        PeakProfile profile;
+        make_detector(name, settings(level, 2))->detect(picture.view16(bits), profile);
+        EXPECT_NEAR(profile.position[0], 30.3, 0.02) << name << " " << bits;
+        EXPECT_NEAR(profile.intensity[0], 0.75 * most, 0.06 * most) << name << " " << bits;
+      }
+    }
   }
-}
-
-TEST(CenterOfGravityDetector, DoesNotMindABackground) {
-  constexpr int kRows = 100;
-  stripes::Image picture(80, kRows, 50);
-  for (int row = 0; row < kRows; ++row)
-    picture.add(row, {40 + row * 0.01, 1.5, 150});
-  PeakProfile profile;
-  CenterOfGravityDetector(settings(80, 2)).detect(picture.view(), profile);
-  EXPECT_LT(errors(profile, 40, 0.01).worst, 0.02);
-}
-
-TEST(CenterOfGravityDetector, IsUnbiasedInNoiseAndScattersAsThePlainErrorLawSays) {
-  constexpr int kRows = 20000;
-  constexpr double kSigma = 1.5, kHeight = 200, kNoise = 3;
-  stripes::Image picture(80, kRows, 15);
-  for (int row = 0; row < kRows; ++row)
-    picture.add(row, {40 + row * 1e-4, kSigma, kHeight});
-  picture.add_noise(kNoise, 7);
-  PeakProfile profile;
-  CenterOfGravityDetector(settings(60, 2, 13)).detect(picture.view(), profile);
-  const Errors found = errors(profile, 40, 1e-4);
-  EXPECT_EQ(found.missing, 0);
-  EXPECT_LT(std::abs(found.mean), 0.002);
-  // Noise of each pixel times its lever arm over the light of the stripe.
-  double lever = 0;
-  for (int offset = -6; offset <= 6; ++offset)
-    lever += offset * offset;
-  const double expected = kNoise * std::sqrt(lever) / (kHeight * kSigma * std::sqrt(2 * M_PI));
-  EXPECT_LT(found.rms, 1.25 * expected);
-  EXPECT_GT(found.rms, 0.8 * expected);
-}
-
-TEST(CenterOfGravityDetector, IsUnbiasedOnSaturatedStripes) {
-  constexpr int kRows = 200;
-  stripes::Image picture(80, kRows, 10);
-  for (int row = 0; row < kRows; ++row)
-    picture.add(row, {40 + row * 0.01, 2.0, 900});
-  PeakProfile profile;
-  CenterOfGravityDetector(settings(60, 2, 17)).detect(picture.view(), profile);
-  const Errors found = errors(profile, 40, 0.01);
-  EXPECT_EQ(found.missing, 0);
-  EXPECT_LT(found.worst, 0.05);
-  EXPECT_LT(std::abs(found.mean), 0.005);
-  for (const float intensity : profile.intensity)
-    EXPECT_EQ(intensity, 255.0F);
-}
-
-TEST(CenterOfGravityDetector, IsNotDrawnToAReflectionNextToTheLine) {
-  stripes::Image picture(120, 1, 10);
-  picture.add(0, {50.3, 1.5, 200});
-  picture.add(0, {60.0, 1.2, 150});
-  PeakProfile profile;
-  CenterOfGravityDetector(settings(60, 2, 31)).detect(picture.view(), profile);
-  EXPECT_NEAR(profile.position[0], 50.3, 0.1);  // 31 columns would reach over both
-}
-
-TEST(CenterOfGravityDetector, KeepsAStripeAtTheBorderUnbiasedOrRefusesIt) {
-  stripes::Image picture(60, 2, 10);
-  picture.add(0, {5.25, 1.5, 200});
-  picture.add(1, {0.5, 1.5, 200});
-  PeakProfile profile;
-  CenterOfGravityDetector(settings(60, 2)).detect(picture.view(), profile);
-  EXPECT_NEAR(profile.position[0], 5.25, 0.05);
-  EXPECT_TRUE(std::isnan(profile.position[1]));
 }

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -51,7 +52,7 @@ TEST_F(ExtractPeaks, WritesOneLineARowWithAPeak) {
   for (int row = 5; row < 20; ++row)
     picture.add(row, {40 + 0.3 * row, 1.5, 200});
   save(image_, picture);
-  for (const std::string detector : {"center_of_gravity", "threshold"}) {
+  for (const std::string detector : {"center_of_gravity", "fir_derivative", "threshold"}) {
     ASSERT_EQ(run("--detector " + detector), 0) << log();
     std::ifstream file(output_);
     std::string line;
@@ -64,12 +65,50 @@ TEST_F(ExtractPeaks, WritesOneLineARowWithAPeak) {
                             &values[3]),
                 4);
       EXPECT_EQ(values[0], row);
-      EXPECT_NEAR(values[1], 40 + 0.3 * row, detector == "threshold" ? 0.51 : 0.02);
-      EXPECT_GE(values[2], 3);
+      EXPECT_NEAR(values[1], 40 + 0.3 * row, 0.02);
+      EXPECT_NEAR(values[2], 3.6, 0.4);
       EXPECT_GT(values[3], 180);
       ++row;
     }
     EXPECT_EQ(row, 20);
+  }
+}
+
+TEST_F(ExtractPeaks, ReadsSixteenBitsAsPngTiffAndPgm) {
+  cv::Mat image(3, 100, CV_16UC1, cv::Scalar(600));
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 100; ++column)
+      image.at<std::uint16_t>(row, column) +=
+          static_cast<std::uint16_t>(std::lround(3000 * stripes::gaussian_pixel(column, 60.3, 2)));
+  for (const char* const name : {"line.png", "line.tif", "line.pgm"}) {
+    image_ = (folder_ / name).string();
+    cv::imwrite(image_, image);
+    ASSERT_EQ(run(""), 0) << log();
+    std::ifstream file(output_);
+    std::string header, line;
+    std::getline(file, header);
+    std::getline(file, line);
+    double row = -1, position = 0, width = 0, intensity = 0;
+    std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &row, &position, &width, &intensity);
+    EXPECT_EQ(row, 0) << name;
+    EXPECT_NEAR(position, 60.3, 0.005) << name;
+    EXPECT_EQ(intensity, image.at<std::uint16_t>(0, 60)) << name;
+  }
+}
+
+TEST_F(ExtractPeaks, TakesTheSpotThatIsChosen) {
+  stripes::Image picture(100, 1, 10);
+  picture.add(0, {20, 1.5, 100});
+  picture.add(0, {70, 1.5, 200});
+  save(image_, picture);
+  for (const auto& [choice, position] :
+       {std::pair{"brightest", "0,70.0"}, {"first", "0,20.0"}, {"last", "0,70.0"}}) {
+    ASSERT_EQ(run(std::string("--choice ") + choice), 0) << log();
+    std::ifstream file(output_);
+    std::string line;
+    std::getline(file, line);
+    std::getline(file, line);
+    EXPECT_EQ(line.substr(0, 6), position) << choice;
   }
 }
 
@@ -87,6 +126,9 @@ TEST_F(ExtractPeaks, NamesTheFileOrSettingThatIsUnusable) {
   EXPECT_NE(log().find("parabola"), std::string::npos);
   EXPECT_EQ(run("--trigger-level 300"), 1);
   EXPECT_NE(log().find("trigger_level"), std::string::npos);
+  EXPECT_NE(log().find("255"), std::string::npos);
+  EXPECT_EQ(run("--choice darkest"), 1);
+  EXPECT_NE(log().find("darkest"), std::string::npos);
   EXPECT_FALSE(fs::exists(output_));
 }
 

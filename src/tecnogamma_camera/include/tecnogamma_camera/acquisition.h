@@ -13,8 +13,8 @@
 #include <string>
 #include <thread>
 
-#include "scan_cell_common/clock_map.h"
 #include "tecnogamma_camera/camera.h"
+#include "tecnogamma_camera/frame_numbering.h"
 
 namespace tecnogamma_camera {
 
@@ -25,12 +25,11 @@ struct AcquisitionParameters {
   CameraSettings camera;
   AcquisitionMode mode = AcquisitionMode::STOP;  //!< once the camera is first found
   Trigger trigger = Trigger::EXTERNAL;
-  double retry_period = 1.0;          //!< [s] from a lost camera to the next try, and between tries
-  double start_timeout = 5.0;         //!< [s] for the camera to be found and stream
-  double arming_time = 0.2;           //!< [s] after a start in which a camera may miss pulses
-  double silence_timeout = 2.0;       //!< [s] without a frame in free run: the camera is lost
-  double clock_window = 10.0;         //!< [s] over which the least delay of the stream is sought
-  bool device_clock_is_host = false;  //!< the camera's clock is synchronised to the host's (PTP)
+  double retry_period = 1.0;     //!< [s] from a lost camera to the next try, and between tries
+  double start_timeout = 5.0;    //!< [s] for the camera to be found and stream
+  double arming_time = 0.2;      //!< [s] after a start in which a camera may miss pulses
+  double silence_timeout = 2.0;  //!< [s] without a frame in free run: the camera is lost
+  ClockSettings clock;
 };
 
 /// A frame with its place in the run of frames.
@@ -52,11 +51,15 @@ struct FrameCounts {
   std::uint64_t late = 0;      //!< came after a later one
   std::uint64_t restarts = 0;  //!< the counter jumped back: the camera was restarted
   std::uint64_t invalid = 0;   //!< number lost with its packets: dropped, and in lost as well
+  std::uint64_t unusable = 0;  //!< damaged, or without what the mode needs: dropped
+  std::uint64_t impossible_peaks =
+      0;  //!< sent by the camera, with no place on the sensor: left out
 };
 
 struct AcquisitionState {
   bool connected = false;
   std::string message;  //!< why it is not connected, or was stopped without being asked
+  std::string fault;    //!< of the last frame that could not be used
   AcquisitionMode mode = AcquisitionMode::STOP;
   Trigger trigger = Trigger::EXTERNAL;
   std::uint32_t acquisition = 0;
@@ -72,12 +75,17 @@ class AcquisitionListener {
   virtual ~AcquisitionListener() = default;
   virtual void on_frame(const NumberedFrame& frame) = 0;
   virtual void on_connected(const CameraDescription& camera) = 0;
-  /// Once for each reason: the camera cannot be opened, was lost, or did not start.
+  /// A recording was played to its end, and is in STOP.
+  virtual void on_ended(const std::string& recording) = 0;
+  /// Once for each reason: the camera cannot be opened, was lost, or did not start; and once an
+  /// acquisition: a frame cannot be used.
   virtual void on_trouble(const std::string& reason) = 0;
 };
 
 /// Runs a camera in a thread of its own: opens it, keeps it in the mode asked for, numbers its
 /// frames, maps their times to the host's clock, and finds it again when it is lost.
+///
+/// What follows a restart of the camera's counter is a new acquisition.
 ///
 /// After a loss, an acquisition in external trigger is resumed, with a new number: nothing happens
 /// until the next pulse. One in free run is not, since the camera would run, and drive its strobe
@@ -129,10 +137,12 @@ class Acquisition {
   void report(const std::string& reason);
   void start(AcquisitionMode mode, Trigger trigger);
   void stop();
+  void finish(const std::string& recording);
   bool deliver_next(double timeout);
-  void deliver(const Frame& frame);
-  CounterStep number(const Frame& frame);
-  Nanoseconds time_of(const Frame& frame, bool late);
+  bool deliver(const Frame& frame);
+  void drop(const std::string& fault);
+  void count_restart();
+  void count(const Frame& frame, const FramePlace& place);
   void throw_if_silent() const;
 
   template <class Change>
@@ -153,9 +163,8 @@ class Acquisition {
   bool ended_by_loss_ = false;  // wanted_ became STOP because the camera was lost
   Trigger trigger_;
   std::uint32_t acquisition_ = 0;
-  CounterUnwrapper unwrapper_{kCounter64};
-  scan_cell_common::ClockMap clock_;
-  Nanoseconds last_device_time_ = 0;
+  FrameNumbering numbering_;
+  std::uint32_t fault_told_ = 0;  // the acquisition in which a fault was last told
   std::chrono::steady_clock::time_point last_frame_;
   std::string reported_;
 

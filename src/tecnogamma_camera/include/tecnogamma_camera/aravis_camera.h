@@ -29,6 +29,7 @@ struct AravisOptions {
   bool packet_socket = true;  //!< receive below the IP stack where the rights allow it: less load
   bool packet_resend = true;  //!< ask for missing packets again
   bool realtime = true;       //!< receive in a real-time thread where the rights allow it
+  bool is_payload = false;    //!< the rows it sends are not those of its sensor
 };
 
 /// Opens a GenICam camera with 8 bit grey pixels through Aravis.

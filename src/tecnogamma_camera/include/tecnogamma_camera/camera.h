@@ -11,6 +11,7 @@
 #include "scan_cell_common/timed_pose.h"
 #include "tecnogamma_camera/counter_unwrapper.h"
 #include "tecnogamma_camera/image_view.h"
+#include "tecnogamma_camera/peak_profile.h"
 
 namespace tecnogamma_camera {
 
@@ -50,6 +51,9 @@ struct CameraSettings {
   std::optional<double> gain;            //!< [dB], or the camera's own unit
   std::optional<double> rate;            //!< [Hz] of free run
   std::string trigger_source = "Line0";  //!< GenICam TriggerSource of the external trigger
+  std::string strobe_line;  //!< GenICam LineSelector of the output to drive; empty: leave all alone
+  std::string strobe_source = "ExposureActive";  //!< GenICam LineSource of that output
+  std::string pixel_format = "Mono8";  //!< GenICam PixelFormat; one of pixel_format_names()
 };
 
 struct CameraDescription {
@@ -61,6 +65,7 @@ struct CameraDescription {
   int sensor_columns = 0;  //!< [px]
   int sensor_rows = 0;     //!< [px]
   Region region;           //!< as read back, never 0
+  int grey_bits = 8;       //!< of a grey value
   double exposure = 0;     //!< [s] 0 where the camera does not tell
   int packet_size = 0;     //!< [bytes] of the stream; 0 where it has no packets
   CounterRule counter{};   //!< of its frame counter
@@ -78,7 +83,7 @@ struct StreamStatistics {
 /// The counter of a frame whose number was lost with its packets.
 constexpr std::uint64_t kNoFrameNumber = UINT64_MAX;
 
-/// One frame, 8 bits a pixel. The pixels are the camera's: they are valid until the next grab(),
+/// One frame. The pixels are the camera's: they are valid until the next grab(),
 /// stop() or the camera's end. Where packets are missing there are none, since some would be of an
 /// earlier frame; image then tells only their place.
 struct Frame {
@@ -86,7 +91,19 @@ struct Frame {
   Nanoseconds device_time = 0;             //!< [ns] camera's clock at the exposure; 0: not known
   Nanoseconds host_time = 0;               //!< [ns] when it was received
   std::uint32_t packets_lost = 0;          //!< packets missing from it
-  ImageView8 image;
+  GreyImage image;
+
+  Nanoseconds time = 0;    //!< [ns] of the exposure on the host's clock, where known already; or 0
+  bool restarted = false;  //!< the counter and the clock begin anew with this frame
+  const PeakProfile* peaks = nullptr;  //!< that the camera found itself, valid as the pixels are
+  std::uint32_t impossible_peaks = 0;  //!< of `peaks`, left out: no place on the sensor
+  std::string fault;                   //!< why nothing of it can be used; empty: it can
+};
+
+/// The camera will never send a frame again: its recording has ended.
+class StreamEnded : public scan_cell_common::Error {
+ public:
+  using Error::Error;
 };
 
 /// A camera that is open. It is in STOP until start(), and parameters are written only then, but
@@ -116,12 +133,16 @@ class Camera {
   virtual void stop() = 0;
 
   /// The next frame, or none within the timeout.
+  /// @throw StreamEnded if there will be none
   virtual std::optional<Frame> grab(std::chrono::microseconds timeout) = 0;
 
   /// Pulses a camera whose trigger source is "Software".
   virtual void software_trigger() = 0;
 
   virtual StreamStatistics statistics() = 0;
+
+  /// The value of one of its GenICam features; none where it does not have it.
+  virtual std::optional<std::int64_t> feature(const std::string& /*name*/) { return std::nullopt; }
 
   /// @throw scan_cell_common::ConnectionError if the camera is known to be lost. Never waits.
   virtual void throw_if_lost() = 0;

@@ -15,6 +15,7 @@ struct CounterRule {
 constexpr CounterRule kGigEVisionBlockId{1, 65535};  //!< 0 is never sent with an image
 constexpr CounterRule kCounter16{0, 0xFFFF};         //!< Tecnogamma (thesis, section 3.2)
 constexpr CounterRule kCounter24{0, 0xFFFFFF};       //!< Photonfocus
+constexpr CounterRule kCounter32{0, 0xFFFFFFFF};     //!< clocks of smart cameras
 constexpr CounterRule kCounter64{0, INT64_MAX};      //!< never wraps: GigE Vision 2, USB3 Vision
 
 /// What one counter value says about the frames before it.

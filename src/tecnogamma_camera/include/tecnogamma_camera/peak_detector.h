@@ -11,11 +11,29 @@
 
 namespace tecnogamma_camera {
 
+/// Which of several spots in a row is the laser's.
+enum class Choice {
+  BRIGHTEST,  //!< greatest sum of the grey values above the trigger level, the leftmost of equals
+  FIRST,      //!< the leftmost
+  LAST        //!< the rightmost
+};
+
+/// "brightest", "first", "last".
+const std::vector<std::string>& choice_names();
+
+/// @throw scan_cell_common::InvalidParameter if there is no such choice
+Choice to_choice(const std::string& name);
+
+constexpr int kAutomaticLevel = -1;
+
 /// How a detector finds the laser's spot in a row.
 struct DetectorSettings {
-  int trigger_level = 60;  //!< [grey value] 0 .. 255: a pixel above it is lit
+  /// [grey value] of the image's own pixels, 0 .. 65535: a pixel above it is lit. kAutomaticLevel:
+  /// found in each frame.
+  int trigger_level = kAutomaticLevel;
   int permanence = 2;  //!< [px] lit pixels in a row that make a rising edge, dark ones a falling
-  int window = 15;     //!< [px] columns that the centre of gravity is taken over
+  int window = 0;  //!< [px] most columns of the centre of gravity; 0: as the stripe's width asks
+  Choice choice = Choice::BRIGHTEST;
 
   /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range
   void check() const;
@@ -23,50 +41,52 @@ struct DetectorSettings {
 
 /// Finds the laser line in a frame: it runs vertically, with one peak a row.
 ///
-/// All detectors share how a row's spot is found (thesis, section 3.2). A pixel is lit above the
-/// trigger level. `permanence` consecutive lit pixels are a rising edge, which stands at the first
-/// of them; after it, `permanence` consecutive dark pixels are a falling edge, which stands at the
-/// first of them. Among several spots in a row the one with the greatest sum of grey values wins,
-/// the leftmost of equals. A spot is cut by the image's border where no dark pixel lies before its
-/// rising edge, or its falling edge is not complete: where a cut spot wins, the row has no peak,
-/// since its middle is not known and the other spots are more likely reflections.
+/// Spots (thesis, section 3.2). A pixel is lit above the trigger level. `permanence` consecutive
+/// lit pixels are a rising edge, which stands at the first of them; after it, `permanence`
+/// consecutive dark pixels are a falling edge, which stands at the first of them. Among several
+/// spots in a row (reflections) `choice` decides. A spot is cut by the image's border where no dark
+/// pixel lies before its rising edge, or its falling edge is not complete: where a cut spot is
+/// chosen, the row has no peak, since its middle is not known and the other spots are more likely
+/// reflections.
+///
+/// The automatic trigger level is 3.5 standard deviations of the noise above the background, both
+/// measured in tiles of the frame (background.h), so that it follows a dark offset and an ambient
+/// gradient, but at least three grey values above it; and a spot needs the light of 6 standard
+/// deviations of its own noise.
+///
+/// Stripe. What lies above half of its height over the background, about the brightest pixel of the
+/// spot; dips in it are bridged that are shorter than the permanence, or than a quarter of its
+/// width (speckle). Its height is not that of one pixel: it is told from the mean of the spot's
+/// grey values, weighted by their light, as that of a Gaussian stripe; so half of the height of a
+/// saturated one is counted a little higher. Where its foot, 15 % of the height, reaches the
+/// image's border, it is cut. With the automatic level it is the stripe, and not the spot, that the
+/// border cuts.
+///
+/// Profile. Position: by the detector. Width: between the edges at the trigger level, or where that
+/// is automatic at half of the height, interpolated between columns. Intensity: brightest pixel.
 class PeakDetector {
  public:
   virtual ~PeakDetector() = default;
 
-  /// Writes one element a row of the image.
-  virtual void detect(const ImageView8& image, PeakProfile& profile) const = 0;
+  /// Writes one element a row of the image. A trigger level above the image's greatest grey value
+  /// finds no peak.
+  virtual void detect(const GreyImage& image, PeakProfile& profile) const = 0;
 };
 
-/// Position is the middle between the edges, in steps of half a pixel.
-class ThresholdDetector : public PeakDetector {
- public:
-  /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range
-  explicit ThresholdDetector(const DetectorSettings& settings);
-  void detect(const ImageView8& image, PeakProfile& profile) const override;
-
- private:
-  DetectorSettings settings_;
-};
-
-/// Position is the centre of gravity of the grey values above the background, in a window about the
-/// spot's middle: `window` columns, or the spot and one pixel either side where that is more. The
-/// window stays symmetric about the spot and ends half way to the next spot and at the image's
-/// border. The background is the mean of its two outermost pixels on each side (one where the
-/// margin is one).
-class CenterOfGravityDetector : public PeakDetector {
- public:
-  /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range
-  explicit CenterOfGravityDetector(const DetectorSettings& settings);
-  void detect(const ImageView8& image, PeakProfile& profile) const override;
-
- private:
-  DetectorSettings settings_;
-};
-
-/// "threshold", "center_of_gravity".
+/// "center_of_gravity", "fir_derivative", "threshold".
 const std::vector<std::string>& detector_names();
 
+/// threshold: the middle between the edges that make the width.
+///
+/// center_of_gravity: that of the grey values above the stripe's foot, over the stripe and as much
+/// on each side as the flanks of a Gaussian one need (0.4 of its width), to where they reach the
+/// foot; at most `window` columns, but never less than the stripe. The background is a straight
+/// line between the tiles.
+///
+/// fir_derivative: where the row, smoothed and differentiated by one FIR filter, crosses zero
+/// (Forest et al. 2004; fir_derivative.h). The filter's width follows the stripe's, which makes it
+/// the maximum likelihood estimate for a Gaussian stripe in white noise.
+///
 /// @throw scan_cell_common::InvalidParameter if there is no such detector or a setting is bad
 std::unique_ptr<PeakDetector> make_detector(const std::string& name,
                                             const DetectorSettings& settings);

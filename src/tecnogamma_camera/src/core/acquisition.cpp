@@ -3,7 +3,6 @@
 #include "tecnogamma_camera/acquisition.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tecnogamma_camera {
 namespace {
@@ -35,7 +34,7 @@ Acquisition::Acquisition(const AcquisitionParameters& parameters, Open open,
       listener_(listener),
       wanted_(parameters.mode),
       trigger_(parameters.trigger),
-      clock_(scan_cell_common::from_seconds(parameters.clock_window)) {
+      numbering_(kCounter64, parameters.clock) {
   state_.message = "the camera was not looked for yet";
   state_.trigger = trigger_;
   thread_ = std::thread([this] { run(); });
@@ -66,7 +65,7 @@ std::uint32_t Acquisition::set(AcquisitionMode mode, Trigger trigger) {
         wanted_ = AcquisitionMode::STOP;  // where the start fails, its caller knows
         ended_by_loss_ = false;
         start(mode, trigger);
-        wanted_ = mode;
+        wanted_ = mode_;  // STOP where a recording has ended already
         return acquisition_;
       },
       true);
@@ -190,8 +189,7 @@ void Acquisition::connect() {
   camera_ = open_();
   camera_->configure(parameters_.camera);
   description_ = camera_->describe();
-  clock_ = scan_cell_common::ClockMap(scan_cell_common::from_seconds(parameters_.clock_window));
-  unwrapper_ = CounterUnwrapper(description_.counter);
+  numbering_ = FrameNumbering(description_.counter, parameters_.clock);
   reported_.clear();
   change_state([&](AcquisitionState& s) {
     s.connected = true;
@@ -245,26 +243,34 @@ void Acquisition::report(const std::string& reason) {
 void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   stop();
   camera_->start(trigger);
+  description_ = camera_->describe();  // the size of packets was found in starting
   mode_ = mode;
   trigger_ = trigger;
   ++acquisition_;
-  unwrapper_.reset();
-  last_device_time_ = 0;
+  numbering_.begin();
   last_frame_ = Clock::now();
   change_state([&](AcquisitionState& s) {
     s.message.clear();
     s.mode = mode;
     s.trigger = trigger;
     s.acquisition = acquisition_;
+    s.camera = description_;
   });
   const bool free_run = trigger == Trigger::FREE_RUN;
   const Clock::time_point end =
       Clock::now() + seconds(free_run ? parameters_.start_timeout : parameters_.arming_time);
-  while (Clock::now() < end) {
+  bool delivered = false;
+  while (Clock::now() < end && mode_ != AcquisitionMode::STOP) {  // a recording may end
     const double left = scan_cell_common::to_seconds((end - Clock::now()).count());
-    if (deliver_next(std::min(kPoll, std::max(0.0, left))) && free_run) return;
+    delivered |= deliver_next(std::min(kPoll, std::max(0.0, left)));
+    if (delivered && free_run) return;
   }
-  if (!free_run) return;
+  if (delivered || (!free_run && mode_ != AcquisitionMode::STOP)) return;
+  if (fault_told_ == acquisition_) {
+    const std::string fault = state().fault;
+    stop();
+    throw UnusableInput("camera", "none of its frames can be used", fault);
+  }
   throw ConnectionError("camera", "no frame within " + to_text(parameters_.start_timeout) + " s",
                         "check its rate, and that the firewall lets its stream through");
 }
@@ -278,73 +284,78 @@ void Acquisition::stop() {
   });
 }
 
+void Acquisition::finish(const std::string& recording) {
+  wanted_ = AcquisitionMode::STOP;
+  stop();
+  change_state([&](AcquisitionState& s) { s.message = recording; });
+  listener_.on_ended(recording);
+}
+
 bool Acquisition::deliver_next(double timeout) {
-  const auto frame =
-      camera_->grab(std::chrono::duration_cast<std::chrono::microseconds>(seconds(timeout)));
+  std::optional<Frame> frame;
+  try {
+    frame = camera_->grab(std::chrono::duration_cast<std::chrono::microseconds>(seconds(timeout)));
+  } catch (const StreamEnded& end) {
+    finish(end.what());
+    return false;
+  }
   const StreamStatistics statistics = camera_->statistics();
   change_state([&](AcquisitionState& s) { s.stream = statistics; });
   if (!frame) return false;
   last_frame_ = Clock::now();
-  deliver(*frame);
+  return deliver(*frame);
+}
+
+void Acquisition::drop(const std::string& fault) {
+  change_state([&](AcquisitionState& s) {
+    ++s.frames.received;
+    ++s.frames.unusable;
+    s.fault = fault;
+  });
+  if (fault_told_ == acquisition_) return;
+  fault_told_ = acquisition_;
+  listener_.on_trouble("a frame cannot be used: " + fault);
+}
+
+bool Acquisition::deliver(const Frame& frame) {
+  if (frame.restarted) {
+    numbering_.begin();
+    count_restart();
+  }
+  if (!frame.fault.empty()) {
+    drop(frame.fault);
+    return false;
+  }
+  if (mode_ == AcquisitionMode::LIVE_ONLY && frame.peaks && !frame.image.pixels) {
+    drop("it holds peaks and no image: set the camera to send images, or use a relief mode");
+    return false;
+  }
+  const FramePlace place = numbering_.place(frame);
+  if (place.restarted) count_restart();
+  count(frame, place);
+  if (place.step.kind == CounterStep::Kind::INVALID) return true;
+  listener_.on_frame({mode_, acquisition_, place.step.count, place.time, frame, description_});
   return true;
 }
 
-void Acquisition::deliver(const Frame& frame) {
-  const CounterStep step = number(frame);
-  const bool numbered = step.kind != CounterStep::Kind::INVALID;
-  change_state([&](AcquisitionState& s) {
-    ++s.frames.received;
-    if (numbered && frame.packets_lost > 0) ++s.frames.incomplete;
-    s.acquisition = acquisition_;
-  });
-  if (!numbered) return;
-  const Nanoseconds time = time_of(frame, step.kind == CounterStep::Kind::BACKWARD);
-  listener_.on_frame({mode_, acquisition_, step.count, time, frame, description_});
+void Acquisition::count_restart() {
+  ++acquisition_;
+  change_state([](AcquisitionState& s) { ++s.frames.restarts; });
 }
 
-CounterStep Acquisition::number(const Frame& frame) {
+void Acquisition::count(const Frame& frame, const FramePlace& place) {
   using Kind = CounterStep::Kind;
-  CounterStep step = unwrapper_.unwrap(frame.counter);
-  FrameCounts found;
-  if (step.kind == Kind::BACKWARD) {
-    // Only a camera that was restarted counts back while its clock goes on.
-    if (frame.device_time > last_device_time_) {
-      ++acquisition_;
-      ++found.restarts;
-      unwrapper_.reset();
-      step = unwrapper_.unwrap(frame.counter);
-    } else {
-      ++found.late;
-    }
-  }
-  if (step.kind == Kind::REPEATED) ++found.repeated;
-  if (step.kind == Kind::INVALID) ++found.invalid;
-  found.lost = step.lost;
-  last_device_time_ = std::max(last_device_time_, frame.device_time);
+  const Kind kind = place.step.kind;
   change_state([&](AcquisitionState& s) {
-    s.frames.lost += found.lost;
-    s.frames.repeated += found.repeated;
-    s.frames.late += found.late;
-    s.frames.restarts += found.restarts;
-    s.frames.invalid += found.invalid;
+    s.acquisition = acquisition_;
+    ++s.frames.received;
+    s.frames.incomplete += kind != Kind::INVALID && frame.packets_lost > 0 ? 1 : 0;
+    s.frames.impossible_peaks += frame.impossible_peaks;
+    s.frames.lost += place.step.lost;
+    s.frames.repeated += kind == Kind::REPEATED ? 1 : 0;
+    s.frames.late += kind == Kind::BACKWARD ? 1 : 0;
+    s.frames.invalid += kind == Kind::INVALID ? 1 : 0;
   });
-  return step;
-}
-
-Nanoseconds Acquisition::time_of(const Frame& frame, bool late) {
-  if (frame.device_time == 0) return frame.host_time;  // no clock, or lost with its packets
-  if (!parameters_.device_clock_is_host) {
-    // The map would take an earlier time for that of a device that was restarted.
-    if (!late || clock_.empty()) clock_.add(frame.device_time, frame.host_time);
-    return clock_.to_host(frame.device_time);
-  }
-  const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
-  if (std::abs(off) > 1.0) {
-    throw UnusableInput("device_clock",
-                        "the camera's clock is " + to_text(off) + " s off the host's",
-                        "synchronise it (PTP), or let its clock be mapped");
-  }
-  return frame.device_time;
 }
 
 void Acquisition::throw_if_silent() const {

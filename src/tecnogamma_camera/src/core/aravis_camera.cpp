@@ -34,6 +34,7 @@ class AravisCamera : public Camera {
   void stop() override;
   std::optional<Frame> grab(std::chrono::microseconds timeout) override;
   void software_trigger() override;
+  std::optional<std::int64_t> feature(const std::string& name) override;
   StreamStatistics statistics() override;
   void throw_if_lost() override;
 
@@ -45,6 +46,8 @@ class AravisCamera : public Camera {
   void create_stream();
   void release_frame();
   Frame to_frame(ArvBuffer* buffer);
+  bool is_whole(ArvBuffer* buffer) const;
+  void set_pixels(ArvBuffer* buffer, GreyImage& image);
   std::uint32_t packets_lost_since_last_frame();
   CounterRule counter_rule();
 
@@ -52,9 +55,11 @@ class AravisCamera : public Camera {
   ArvCameraPtr camera_;
   ArvStreamPtr stream_;
   ArvBuffer* grabbed_ = nullptr;
+  PixelFormat format_;
+  std::vector<std::uint16_t> unpacked_;  // pixels of the last frame, where they came packed
   Region region_;
-  std::string trigger_source_;
-  std::optional<double> rate_;  // of free run
+  CameraSettings settings_;
+  std::unique_ptr<StrobeOutput> strobe_;
   std::uint64_t missing_packets_ = 0;
   StreamStatistics last_statistics_;
   gulong control_lost_handler_ = 0;
@@ -64,8 +69,7 @@ class AravisCamera : public Camera {
 AravisCamera::AravisCamera(ArvCameraPtr camera, const AravisOptions& options)
     : options_(options), camera_(std::move(camera)) {
   ArvCamera* const arv = camera_.get();
-  aravis("PixelFormat Mono8",
-         [&](GError** e) { arv_camera_set_pixel_format(arv, ARV_PIXEL_FORMAT_MONO_8, e); });
+  format_ = write_pixel_format(arv, CameraSettings().pixel_format);
   aravis("AcquisitionMode Continuous", [&](GError** e) {
     arv_camera_set_acquisition_mode(arv, ARV_ACQUISITION_MODE_CONTINUOUS, e);
   });
@@ -132,6 +136,7 @@ CameraDescription AravisCamera::describe() {
     arv_camera_get_sensor_size(arv, &result.sensor_columns, &result.sensor_rows, e);
   });
   result.region = region_;
+  result.grey_bits = format_.bits;
   if (arv_camera_is_exposure_time_available(arv, nullptr)) {
     result.exposure =
         aravis("exposure", [&](GError** e) { return arv_camera_get_exposure_time(arv, e); }) /
@@ -148,12 +153,17 @@ CameraDescription AravisCamera::describe() {
 void AravisCamera::configure(const CameraSettings& settings) {
   throw_if_lost();
   refuse_while_running("camera settings");
-  trigger_source_ = settings.trigger_source;
-  region_ = write_region(camera_.get(), settings.region);
+  if (options_.is_payload && settings.pixel_format != CameraSettings().pixel_format) {
+    throw scan_cell_common::InvalidParameter("pixel_format", settings.pixel_format,
+                                             "payloads come as bytes: give Mono8");
+  }
+  format_ = write_pixel_format(camera_.get(), settings.pixel_format);
+  region_ = options_.is_payload ? write_payload_region(camera_.get(), settings.region)
+                                : write_region(camera_.get(), settings.region);
   if (settings.exposure) write_exposure(camera_.get(), *settings.exposure);
   if (settings.gain) write_gain(camera_.get(), *settings.gain);
   if (settings.rate) write_rate(camera_.get(), *settings.rate);
-  rate_ = settings.rate;
+  settings_ = settings;
 }
 
 void AravisCamera::set_exposure(double exposure) {
@@ -192,14 +202,20 @@ void AravisCamera::create_stream() {
 void AravisCamera::start(Trigger trigger) {
   throw_if_lost();
   refuse_while_running("camera start");
-  write_trigger(camera_.get(), trigger, trigger_source_);
-  // An external trigger switched the rate off.
-  if (trigger == Trigger::FREE_RUN && rate_) write_rate(camera_.get(), *rate_);
   try {
+    if (!settings_.strobe_line.empty()) {
+      strobe_ = std::make_unique<StrobeOutput>(camera_.get(), settings_.strobe_line,
+                                               settings_.strobe_source);
+    }
+    write_trigger(camera_.get(), trigger, settings_.trigger_source);
+    // An external trigger switched the rate off.
+    if (trigger == Trigger::FREE_RUN && settings_.rate) write_rate(camera_.get(), *settings_.rate);
+    if (options_.is_payload) region_ = write_payload_region(camera_.get(), settings_.region);
     create_stream();
     aravis("AcquisitionStart", [&](GError** e) { arv_camera_start_acquisition(camera_.get(), e); });
   } catch (...) {
     stream_.reset();
+    strobe_.reset();
     throw;
   }
   missing_packets_ = 0;
@@ -212,6 +228,8 @@ void AravisCamera::stop() {
   if (!lost_) arv_camera_stop_acquisition(camera_.get(), nullptr);
   last_statistics_ = statistics();
   stream_.reset();
+  if (lost_ && strobe_) strobe_->forget();
+  strobe_.reset();
 }
 
 void AravisCamera::release_frame() {
@@ -246,24 +264,54 @@ Frame AravisCamera::to_frame(ArvBuffer* buffer) {
   frame.image.rows = region_.height;
   frame.image.first_column = region_.x;
   frame.image.first_row = region_.y;
-  const bool whole = arv_buffer_get_status(buffer) == ARV_BUFFER_STATUS_SUCCESS &&
-                     arv_buffer_get_image_width(buffer) == region_.width &&
-                     arv_buffer_get_image_height(buffer) == region_.height;
-  if (!whole) {
+  frame.image.bits = format_.bits;
+  if (is_whole(buffer)) {
+    set_pixels(buffer, frame.image);
+  } else {
     frame.packets_lost = std::max(1U, packets_lost_since_last_frame());
-    return frame;
   }
-  int x_padding = 0, y_padding = 0;
-  arv_buffer_get_image_padding(buffer, &x_padding, &y_padding);
-  std::size_t size = 0;
-  frame.image.pixels = static_cast<const std::uint8_t*>(arv_buffer_get_image_data(buffer, &size));
-  frame.image.stride = region_.width + x_padding;
   return frame;
+}
+
+bool AravisCamera::is_whole(ArvBuffer* buffer) const {
+  if (arv_buffer_get_status(buffer) != ARV_BUFFER_STATUS_SUCCESS) return false;
+  std::size_t size = 0;
+  arv_buffer_get_image_data(buffer, &size);
+  const auto pixels =
+      static_cast<std::size_t>(region_.width) * static_cast<std::size_t>(region_.height);
+  return arv_buffer_get_image_width(buffer) == region_.width &&
+         arv_buffer_get_image_height(buffer) == region_.height &&
+         arv_buffer_get_image_pixel_format(buffer) == format_.code && size >= format_.bytes(pixels);
+}
+
+/// Packed pixels follow one another over the ends of the rows.
+void AravisCamera::set_pixels(ArvBuffer* buffer, GreyImage& image) {
+  std::size_t size = 0;
+  const void* const data = arv_buffer_get_image_data(buffer, &size);
+  if (format_.packing == Packing::BYTES) {
+    int padding = 0, rows_of_padding = 0;  // [bytes] at a row's end, [rows]
+    arv_buffer_get_image_padding(buffer, &padding, &rows_of_padding);
+    image.pixels = data;
+    image.stride = region_.width + padding / image.bytes_per_pixel();
+  } else {
+    unpacked_.resize(static_cast<std::size_t>(region_.width) *
+                     static_cast<std::size_t>(region_.height));
+    unpack(format_, static_cast<const std::uint8_t*>(data), unpacked_);
+    image.pixels = unpacked_.data();
+    image.stride = region_.width;
+  }
 }
 
 void AravisCamera::software_trigger() {
   throw_if_lost();
   aravis("TriggerSoftware", [&](GError** e) { arv_camera_software_trigger(camera_.get(), e); });
+}
+
+std::optional<std::int64_t> AravisCamera::feature(const std::string& name) {
+  throw_if_lost();
+  if (!has_feature(camera_.get(), name.c_str())) return std::nullopt;
+  return aravis(name,
+                [&](GError** e) { return arv_camera_get_integer(camera_.get(), name.c_str(), e); });
 }
 
 StreamStatistics AravisCamera::statistics() {

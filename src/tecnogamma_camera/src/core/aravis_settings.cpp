@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aravis_settings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "aravis_support.h"
@@ -67,6 +68,49 @@ Region write_region(ArvCamera* arv, const Region& wanted) {
   return region;
 }
 
+Region write_payload_region(ArvCamera* arv, const Region& wanted) {
+  if (wanted.y != 0 || wanted.height != 0) {
+    throw InvalidParameter("region", to_text(wanted),
+                           "the rows of a payload are not the sensor's: leave y and height at 0");
+  }
+  const auto set = [&](const char* feature, std::int64_t value) {
+    aravis(feature, [&](GError** e) { arv_camera_set_integer(arv, feature, value, e); });
+  };
+  // The wider of the two sits in the way of the other.
+  if (wanted.width != 0) {
+    set("OffsetX", 0);
+    set("Width", wanted.width);
+  }
+  if (wanted.width != 0 || wanted.x != 0) set("OffsetX", wanted.x);
+  constexpr const char* kRows = "HeightInterface";
+  if (has_feature(arv, kRows)) {
+    set("Height", aravis(kRows, [&](GError** e) { return arv_camera_get_integer(arv, kRows, e); }));
+  }
+  const Region taken = read_region(arv);
+  if ((wanted.width != 0 && taken.width != wanted.width) || taken.x != wanted.x) {
+    throw InvalidParameter("region", to_text(wanted),
+                           "the camera took " + to_text(taken) + ": give multiples of its steps");
+  }
+  return taken;
+}
+
+const PixelFormat& write_pixel_format(ArvCamera* arv, const std::string& name) {
+  const PixelFormat& format = pixel_format(name);
+  guint count = 0;
+  const char** const names = aravis("PixelFormat", [&](GError** e) {
+    return arv_camera_dup_available_pixel_formats_as_strings(arv, &count, e);
+  });
+  const bool has_it = std::any_of(names, names + count, [&](const char* n) { return name == n; });
+  g_free(names);
+  if (!has_it) {
+    throw MissingFeature("camera feature", "PixelFormat " + name,
+                         "the camera does not have it; give another pixel_format");
+  }
+  aravis("PixelFormat " + name,
+         [&](GError** e) { arv_camera_set_pixel_format_from_string(arv, name.c_str(), e); });
+  return format;
+}
+
 void write_exposure(ArvCamera* arv, double exposure) {
   if (!arv_camera_is_exposure_time_available(arv, nullptr)) require_feature(arv, "ExposureTime");
   double least = 0, most = 0;
@@ -110,6 +154,35 @@ void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source) {
   require_feature(arv, "TriggerSource");
   aravis("TriggerSource " + source,
          [&](GError** e) { arv_camera_set_trigger(arv, source.c_str(), e); });
+}
+
+StrobeOutput::StrobeOutput(ArvCamera* arv, const std::string& line, const std::string& source)
+    : arv_(arv) {
+  for (const char* feature : {"LineSelector", "LineMode", "LineSource"})
+    require_feature(arv, feature);
+  try {
+    change("LineSelector", line);
+    change("LineMode", "Output");
+    change("LineSource", source);
+  } catch (...) {
+    restore();
+    throw;
+  }
+}
+
+void StrobeOutput::change(const char* feature, const std::string& value) {
+  const std::string before =
+      to_text(aravis(feature, [&](GError** e) { return arv_camera_get_string(arv_, feature, e); }));
+  aravis(feature + (" " + value),
+         [&](GError** e) { arv_camera_set_string(arv_, feature, value.c_str(), e); });
+  changed_.push_back({feature, before});
+}
+
+void StrobeOutput::restore() {
+  // What cannot be set back is no reason to leave the rest.
+  for (auto change = changed_.rbegin(); change != changed_.rend(); ++change)
+    arv_camera_set_string(arv_, change->feature, change->before.c_str(), nullptr);
+  changed_.clear();
 }
 
 }  // namespace tecnogamma_camera

@@ -16,7 +16,8 @@ void save_peaks(const std::string& path, const PeakProfile& profile) {
   for (int i = 0; i < profile.rows(); ++i) {
     if (std::isnan(profile.position[i])) continue;
     file << profile.first_row + i << ',' << std::setprecision(4) << profile.position[i] << ','
-         << std::setprecision(1) << profile.width[i] << ',' << profile.intensity[i] << '\n';
+         << std::setprecision(2) << profile.width[i] << ',' << std::setprecision(1)
+         << profile.intensity[i] << '\n';
   }
   scan_cell_common::save_text(path, file.str());
 }

@@ -5,6 +5,7 @@
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "bag_recording.h"
 #include "diagnostics.h"
 #include "messages.h"
 
@@ -32,7 +33,7 @@ void CameraNodelet::onInit() {
   advertise();
   acquisition_ = std::make_unique<Acquisition>(
       parameters_.acquisition,
-      [this] { return open_aravis_camera(parameters_.camera, parameters_.stream); }, *this);
+      [this] { return open_camera(parameters_.camera, parameters_.source, recordings()); }, *this);
   start_reconfigure();
   // A start may wait for the camera: the diagnostics, on the other queue, go on.
   set_acquisition_ = getMTPrivateNodeHandle().advertiseService(
@@ -58,6 +59,11 @@ void CameraNodelet::advertise() {
   });
 }
 
+RecordingKinds CameraNodelet::recordings() const {
+  const std::string topic = parameters_.bag_topic;
+  return {{"bag", [topic](const std::string& path) { return open_bag_recording(path, topic); }}};
+}
+
 void CameraNodelet::start_reconfigure() {
   reconfigure_ = std::make_unique<dynamic_reconfigure::Server<CameraConfig>>(
       reconfigure_mutex_, getMTPrivateNodeHandle());
@@ -71,10 +77,19 @@ void CameraNodelet::on_connected(const CameraDescription& camera) {
                camera.region.x, camera.region.y);
   const std::string fault = fault_of_model(camera);
   if (!fault.empty()) NODELET_ERROR("%s", fault.c_str());
+  const int greatest = (1 << camera.grey_bits) - 1;
+  if (parameters_.detection.trigger_level >= greatest) {
+    NODELET_ERROR("trigger_level: %d; grey values go to %d, so no row will have a peak",
+                  parameters_.detection.trigger_level, greatest);
+  }
 }
 
 std::string CameraNodelet::fault_of_model(const CameraDescription& camera) const {
   return model_ ? find_fault(*model_, camera) : "";
+}
+
+void CameraNodelet::on_ended(const std::string& recording) {
+  NODELET_INFO("%s", recording.c_str());
 }
 
 void CameraNodelet::on_trouble(const std::string& reason) {
@@ -84,9 +99,10 @@ void CameraNodelet::on_trouble(const std::string& reason) {
 void CameraNodelet::on_frame(const NumberedFrame& frame) {
   const bool live_only = frame.mode == AcquisitionMode::LIVE_ONLY;
   if (!live_only) publish_profile(frame);
+  if (!frame.frame.image.pixels) return;
   const bool with_image = live_only || (frame.mode == AcquisitionMode::RELIEF_LIVE &&
                                         profiles_to_image_++ % parameters_.live_ratio == 0);
-  if (with_image && frame.frame.packets_lost == 0) publish_image(frame);
+  if (with_image) publish_image(frame);
 }
 
 void CameraNodelet::publish_profile(const NumberedFrame& frame) {
@@ -96,8 +112,10 @@ void CameraNodelet::publish_profile(const NumberedFrame& frame) {
     detector = detector_;
   }
   PeakProfile profile;
-  const ImageView8& image = frame.frame.image;
-  if (frame.frame.packets_lost == 0) {
+  const GreyImage& image = frame.frame.image;
+  if (frame.frame.peaks) {
+    profile = *frame.frame.peaks;
+  } else if (image.pixels) {
     detector->detect(image, profile);
   } else {
     profile.clear(image.first_row, image.rows);
@@ -111,6 +129,7 @@ void CameraNodelet::publish_image(const NumberedFrame& frame) {
   const auto info = boost::make_shared<sensor_msgs::CameraInfo>(
       to_camera_info(frame.camera, model_ ? &*model_ : nullptr, parameters_.frame_id));
   info->header = image->header;
+  set_region(frame, *info);  // a smart camera's may change from frame to frame
   images_.publish(image);
   camera_infos_.publish(info);
 }
@@ -138,7 +157,7 @@ bool CameraNodelet::set_acquisition(Request& request,
 }
 
 void CameraNodelet::reconfigure(CameraConfig& config) {
-  DetectorSettings settings;
+  DetectorSettings settings = parameters_.detection;
   settings.trigger_level = config.trigger_level;
   settings.permanence = config.permanence;
   settings.window = config.window;

@@ -24,10 +24,12 @@ class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
  private:
   void onInit() override;
   void advertise();
+  RecordingKinds recordings() const;
   void start_reconfigure();
 
   void on_frame(const NumberedFrame& frame) override;
   void on_connected(const CameraDescription& camera) override;
+  void on_ended(const std::string& recording) override;
   void on_trouble(const std::string& reason) override;
 
   std::string fault_of_model(const CameraDescription& camera) const;

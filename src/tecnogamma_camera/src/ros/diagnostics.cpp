@@ -26,7 +26,7 @@ const char* to_text(Trigger trigger) {
 
 /// Frames that are missing or damaged, whatever the reason.
 std::uint64_t damage(const AcquisitionState& state) {
-  return state.frames.incomplete + state.frames.lost;
+  return state.frames.incomplete + state.frames.lost + state.frames.unusable;
 }
 
 void summarise(const AcquisitionState& before, const AcquisitionState& now,
@@ -60,6 +60,9 @@ void write_diagnostics(const AcquisitionState& before, const AcquisitionState& n
   status.add("frames repeated", now.frames.repeated);
   status.add("frames late", now.frames.late);
   status.add("frames without number", now.frames.invalid);
+  status.add("frames unusable", now.frames.unusable);
+  status.add("last fault", now.fault);
+  status.add("impossible peaks", now.frames.impossible_peaks);
   status.add("counter restarts", now.frames.restarts);
   status.add("stream completed", now.stream.completed);
   status.add("stream failures", now.stream.failures);

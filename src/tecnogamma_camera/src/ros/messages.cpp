@@ -32,19 +32,30 @@ scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std:
 }
 
 sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id) {
-  const ImageView8& image = frame.frame.image;
+  const GreyImage& image = frame.frame.image;
   const auto message = boost::make_shared<sensor_msgs::Image>();
   message->header.stamp = to_ros(frame.time);
   message->header.frame_id = frame_id;
-  message->encoding = sensor_msgs::image_encodings::MONO8;
+  message->encoding = image.bytes_per_pixel() == 2 ? sensor_msgs::image_encodings::MONO16
+                                                   : sensor_msgs::image_encodings::MONO8;
   message->width = image.columns;
   message->height = image.rows;
-  message->step = image.columns;
-  message->data.resize(static_cast<std::size_t>(image.columns) * image.rows);
-  for (int row = 0; row < image.rows; ++row)
-    std::memcpy(&message->data[static_cast<std::size_t>(row) * image.columns], image.row(row),
-                image.columns);
+  message->step = image.columns * image.bytes_per_pixel();
+  message->data.resize(static_cast<std::size_t>(message->step) * image.rows);
+  visit(image, [&](const auto& view) {
+    for (int row = 0; row < view.rows; ++row)
+      std::memcpy(&message->data[static_cast<std::size_t>(row) * message->step], view.row(row),
+                  message->step);
+  });
   return message;
+}
+
+void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info) {
+  const auto& image = frame.frame.image;
+  info.roi.x_offset = image.first_column;
+  info.roi.y_offset = image.first_row;
+  info.roi.width = image.columns;
+  info.roi.height = image.rows;
 }
 
 std::string find_fault(const laser_triangulation::ScannerModel& model,

@@ -21,6 +21,9 @@ scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std:
 /// @pre the frame is complete
 sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id);
 
+/// Tells where on the sensor the frame's image lies.
+void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info);
+
 /// Why a scanner model cannot be of this camera; empty where it can.
 std::string find_fault(const laser_triangulation::ScannerModel& model,
                        const CameraDescription& camera);

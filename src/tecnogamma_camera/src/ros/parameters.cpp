@@ -3,6 +3,7 @@
 #include "parameters.h"
 
 #include "scan_cell_common/ros/parameter_reader.h"
+#include "tecnogamma_camera/pixel_format.h"
 
 namespace tecnogamma_camera {
 namespace {
@@ -26,13 +27,19 @@ void read_camera(ParameterReader& reader, CameraSettings& camera) {
   read_optional(reader, "gain", camera.gain, -1, {-1, 1000});
   read_optional(reader, "rate", camera.rate, 0, {0, 100000});
   reader.read("trigger_source", camera.trigger_source);
+  reader.read("strobe_line", camera.strobe_line);
+  reader.read("strobe_source", camera.strobe_source);
+  reader.read_choice("pixel_format", camera.pixel_format, pixel_format_names());
 }
 
 void read_detection(ParameterReader& reader, Parameters& parameters) {
   reader.read_choice("detector", parameters.detector, detector_names());
-  reader.read("trigger_level", parameters.detection.trigger_level, {0, 255});
+  std::string choice = choice_names().front();
+  reader.read_choice("choice", choice, choice_names());
+  parameters.detection.choice = to_choice(choice);
+  reader.read("trigger_level", parameters.detection.trigger_level, {kAutomaticLevel, 65535});
   reader.read("permanence", parameters.detection.permanence, {1, 64});
-  reader.read("window", parameters.detection.window, {3, 255});
+  reader.read("window", parameters.detection.window, {0, 255});
   reader.read("live_ratio", parameters.live_ratio, {1, 100000});
 }
 
@@ -42,6 +49,22 @@ void read_stream(ParameterReader& reader, AravisOptions& stream) {
   reader.read("packet_socket", stream.packet_socket);
   reader.read("packet_resend", stream.packet_resend);
   reader.read("realtime", stream.realtime);
+}
+
+void read_recording(ParameterReader& reader, Parameters& parameters) {
+  reader.read("bag_topic", parameters.bag_topic);
+  reader.read("playback_speed", parameters.source.playback.speed, {0, 1000});
+  reader.read("loop", parameters.source.playback.loop);
+}
+
+void read_payload(ParameterReader& reader, PayloadOptions& payload) {
+  reader.read_choice("payload", payload.format, payload_names());
+  reader.read("payload_tick", payload.tecnogamma.tick, {0, 1});
+  reader.read("scan_first_row", payload.photonfocus.scan_first_row, {-1, 65535});
+  reader.read("scan_rows", payload.photonfocus.scan_rows, {-1, 1024});
+  reader.read("scan_with_image", payload.photonfocus.with_image);
+  payload.tecnogamma.check();
+  payload.photonfocus.check();
 }
 
 AcquisitionMode to_mode(const std::string& name) {
@@ -59,12 +82,12 @@ void read_acquisition(ParameterReader& reader, AcquisitionParameters& acquisitio
   acquisition.trigger = trigger == "free_run" ? Trigger::FREE_RUN : Trigger::EXTERNAL;
   std::string clock = "mapped";
   reader.read_choice("device_clock", clock, {"mapped", "host"});
-  acquisition.device_clock_is_host = clock == "host";
+  acquisition.clock.device_is_host = clock == "host";
   reader.read("retry_period", acquisition.retry_period, {0.1, 60});
   reader.read("start_timeout", acquisition.start_timeout, {0.1, 60});
   reader.read("arming_time", acquisition.arming_time, {0, 10});
   reader.read("silence_timeout", acquisition.silence_timeout, {0.1, 3600});
-  reader.read("clock_window", acquisition.clock_window, {0.1, 3600});
+  reader.read("clock_window", acquisition.clock.window, {0.1, 3600});
 }
 
 }  // namespace
@@ -76,7 +99,9 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   reader.read("frame_id", parameters.frame_id);
   reader.read("scanner_model", parameters.scanner_model);
   read_detection(reader, parameters);
-  read_stream(reader, parameters.stream);
+  read_stream(reader, parameters.source.stream);
+  read_recording(reader, parameters);
+  read_payload(reader, parameters.source.payload);
   read_camera(reader, parameters.acquisition.camera);
   read_acquisition(reader, parameters.acquisition);
   reader.refuse_unknown();

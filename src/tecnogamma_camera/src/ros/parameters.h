@@ -7,20 +7,21 @@
 #include <string>
 
 #include "tecnogamma_camera/acquisition.h"
-#include "tecnogamma_camera/aravis_camera.h"
+#include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 namespace tecnogamma_camera {
 
 /// The node's private parameters (docs/tecnogamma_camera.md).
 struct Parameters {
-  std::string camera;  //!< id, serial number or address; empty: the only one that answers
+  std::string camera;  //!< id, serial number, address, folder:PATH or bag:PATH; empty: the only one
   std::string frame_id = "camera_optical_frame";
   std::string scanner_model;  //!< path, for camera_info; empty: uncalibrated
-  std::string detector = "center_of_gravity";
+  std::string detector = "fir_derivative";
   DetectorSettings detection;
   int live_ratio = 10;  //!< profiles to an image in RELIEF_LIVE
-  AravisOptions stream;
+  CameraOptions source;
+  std::string bag_topic;  //!< of the images; empty: the only one
   AcquisitionParameters acquisition;
 
   /// @throw scan_cell_common::InvalidParameter naming the bad, missing or unknown parameter

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "tecnogamma_camera/aravis_camera.h"
+#include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"
 
@@ -26,8 +26,10 @@ constexpr const char* kMenu = R"(
 /// The test menu of the acquisition module (thesis, section 3.5).
 class Menu {
  public:
-  Menu(std::string camera, std::string detector)
-      : name_(std::move(camera)), detector_(tecnogamma_camera::make_detector(detector, {})) {}
+  Menu(std::string camera, const std::string& detector, tecnogamma_camera::CameraOptions options)
+      : name_(std::move(camera)),
+        detector_(tecnogamma_camera::make_detector(detector, {})),
+        options_(std::move(options)) {}
 
   void run() {
     std::string choice;
@@ -61,7 +63,7 @@ class Menu {
 
   void connect() {
     camera_.reset();
-    camera_ = tecnogamma_camera::open_aravis_camera(name_, {});
+    camera_ = tecnogamma_camera::open_camera(name_, options_);
     std::cout << "connected to " << camera_->describe().id << "\n";
   }
 
@@ -94,6 +96,9 @@ class Menu {
     for (int i = 0; i < kTries; ++i) {
       const auto frame = camera().grab(std::chrono::seconds(1));
       if (!frame || frame->packets_lost > 0) continue;
+      if (!frame->fault.empty()) {
+        throw scan_cell_common::UnusableInput("frame", frame->fault, "check payload and camera");
+      }
       return use(*frame);
     }
     throw scan_cell_common::ConnectionError("camera", "no whole frame in five seconds",
@@ -103,9 +108,14 @@ class Menu {
   void grab_image() {
     grab([](const Frame& frame) {
       const auto& image = frame.image;
-      const cv::Mat pixels(image.rows, image.columns, CV_8UC1,
-                           const_cast<std::uint8_t*>(image.pixels),
-                           static_cast<std::size_t>(image.stride));
+      if (!image.pixels) {
+        throw scan_cell_common::UnusableInput("frame", "peaks without an image",
+                                              "set the camera to send images, or grab peaks");
+      }
+      const cv::Mat pixels(image.rows, image.columns,
+                           image.bytes_per_pixel() == 2 ? CV_16UC1 : CV_8UC1,
+                           const_cast<void*>(image.pixels),
+                           static_cast<std::size_t>(image.stride * image.bytes_per_pixel()));
       constexpr const char* kPath = "image.png";
       if (!cv::imwrite(kPath, pixels)) {
         throw scan_cell_common::FileError(kPath, "cannot be written", "start where you may write");
@@ -119,7 +129,11 @@ class Menu {
   void grab_peaks() {
     grab([this](const Frame& frame) {
       tecnogamma_camera::PeakProfile profile;
-      detector_->detect(frame.image, profile);
+      if (frame.peaks) {
+        profile = *frame.peaks;
+      } else {
+        detector_->detect(frame.image, profile);
+      }
       int peaks = 0;
       for (const float position : profile.position)
         peaks += std::isnan(position) ? 0 : 1;
@@ -132,6 +146,7 @@ class Menu {
 
   std::string name_;
   std::unique_ptr<tecnogamma_camera::PeakDetector> detector_;
+  tecnogamma_camera::CameraOptions options_;
   std::unique_ptr<Camera> camera_;
 };
 
@@ -141,11 +156,16 @@ int main(int argc, char** argv) {
   CLI::App app("Tries a camera by hand, without ROS");
   app.option_defaults()->always_capture_default();
   std::string camera, detector = "center_of_gravity";
-  app.add_option("--camera", camera, "id, serial number or address; without: the only one");
+  tecnogamma_camera::CameraOptions options;
+  options.playback.speed = 0;
+  app.add_option("--camera", camera,
+                 "id, serial number, address or folder:PATH; without: the only one");
+  app.add_option("--payload", options.payload.format,
+                 "image, tecnogamma_relief or photonfocus_3d03");
   app.add_option("--detector", detector, "threshold or center_of_gravity");
   CLI11_PARSE(app, argc, argv);
   try {
-    Menu(camera, detector).run();
+    Menu(camera, detector, options).run();
     return 0;
   } catch (const scan_cell_common::Error& error) {
     std::cerr << "camera_menu: " << error.what() << "\n";

@@ -11,34 +11,50 @@
 
 namespace {
 
+using tecnogamma_camera::DetectorSettings;
+using tecnogamma_camera::GreyImage;
+using tecnogamma_camera::ImageView;
+using tecnogamma_camera::PeakProfile;
+
 cv::Mat load_image(const std::string& path) {
+  constexpr const char* kCure = "give a PNG, TIFF or PGM of 8 or 16 bit grey pixels";
   cv::Mat image;
   try {
     image = cv::imread(path, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
-    throw scan_cell_common::FileError(path, error.err, "give a PNG of 8 bit grey pixels");
+    throw scan_cell_common::FileError(path, error.err, kCure);
   }
-  if (image.empty()) {
-    throw scan_cell_common::FileError(path, "cannot be read as an image",
-                                      "give a PNG of 8 bit grey pixels");
-  }
-  if (image.type() != CV_8UC1) {
+  if (image.empty()) throw scan_cell_common::FileError(path, "cannot be read as an image", kCure);
+  if (image.type() != CV_8UC1 && image.type() != CV_16UC1) {
     throw scan_cell_common::UnusableInput(path, cv::typeToString(image.type()) + " pixels",
-                                          "convert it to 8 bit grey");
+                                          "convert it to 8 or 16 bit grey");
   }
   return image;
 }
 
+template <class Pixel>
+ImageView<Pixel> view_of(const cv::Mat& image) {
+  return {
+      image.ptr<Pixel>(), image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step1()), 0, 0};
+}
+
+GreyImage grey_view_of(const cv::Mat& image) {
+  if (image.type() == CV_16UC1) return view_of<std::uint16_t>(image);
+  return view_of<std::uint8_t>(image);
+}
+
 void extract(const std::string& image_path, const std::string& output_path,
-             const tecnogamma_camera::PeakDetector& detector) {
+             const std::string& detector_name, const DetectorSettings& settings) {
+  const auto detector = tecnogamma_camera::make_detector(detector_name, settings);
   const cv::Mat image = load_image(image_path);
-  tecnogamma_camera::ImageView8 view;
-  view.pixels = image.data;
-  view.columns = image.cols;
-  view.rows = image.rows;
-  view.stride = static_cast<std::ptrdiff_t>(image.step);
-  tecnogamma_camera::PeakProfile profile;
-  detector.detect(view, profile);
+  const GreyImage view = grey_view_of(image);
+  if (settings.trigger_level > view.greatest_grey_value()) {
+    throw scan_cell_common::InvalidParameter(
+        "trigger_level", std::to_string(settings.trigger_level),
+        "grey values of this image go to " + std::to_string(view.greatest_grey_value()));
+  }
+  PeakProfile profile;
+  detector->detect(view, profile);
   tecnogamma_camera::save_peaks(output_path, profile);
   int peaks = 0;
   for (const float position : profile.position)
@@ -52,18 +68,21 @@ void extract(const std::string& image_path, const std::string& output_path,
 int main(int argc, char** argv) {
   CLI::App app("Finds the laser line in an image: one peak a row, written as CSV");
   app.option_defaults()->always_capture_default();
-  std::string image, output, detector = "center_of_gravity";
-  tecnogamma_camera::DetectorSettings settings;
-  app.add_option("--image", image, "PNG of 8 bit grey pixels; the line runs vertically")
-      ->required();
+  std::string image, output, detector = "fir_derivative", choice = "brightest";
+  DetectorSettings settings;
+  app.add_option("--image", image, "8 or 16 bit grey pixels; the line runs vertically")->required();
   app.add_option("--output", output, "CSV: row,position,width,intensity")->required();
-  app.add_option("--detector", detector, "threshold or center_of_gravity");
-  app.add_option("--trigger-level", settings.trigger_level, "grey value, 0 .. 255");
+  app.add_option("--detector", detector, "threshold, center_of_gravity or fir_derivative");
+  app.add_option("--trigger-level", settings.trigger_level,
+                 "grey value of the image's own pixels; -1: above the noise of the background");
   app.add_option("--permanence", settings.permanence, "pixels that make an edge");
-  app.add_option("--window", settings.window, "columns of the centre of gravity");
+  app.add_option("--window", settings.window,
+                 "most columns of the centre of gravity; 0: as the stripe's width asks");
+  app.add_option("--choice", choice, "of several spots in a row: brightest, first or last");
   CLI11_PARSE(app, argc, argv);
   try {
-    extract(image, output, *tecnogamma_camera::make_detector(detector, settings));
+    settings.choice = tecnogamma_camera::to_choice(choice);
+    extract(image, output, detector, settings);
     return 0;
   } catch (const scan_cell_common::Error& error) {
     std::fprintf(stderr, "extract_peaks: %s\n", error.what());

@@ -1,0 +1,40 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tecnogamma_camera/acquisition.h"
+
+namespace tecnogamma_camera {
+
+/// Writes frames into a folder, as open_folder_recording() reads them. As PGM: it costs least time,
+/// and keeps the bytes of a payload as they came.
+class FolderRecorder {
+ public:
+  /// @param folder is made; must be empty
+  /// @throw scan_cell_common::FileError if the folder cannot be made or holds something
+  explicit FolderRecorder(const std::string& folder);
+
+  /// A frame that lost packets is told in the index, and has no file.
+  /// @throw scan_cell_common::FileError if it cannot be written
+  /// @throw scan_cell_common::Refused if it belongs to another start than the first frame: numbers
+  /// would begin anew
+  void add(const NumberedFrame& frame);
+
+  std::uint64_t frames() const { return frames_; }
+
+  /// Writes the index: without it the recording has neither numbers nor times.
+  /// @throw scan_cell_common::FileError if it cannot be written
+  void finish() const;
+
+ private:
+  std::string folder_;
+  std::uint64_t frames_ = 0;
+  std::optional<std::uint32_t> acquisition_;
+  std::string index_;
+};
+
+}  // namespace tecnogamma_camera

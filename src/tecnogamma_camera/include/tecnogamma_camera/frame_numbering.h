@@ -1,0 +1,50 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "scan_cell_common/clock_map.h"
+#include "tecnogamma_camera/camera.h"
+
+namespace tecnogamma_camera {
+
+struct ClockSettings {
+  double window = 10.0;         //!< [s] over which the least delay of the stream is sought
+  bool device_is_host = false;  //!< the camera's clock is synchronised to the host's (PTP)
+};
+
+/// The place of a frame in the run of frames.
+struct FramePlace {
+  CounterStep step;
+  bool restarted = false;  //!< with this frame the counter began anew: begin() was done
+  Nanoseconds time = 0;    //!< [ns] of the exposure on the host's clock; 0 for INVALID
+};
+
+/// Numbers the frames of one camera and maps their times to the host's clock.
+///
+/// A camera that counts back was restarted if its clock went on, or if it counts on from there for
+/// three frames. Else the frame is late.
+class FrameNumbering {
+ public:
+  FrameNumbering(const CounterRule& counter, const ClockSettings& clock);
+
+  /// The next frame is the first again.
+  void begin();
+
+  /// @throw scan_cell_common::UnusableInput if the clocks should agree and do not
+  FramePlace place(const Frame& frame);
+
+ private:
+  bool counts_on_from_before(const Frame& frame);
+  Nanoseconds time_of(const Frame& frame, bool late);
+
+  ClockSettings settings_;
+  CounterUnwrapper unwrapper_;
+  scan_cell_common::ClockMap clock_;
+  Nanoseconds last_device_time_ = 0;
+  int counted_back_ = 0;         // frames in a row, each numbered after the one before
+  std::uint64_t last_back_ = 0;  // the number of the last of them
+};
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,20 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+namespace tecnogamma_camera {
+
+/// Peaks as they are usually found with OpenCV, row by row, with the functions for each of
+/// detector_names(): threshold and boundingRect; minMaxLoc, and dot over a window
+/// of 15 columns; filter2D and minMaxLoc. For an automatic level meanStdDev besides. NaN in the
+/// rows without a peak.
+/// @param trigger_level as in DetectorSettings
+/// @throw std::out_of_range for another name
+void detect_with_opencv(const std::string& detector, int trigger_level, const cv::Mat& image,
+                        std::vector<float>& positions);
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,65 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace tecnogamma_camera {
+
+/// Columns that share a trigger level.
+constexpr int kTileColumns = 128;
+
+inline int tiles_in(int columns) {
+  return (columns + kTileColumns - 1) / kTileColumns;
+}
+
+/// Which pixels of a row are above the trigger level of their tile, one bit a pixel.
+///
+/// A laser line lights a few pixels of a row, so nearly all of a frame's time goes into passing
+/// over the dark ones: a whole tile is, by its brightest pixel alone, in a loop that compilers turn
+/// into vector instructions, and the lit runs are then found in the bits, 64 columns at a time.
+class LitPixels {
+ public:
+  /// @param levels one a tile
+  void mark(const std::uint8_t* row, int columns, const std::vector<std::uint8_t>& levels);
+  void mark(const std::uint16_t* row, int columns, const std::vector<std::uint16_t>& levels);
+
+  /// First lit column from `from` on, or the number of columns.
+  int next_lit(int from) const {
+    if (from / kBits < lit_from_) from = lit_from_ * kBits;
+    int word = from / kBits;
+    if (word >= dark_from_) return columns_;
+    std::uint64_t bits = words_[word] & (~std::uint64_t{0} << (from % kBits));
+    while (bits == 0) {
+      if (++word == dark_from_) return columns_;
+      bits = words_[word];
+    }
+    return word * kBits + __builtin_ctzll(bits);
+  }
+
+  /// First dark column after the lit one `from`, or the number of columns.
+  int next_dark(int from) const {
+    int word = from / kBits;
+    std::uint64_t dark = ~words_[word] & (~std::uint64_t{0} << (from % kBits));
+    while (dark == 0) {
+      if (++word == dark_from_) return std::min(columns_, word * kBits);
+      dark = ~words_[word];
+    }
+    return std::min(columns_, word * kBits + __builtin_ctzll(dark));
+  }
+
+ private:
+  static constexpr int kBits = 64;
+
+  template <class Pixel>
+  void mark_pixels(const Pixel* row, int columns, const std::vector<Pixel>& levels);
+
+  int columns_ = 0;
+  int lit_from_ = 0;   // the words before it are of dark pixels
+  int dark_from_ = 0;  // and so are those from here on
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,136 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <condition_variable>
+#include <csignal>
+#include <cstdio>
+#include <mutex>
+
+#include "tecnogamma_camera/acquisition.h"
+#include "tecnogamma_camera/folder_recorder.h"
+#include "tecnogamma_camera/open_camera.h"
+
+namespace {
+
+using tecnogamma_camera::AcquisitionMode;
+using tecnogamma_camera::NumberedFrame;
+using tecnogamma_camera::Trigger;
+
+struct Options {
+  std::string camera;
+  std::string output;
+  std::uint64_t frames = 100;
+  bool external = false;
+  bool payload = false;
+  tecnogamma_camera::AcquisitionParameters acquisition;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Writes what the acquisition delivers, until there is enough of it or something is wrong.
+class Writer : public tecnogamma_camera::AcquisitionListener {
+ public:
+  explicit Writer(const Options& options) : recorder_(options.output), wanted_(options.frames) {}
+
+  void on_frame(const NumberedFrame& frame) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (done_) return;
+    try {
+      recorder_.add(frame);
+      if (recorder_.frames() == wanted_) done_ = true;
+    } catch (...) {
+      failure_ = std::current_exception();
+      done_ = true;
+    }
+    changed_.notify_all();
+  }
+  void on_connected(const tecnogamma_camera::CameraDescription& camera) override {
+    std::fprintf(stderr, "recording %s\n", camera.id.c_str());
+  }
+  void on_ended(const std::string&) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    done_ = true;
+    changed_.notify_all();
+  }
+  void on_trouble(const std::string& reason) override {
+    std::fprintf(stderr, "%s\n", reason.c_str());
+  }
+
+  /// Until there are frames enough, or the user ends it.
+  void wait() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    constexpr std::chrono::milliseconds kLook(100);
+    while (!done_ && interrupted == 0)
+      changed_.wait_for(lock, kLook);
+    done_ = true;
+  }
+
+  /// @return how many frames were written
+  std::uint64_t finish() {
+    if (recorder_.frames() > 0) recorder_.finish();
+    if (failure_) std::rethrow_exception(failure_);
+    return recorder_.frames();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  tecnogamma_camera::FolderRecorder recorder_;
+  std::uint64_t wanted_;
+  bool done_ = false;
+  std::exception_ptr failure_;
+};
+
+void record(const Options& options) {
+  tecnogamma_camera::CameraOptions source;
+  source.stream.is_payload = options.payload;
+  source.playback.speed = 0;
+  Writer writer(options);
+  tecnogamma_camera::Acquisition acquisition(
+      options.acquisition, [&] { return tecnogamma_camera::open_camera(options.camera, source); },
+      writer);
+  acquisition.set(AcquisitionMode::RELIEF_ONLY,
+                  options.external ? Trigger::EXTERNAL : Trigger::FREE_RUN);
+  writer.wait();
+  acquisition.set(AcquisitionMode::STOP, Trigger::FREE_RUN);
+  const auto counts = acquisition.state().frames;
+  std::printf("%llu frames in %s, %llu lost, %llu incomplete\n",
+              static_cast<unsigned long long>(writer.finish()), options.output.c_str(),
+              static_cast<unsigned long long>(counts.lost),
+              static_cast<unsigned long long>(counts.incomplete));
+}
+
+}  // namespace
+
+/// Frames of a camera, or the payloads it sends, into a folder. Exits 0, or 1 with the reason.
+int main(int argc, char** argv) {
+  CLI::App app("Records frames into a folder that the camera node plays (camera folder:PATH)");
+  app.option_defaults()->always_capture_default();
+  Options options;
+  auto& settings = options.acquisition.camera;
+  app.add_option("--camera", options.camera,
+                 "id, serial number or address; without: the only one that answers");
+  app.add_option("--output", options.output, "a new folder")->required();
+  app.add_option("--frames", options.frames, "how many; Ctrl-C ends it before")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--external", options.external, "one frame a pulse, not in free run");
+  app.add_option("--trigger-source", settings.trigger_source, "of --external");
+  app.add_flag("--payload", options.payload,
+               "the bytes as they come, of a camera that finds the peaks itself");
+  app.add_option("--pixel-format", settings.pixel_format, "GenICam PixelFormat of grey values");
+  app.add_option("--rate", settings.rate, "[Hz] of free run")->always_capture_default(false);
+  app.add_option("--exposure", settings.exposure, "[s]")->always_capture_default(false);
+  app.add_option("--region-x", settings.region.x, "[px]");
+  app.add_option("--region-y", settings.region.y, "[px]");
+  app.add_option("--region-width", settings.region.width, "[px] 0: to the sensor's edge");
+  app.add_option("--region-height", settings.region.height, "[px] 0: to the sensor's edge");
+  CLI11_PARSE(app, argc, argv);
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  try {
+    record(options);
+    return 0;
+  } catch (const scan_cell_common::Error& error) {
+    std::fprintf(stderr, "record_frames: %s\n", error.what());
+    return 1;
+  }
+}
