@@ -116,3 +116,43 @@ TEST_F(CloudBuilderTest, RefusesMorePointsThanAllowed) {
   builder_.add(profile());
   EXPECT_NE(refusal<Refused>([](BoundProfile&) {}).find("full with 20 points"), std::string::npos);
 }
+
+namespace {
+
+/// The second laser mirrors the first: from one pixel its plane is met at another depth.
+ScannerModel two_lasers() {
+  ScannerModel model = scanner();
+  laser_triangulation::LaserPlane other = model.lasers[0];
+  other.origin << -0.3, 0, 0;
+  other.normal = Eigen::Vector3d(-2, 0, 1).normalized();
+  other.distance = other.normal.dot(other.origin);
+  model.lasers.push_back(other);
+  return model;
+}
+
+BoundProfile profile_of(std::uint8_t laser) {
+  BoundProfile bound = profile();
+  bound.profile.laser = laser;
+  return bound;
+}
+
+}  // namespace
+
+TEST(CloudOfTwoLasers, IsTheSameWhetherTheyAlternateOrScanInSeparatePasses) {
+  CloudBuilder alternating(two_lasers(), {}, 1000), passes(two_lasers(), {}, 1000);
+  for (const std::uint8_t laser : {0, 1, 0, 1})
+    alternating.add(profile_of(laser));
+  for (const std::uint8_t laser : {0, 0, 1, 1})
+    passes.add(profile_of(laser));
+  for (const CloudBuilder* builder : {&alternating, &passes}) {
+    ASSERT_EQ(builder->points().size(), 4 * kRows);
+    std::size_t of_laser[2] = {0, 0};
+    for (std::size_t i = 0; i < builder->points().size(); ++i) {
+      const laser_triangulation::ScanPoint& point = builder->points()[i];
+      EXPECT_NEAR(point.z, point.laser == 0 ? 0.5 : 0.6, 1e-6);
+      ++of_laser[point.laser];
+    }
+    EXPECT_EQ(of_laser[0], 2 * kRows);
+    EXPECT_EQ(of_laser[1], 2 * kRows);
+  }
+}

@@ -44,12 +44,12 @@ def expected(number):
             continue
         x, y = (520 + row - 500) / 800.0, (FIRST_ROW + row - 400) / 800.0
         depth = -0.2 / (0.8 * x - 0.6)
-        points.append((x * depth + number / 1000.0, y * depth, depth + 0.1, number, 0))
+        points.append((x * depth + number / 1000.0, y * depth, depth + 0.1, number, 0, 4))
     return points
 
 
 def points_of(cloud):
-    return [struct.unpack_from('<ffffB', cloud.data, i * cloud.point_step)
+    return [struct.unpack_from('<ffffB3xf', cloud.data, i * cloud.point_step)
             for i in range(cloud.width)]
 
 
@@ -83,7 +83,7 @@ class LaserTriangulationNode(unittest.TestCase):
         self.assertEqual(answer.cloud.header.frame_id, 'moulding')
         self.assertEqual(answer.cloud.header.stamp, profile(count - 1).header.stamp)
         self.assertEqual([f.name for f in answer.cloud.fields],
-                         ['x', 'y', 'z', 'intensity', 'laser'])
+                         ['x', 'y', 'z', 'intensity', 'laser', 'width'])
         points = points_of(answer.cloud)
         truth = [point for n in range(count) for point in expected(n)]
         self.assertEqual(len(points), len(truth))
@@ -121,7 +121,7 @@ class LaserTriangulationNode(unittest.TestCase):
             truth = [point for n in range(3) for point in expected(n)]
             self.assertIn(b'element vertex %d\n' % len(truth), header)
             for i, true in enumerate(truth):
-                for value, right in zip(struct.unpack_from('<ffffB', data, 17 * i), true):
+                for value, right in zip(struct.unpack_from('<ffffBf', data, 21 * i), true):
                     self.assertAlmostEqual(value, right, 6)
             run = subprocess.run(arguments + ['--topic', '/other'], stderr=subprocess.PIPE,
                                  timeout=60)

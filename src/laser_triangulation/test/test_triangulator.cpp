@@ -100,20 +100,132 @@ TEST(Undistort, SaysWhereTheLensModelFoldsOver) {
   EXPECT_FALSE(camera.undistort({0.7, 0}, ray));
 }
 
-TEST(RayTable, IsExactBetweenItsNodesToo) {
+namespace {
+
+struct LongRay {
+  long double x, y;
+};
+
+/// The reference: Newton's method on OpenCV's lens model in 80-bit numbers, with the derivatives by
+/// central differences. Shares nothing with the code under test.
+LongRay reference_ray(const CameraIntrinsics& camera, double u, double v) {
+  const auto distort = [&camera](LongRay ray) {
+    const long double k1 = camera.distortion[0], k2 = camera.distortion[1],
+                      p1 = camera.distortion[2], p2 = camera.distortion[3],
+                      k3 = camera.distortion[4];
+    const long double r2 = ray.x * ray.x + ray.y * ray.y;
+    const long double radial = 1 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2;
+    return LongRay{ray.x * radial + 2 * p1 * ray.x * ray.y + p2 * (r2 + 2 * ray.x * ray.x),
+                   ray.y * radial + p1 * (r2 + 2 * ray.y * ray.y) + 2 * p2 * ray.x * ray.y};
+  };
+  const LongRay goal{(static_cast<long double>(u) - camera.cx) / camera.fx,
+                     (static_cast<long double>(v) - camera.cy) / camera.fy};
+  LongRay ray = goal;
+  constexpr long double kStep = 1e-7L;
+  for (int i = 0; i < 50; ++i) {
+    const LongRay here = distort(ray);
+    const LongRay right = distort({ray.x + kStep, ray.y}), left = distort({ray.x - kStep, ray.y});
+    const LongRay down = distort({ray.x, ray.y + kStep}), up = distort({ray.x, ray.y - kStep});
+    const long double xx = (right.x - left.x) / (2 * kStep), yx = (right.y - left.y) / (2 * kStep);
+    const long double xy = (down.x - up.x) / (2 * kStep), yy = (down.y - up.y) / (2 * kStep);
+    const long double off_x = goal.x - here.x, off_y = goal.y - here.y;
+    const long double determinant = xx * yy - xy * yx;
+    ray.x += (yy * off_x - xy * off_y) / determinant;
+    ray.y += (xx * off_y - yx * off_x) / determinant;
+  }
+  return ray;
+}
+
+}  // namespace
+
+TEST(RayTable, IsExactOverTheWholeSensor) {
   for (const double k1 : {-0.081, -0.25, 0.2}) {
     CameraIntrinsics camera = scanner().camera;
     camera.distortion[0] = k1;
     const RayTable table(camera);
+    double worst = 0;
     for (int row = 0; row < camera.height; row += 41) {
-      for (double column = -0.5; column <= camera.width - 0.5; column += 3.7) {
-        const Eigen::Vector2d ray = table.ray(static_cast<std::size_t>(row), column);
-        const Eigen::Vector2d pixel = camera.project({ray.x(), ray.y(), 1});
-        EXPECT_NEAR(pixel.x(), column, 2e-5);  // 12 nm at 0.5 m
-        EXPECT_NEAR(pixel.y(), row, 2e-5);
+      for (float column = -0.5F; column <= static_cast<float>(camera.width) - 0.5F;
+           column += 3.7F) {
+        Eigen::Vector2d ray;
+        table.find(static_cast<std::size_t>(row), &column, 1, &ray);
+        const LongRay truth = reference_ray(camera, static_cast<double>(column), row);
+        worst = std::max(worst, std::hypot(ray.x() - static_cast<double>(truth.x),
+                                           ray.y() - static_cast<double>(truth.y)));
+        ASSERT_EQ(worst, worst);
       }
     }
+    EXPECT_LT(worst, 2e-9) << k1;
   }
+}
+
+TEST(RayTable, SaysNothingOfPixelsThatTheLensModelDoesNotReach) {
+  CameraIntrinsics camera = scanner().camera;
+  camera.distortion << -0.5, 0, 0, 0, 0;  // folds over at 0.545 from the middle, 436 px
+  const RayTable table(camera);
+  const auto ray = [&table](float column) {
+    Eigen::Vector2d found;
+    table.find(853, &column, 1, &found);
+    return found;
+  };
+  EXPECT_TRUE(ray(852).allFinite());
+  EXPECT_TRUE(ray(1200).allFinite());
+  EXPECT_FALSE(ray(1300).allFinite());
+  EXPECT_FALSE(ray(1600).allFinite());
+  EXPECT_NEAR(ray(1200).x(), static_cast<double>(reference_ray(camera, 1200, 853).x), 2e-9);
+}
+
+TEST(RayTable, RefusesALensModelThatCannotBeUndoneAnywhere) {
+  CameraIntrinsics camera = scanner().camera;
+  camera.width = camera.height = 64;  // the sensor's corner only
+  camera.distortion << -0.5, 0, 0, 0, 0;
+  EXPECT_THROW(RayTable{camera}, scan_cell_common::UnusableInput);
+}
+
+TEST(Triangulator, IsExactToAMicrometreOverTheWholeImage) {
+  const ScannerModel model = scanner();
+  const Eigen::Isometry3d flange =
+      Eigen::Translation3d(0.4, -0.2, 0.9) *
+      Eigen::AngleAxisd(2.8, Eigen::Vector3d(1, 0.1, 0.2).normalized());
+  const Eigen::Matrix4d to_frame = (flange * model.flange_to_camera).matrix();
+  PeakLimits limits;
+  limits.most_range = 3;
+  Triangulator triangulator(model, limits);
+  double worst = 0;
+  std::size_t compared = 0;
+  for (std::size_t laser = 0; laser < 2; ++laser) {
+    for (float column = -0.5F; column < 1695.5F; column += 13.3F) {
+      Profile profile(1710);
+      for (std::size_t row = 0; row < 1710; row += 19)
+        profile.position[row] = column + 0.01F * static_cast<float>(row % 100);
+      std::vector<ScanPoint> points;
+      triangulator.add(profile.view(laser), flange, points);
+      std::size_t next = 0;
+      for (std::size_t row = 0; row < 1710 && next < points.size(); row += 19) {
+        const LongRay ray = reference_ray(model.camera, static_cast<double>(profile.position[row]),
+                                          static_cast<double>(row));
+        const LaserPlane& plane = model.lasers[laser];
+        const long double depth = plane.distance / (plane.normal.x() * ray.x +
+                                                    plane.normal.y() * ray.y + plane.normal.z());
+        if (!(depth >= limits.least_range && depth <= limits.most_range)) continue;
+        long double off[3];
+        const float* const found[3] = {&points[next].x, &points[next].y, &points[next].z};
+        for (int axis = 0; axis < 3; ++axis) {
+          off[axis] = *found[axis] -
+                      (to_frame(axis, 0) * ray.x * depth + to_frame(axis, 1) * ray.y * depth +
+                       to_frame(axis, 2) * depth + to_frame(axis, 3));
+        }
+        worst = std::max(worst, static_cast<double>(std::sqrt(off[0] * off[0] + off[1] * off[1] +
+                                                              off[2] * off[2])));
+        ++next;
+        ++compared;
+      }
+      EXPECT_EQ(next, points.size());
+    }
+  }
+  EXPECT_GT(compared, 10000U);
+  EXPECT_LT(worst, 1e-6);
+  RecordProperty("worst_um", std::to_string(worst * 1e6));
 }
 
 TEST(Triangulator, FindsAPlaneAtAKnownDepthWithBothLasersToAMicrometre) {
@@ -144,6 +256,7 @@ TEST(Triangulator, FindsAPlaneAtAKnownDepthWithBothLasersToAMicrometre) {
         EXPECT_LT((point - truth[i]).norm(), 1e-6) << "row " << i;
         EXPECT_EQ(points[i].laser, laser);
         EXPECT_EQ(points[i].intensity, 100);
+        EXPECT_EQ(points[i].width, 5);
       }
     }
   }
@@ -192,19 +305,57 @@ TEST(Triangulator, RefusesLimitsThatContradictEachOther) {
   EXPECT_THROW(Triangulator(scanner(), limits), scan_cell_common::InvalidParameter);
 }
 
-TEST(ScanFile, HoldsEveryPointWithIntensityAndLaser) {
+TEST(Triangulator, LeavesOutRowsBelowTheSensorAndLasersThatItDoesNotHave) {
+  Profile profile(20);
+  std::fill(profile.position.begin(), profile.position.end(), 820.0F);
+  Triangulator triangulator(scanner(), {});
+  std::vector<ScanPoint> points;
+  triangulator.add(profile.view(0, 1700), Eigen::Isometry3d::Identity(), points);
+  EXPECT_EQ(points.size(), 10U);
+  EXPECT_EQ(triangulator.counts().outside_sensor, 10U);
+  triangulator.add(profile.view(0, 4'000'000'000U), Eigen::Isometry3d::Identity(), points);
+  triangulator.add(profile.view(2), Eigen::Isometry3d::Identity(), points);
+  EXPECT_EQ(points.size(), 10U);
+  EXPECT_EQ(triangulator.counts().outside_sensor, 50U);
+}
+
+TEST(ScanCloud, HoldsAllPointsInTheirOrderAcrossItsBlocks) {
+  ScanCloud cloud;
+  std::vector<ScanPoint> points;
+  std::size_t count = 0;
+  for (std::size_t size : {0U, 1U, 65534U, 3U, 1710U, 200000U, 65536U}) {
+    points.resize(size);
+    for (ScanPoint& point : points)
+      point.intensity = static_cast<float>(count++);
+    cloud.append(points);
+  }
+  ASSERT_EQ(cloud.size(), count);
+  for (const std::size_t first : {std::size_t{0}, std::size_t{65536}, count - 5, count}) {
+    std::vector<ScanPoint> copy(count - first);
+    cloud.copy(first, reinterpret_cast<std::uint8_t*>(copy.data()));
+    for (std::size_t i = 0; i < copy.size(); ++i)
+      ASSERT_EQ(copy[i].intensity, static_cast<float>(first + i));
+  }
+  EXPECT_EQ(cloud[65536].intensity, 65536);
+}
+
+TEST(ScanFile, HoldsEveryPointWithIntensityLaserAndWidth) {
   const std::string path = testing::TempDir() + "/scan_" + std::to_string(getpid()) + ".ply";
-  save_ply(path, {{1, 2, 3, 100, 0, {}}, {4, 5, 6, 50, 1, {}}});
+  ScanCloud cloud;
+  cloud.append({{1, 2, 3, 100, 0, {}, 7}, {4, 5, 6, 50, 1, {}, 8}});
+  save_ply(path, cloud);
   std::ifstream file(path, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(file)), {});
   const std::size_t end = bytes.find("end_header\n") + 11;
   EXPECT_NE(bytes.find("element vertex 2\n"), std::string::npos);
-  ASSERT_EQ(bytes.size(), end + 2 * 17);
-  float second[4];
-  std::memcpy(second, &bytes[end + 17], sizeof(second));
+  ASSERT_EQ(bytes.size(), end + 2 * 21);
+  float second[4], width;
+  std::memcpy(second, &bytes[end + 21], sizeof(second));
+  std::memcpy(&width, &bytes[end + 21 + 17], sizeof(width));
   EXPECT_EQ(second[0], 4);
   EXPECT_EQ(second[3], 50);
-  EXPECT_EQ(bytes.back(), 1);
+  EXPECT_EQ(bytes[end + 21 + 16], 1);
+  EXPECT_EQ(width, 8);
   std::filesystem::remove(path);
   EXPECT_THROW(save_ply("/no/such/folder/scan.ply", {}), scan_cell_common::FileError);
   EXPECT_THROW(save_ply("scan.xyz", {}), scan_cell_common::FileError);

@@ -131,9 +131,9 @@ TEST(Binder, FindsASlipOfOneThatTheCounterHides) {
     --scan.frames[i].counter;
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(outcome.audit.slips, 1U);
-  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 2U);  // on both sides
+  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 4U);  // two on either side
   EXPECT_EQ(outcome.dropped(DropReason::NeverArrived), 1U);
-  EXPECT_EQ(count_right(scan, outcome), 47U);
+  EXPECT_EQ(count_right(scan, outcome), 45U);
   expect_all_accounted(scan, outcome);
 }
 
@@ -155,7 +155,74 @@ TEST(Binder, GoesOnAfterTheCameraWasRestarted) {
     scan.frames[i].counter = i - 30;
   }
   const Outcome outcome = run(scan, {});
-  EXPECT_EQ(count_right(scan, outcome), 60U);
+  EXPECT_EQ(count_right(scan, outcome), 56U);
+  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 4U);  // two on either side
+  expect_all_accounted(scan, outcome);
+}
+
+namespace {
+
+/// A frame that no pulse exposed, 0.4 ms after the one with this index; the camera counts it.
+void invent_frame(SyntheticScan& scan, std::size_t after) {
+  Frame invented = scan.frames[after];
+  invented.stamp += 2 * kMillisecond / 5;
+  for (std::size_t i = after + 1; i < scan.frames.size(); ++i)
+    ++scan.frames[i].counter;
+  ++invented.counter;
+  const auto place = static_cast<std::ptrdiff_t>(after + 1);
+  scan.frames.insert(scan.frames.begin() + place, invented);
+  scan.truth.insert(scan.truth.begin() + place, -1);
+}
+
+void lose_frame(SyntheticScan& scan, std::size_t frame) {
+  scan.frames.erase(scan.frames.begin() + static_cast<std::ptrdiff_t>(frame));
+  scan.truth.erase(scan.truth.begin() + static_cast<std::ptrdiff_t>(frame));
+}
+
+}  // namespace
+
+TEST(Binder, NeverBindsAFrameThatNoPulseExposed) {
+  for (std::size_t place = 0; place < 30; ++place) {
+    for (const bool own_lost : {false, true}) {
+      SyntheticScan scan = steady_scan(60);
+      invent_frame(scan, 20 + place);
+      if (own_lost) lose_frame(scan, 20 + place);
+      // The frame after it has a stamp that would confirm the old offset, others are wrong too.
+      scan.frames[22 + place].stamp += 10 * kMillisecond;
+      scan.frames[17].counter += 1;
+      const Outcome outcome = run(scan, {});
+      EXPECT_GE(count_right(scan, outcome), 50U);
+      expect_all_accounted(scan, outcome);
+    }
+  }
+}
+
+TEST(Binder, NeverBindsAnInventedFrameNextToARestart) {
+  for (std::size_t restart = 21; restart < 30; ++restart) {
+    SyntheticScan scan = steady_scan(60);
+    invent_frame(scan, 24);
+    lose_frame(scan, 24);  // the pulse's own
+    for (std::size_t i = restart; i < scan.frames.size(); ++i)
+      scan.frames[i].acquisition = 2;
+    const Outcome outcome = run(scan, {});
+    EXPECT_GE(count_right(scan, outcome), 50U) << restart;
+    expect_all_accounted(scan, outcome);
+  }
+}
+
+TEST(Binder, NeverBindsAnInventedFrameAtTheEndOfAnArming) {
+  SyntheticScan scan = steady_scan(30);
+  for (int i = 0; i < 30; ++i) {
+    scan.add_pulse(1003 + 10.0 * i, 2);
+    scan.add_frame(scan.pulses.size() - 1, static_cast<std::uint64_t>(131 + i));
+  }
+  for (double t = 401; t < 1500; t += 2)
+    scan.poses.push_back(pose_at(t, t / 1000));
+  invent_frame(scan, 28);
+  lose_frame(scan, 30);  // of the arming's last pulse, which the invented one could be
+  scan.frames[29].stamp += 9 * kMillisecond;
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 56U);  // but two on either side
 }
 
 TEST(Binder, GoesOnAfterTheTriggerWasArmedAgain) {
@@ -184,6 +251,26 @@ TEST(Binder, StandsJitterAndADriftingLatency) {
     scan.poses.push_back(pose_at(t, t / 1000));
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 2000U);
+}
+
+TEST(Binder, TakesOutADelayOfThePoses) {
+  const SyntheticScan scan = steady_scan(50);  // the flange is at x = 1 m/s x time
+  Settings settings;
+  settings.pose_delay = 0.013;
+  const Outcome outcome = run(scan, settings);
+  ASSERT_EQ(outcome.audit.frames_bound, 50U);
+  EXPECT_NEAR(outcome.match(0)->pose.translation().x(), 0.013, 1e-9);
+  EXPECT_NEAR(outcome.match(20)->pose.translation().x(), 0.213, 1e-9);
+}
+
+TEST(Binder, DropsAndCountsFramesWhoseCounterJumpsBack) {
+  SyntheticScan scan = steady_scan(50);
+  for (std::size_t i = 30; i < 50; ++i)
+    scan.frames[i].counter -= 25;  // the camera was restarted, and nobody said so
+  const Outcome outcome = run(scan, {});
+  EXPECT_EQ(count_right(scan, outcome), 30U);
+  EXPECT_EQ(outcome.dropped(DropReason::Repeated), 20U);
+  expect_all_accounted(scan, outcome);
 }
 
 TEST(Binder, DropsWhatLostPosesLeaveWithoutOne) {

@@ -4,6 +4,9 @@
 """The binder node on real topics."""
 import collections
 import io
+import math
+import re
+import socket
 import subprocess
 import tempfile
 import threading
@@ -70,6 +73,44 @@ def profiles(count, lost=()):
         profile.header.stamp = stamp(i * PERIOD + LATENCY)
         messages.append(profile)
     return messages
+
+
+SCANNER = """
+camera: {width: 1000, height: 800, fx: 800, fy: 800, cx: 500, cy: 400, distortion: [0, 0, 0, 0, 0]}
+flange_to_camera: {translation: [0, 0, 0.1], rotation: [0, 0, 0, 1]}
+lasers:
+  - {normal: [0.8, 0, -0.6], distance: -0.2, origin: [-0.25, 0, 0]}
+"""
+
+
+def write_scan_of_waves(bag, direction, delay):
+    """A surface z = 8 mm sin(60 x) under a flange that looks down from 0.7 m and goes along x, and
+    whose poses are stamped late. The line is met by bisection."""
+    speed, rate, length = 0.1, 100.0, 0.15
+
+    def flange(t):
+        return speed * t if direction > 0 else length - speed * t
+
+    for i in range(int((length / speed + 0.6) * 250)):
+        t = -0.3 + i / 250.0
+        bag.write('/tf', transform('base_link', 'tool0', t + delay, (flange(t), 0, 0.7),
+                                   (1, 0, 0, 0)), stamp(1 + t))
+    for i in range(int(length / speed * rate)):
+        t = i / rate
+        event = TriggerEvent(arming=1, count=i + 1, lasers=TriggerEvent.LASER_0)
+        event.header.stamp = stamp(t)
+        low, high = 0.5, 0.7  # depth from the camera
+        for _ in range(60):
+            depth = (low + high) / 2
+            x = (0.6 * depth - 0.2) / 0.8
+            above = 0.7 - depth - 0.1 > 0.008 * math.sin(60 * (flange(t) + x))
+            low, high = (depth, high) if above else (low, depth)
+        profile = PeakProfile(acquisition=1, frame_counter=i, laser=0, first_row=370,
+                              position=[500 + 800 * x / depth] * 60, width=[3] * 60,
+                              intensity=[9] * 60)
+        profile.header.stamp = stamp(t + LATENCY)
+        bag.write('/laser_trigger/events', event, stamp(1 + t))
+        bag.write('/camera/profiles', profile, stamp(1 + t + LATENCY))
 
 
 class PoseFrameBinderNode(unittest.TestCase):
@@ -258,6 +299,35 @@ class PoseFrameBinderNode(unittest.TestCase):
         for bound in self.bound:
             self.assertLess(abs(bound.pose.position.x), 2)
 
+    def test_tells_old_clients_the_pose_of_a_frame_after_the_scan(self):
+        count = 20
+        data = {'poses': poses(count), 'events': events(count), 'profiles': profiles(count, lost=(7,))}
+        with socket.create_connection(('127.0.0.1', 45017), timeout=30) as connection:
+            answers = connection.makefile('r')
+
+            def ask(line):
+                connection.sendall(line.encode())
+                return answers.readline()
+
+            del self.bound[:]
+            self.assertTrue(self.start('scan').success)
+            self.publish(data, ('poses', 'events', 'profiles'))
+            self.assertEqual(ask('65530\n'), 'NONE\n')  # not before the scan is finished
+            answer = self.with_bound(self.finish(count, rospy.Duration(0.1)))
+            self.assertEqual(answer.audit.frames_bound, count - 1)
+            for i in (0, 3, 19):
+                x, y, z, rx, ry, rz = (float(w) for w in ask('%d\n' % (65530 + i)).split(','))
+                self.assertAlmostEqual(x, 1000 * (-1 - SPEED * PERIOD * i), 5)
+                self.assertAlmostEqual(y, 500, 5)
+                self.assertAlmostEqual(z, 700, 5)
+                self.assertAlmostEqual(rx, 0, 6)
+                self.assertAlmostEqual(ry, 0, 6)
+                self.assertAlmostEqual(rz, 90, 6)
+            self.assertEqual(ask('65537\n'), 'NONE\n')
+            self.assertTrue(ask('first\n').startswith('ERROR'))
+            self.assertTrue(self.start('next').success)
+            self.assertEqual(ask('65530\n'), 'NONE\n')
+
     def test_keeps_the_audit_latched(self):
         data = {'poses': poses(5), 'events': events(5), 'profiles': profiles(5)}
         self.scan(data, ('poses', 'events', 'profiles'), 5)
@@ -297,6 +367,26 @@ class PoseFrameBinderNode(unittest.TestCase):
             self.assertEqual(run.returncode, 1)
             self.assertIn('camera_latency', run.stderr.decode())
 
+    def test_estimates_the_delay_of_the_poses_from_two_bags(self):
+        delay = 0.009
+        with tempfile.TemporaryDirectory() as folder:
+            with open(folder + '/scanner.yaml', 'w') as file:
+                file.write(SCANNER)
+            for name, direction in (('there', 1), ('back', -1)):
+                with rosbag.Bag('%s/%s.bag' % (folder, name), 'w') as bag:
+                    write_scan_of_waves(bag, direction, delay)
+            arguments = ['rosrun', 'pose_frame_binder', 'estimate_time_offset',
+                         '--forward', folder + '/there.bag', '--scanner', folder + '/scanner.yaml']
+            text = subprocess.run(arguments + ['--backward', folder + '/back.bag'], check=True,
+                                  timeout=120, stdout=subprocess.PIPE).stdout.decode()
+            found, uncertainty = (float(word) / 1000 for word in re.search(
+                r'pose_delay: (\S+) ms, standard deviation (\S+) ms', text).groups())
+            self.assertLess(abs(found - delay), max(3 * uncertainty, 2e-5), text)
+            run = subprocess.run(arguments + ['--backward', folder + '/there.bag'],
+                                 stderr=subprocess.PIPE, timeout=120)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn('not in opposite directions', run.stderr.decode())
+
     def test_refuses_to_finish_what_was_not_started(self):
         answer = self.finish(0, rospy.Duration(0.1))
         self.assertFalse(answer.success)
@@ -309,6 +399,8 @@ class PoseFrameBinderNode(unittest.TestCase):
 
     def test_refuses_a_bad_parameter_by_name(self):
         for parameter, words in (('_method:=guess', '/bad_binder/method'),
+                                 ('_method:=constant_speed', 'constant_speed/speed'),
+                                 ('_lookup/port:=45017', 'lookup on 127.0.0.1:45017'),
                                  ('_fixed_frame:=/world', 'fixed_frame'),
                                  ('_flange_frame:=', 'flange_frame')):
             run = subprocess.run(['rosrun', 'pose_frame_binder', 'pose_frame_binder_node',

@@ -12,7 +12,7 @@ using namespace pose_frame_binder;  // NOLINT
 namespace {
 
 /// Poses and pulses at these times [ms]; the n-th pose has x = n.
-class PoseRule : public testing::Test {
+class Rules : public testing::Test {
  protected:
   void have(const std::vector<double>& poses, const std::vector<double>& pulses) {
     for (std::size_t i = 0; i < poses.size(); ++i)
@@ -24,7 +24,7 @@ class PoseRule : public testing::Test {
   }
 
   PoseAnswer answer(std::size_t pulse) const {
-    return find_pose(pulse, pulses_, poses_, settings_).value();
+    return make_pose_rule(settings_)->find(pulse, pulses_, poses_).value();
   }
   /// Number of the pose that the pulse got; -1: none.
   double pose_of(std::size_t pulse) const {
@@ -37,7 +37,7 @@ class PoseRule : public testing::Test {
   PulseLog pulses_;
 };
 
-class FirstPose : public PoseRule {
+class FirstPose : public Rules {
  protected:
   void SetUp() override { settings_.method = Method::FirstPose; }
 };
@@ -111,7 +111,7 @@ TEST_F(FirstPose, BoundsItsErrorByTheWayToTheNextPose) {
   EXPECT_NEAR(answer(2).match->position_error_bound, settings_.most_speed * 1e-3, 1e-9);
 }
 
-TEST_F(PoseRule, InterpolationFollowsACircleWithinItsBound) {
+TEST_F(Rules, InterpolationFollowsACircleWithinItsBound) {
   constexpr double kRadius = 0.3;
   constexpr double kTurn = 2;  // [rad/s]; acceleration = radius * turn^2
   settings_.most_acceleration = kRadius * kTurn * kTurn;
@@ -143,7 +143,7 @@ TEST_F(PoseRule, InterpolationFollowsACircleWithinItsBound) {
   EXPECT_GT(worst_share, 0.9) << "the bound is far from what happens";
 }
 
-TEST_F(PoseRule, InterpolationRefusesAGapAndNeverLeavesTheLog) {
+TEST_F(Rules, InterpolationRefusesAGapAndNeverLeavesTheLog) {
   have({0, 10, 200, 210}, {-5, 5, 100, 205, 215});
   EXPECT_EQ(answer(0).reason, DropReason::NoPoseBefore);
   EXPECT_NEAR(pose_of(1), 0.5, 1e-9);

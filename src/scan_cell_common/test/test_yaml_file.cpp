@@ -43,6 +43,8 @@ TEST(YamlEntry, IsRefusedByItsWholeName) {
             "a.yaml: a.b: missing; add it");
   EXPECT_EQ(complaint("a: {b: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
             "a.yaml: a.b: no such entry; check its spelling");
+  EXPECT_EQ(complaint("a: {[b]: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
+            "a.yaml: a: a name that is a list or a map; give name: value");
   EXPECT_EQ(complaint("a: [1, wide]", [](const YamlEntry& e) { e["a"].elements()[1].as<int>(); }),
             "a.yaml: a[1]: of the wrong type; correct it");
   EXPECT_EQ(complaint("a: {b: 1}", [](const YamlEntry& e) { e["a"].elements(); }),

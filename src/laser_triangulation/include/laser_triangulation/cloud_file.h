@@ -3,14 +3,14 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "laser_triangulation/triangulator.h"
+#include "laser_triangulation/scan_cloud.h"
 
 namespace laser_triangulation {
 
-/// Writes binary PLY with x, y, z, intensity (float) and laser (uchar), whole or not at all.
+/// Writes binary PLY with x, y, z, intensity (float), laser (uchar) and width (float), whole or not
+/// at all.
 /// @throw scan_cell_common::FileError if it cannot be written or the ending is not .ply
-void save_ply(const std::string& path, const std::vector<ScanPoint>& points);
+void save_ply(const std::string& path, const ScanCloud& points);
 
 }  // namespace laser_triangulation

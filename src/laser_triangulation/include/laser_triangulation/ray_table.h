@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -11,35 +10,39 @@
 
 namespace laser_triangulation {
 
-/// The undistorted rays of all sensor rows, for whole rows and any column: exact rays at nodes in
-/// each row, and the cubic through the four nodes around a column (Lagrange) between them. The
-/// nodes are set so close that the cubic is off by less than 1e-8 (5 nm at 0.5 m).
+/// The undistorted rays of all sensor rows, for whole rows and any column: in each row a cubic for
+/// every few columns, through the exact rays at the four Chebyshev nodes of that cell. The cells
+/// are so narrow that the cubics are off by less than 1e-9 (0.5 nm at 0.5 m, 0.1 um at 5 m where
+/// the plane of light is met at ten degrees). 12 MB for 1696 x 1710 pixels.
 class RayTable {
  public:
+  /// @throw scan_cell_common::UnusableInput if the lens model cannot be undone anywhere
   explicit RayTable(const CameraIntrinsics& camera);
 
-  /// The ray (x/z, y/z) of a pixel on the sensor; NaN where the lens model cannot be undone.
-  Eigen::Vector2d ray(std::size_t row, double column) const {
-    const double place = (column - kFirstColumn) * per_spacing_;
-    const auto below = static_cast<std::ptrdiff_t>(place);
-    const std::ptrdiff_t first = std::clamp<std::ptrdiff_t>(below - 1, 0, nodes_ - 4);
-    const double a = place - static_cast<double>(first);  // 0 .. 3, mostly 1 .. 2
-    const double b = a - 1, c = a - 2, d = a - 3;
-    const Eigen::Vector2d* node =
-        &rays_[row * static_cast<std::size_t>(nodes_) + static_cast<std::size_t>(first)];
-    return (-b * c * d / 6) * node[0] + (a * c * d / 2) * node[1] + (-a * b * d / 2) * node[2] +
-           (a * b * c / 6) * node[3];
-  }
+  /// The rays (x/z, y/z) of one pixel a row, from `first_row` downwards. NaN where the lens model
+  /// cannot be undone, or hardly.
+  /// @param columns -0.5 to width - 0.5
+  /// @param count rows, all of them on the sensor
+  void find(std::size_t first_row, const float* columns, std::size_t count,
+            Eigen::Vector2d* rays) const;
 
  private:
-  static constexpr double kFirstColumn = -1;  // half a pixel left of the sensor's edge
+  /// A cubic in the place within the cell, 0 .. 1: one line of the processor's cache.
+  struct alignas(64) Cell {
+    Eigen::Vector2d at(double s) const { return c0 + s * (c1 + s * (c2 + s * c3)); }
+    Eigen::Vector2d c0, c1, c2, c3;
+  };
 
-  void fill(const CameraIntrinsics& camera, double spacing);
-  double error(const CameraIntrinsics& camera) const;
+  static constexpr double kHalfPixel = 0.5;
 
-  double per_spacing_ = 0;    // [1/px]
-  std::ptrdiff_t nodes_ = 0;  // in a row
-  std::vector<Eigen::Vector2d> rays_;
+  double choose_width(const CameraIntrinsics& camera);
+  void fill(const CameraIntrinsics& camera, int row, Cell* cells) const;
+  double measure(const CameraIntrinsics& camera, int row, Cell* cells) const;
+
+  double width_ = 0;       // [px] of a cell
+  double per_column_ = 0;  // [1/px]
+  std::size_t cells_in_row_ = 0;
+  std::vector<Cell> cells_;
 };
 
 }  // namespace laser_triangulation

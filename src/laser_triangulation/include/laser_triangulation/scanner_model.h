@@ -55,6 +55,11 @@ struct ScannerModel {
 /// @throw scan_cell_common::UnusableInput naming the entry that is missing or makes no sense
 ScannerModel load_scanner_model(const std::string& path);
 
+/// The same from the text of such a file.
+/// @param name of the text, in errors
+/// @throw as load_scanner_model()
+ScannerModel parse_scanner_model(const std::string& text, const std::string& name);
+
 /// Writes it, whole or not at all.
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_scanner_model(const std::string& path, const ScannerModel& model);

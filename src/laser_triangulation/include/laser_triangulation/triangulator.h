@@ -20,8 +20,9 @@ struct ScanPoint {
   float intensity = 0;  //!< [grey value] height of the peak
   std::uint8_t laser = 0;
   std::uint8_t padding[3] = {0, 0, 0};  // zero, so that the same scan gives the same bytes
+  float width = 0;                      //!< [px] of the stripe
 };
-static_assert(sizeof(ScanPoint) == 20);
+static_assert(sizeof(ScanPoint) == 24);
 
 /// The peaks of one frame, one a row from first_row downwards; NaN where a row has none. The arrays
 /// have `rows` elements and stay the caller's.
@@ -72,12 +73,11 @@ class Triangulator {
   const PeakCounts& counts() const { return counts_; }
 
  private:
-  bool within_limits(const ProfileView& profile, std::size_t row);
-
-  ScannerModel model_;
-  RayTable rays_;
-  PeakLimits limits_;
+  const ScannerModel model_;
+  const RayTable rays_;
+  const PeakLimits limits_;
   PeakCounts counts_;
+  std::vector<ScanPoint> profile_;  // room for the points of one
 };
 
 }  // namespace laser_triangulation

@@ -2,56 +2,111 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laser_triangulation/ray_table.h"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "scan_cell_common/errors.h"
 
 namespace laser_triangulation {
 namespace {
 
-Eigen::Vector2d exact_ray(const CameraIntrinsics& camera, double row, double column) {
+constexpr double kAllowed = 1e-9;
+
+/// Places in a cell, 0 .. 1: those of the cubic's exact values, and those where it is furthest off.
+const Eigen::Array4d kNodes = 0.5 - 0.5 * (Eigen::Array4d(1, 3, 5, 7) * M_PI / 8).cos();
+const Eigen::Array<double, 5, 1> kBetween =
+    0.5 - 0.5 * (Eigen::Array<double, 5, 1>(0, 1, 2, 3, 4) * M_PI / 4).cos();
+
+Eigen::Matrix4d from_nodes() {
+  Eigen::Matrix4d powers;
+  for (int power = 0; power < 4; ++power)
+    powers.col(power) = kNodes.pow(power);
+  return powers.inverse();
+}
+
+/// @param ray where to start from, if finite; the solution on return, NaN where there is none
+void solve(const CameraIntrinsics& camera, int row, double column, Eigen::Vector2d& ray) {
   const Eigen::Vector2d distorted((column - camera.cx) / camera.fx, (row - camera.cy) / camera.fy);
-  Eigen::Vector2d ray = distorted;
-  if (camera.undistort(distorted, ray)) return ray;
-  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (!ray.allFinite()) ray = distorted;
+  if (!camera.undistort(distorted, ray)) ray.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
 
 RayTable::RayTable(const CameraIntrinsics& camera) {
-  constexpr double kAllowed = 1e-8;
-  constexpr double kWidest = 16;  // [px]
-  constexpr double kClosest = 1;
-  double spacing = kWidest;
-  fill(camera, spacing);
-  while (error(camera) > kAllowed && spacing > kClosest) {
-    spacing /= 2;
-    fill(camera, spacing);
-  }
-}
-
-void RayTable::fill(const CameraIntrinsics& camera, double spacing) {
-  per_spacing_ = 1 / spacing;
-  nodes_ = std::max<std::ptrdiff_t>(
-      4, static_cast<std::ptrdiff_t>(std::ceil((camera.width - kFirstColumn) / spacing)) + 1);
-  rays_.clear();
-  rays_.reserve(static_cast<std::size_t>(camera.height * nodes_));
+  const bool exact = choose_width(camera) < kAllowed;
+  cells_.resize(static_cast<std::size_t>(camera.height) * cells_in_row_);
   for (int row = 0; row < camera.height; ++row) {
-    for (std::ptrdiff_t node = 0; node < nodes_; ++node) {
-      rays_.push_back(exact_ray(camera, row, kFirstColumn + static_cast<double>(node) * spacing));
-    }
+    Cell* const cells = &cells_[static_cast<std::size_t>(row) * cells_in_row_];
+    fill(camera, row, cells);
+    if (!exact) measure(camera, row, cells);
+  }
+  const auto usable = [](const Cell& cell) { return cell.c0.allFinite(); };
+  if (std::none_of(cells_.begin(), cells_.end(), usable)) {
+    throw scan_cell_common::UnusableInput("scanner model: camera distortion",
+                                          "cannot be undone anywhere on the sensor",
+                                          "calibrate the camera again");
   }
 }
 
-double RayTable::error(const CameraIntrinsics& camera) const {
-  constexpr int kRows = 64;  // between two that are looked at; distortion changes slowly
-  double worst = 0;
-  for (int row = 0; row < camera.height; row += kRows) {
-    for (std::ptrdiff_t node = 0; node + 1 < nodes_; ++node) {
-      const double column = kFirstColumn + (static_cast<double>(node) + 0.5) / per_spacing_;
-      const double off =
-          (ray(static_cast<std::size_t>(row), column) - exact_ray(camera, row, column)).norm();
-      worst = std::fmax(worst, off);  // passes over NaN
+void RayTable::find(std::size_t first_row, const float* columns, std::size_t count,
+                    Eigen::Vector2d* rays) const {
+  const Cell* row = &cells_[first_row * cells_in_row_];
+  for (std::size_t i = 0; i < count; ++i, row += cells_in_row_) {
+    const double place = (columns[i] + kHalfPixel) * per_column_;
+    const int cell = static_cast<int>(place);
+    rays[i] = row[cell].at(place - cell);
+  }
+}
+
+/// @return how far the cubics are off
+double RayTable::choose_width(const CameraIntrinsics& camera) {
+  constexpr double kWidest = 16;  // [px]
+  constexpr double kNarrowest = 4;
+  constexpr int kRows = 32;  // between two that are looked at: distortion changes slowly
+  for (width_ = kWidest;; width_ /= 2) {
+    per_column_ = 1 / width_;
+    cells_in_row_ = static_cast<std::size_t>(camera.width * per_column_) + 1;
+    std::vector<Cell> cells(cells_in_row_);
+    double worst = 0;
+    for (int row = 0; row < camera.height; row += kRows) {
+      fill(camera, row, cells.data());
+      worst = std::max(worst, measure(camera, row, cells.data()));
     }
+    if (worst < kAllowed || width_ <= kNarrowest) return worst;
+  }
+}
+
+void RayTable::fill(const CameraIntrinsics& camera, int row, Cell* cells) const {
+  static const Eigen::Matrix4d kFromNodes = from_nodes();
+  Eigen::Vector2d ray = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t cell = 0; cell < cells_in_row_; ++cell) {
+    Eigen::Matrix<double, 4, 2> exact;
+    for (int node = 0; node < 4; ++node) {
+      solve(camera, row, (static_cast<double>(cell) + kNodes[node]) * width_ - kHalfPixel, ray);
+      exact.row(node) = ray;
+    }
+    const Eigen::Matrix<double, 4, 2> cubic = kFromNodes * exact;
+    cells[cell] = {cubic.row(0), cubic.row(1), cubic.row(2), cubic.row(3)};
+  }
+}
+
+/// The largest error between the nodes. Where a cell is off by more than is allowed, as where the
+/// lens model is about to fold over, it becomes NaN.
+double RayTable::measure(const CameraIntrinsics& camera, int row, Cell* cells) const {
+  double worst = 0;
+  Eigen::Vector2d exact = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < cells_in_row_; ++i) {
+    Cell& cell = cells[i];
+    double error = 0;
+    for (const double s : kBetween) {
+      solve(camera, row, (static_cast<double>(i) + s) * width_ - kHalfPixel, exact);
+      error = std::fmax(error, (cell.at(s) - exact).norm());  // passes over NaN
+    }
+    if (error > kAllowed) cell.c0.setConstant(std::numeric_limits<double>::quiet_NaN());
+    worst = std::max(worst, error);
   }
   return worst;
 }

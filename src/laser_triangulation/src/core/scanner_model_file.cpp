@@ -60,10 +60,7 @@ YAML::Node to_yaml(const ScannerModel& model) {
   return root;
 }
 
-}  // namespace
-
-ScannerModel load_scanner_model(const std::string& path) {
-  const YamlEntry root = YamlEntry::load(path);
+ScannerModel read_model(const YamlEntry& root) {
   root.refuse_unknown({"camera", "flange_to_camera", "lasers"});
   ScannerModel model;
   model.camera = read_camera(root["camera"]);
@@ -72,6 +69,16 @@ ScannerModel load_scanner_model(const std::string& path) {
     model.lasers.push_back(read_laser(entry));
   check(model);
   return model;
+}
+
+}  // namespace
+
+ScannerModel load_scanner_model(const std::string& path) {
+  return read_model(YamlEntry::load(path));
+}
+
+ScannerModel parse_scanner_model(const std::string& text, const std::string& name) {
+  return read_model(YamlEntry::parse(text, name));
 }
 
 void save_scanner_model(const std::string& path, const ScannerModel& model) {

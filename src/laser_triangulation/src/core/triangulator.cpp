@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laser_triangulation/triangulator.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scan_cell_common/errors.h"
 
 namespace laser_triangulation {
 namespace {
+
+constexpr float kHalfPixel = 0.5F;
 
 void check_order(const char* name, double least, double most) {
   if (least <= most) return;
@@ -16,67 +19,167 @@ void check_order(const char* name, double least, double most) {
       "give a least that is not above " + std::to_string(most));
 }
 
-/// True too where the value is not known and nothing is asked of it.
-bool within(float value, double least, double most) {
-  return (value >= least && value <= most) || (std::isnan(value) && least <= 0 && std::isinf(most));
-}
-
 const ScannerModel& checked(const ScannerModel& model) {
   check(model);
   return model;
 }
 
-}  // namespace
-
-Triangulator::Triangulator(const ScannerModel& model, const PeakLimits& limits)
-    : model_(checked(model)), rays_(model_.camera), limits_(limits) {
+const PeakLimits& checked(const PeakLimits& limits) {
   check_order("width", limits.least_width, limits.most_width);
   check_order("intensity", limits.least_intensity, limits.most_intensity);
   check_order("range", limits.least_range, limits.most_range);
+  return limits;
 }
 
-bool Triangulator::within_limits(const ProfileView& profile, std::size_t row) {
-  if (!within(profile.width[row], limits_.least_width, limits_.most_width)) {
-    ++counts_.by_width;
-    return false;
+/// Whether a peak lies on the sensor and within the limits. Written without branches, for vectors.
+class PeakFilter {
+ public:
+  PeakFilter(const PeakLimits& limits, int sensor_width)
+      : last_column_(static_cast<float>(sensor_width) - kHalfPixel),
+        least_width_(static_cast<float>(limits.least_width)),
+        most_width_(static_cast<float>(limits.most_width)),
+        least_intensity_(static_cast<float>(limits.least_intensity)),
+        most_intensity_(static_cast<float>(limits.most_intensity)),
+        width_matters_(limits.least_width > 0 || std::isfinite(limits.most_width)),
+        intensity_matters_(limits.least_intensity > 0 || std::isfinite(limits.most_intensity)) {}
+
+  bool on_sensor(float column) const { return (column >= -kHalfPixel) & (column <= last_column_); }
+  bool width_fits(float width) const {
+    return !(width < least_width_) & !(width > most_width_) & !(width_matters_ & (width != width));
   }
-  if (!within(profile.intensity[row], limits_.least_intensity, limits_.most_intensity)) {
-    ++counts_.by_intensity;
-    return false;
+  bool intensity_fits(float intensity) const {
+    return !(intensity < least_intensity_) & !(intensity > most_intensity_) &
+           !(intensity_matters_ & (intensity != intensity));
   }
-  return true;
+
+ private:
+  float last_column_;
+  float least_width_, most_width_, least_intensity_, most_intensity_;
+  bool width_matters_, intensity_matters_;  // NaN is not within limits that were set
+};
+
+/// From a ray to the point where it meets the plane of light, in the frame the points are wanted
+/// in: place + (x, y, z) / w, where (x, y, z, w) is linear in the ray. On the plane
+/// w = 1 / depth = normal . ray / distance.
+struct RayToPoint {
+  RayToPoint(const LaserPlane& plane, const Eigen::Isometry3d& camera, const PeakLimits& limits)
+      : place(camera.translation()),
+        least_inverse_depth(1 / limits.most_range),
+        most_inverse_depth(1 / limits.least_range) {
+    linear.topRows<3>() = camera.linear();
+    linear.row(3) = plane.normal.transpose() / plane.distance;
+  }
+
+  bool in_range(double inverse_depth) const {
+    return (inverse_depth >= least_inverse_depth) & (inverse_depth <= most_inverse_depth);
+  }
+
+  Eigen::Matrix<double, 4, 3> linear;
+  Eigen::Vector3d place;
+  double least_inverse_depth;  // [1/m]
+  double most_inverse_depth;
+};
+
+void count_rejected(const PeakFilter& filter, const ProfileView& profile, std::size_t row,
+                    PeakCounts& counts) {
+  if (std::isnan(profile.position[row])) {
+    ++counts.rows_without_peak;
+  } else if (!filter.width_fits(profile.width[row])) {
+    ++counts.by_width;
+  } else if (!filter.intensity_fits(profile.intensity[row])) {
+    ++counts.by_intensity;
+  } else {
+    ++counts.outside_sensor;
+  }
 }
+
+/// Rows that are worked on together, a field after the other: the compiler turns such loops into
+/// vector instructions.
+struct Block {
+  static constexpr std::size_t kRows = 128;
+
+  std::size_t count = 0;
+  bool fits[kRows];
+  float column[kRows];  // 0 where the peak does not fit
+  Eigen::Vector2d ray[kRows];
+  double inverse_depth[kRows];
+  float x[kRows], y[kRows], z[kRows];
+
+  void select(const PeakFilter& peak_filter, const ProfileView& profile, std::size_t first) {
+    const PeakFilter filter = peak_filter;
+    const float* const position = profile.position + first;
+    const float* const width = profile.width + first;
+    const float* const intensity = profile.intensity + first;
+    for (std::size_t i = 0; i < count; ++i) {
+      fits[i] = filter.on_sensor(position[i]) & filter.width_fits(width[i]) &
+                filter.intensity_fits(intensity[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      column[i] = fits[i] ? position[i] : 0;
+  }
+
+  void meet(const RayToPoint& to_point) {
+    const Eigen::Matrix<double, 4, 3> m = to_point.linear;
+    const Eigen::Vector3d place = to_point.place;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double u = ray[i].x();
+      const double v = ray[i].y();
+      const double inverse = m(3, 0) * u + m(3, 1) * v + m(3, 2);
+      const double depth = 1 / inverse;
+      inverse_depth[i] = inverse;
+      x[i] = static_cast<float>(place.x() + depth * (m(0, 0) * u + m(0, 1) * v + m(0, 2)));
+      y[i] = static_cast<float>(place.y() + depth * (m(1, 0) * u + m(1, 1) * v + m(1, 2)));
+      z[i] = static_cast<float>(place.z() + depth * (m(2, 0) * u + m(2, 1) * v + m(2, 2)));
+    }
+  }
+
+  /// @return behind the last point written to `point` and further
+  ScanPoint* keep(const PeakFilter& filter, const RayToPoint& to_point, const ProfileView& profile,
+                  std::size_t first, PeakCounts& counts, ScanPoint* point) const {
+    const auto laser = static_cast<std::uint8_t>(profile.laser);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t row = first + i;
+      if (fits[i] & to_point.in_range(inverse_depth[i])) {
+        *point++ = {x[i], y[i], z[i], profile.intensity[row], laser, {0, 0, 0}, profile.width[row]};
+      } else if (!fits[i]) {
+        count_rejected(filter, profile, row, counts);
+      } else {
+        ++(std::isnan(inverse_depth[i]) ? counts.outside_sensor : counts.by_range);
+      }
+    }
+    return point;
+  }
+};
+
+}  // namespace
+
+Triangulator::Triangulator(const ScannerModel& model, const PeakLimits& limits)
+    : model_(checked(model)), rays_(model_.camera), limits_(checked(limits)) {}
 
 void Triangulator::add(const ProfileView& profile, const Eigen::Isometry3d& flange,
                        std::vector<ScanPoint>& points) {
-  const bool laser_known = profile.laser < model_.lasers.size();
-  const LaserPlane plane = laser_known ? model_.lasers[profile.laser] : LaserPlane();
-  const Eigen::Isometry3d to_frame = flange * model_.flange_to_camera;
   ++counts_.profiles;
-  for (std::size_t row = 0; row < profile.rows; ++row) {
-    const double column = profile.position[row];
-    if (std::isnan(column)) {
-      ++counts_.rows_without_peak;
-      continue;
-    }
-    if (!within_limits(profile, row)) continue;
-    const std::size_t sensor_row = profile.first_row + row;
-    if (!laser_known || !model_.camera.contains({column, static_cast<double>(sensor_row)})) {
-      ++counts_.outside_sensor;
-      continue;
-    }
-    const Eigen::Vector2d ray = rays_.ray(sensor_row, column);
-    const Eigen::Vector3d direction(ray.x(), ray.y(), 1);
-    const double depth = plane.distance / plane.normal.dot(direction);
-    if (!(depth >= limits_.least_range && depth <= limits_.most_range)) {
-      ++(std::isnan(depth) ? counts_.outside_sensor : counts_.by_range);
-      continue;
-    }
-    const Eigen::Vector3f point = (to_frame * (depth * direction)).cast<float>();
-    points.push_back({point.x(), point.y(), point.z(), profile.intensity[row],
-                      static_cast<std::uint8_t>(profile.laser)});
-    ++counts_.points;
+  const bool laser_known = profile.laser < model_.lasers.size();
+  const auto height = static_cast<std::size_t>(model_.camera.height);
+  const std::size_t below = laser_known && profile.first_row < height ? profile.first_row : height;
+  const std::size_t on_sensor = std::min(profile.rows, height - below);
+  const RayToPoint to_point(laser_known ? model_.lasers[profile.laser] : LaserPlane(),
+                            flange * model_.flange_to_camera, limits_);
+  const PeakFilter filter(limits_, model_.camera.width);
+  profile_.resize(std::max(profile_.size(), profile.rows));
+  ScanPoint* end = profile_.data();
+  Block block;
+  for (std::size_t first = 0; first < on_sensor; first += block.count) {
+    block.count = std::min(Block::kRows, on_sensor - first);
+    block.select(filter, profile, first);
+    rays_.find(profile.first_row + first, block.column, block.count, block.ray);
+    block.meet(to_point);
+    end = block.keep(filter, to_point, profile, first, counts_, end);
   }
+  for (std::size_t row = on_sensor; row < profile.rows; ++row)
+    count_rejected(filter, profile, row, counts_);
+  counts_.points += static_cast<std::size_t>(end - profile_.data());
+  points.insert(points.end(), profile_.data(), end);
 }
 
 }  // namespace laser_triangulation

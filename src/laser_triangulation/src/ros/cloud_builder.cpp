@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 
 #include "scan_cell_common/errors.h"
@@ -69,9 +68,11 @@ void CloudBuilder::add(const BoundProfile& bound) {
   }
   const auto begin = std::chrono::steady_clock::now();
   header_ = bound.header;
+  profile_.clear();
   triangulator_.add({profile.laser, profile.first_row, rows, profile.position.data(),
                      profile.width.data(), profile.intensity.data()},
-                    scan_cell_common::from_ros(bound.pose), points_);
+                    scan_cell_common::from_ros(bound.pose), profile_);
+  points_.append(profile_);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -86,12 +87,13 @@ PointCloud2 CloudBuilder::cloud(std::size_t first) const {
                   field("y", offsetof(ScanPoint, y), PointField::FLOAT32),
                   field("z", offsetof(ScanPoint, z), PointField::FLOAT32),
                   field("intensity", offsetof(ScanPoint, intensity), PointField::FLOAT32),
-                  field("laser", offsetof(ScanPoint, laser), PointField::UINT8)};
+                  field("laser", offsetof(ScanPoint, laser), PointField::UINT8),
+                  field("width", offsetof(ScanPoint, width), PointField::FLOAT32)};
   cloud.point_step = sizeof(ScanPoint);
   cloud.row_step = static_cast<std::uint32_t>(count * sizeof(ScanPoint));
   cloud.is_dense = true;
   cloud.data.resize(count * sizeof(ScanPoint));
-  if (count > 0) std::memcpy(cloud.data.data(), &points_[first], cloud.data.size());
+  points_.copy(first, cloud.data.data());
   return cloud;
 }
 

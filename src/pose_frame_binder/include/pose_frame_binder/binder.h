@@ -3,10 +3,12 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "pose_frame_binder/frame_matcher.h"
 #include "pose_frame_binder/pose_log.h"
+#include "pose_frame_binder/pose_rule.h"
 #include "pose_frame_binder/pulse_log.h"
 #include "pose_frame_binder/types.h"
 
@@ -46,9 +48,14 @@ class Binder {
   bool whole(std::uint64_t triggers) const;
 
   std::uint64_t pulses() const { return pulses_.size(); }
+  const PoseLog& poses() const { return poses_; }
 
   /// Of what has been decided; complete after end().
   Audit audit() const;
+
+  /// The same without what takes a walk through all frames and pulses: the list of drops, the
+  /// frames that never arrived and latency_doubtful. For the diagnostics of a scan under way.
+  Audit counts() const;
 
  private:
   enum class Fate : std::uint8_t { Unknown, Dropped, Bound };
@@ -64,6 +71,7 @@ class Binder {
   bool latency_doubtful() const;
 
   const Settings settings_;
+  const std::unique_ptr<PoseRule> rule_;
   PoseLog poses_;
   PulseLog pulses_;
   FrameMatcher matcher_;
@@ -73,7 +81,8 @@ class Binder {
   std::uint64_t settled_ = 0;            // pulses whose fate is known
   std::vector<Decision> decisions_;
   std::uint64_t triggers_ = 0;  // pulses sent, as end() was told
-  Audit audit_;
+  Audit counts_;                // of the frames bound
+  std::vector<Drop> dropped_;
 };
 
 }  // namespace pose_frame_binder

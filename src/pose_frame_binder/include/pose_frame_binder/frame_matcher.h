@@ -17,11 +17,13 @@ namespace pose_frame_binder {
 /// Within one acquisition and one arming, count = counter - offset. A frame agrees where the pulse
 /// that its counter gives is the one that its stamp gives (stamp - latency, see PulseLog::locate).
 ///
-/// The offset is elected: frames are held until some number of them vote for the same one. From the
-/// first frame that does not agree there is doubt: it and those that follow are held, and vote
-/// again. Where the old offset is elected, only those that do not agree with it are dropped. Where
-/// another is, the counter has slipped: the frames on both sides of the slip are dropped as well,
-/// since a wrong stamp could have made them fit. So a frame is only told once the next agrees.
+/// The offset is elected: frames are held until `frames_to_agree` of them vote for the same one.
+/// From the first frame that does not agree there is doubt: it and those that follow are held, and
+/// vote again. Where the old offset is elected, only those that do not agree with it are dropped.
+/// Where another is, the counter has slipped: `frames_to_agree` - 1 frames on either side of the
+/// slip are dropped as well, since a wrong stamp could have made them fit. So a frame is only told
+/// once that many have followed that agree. The same holds where the camera was started again, and
+/// where the counter does not go on from one arming to the next.
 /// The latency follows the frames that agree.
 class FrameMatcher {
  public:
@@ -43,7 +45,7 @@ class FrameMatcher {
   /// No more frames will come.
   std::vector<Result> finish();
 
-  std::size_t waiting() const { return queue_.size() + held_.size() + (tentative_ ? 1 : 0); }
+  std::size_t waiting() const { return queue_.size() + held_.size() + unconfirmed_.size(); }
   double latency() const;  //!< [s] measured; NaN before the first frame agreed
   std::uint64_t slips() const { return slips_; }
 
@@ -58,6 +60,13 @@ class FrameMatcher {
     bool operator<(const Offset& other) const {
       return run != other.run ? run < other.run : value < other.value;
     }
+    bool operator!=(const Offset& other) const { return run != other.run || value != other.value; }
+  };
+  /// A frame that agreed, until enough others follow.
+  struct Unconfirmed {
+    std::size_t number;
+    std::uint64_t counter;
+    std::size_t pulse;
   };
   struct Votes {
     std::vector<Nanoseconds> distances;  // from the pulse to the stamp less the latency
@@ -71,12 +80,13 @@ class FrameMatcher {
   bool is_behind(const Frame& frame) const;
   void vote(const Frame& frame);
   void elect(const Offset& offset, Votes votes);
+  Offset follow(const Offset& next) const;
   void elect_from_few();
   void flush();
   void judge(const Entry& entry);
   void accept(const Entry& entry);
-  void release();
-  void drop_tentative(const std::string& detail);
+  void release(std::size_t count);
+  void drop_unconfirmed(const std::string& detail);
   void refuse(const Entry& entry);
   void drop(const Entry& entry, DropReason reason, const std::string& detail);
   bool take_out_of_gap(std::uint64_t counter);
@@ -85,6 +95,7 @@ class FrameMatcher {
 
   const PulseLog& pulses_;
   const Settings settings_;
+  const std::size_t margin_;  // frames that must agree after one before it is told
   const Nanoseconds tolerance_;
   Nanoseconds latency_;
   bool latency_measured_ = false;
@@ -97,10 +108,12 @@ class FrameMatcher {
 
   std::uint32_t acquisition_ = 0;
   std::optional<Offset> offset_;
-  bool drop_next_ = false;                     // the frame after a slip
+  std::size_t drop_next_ = 0;                  // frames after a slip or a restart
+  bool disputed_ = false;                      // the frames being judged voted for several offsets
+  bool doubted_ = false;                       // a frame after the last that agreed does not
   std::optional<std::uint64_t> last_counter_;  // of the frames that agreed
   std::optional<std::size_t> last_pulse_;
-  std::optional<Result> tentative_;  // the last frame that agreed, until another one follows
+  std::deque<Unconfirmed> unconfirmed_;
   std::map<std::uint64_t, std::uint64_t> gaps_;  // counters left out so far: first -> last
 };
 

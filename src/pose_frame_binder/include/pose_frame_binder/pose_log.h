@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <deque>
 
 #include "pose_frame_binder/types.h"
 
@@ -43,7 +42,7 @@ class PoseLog {
   Nanoseconds settle_;
   std::size_t most_;
   bool ended_ = false;
-  std::vector<TimedPose> poses_;
+  std::deque<TimedPose> poses_;  // a vector would stand still for copying all when it grows
   std::uint64_t repeated_ = 0;
   std::uint64_t late_ = 0;
   std::uint64_t unusable_ = 0;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "pose_frame_binder/pose_log.h"
 #include "pose_frame_binder/pulse_log.h"
@@ -19,9 +21,18 @@ struct PoseAnswer {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// The pose of a pulse, by the settings' method (docs/pose_frame_binder.md states both rules).
-/// @return none while poses or pulses that still may come could change the answer
-std::optional<PoseAnswer> find_pose(std::size_t pulse, const PulseLog& pulses, const PoseLog& poses,
-                                    const Settings& settings);
+/// How a pulse gets its pose (docs/pose_frame_binder.md states the rules).
+class PoseRule {
+ public:
+  virtual ~PoseRule() = default;
+
+  /// @param pulse index in the log
+  /// @return none while poses or pulses that still may come could change the answer
+  virtual std::optional<PoseAnswer> find(std::size_t pulse, const PulseLog& pulses,
+                                         const PoseLog& poses) const = 0;
+};
+
+/// The rule of the settings' method.
+std::unique_ptr<PoseRule> make_pose_rule(const Settings& settings);
 
 }  // namespace pose_frame_binder

@@ -29,6 +29,9 @@ class PulseLog {
   /// The pulse with this count in this run.
   std::optional<std::size_t> find(std::uint32_t run, std::int64_t count) const;
 
+  /// The count of the last pulse of this run; 0 where it has none.
+  std::uint64_t last_count(std::uint32_t run) const;
+
   /// Which pulse happened at an instant.
   struct Place {
     std::optional<std::size_t> pulse;  //!< none: no pulse within the tolerance

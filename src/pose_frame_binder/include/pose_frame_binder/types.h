@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,10 @@ using scan_cell_common::Nanoseconds;
 using scan_cell_common::TimedPose;
 
 /// How a pulse gets its pose (docs/pose_frame_binder.md). Values as in BindingAudit.
-enum class Method : std::uint8_t { FirstPose = 1, Interpolate = 2 };
+enum class Method : std::uint8_t { FirstPose = 1, Interpolate = 2, ConstantSpeed = 3 };
+
+/// @param word interpolate, first_pose or constant_speed
+Method method_from(const std::string& word);
 
 /// Which rule made a match. Values as in PoseMatch.
 enum class Rule : std::uint8_t {
@@ -24,6 +28,7 @@ enum class Rule : std::uint8_t {
   FramesSharePose = 2,
   PosesShareFrame = 3,
   Interpolated = 4,
+  ConstantSpeed = 5,
 };
 
 /// Why a frame is not bound. Values as in DroppedFrame.
@@ -59,22 +64,47 @@ struct Frame {
   std::string corrupt;        //!< why it cannot be used; empty where it can
 };
 
+/// A motion along a line at constant speed (thesis, section 6.1). The first pulse of the first
+/// arming is at its start, the others follow at a constant frame rate. Nothing of it is measured.
+struct ConstantSpeed {
+  Eigen::Isometry3d start = none();  //!< pose of the flange in the frame of the poses
+  Eigen::Isometry3d end = none();
+  double speed = 0;           //!< [m/s]
+  double frame_rate = 0;      //!< [Hz]
+  bool object_moves = false;  //!< on a conveyor, from start to end, and the scanner stands at start
+
+  static Eigen::Isometry3d none() {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.matrix().setConstant(std::numeric_limits<double>::quiet_NaN());
+    return pose;
+  }
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
 struct Settings {
   Method method = Method::Interpolate;
   double most_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
   double pose_settle = 0.02;    //!< [s] how far a pose may come behind a later one
+  double pose_delay = 0;        //!< [s] the poses are stamped so much too late
   double camera_latency = 0.004;       //!< [s] frame's stamp - pulse, as expected
   double latency_tolerance = 0.02;     //!< [s] at most; never above 0.45 of the pulse interval
   int frames_to_agree = 3;             //!< that fix the counter's offset
   double most_acceleration = 10;       //!< [m/s^2] of the flange, for the error bound
   double most_speed = 1.5;             //!< [m/s] of the flange, for the error bound
-  std::size_t most_poses = 2'000'000;  //!< held in memory (144 bytes each)
+  std::size_t most_poses = 2'000'000;  //!< held in memory (170 bytes each)
   std::size_t most_pending_frames = 20'000;  //!< that wait for pulses or poses
+  ConstantSpeed constant_speed;              //!< for that method alone
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 /// @throw scan_cell_common::InvalidParameter if a number is not finite, negative where that makes
-/// no sense, or absurdly large
+/// no sense, or absurdly large, or the method's motion is not determined
 void check(const Settings& settings);
+
+/// @throw scan_cell_common::InvalidParameter if the motion is not determined
+void check(const ConstantSpeed& motion);
 
 /// A frame with its pulse and pose.
 struct Match {
@@ -118,7 +148,7 @@ struct Audit {
   std::uint64_t frames_bound = 0;
   std::uint64_t frames_dropped = 0;
   std::uint64_t frames_never_arrived = 0;
-  std::uint64_t by_rule[5] = {};  //!< bound frames by Rule
+  std::uint64_t by_rule[6] = {};  //!< bound frames by Rule
   double worst_time_to_pose = 0;
   double worst_position_error = 0;
   double latency = 0;  //!< [s] frame's stamp - pulse, as measured; NaN where nothing was bound

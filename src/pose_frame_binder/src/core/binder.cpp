@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "pose_frame_binder/pose_rule.h"
 #include "scan_cell_common/errors.h"
 
 namespace pose_frame_binder {
@@ -49,22 +48,27 @@ void check(const Settings& settings) {
   constexpr double kLeast = 1e-6, kMost = 1e6;
   in("most_pose_gap", settings.most_pose_gap, kLeast, kMost);
   in("pose_settle", settings.pose_settle, 0, kMost);
+  in("pose_delay", settings.pose_delay, -kMost, kMost);
   in("camera_latency", settings.camera_latency, -kMost, kMost);
   in("latency_tolerance", settings.latency_tolerance, kLeast, kMost);
   in("frames_to_agree", settings.frames_to_agree, 2, kMost);
   in("most_acceleration", settings.most_acceleration, 0, kMost);
   in("most_speed", settings.most_speed, 0, kMost);
+  if (settings.method == Method::ConstantSpeed) check(settings.constant_speed);
 }
 
 Binder::Binder(const Settings& settings)
     : settings_((check(settings), settings)),
+      rule_(make_pose_rule(settings)),
       poses_(from_seconds(settings.pose_settle), settings.most_poses),
       matcher_(pulses_, settings) {
-  audit_.method = settings.method;
+  counts_.method = settings.method;
 }
 
 void Binder::add_pose(const TimedPose& pose) {
-  poses_.add(pose);
+  TimedPose measured = pose;
+  measured.time -= from_seconds(settings_.pose_delay);
+  poses_.add(measured);
   bind();
 }
 
@@ -120,7 +124,7 @@ void Binder::take(const FrameMatcher::Result& result) {
     pending_.push_back({result.frame, *result.pulse});
     return;
   }
-  audit_.dropped.push_back(*result.drop);
+  dropped_.push_back(*result.drop);
   decisions_.push_back({result.frame, std::nullopt});
   if (result.pulse) settle(*result.pulse, Fate::Dropped);
 }
@@ -128,24 +132,25 @@ void Binder::take(const FrameMatcher::Result& result) {
 void Binder::bind() {
   while (!pending_.empty()) {
     const auto [frame, pulse] = pending_.front();
-    const std::optional<PoseAnswer> answer = find_pose(pulse, pulses_, poses_, settings_);
+    const std::optional<PoseAnswer> answer = rule_->find(pulse, pulses_, poses_);
     if (!answer) return;
     pending_.pop_front();
     decisions_.push_back({frame, answer->match});
     if (!answer->match) {
-      audit_.dropped.push_back(
+      dropped_.push_back(
           {answer->reason, frame, counters_[frame], pulses_[pulse].count, answer->detail});
       settle(pulse, Fate::Dropped);
       continue;
     }
     settle(pulse, Fate::Bound);
     const Match& match = *answer->match;
-    ++audit_.frames_bound;
-    ++audit_.by_rule[static_cast<int>(match.rule)];
+    ++counts_.frames_bound;
+    ++counts_.by_rule[static_cast<int>(match.rule)];
     // The nearest pose that was used; fmin passes over the one that was not.
-    audit_.worst_time_to_pose =
-        std::max(audit_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
-    audit_.worst_position_error = std::max(audit_.worst_position_error, match.position_error_bound);
+    counts_.worst_time_to_pose =
+        std::max(counts_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
+    counts_.worst_position_error =
+        std::max(counts_.worst_position_error, match.position_error_bound);
   }
 }
 
@@ -155,9 +160,9 @@ void Binder::settle(std::size_t pulse, Fate fate) {
 }
 
 bool Binder::latency_doubtful() const {
-  if (fates_.empty() || audit_.frames_bound == 0) return false;
+  if (fates_.empty() || counts_.frames_bound == 0) return false;
   const auto without_pulse = [this](std::size_t frame) {
-    return std::any_of(audit_.dropped.begin(), audit_.dropped.end(), [frame](const Drop& drop) {
+    return std::any_of(dropped_.begin(), dropped_.end(), [frame](const Drop& drop) {
       return drop.frame == frame && drop.reason == DropReason::NoTrigger;
     });
   };
@@ -165,20 +170,26 @@ bool Binder::latency_doubtful() const {
          (fates_.back() == Fate::Unknown && without_pulse(0));
 }
 
-Audit Binder::audit() const {
-  Audit audit = audit_;
+Audit Binder::counts() const {
+  Audit audit = counts_;
   audit.triggers = std::max<std::uint64_t>(triggers_, pulses_.size());
   audit.triggers_missing = audit.triggers - pulses_.size();
   audit.triggers_refused = pulses_.refused();
   audit.frames = counters_.size();
   audit.poses = poses_.size();
-  audit.frames_dropped = audit.dropped.size();
+  audit.frames_dropped = dropped_.size();
   audit.latency = matcher_.latency();
-  audit.latency_doubtful = latency_doubtful();
   audit.slips = matcher_.slips();
   audit.poses_repeated = poses_.repeated();
   audit.poses_late = poses_.late();
   audit.poses_unusable = poses_.unusable();
+  return audit;
+}
+
+Audit Binder::audit() const {
+  Audit audit = counts();
+  audit.latency_doubtful = latency_doubtful();
+  audit.dropped = dropped_;
   std::stable_sort(audit.dropped.begin(), audit.dropped.end(),
                    [](const Drop& a, const Drop& b) { return a.frame < b.frame; });
   for (std::size_t i = 0; i < fates_.size(); ++i) {

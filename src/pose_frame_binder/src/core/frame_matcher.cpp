@@ -24,6 +24,7 @@ std::string milliseconds(Nanoseconds time) {
 FrameMatcher::FrameMatcher(const PulseLog& pulses, const Settings& settings)
     : pulses_(pulses),
       settings_(settings),
+      margin_(static_cast<std::size_t>(settings.frames_to_agree) - 1),
       tolerance_(scan_cell_common::from_seconds(settings.latency_tolerance)),
       latency_(scan_cell_common::from_seconds(settings.camera_latency)) {}
 
@@ -41,8 +42,9 @@ std::vector<FrameMatcher::Result> FrameMatcher::advance() {
     take(queue_.front());
     queue_.pop_front();
   }
-  const bool last = tentative_ && *tentative_->pulse + 1 == pulses_.size();
-  if (pulses_.ended() && last) release();  // no frame can come that would confirm it
+  const bool last = !unconfirmed_.empty() && unconfirmed_.back().pulse + 1 == pulses_.size();
+  if (pulses_.ended() && last)
+    release(unconfirmed_.size());  // no frame can come that would confirm them
   return std::exchange(results_, {});
 }
 
@@ -50,7 +52,8 @@ std::vector<FrameMatcher::Result> FrameMatcher::finish() {
   results_ = advance();
   elect_from_few();
   flush();
-  release();
+  if (doubted_) drop_unconfirmed("the frames after it do not agree");
+  release(unconfirmed_.size());
   return std::exchange(results_, {});
 }
 
@@ -63,7 +66,7 @@ void FrameMatcher::take(const Entry& entry) {
   if (frame.acquisition > acquisition_) {
     elect_from_few();
     flush();
-    release();
+    drop_unconfirmed("before the camera was started again");
     begin_acquisition(frame.acquisition);
   }
   const bool usable = frame.corrupt.empty();
@@ -77,9 +80,9 @@ void FrameMatcher::take(const Entry& entry) {
 }
 
 void FrameMatcher::begin_acquisition(std::uint32_t acquisition) {
+  drop_next_ = acquisition_ == 0 ? 0 : margin_;
   acquisition_ = acquisition;
   offset_.reset();
-  drop_next_ = false;
   last_counter_.reset();
   gaps_.clear();
 }
@@ -122,10 +125,11 @@ void FrameMatcher::vote(const Frame& frame) {
 }
 
 void FrameMatcher::elect(const Offset& offset, Votes votes) {
-  if (offset_ && offset_->run == offset.run && offset_->value != offset.value) {
-    ++slips_;
-    drop_next_ = true;
-    if (tentative_) drop_tentative("last frame before the counter slipped");
+  disputed_ = offset_ ? follow(offset) != offset : votes_.size() > 1;
+  if (offset_ && disputed_) {
+    slips_ += offset_->run == offset.run;
+    drop_next_ = margin_;
+    drop_unconfirmed("before the counter slipped");
   }
   offset_ = offset;
   if (!latency_measured_) {
@@ -135,6 +139,14 @@ void FrameMatcher::elect(const Offset& offset, Votes votes) {
     latency_measured_ = true;
   }
   flush();
+  disputed_ = false;
+}
+
+FrameMatcher::Offset FrameMatcher::follow(const Offset& next) const {
+  Offset expected = *offset_;
+  for (; expected.run < next.run; ++expected.run)
+    expected.value += static_cast<std::int64_t>(pulses_.last_count(expected.run));
+  return expected;
 }
 
 void FrameMatcher::elect_from_few() {
@@ -177,21 +189,30 @@ void FrameMatcher::accept(const Entry& entry) {
   last_pulse_ = place.pulse;
   constexpr Nanoseconds kMemory = 10;  // frames over which the latency is followed
   latency_ += place.distance / kMemory;
-  release();
-  tentative_ = Result{entry.number, place.pulse, std::nullopt};
-  if (std::exchange(drop_next_, false)) {
-    drop_tentative("first frame after the counter slipped: a frame was left out or invented");
+  doubted_ = false;
+  unconfirmed_.push_back({entry.number, counter, *place.pulse});
+  if (drop_next_ > 0) {
+    --drop_next_;
+    drop_unconfirmed("after the counter slipped, or the camera was started again");
+  } else if (unconfirmed_.size() > margin_) {
+    release(unconfirmed_.size() - margin_);
   }
 }
 
-void FrameMatcher::release() {
-  if (tentative_) results_.push_back(*tentative_);
-  tentative_.reset();
+void FrameMatcher::release(std::size_t count) {
+  for (; count > 0; --count) {
+    const Unconfirmed& frame = unconfirmed_.front();
+    results_.push_back({frame.number, frame.pulse, std::nullopt});
+    unconfirmed_.pop_front();
+  }
 }
 
-void FrameMatcher::drop_tentative(const std::string& detail) {
-  tentative_->drop = Drop{DropReason::CounterSlip, tentative_->frame, *last_counter_,
-                          pulses_[*last_pulse_].count, detail};
+void FrameMatcher::drop_unconfirmed(const std::string& detail) {
+  for (const Unconfirmed& frame : std::exchange(unconfirmed_, {})) {
+    results_.push_back({frame.number, frame.pulse,
+                        Drop{DropReason::CounterSlip, frame.number, frame.counter,
+                             pulses_[frame.pulse].count, detail}});
+  }
 }
 
 void FrameMatcher::refuse(const Entry& entry) {
@@ -200,6 +221,11 @@ void FrameMatcher::refuse(const Entry& entry) {
     drop(entry, DropReason::NoTrigger,
          "no pulse at its stamp less the latency of " + milliseconds(latency_));
     return;
+  }
+  doubted_ = true;
+  if (disputed_) {
+    drop_next_ = margin_;
+    drop_unconfirmed("next to a frame that does not agree, where the counter slipped");
   }
   std::string detail = "its stamp gives pulse " + std::to_string(pulses_[*place.pulse].count);
   detail +=

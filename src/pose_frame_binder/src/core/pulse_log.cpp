@@ -34,6 +34,12 @@ std::optional<std::size_t> PulseLog::find(std::uint32_t run, std::int64_t count)
   return static_cast<std::size_t>(found - entries_.begin());
 }
 
+std::uint64_t PulseLog::last_count(std::uint32_t run) const {
+  const auto before = [](std::uint32_t r, const Entry& entry) { return r < entry.run; };
+  const auto next = std::upper_bound(entries_.begin(), entries_.end(), run, before);
+  return next == entries_.begin() || (next - 1)->run != run ? 0 : (next - 1)->pulse.count;
+}
+
 std::size_t PulseLog::first_after(Nanoseconds time) const {
   const auto after = [](Nanoseconds t, const Entry& entry) { return t < entry.pulse.time; };
   const auto found = std::upper_bound(entries_.begin(), entries_.end(), time, after);

@@ -13,7 +13,7 @@ using scan_cell_msgs::FinishBinding;
 using scan_cell_msgs::StartScan;
 
 BinderServices::BinderServices(ros::NodeHandle node, const Parameters& parameters)
-    : parameters_(parameters), static_transforms_(node) {
+    : parameters_(parameters), static_transforms_(node), lookup_(parameters.lookup) {
   constexpr std::uint32_t kBound = 20000;
   constexpr std::uint32_t kUnbounded = 0;  // what arrived is never thrown away unseen
   bound_ = node.advertise<scan_cell_msgs::BoundProfile>("bound_profiles", kBound);
@@ -63,8 +63,10 @@ bool BinderServices::take(const Data& data) {
 }
 
 void BinderServices::publish_bound() {
-  for (const scan_cell_msgs::BoundProfile& bound : scan_->take())
+  for (const scan_cell_msgs::BoundProfile& bound : scan_->take()) {
+    lookup_.add(bound);
     bound_.publish(bound);
+  }
 }
 
 bool BinderServices::start(StartScan::Request& request, StartScan::Response& response) {
@@ -79,6 +81,7 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
     scan_ =
         std::make_unique<ProfileBinder>(parameters_.settings, parameters_.frames, fixed_to_base);
     scan_id_ = request.scan_id;
+    lookup_.start();
     failure_.clear();
     profiles_ignored_ = 0;
     response.success = true;
@@ -120,6 +123,7 @@ bool BinderServices::finish(FinishBinding::Request& request, FinishBinding::Resp
   last_audit_ = scan_->binder().audit();
   response.audit = to_message(last_audit_, scan_id_, ros::Time::now());
   audit_.publish(response.audit);
+  lookup_.finish();
   scan_.reset();
 
   response.success = failure_.empty() && last_audit_.triggers_missing == 0;
@@ -131,7 +135,7 @@ bool BinderServices::finish(FinishBinding::Request& request, FinishBinding::Resp
 void BinderServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Level = diagnostic_msgs::DiagnosticStatus;
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Audit audit = scan_ ? scan_->binder().audit() : last_audit_;
+  const Audit audit = scan_ ? scan_->binder().counts() : last_audit_;
   status.summary(failure_.empty() ? Level::OK : Level::ERROR,
                  failure_.empty() ? (scan_ ? "binding scan " + scan_id_ : "idle") : failure_);
   status.add("frames", audit.frames);

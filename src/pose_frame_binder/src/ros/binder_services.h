@@ -15,6 +15,7 @@
 #include <mutex>
 #include <string>
 
+#include "frame_lookup.h"
 #include "parameters.h"
 #include "static_transforms.h"
 
@@ -45,6 +46,7 @@ class BinderServices {
   std::mutex mutex_;
   std::condition_variable news_;
   std::unique_ptr<ProfileBinder> scan_;  // none between scans
+  FrameLookup lookup_;
   std::string scan_id_;
   std::string failure_;  // why the scan under way cannot be bound to its end
   bool finishing_ = false;

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "frame_lookup.h"
 #include "pose_frame_binder/ros/profile_binder.h"
 
 namespace pose_frame_binder {
@@ -13,6 +14,7 @@ namespace pose_frame_binder {
 struct Parameters {
   Settings settings;
   Frames frames;
+  LookupParameters lookup;
   double transform_timeout = 2;  //!< [s] for the static transform from fixed frame to base
 
   /// @throw scan_cell_common::InvalidParameter

@@ -85,6 +85,24 @@ ProfileBinder::ProfileBinder(const Settings& settings, const Frames& frames,
   check(frames);
 }
 
+Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& numbers) {
+  constexpr double kUnit = 1e-3;
+  constexpr std::size_t kNumbers = 7;
+  const bool complete = numbers.size() == kNumbers;
+  const auto q = complete ? Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5])
+                          : Eigen::Quaterniond(0, 0, 0, 0);
+  if (!complete || std::abs(q.norm() - 1) > kUnit) {
+    throw scan_cell_common::InvalidParameter(
+        name,
+        complete ? "a quaternion not of length 1" : std::to_string(numbers.size()) + " numbers",
+        "give x, y, z [m] and a unit quaternion qx, qy, qz, qw");
+  }
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() << numbers[0], numbers[1], numbers[2];
+  pose.linear() = q.normalized().toRotationMatrix();
+  return pose;
+}
+
 void ProfileBinder::add(const tf2_msgs::TFMessage& transforms) {
   for (const geometry_msgs::TransformStamped& transform : transforms.transforms) {
     if (transform.header.frame_id != frames_.base) continue;
@@ -135,6 +153,7 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
   message.frames_share_pose = count(Rule::FramesSharePose);
   message.poses_share_frame = count(Rule::PosesShareFrame);
   message.interpolated = count(Rule::Interpolated);
+  message.constant_speed = count(Rule::ConstantSpeed);
   message.worst_time_to_pose = audit.worst_time_to_pose;
   message.worst_position_error = audit.worst_position_error;
   message.latency = audit.latency;
@@ -152,6 +171,7 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
 
 std::string summary(const Audit& audit) {
   std::ostringstream text;
+  if (audit.method == Method::ConstantSpeed) text << "poses calculated, not measured: ";
   text << audit.frames_bound << " of " << audit.frames << " frames bound to "
        << audit.triggers - audit.triggers_missing << " pulses and " << audit.poses << " poses";
   std::map<DropReason, std::uint64_t> reasons;

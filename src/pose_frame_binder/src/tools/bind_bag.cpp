@@ -1,6 +1,5 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tf2/buffer_core.h>
 #include <tf2/exceptions.h>
@@ -9,35 +8,25 @@
 #include <filesystem>
 #include <iostream>
 
-#include "pose_frame_binder/ros/profile_binder.h"
+#include "bag_scan.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace {
 
-using scan_cell_common::FileError;
 using scan_cell_common::UnusableInput;
 
 struct Options {
   std::string bag;
   std::string output;
-  std::string events = "/laser_trigger/events";
-  std::string profiles = "/camera/profiles";
-  std::string poses = "/tf";
+  pose_frame_binder::BagTopics topics;
   std::string static_transforms = "/tf_static";
   std::string method = "interpolate";
   pose_frame_binder::Frames frames;
   pose_frame_binder::Settings settings;
+  std::vector<double> start, end;
 };
-
-void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mode) {
-  try {
-    bag.open(path, mode);
-  } catch (const rosbag::BagException& error) {
-    throw FileError(path, error.what(), "check the path, or run rosbag reindex");
-  }
-}
 
 Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) {
   if (options.frames.fixed == options.frames.base) return Eigen::Isometry3d::Identity();
@@ -69,28 +58,16 @@ void write_bound(pose_frame_binder::ProfileBinder& scan, rosbag::Bag& output, ro
 /// Binds all that the bag holds, as one scan.
 pose_frame_binder::Audit bind(const Options& options, rosbag::Bag& output) {
   rosbag::Bag bag;
-  open(bag, options.bag, rosbag::bagmode::Read);
+  pose_frame_binder::open(bag, options.bag, rosbag::bagmode::Read);
   pose_frame_binder::ProfileBinder scan(options.settings, options.frames,
                                         fixed_to_base(bag, options));
   ros::Time last(1);  // bags know no time of zero
-  rosbag::View view(bag, rosbag::TopicQuery({options.events, options.profiles, options.poses}));
-  for (const rosbag::MessageInstance& message : view) {
-    if (const auto event = message.instantiate<scan_cell_msgs::TriggerEvent>()) {
-      scan.add(*event);
-    } else if (const auto profile = message.instantiate<scan_cell_msgs::PeakProfile>()) {
-      scan.add(profile);
-    } else if (const auto poses = message.instantiate<tf2_msgs::TFMessage>()) {
-      scan.add(*poses);
-    }
-    write_bound(scan, output, last);
-  }
-  scan.binder().end();
-  write_bound(scan, output, last);
+  pose_frame_binder::feed(bag, options.topics, scan, [&] { write_bound(scan, output, last); });
   const pose_frame_binder::Audit audit = scan.binder().audit();
   if (audit.frames_bound == 0) {
     throw UnusableInput(options.bag, summary(audit),
-                        "check that it holds " + options.events + ", " + options.profiles +
-                            " and " + options.poses);
+                        "check that it holds " + options.topics.events + ", " +
+                            options.topics.profiles + " and " + options.topics.poses);
   }
   const std::string scan_id = std::filesystem::path(options.bag).stem().string();
   output.write("/pose_frame_binder/audit", last, to_message(audit, scan_id, last));
@@ -102,7 +79,7 @@ void run(const Options& options) {
   pose_frame_binder::Audit audit;
   scan_cell_common::save_whole(options.output, [&](const std::string& partial) {
     rosbag::Bag output;
-    open(output, partial, rosbag::bagmode::Write);
+    pose_frame_binder::open(output, partial, rosbag::bagmode::Write);
     audit = bind(options, output);
     output.close();
     return true;
@@ -117,9 +94,11 @@ void run(const Options& options) {
 void declare(CLI::App& app, Options& options) {
   app.add_option("--bag", options.bag, "recorded scan")->required();
   app.add_option("--output", options.output, "bag to write: bound profiles and audit")->required();
-  app.add_option("--events", options.events, "topic of the trigger events")->capture_default_str();
-  app.add_option("--profiles", options.profiles, "topic of the profiles")->capture_default_str();
-  app.add_option("--poses", options.poses, "topic of the robot's transforms")
+  app.add_option("--events", options.topics.events, "topic of the trigger events")
+      ->capture_default_str();
+  app.add_option("--profiles", options.topics.profiles, "topic of the profiles")
+      ->capture_default_str();
+  app.add_option("--poses", options.topics.poses, "topic of the robot's transforms")
       ->capture_default_str();
   app.add_option("--static-transforms", options.static_transforms, "topic of what stands still")
       ->capture_default_str();
@@ -127,10 +106,30 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--base-frame", options.frames.base)->capture_default_str();
   app.add_option("--flange-frame", options.frames.flange)->capture_default_str();
   app.add_option("--method", options.method)
-      ->check(CLI::IsMember({"interpolate", "first_pose"}))
+      ->check(CLI::IsMember({"constant_speed", "first_pose", "interpolate"}))
       ->capture_default_str();
   app.add_option("--camera-latency", options.settings.camera_latency, "[s]")->capture_default_str();
+  app.add_option("--pose-delay", options.settings.pose_delay, "[s], as estimate_time_offset says")
+      ->capture_default_str();
   app.add_option("--most-pose-gap", options.settings.most_pose_gap, "[s]")->capture_default_str();
+  pose_frame_binder::ConstantSpeed& motion = options.settings.constant_speed;
+  const char* const pose = "for constant_speed: x y z [m] qx qy qz qw in the fixed frame";
+  app.add_option("--start", options.start, pose)->expected(7);
+  app.add_option("--end", options.end, pose)->expected(7);
+  app.add_option("--speed", motion.speed, "for constant_speed [m/s]");
+  app.add_option("--frame-rate", motion.frame_rate, "for constant_speed [Hz]");
+  app.add_flag(
+      "--object-moves", motion.object_moves,
+      "for constant_speed: the object goes from start to end, the scanner stands at start");
+}
+
+void finish(Options& options) {
+  pose_frame_binder::Settings& settings = options.settings;
+  settings.method = pose_frame_binder::method_from(options.method);
+  if (!options.start.empty())
+    settings.constant_speed.start = pose_frame_binder::pose_from("--start", options.start);
+  if (!options.end.empty())
+    settings.constant_speed.end = pose_frame_binder::pose_from("--end", options.end);
 }
 
 }  // namespace
@@ -140,10 +139,8 @@ int main(int argc, char** argv) {
   Options options;
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
-  if (options.method == "first_pose") {
-    options.settings.method = pose_frame_binder::Method::FirstPose;
-  }
   try {
+    finish(options);
     run(options);
     return 0;
   } catch (const std::exception& error) {

@@ -17,6 +17,11 @@ namespace scan_cell_common {
 /// @throw FileError if the file is missing, unreadable or not YAML
 YAML::Node load_yaml(const std::string& path);
 
+/// The same for text that was read already.
+/// @param name of the text, in errors
+/// @throw FileError if it is not YAML
+YAML::Node parse_yaml(const std::string& text, const std::string& name);
+
 /// One entry of a YAML file. Errors name the file and the entry's whole way, such as
 /// "scanner.yaml: camera.fx".
 class YamlEntry {
@@ -24,6 +29,9 @@ class YamlEntry {
   /// The root of a file.
   /// @throw FileError as load_yaml()
   static YamlEntry load(const std::string& path);
+
+  /// The root of a text. @throw FileError as parse_yaml()
+  static YamlEntry parse(const std::string& text, const std::string& name);
 
   YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
 

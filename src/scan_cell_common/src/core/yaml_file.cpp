@@ -17,6 +17,18 @@ YAML::Node load_yaml(const std::string& path) {
   }
 }
 
+YAML::Node parse_yaml(const std::string& text, const std::string& name) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& error) {
+    throw FileError(name, error.what(), "correct the YAML");
+  }
+}
+
+YamlEntry YamlEntry::parse(const std::string& text, const std::string& name) {
+  return {parse_yaml(text, name), name};
+}
+
 YamlEntry YamlEntry::load(const std::string& path) {
   return {load_yaml(path), path};
 }
@@ -77,6 +89,7 @@ std::vector<YamlEntry> YamlEntry::elements() const {
 void YamlEntry::refuse_unknown(const std::set<std::string>& known) const {
   if (!is_map()) refuse("not a map of names to values", "give name: value");
   for (const auto& pair : node_) {
+    if (!pair.first.IsScalar()) refuse("a name that is a list or a map", "give name: value");
     const auto key = pair.first.as<std::string>();
     if (known.count(key) != 0) continue;
     YamlEntry(pair.second, file_, child(key)).refuse("no such entry", "check its spelling");

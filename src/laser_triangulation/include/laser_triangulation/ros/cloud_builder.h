@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "laser_triangulation/triangulator.h"
+#include "laser_triangulation/scan_cloud.h"
 
 namespace laser_triangulation {
 
 /// The cloud of one scan, from messages.
 class CloudBuilder {
  public:
-  /// @param most_points held in memory (20 bytes each)
+  /// @param most_points held in memory (24 bytes each)
   CloudBuilder(const ScannerModel& model, const PeakLimits& limits, std::size_t most_points);
 
   /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame make no
@@ -25,7 +25,7 @@ class CloudBuilder {
   void add(const scan_cell_msgs::BoundProfile& profile);
 
   std::uint64_t profiles() const { return triangulator_.counts().profiles; }
-  const std::vector<ScanPoint>& points() const { return points_; }
+  const ScanCloud& points() const { return points_; }
 
   /// The points from `first` on. Frame: the profiles'; stamp: the last pulse's.
   sensor_msgs::PointCloud2 cloud(std::size_t first = 0) const;
@@ -38,7 +38,8 @@ class CloudBuilder {
   Triangulator triangulator_;
   std::size_t lasers_;
   std::size_t most_points_;
-  std::vector<ScanPoint> points_;
+  ScanCloud points_;
+  std::vector<ScanPoint> profile_;  // the points of the last
   std_msgs::Header header_;
   double seconds_ = 0;
 };

@@ -53,6 +53,10 @@ class ProfileBinder {
   std::map<std::size_t, scan_cell_msgs::PeakProfileConstPtr> waiting_;
 };
 
+/// A pose from x, y, z [m], qx, qy, qz, qw, as parameters give it.
+/// @throw scan_cell_common::InvalidParameter naming `name` if it is none
+Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& numbers);
+
 /// Why a profile cannot be used; empty where it can.
 std::string find_fault(const scan_cell_msgs::PeakProfile& profile);
 

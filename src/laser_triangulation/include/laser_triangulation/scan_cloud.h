@@ -1,0 +1,35 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "laser_triangulation/triangulator.h"
+
+namespace laser_triangulation {
+
+/// The points of a scan, in blocks: growing never copies what is there, as a vector would, and
+/// takes no more memory than the points do.
+class ScanCloud {
+ public:
+  /// Appends points at the end.
+  void append(const std::vector<ScanPoint>& points);
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const ScanPoint& operator[](std::size_t index) const {
+    return blocks_[index / kBlock][index % kBlock];
+  }
+
+  /// Copies the points from `first` to the end, as they lie in memory.
+  void copy(std::size_t first, std::uint8_t* bytes) const;
+
+ private:
+  static constexpr std::size_t kBlock = 65536;  // points
+
+  std::vector<std::vector<ScanPoint>> blocks_;  // all full but the last
+  std::size_t size_ = 0;
+};
+
+}  // namespace laser_triangulation

@@ -1,0 +1,70 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pose_frame_binder/types.h"
+#include "tecnogamma_camera/counter_unwrapper.h"
+
+namespace pose_frame_binder {
+
+/// A frame as the binder gets it, and the truth about it.
+struct FaultyFrame {
+  Frame frame;
+  Nanoseconds arrival = 0;
+  std::int64_t pulse = -1;  //!< index of the pulse that exposed it; -1: none did
+};
+
+struct FaultyPulse {
+  Pulse pulse;
+  Nanoseconds arrival = 0;
+  bool lost = false;  //!< its event never arrives
+};
+
+/// The flange moves along x at 1 m/s: a pose tells by its x when it was measured.
+struct FaultyPose {
+  Nanoseconds time = 0;
+  Nanoseconds arrival = 0;
+  bool finite = true;
+};
+
+/// What goes wrong and how often: shares of the frames, pulses or poses.
+struct FaultShares {
+  double frame_lost = 0.06;
+  double burst_lost = 0.0002;  //!< 50 frames in a row
+  double repeated = 0.045;
+  double out_of_order = 0.02;  //!< up to three frames too early: those between come late
+  double corrupt = 0.05;
+  double garbled_counter = 0.02;   //!< of the corrupt frames
+  double pulse_not_taken = 0.004;  //!< the camera's counter goes on without a gap
+  double frame_invented = 0.001;   //!< a frame without a pulse, which the counter counts
+  double wrong_counter = 0.003;
+  double wrong_stamp = 0.006;   //!< by up to 50 ms
+  double restart = 0.0005;      //!< of the camera; half of them are told, half show in the counter
+  double pulse_missed = 0.002;  //!< the trigger leaves out a beat
+  double event_lost = 0.0005;
+  double pose_lost = 0.05;
+  double pose_gap = 0.0002;  //!< 80 ms without poses
+  double pose_late = 0.03;   //!< by up to 60 ms
+  double pose_unusable = 0.001;
+};
+
+/// What the trigger, the camera and the robot send, in the order of arrival each, and what is
+/// known of it. Every 20000 pulses the trigger is armed again, at 50, 100, 200 or 485 Hz.
+struct FaultyScan {
+  std::vector<FaultyPulse> pulses;  //!< all that were sent, in the order of time
+  std::vector<FaultyFrame> frames;
+  std::vector<FaultyPose> poses;
+  std::vector<bool> faulty;  //!< of the pulses: something went wrong with its frame
+  std::size_t turns = 0;     //!< of the camera's counter
+
+  /// @param rule of the camera's counter, unwrapped as the camera's acquisition does
+  FaultyScan(std::size_t pulse_count, const tecnogamma_camera::CounterRule& rule,
+             const FaultShares& shares, unsigned seed);
+};
+
+constexpr Nanoseconds kScanStart = 1'700'000'000'000'000'000;
+
+}  // namespace pose_frame_binder

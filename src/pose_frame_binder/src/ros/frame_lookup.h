@@ -1,0 +1,42 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/BoundProfile.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "pose_frame_binder/lookup_server.h"
+#include "pose_frame_binder/pose_table.h"
+
+namespace pose_frame_binder {
+
+struct LookupParameters {
+  std::string address = "127.0.0.1";
+  int port = 0;  //!< 0: no lookup
+  LookupLimits limits;
+};
+
+/// The thesis' lookup over TCP: which pose belongs to a frame of the scan that was finished last.
+class FrameLookup {
+ public:
+  /// @throw scan_cell_common::ConnectionError if the port cannot be opened
+  explicit FrameLookup(const LookupParameters& parameters);
+
+  /// A scan begins: nothing is known until it is finished.
+  void start();
+  void add(const scan_cell_msgs::BoundProfile& bound);
+  void finish();
+
+ private:
+  const bool on_;
+  PoseTable collected_;
+
+  std::mutex mutex_;
+  PoseTable finished_;
+  std::unique_ptr<LookupServer> server_;  // last: ends before what it asks
+};
+
+}  // namespace pose_frame_binder

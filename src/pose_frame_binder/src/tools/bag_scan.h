@@ -1,0 +1,28 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rosbag/bag.h>
+
+#include <functional>
+#include <string>
+
+#include "pose_frame_binder/ros/profile_binder.h"
+
+namespace pose_frame_binder {
+
+struct BagTopics {
+  std::string events = "/laser_trigger/events";
+  std::string profiles = "/camera/profiles";
+  std::string poses = "/tf";
+};
+
+/// @throw scan_cell_common::FileError if it cannot be opened
+void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mode);
+
+/// Gives all that the bag holds to the binder, as one scan.
+/// @param after_each called after each message
+void feed(const rosbag::Bag& bag, const BagTopics& topics, ProfileBinder& scan,
+          const std::function<void()>& after_each);
+
+}  // namespace pose_frame_binder

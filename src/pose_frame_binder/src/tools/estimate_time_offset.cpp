@@ -1,0 +1,106 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+
+#include "bag_scan.h"
+#include "laser_triangulation/triangulator.h"
+#include "pose_frame_binder/time_offset.h"
+#include "scan_cell_common/errors.h"
+
+namespace {
+
+using namespace pose_frame_binder;  // NOLINT
+
+struct Options {
+  std::string forward;
+  std::string backward;
+  std::string scanner;
+  BagTopics topics;
+  Frames frames;
+  Settings settings;
+  laser_triangulation::PeakLimits limits;
+  TimeOffsetSettings offset;
+};
+
+/// Points in the frame of the flange, poses in that of the base: what stands still does not matter.
+UnboundScan read(const std::string& path, const Options& options) {
+  rosbag::Bag bag;
+  open(bag, path, rosbag::bagmode::Read);
+  ProfileBinder binder(options.settings, options.frames, Eigen::Isometry3d::Identity());
+  laser_triangulation::Triangulator triangulator(
+      laser_triangulation::load_scanner_model(options.scanner), options.limits);
+  UnboundScan scan;
+  std::vector<laser_triangulation::ScanPoint> points;
+  feed(bag, options.topics, binder, [&] {
+    for (const scan_cell_msgs::BoundProfile& bound : binder.take()) {
+      const scan_cell_msgs::PeakProfile& profile = bound.profile;
+      points.clear();
+      triangulator.add({profile.laser, profile.first_row, profile.position.size(),
+                        profile.position.data(), profile.width.data(), profile.intensity.data()},
+                       Eigen::Isometry3d::Identity(), points);
+      UnboundScan::Line& line = scan.lines.emplace_back();
+      line.time = static_cast<Nanoseconds>(bound.header.stamp.toNSec());
+      for (const laser_triangulation::ScanPoint& point : points)
+        line.points.push_back(Eigen::Vector3f(point.x, point.y, point.z).cast<double>());
+    }
+  });
+  const PoseLog& poses = binder.binder().poses();
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    scan.poses.push_back(poses[i]);
+  std::cout << path << ": " << summary(binder.binder().audit()) << '\n';
+  return scan;
+}
+
+void run(const Options& options) {
+  const TimeOffset found = estimate_time_offset(read(options.forward, options),
+                                                read(options.backward, options), options.offset);
+  constexpr double kMilliseconds = 1e3, kMicrometres = 1e6;
+  std::printf(
+      "pose_delay: %.4f ms, standard deviation %.4f ms (from the posterior %.4f, from the "
+      "residuals "
+      "%.4f)\n%zu points in common, %zu of them on slopes along the motion; the scans lie %.1f um "
+      "apart, and %.1f um with the delay taken out\nset ~pose_delay: %.7f\n",
+      found.pose_delay * kMilliseconds, found.uncertainty * kMilliseconds,
+      found.from_posterior * kMilliseconds, found.from_residuals * kMilliseconds, found.pairs,
+      found.on_relief, found.apart_before * kMicrometres, found.apart_after * kMicrometres,
+      options.settings.pose_delay + found.pose_delay);
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--forward", options.forward, "recorded scan")->required();
+  app.add_option("--backward", options.backward, "of the same scene, in the opposite direction")
+      ->required();
+  app.add_option("--scanner", options.scanner, "scanner model, YAML")->required();
+  app.add_option("--events", options.topics.events, "topic")->capture_default_str();
+  app.add_option("--profiles", options.topics.profiles, "topic")->capture_default_str();
+  app.add_option("--poses", options.topics.poses, "topic")->capture_default_str();
+  app.add_option("--base-frame", options.frames.base)->capture_default_str();
+  app.add_option("--flange-frame", options.frames.flange)->capture_default_str();
+  app.add_option("--camera-latency", options.settings.camera_latency, "[s]")->capture_default_str();
+  app.add_option("--pose-delay", options.settings.pose_delay, "[s] that is known already")
+      ->capture_default_str();
+  app.add_option("--most-delay", options.offset.most_delay, "[s] looked for")
+      ->capture_default_str();
+  app.add_option("--most-distance", options.offset.most_distance, "[m] between the scans")
+      ->capture_default_str();
+  app.add_option("--least-range", options.limits.least_range, "[m]")->capture_default_str();
+  app.add_option("--most-range", options.limits.most_range, "[m]")->capture_default_str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Finds how late the robot's poses are stamped, from two scans there and back");
+  Options options;
+  declare(app, options);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "estimate_time_offset: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,158 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The thesis' constant speed interpolator (section 6.1), against closed forms.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "pose_frame_binder/pose_rule.h"
+#include "scan_cell_common/errors.h"
+#include "synthetic_scan.h"
+
+using namespace pose_frame_binder;  // NOLINT
+using scan_cell_common::InvalidParameter;
+
+namespace {
+
+/// 0.5 m along a diagonal, turning by 0.6 rad, at 0.1 m/s and 100 frames/s: 501 frames.
+Settings motion() {
+  Settings settings;
+  settings.method = Method::ConstantSpeed;
+  ConstantSpeed& line = settings.constant_speed;
+  line.start = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ());
+  line.end = Eigen::Translation3d(1.3, 2.4, 3) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ());
+  line.speed = 0.1;
+  line.frame_rate = 100;
+  return settings;
+}
+
+Outcome bind(SyntheticScan scan, const Settings& settings) {
+  scan.poses.clear();  // none is measured
+  return run(scan, settings);
+}
+
+std::string complaint(const std::function<void(Settings&)>& change) {
+  Settings settings = motion();
+  change(settings);
+  try {
+    Binder binder(settings);
+  } catch (const InvalidParameter& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+}  // namespace
+
+TEST(ConstantSpeed, PutsEveryFrameWhereItsNumberSays) {
+  const Outcome outcome = bind(steady_scan(501), motion());
+  ASSERT_EQ(outcome.audit.frames_bound, 501U);
+  EXPECT_EQ(outcome.audit.by_rule[static_cast<int>(Rule::ConstantSpeed)], 501U);
+  EXPECT_EQ(outcome.audit.method, Method::ConstantSpeed);
+  for (std::size_t i : {0U, 1U, 250U, 500U}) {
+    const Match match = outcome.match(i).value();
+    const double way = 0.001 * static_cast<double>(i);  // 3-4-5
+    const Eigen::Vector3d truth(1 + 0.6 * way, 2 + 0.8 * way, 3);
+    EXPECT_LT((match.pose.translation() - truth).norm(), 1e-12);
+    const Eigen::AngleAxisd turn(0.1 + 1.2 * way, Eigen::Vector3d::UnitZ());
+    EXPECT_LT((match.pose.linear() - turn.toRotationMatrix()).norm(), 1e-12);
+    EXPECT_LT(match.position_error_bound, 1e-9);
+    EXPECT_TRUE(std::isnan(match.time_to_before));
+    EXPECT_TRUE(std::isnan(match.time_to_after));
+  }
+}
+
+TEST(ConstantSpeed, GoesBackWhereStartAndEndAreSwapped) {
+  Settings settings = motion();
+  std::swap(settings.constant_speed.start, settings.constant_speed.end);
+  const Outcome outcome = bind(steady_scan(101), settings);
+  const Eigen::Vector3d truth(1.3 - 0.06, 2.4 - 0.08, 3);
+  EXPECT_LT((outcome.match(100)->pose.translation() - truth).norm(), 1e-12);
+}
+
+TEST(ConstantSpeed, MovesTheScannerTheOtherWayWhereAConveyorMovesTheObject) {
+  Settings settings = motion();
+  ConstantSpeed& line = settings.constant_speed;
+  line.end.linear() = line.start.linear();
+  line.object_moves = true;
+  Outcome outcome = bind(steady_scan(101), settings);
+  const Eigen::Vector3d truth(1 - 0.06, 2 - 0.08, 3);
+  EXPECT_LT((outcome.match(100)->pose.translation() - truth).norm(), 1e-12);
+  EXPECT_LT((outcome.match(100)->pose.linear() - line.start.linear()).norm(), 1e-12);
+
+  // An object that turns too: what the scanner sees of it must stay where it is on the object.
+  settings = motion();
+  settings.constant_speed.object_moves = true;
+  outcome = bind(steady_scan(101), settings);
+  const Eigen::Isometry3d start = settings.constant_speed.start;
+  const Eigen::Isometry3d moved =
+      scan_cell_common::interpolate(start, settings.constant_speed.end, 0.2);
+  const Eigen::Vector3d seen(0.01, 0.02, 0.4);  // by the scanner that stands
+  const Eigen::Vector3d on_object = (moved * start.inverse()).inverse() * (start * seen);
+  EXPECT_LT((outcome.match(100)->pose * seen - on_object).norm(), 1e-12);
+}
+
+TEST(ConstantSpeed, KeepsItsPlaceWhereFramesWereLost) {
+  SyntheticScan scan = steady_scan(100);
+  scan.frames.erase(scan.frames.begin() + 10, scan.frames.begin() + 40);
+  scan.truth.erase(scan.truth.begin() + 10, scan.truth.begin() + 40);
+  const Outcome outcome = bind(scan, motion());
+  EXPECT_EQ(outcome.audit.frames_bound, 70U);
+  EXPECT_NEAR(outcome.match(10)->pose.translation().x(), 1 + 0.6 * 0.040, 1e-12);
+}
+
+TEST(ConstantSpeed, DropsFramesBehindTheEnd) {
+  const Outcome outcome = bind(steady_scan(520), motion());
+  EXPECT_EQ(outcome.audit.frames_bound, 501U);
+  EXPECT_EQ(outcome.dropped(DropReason::NoPoseAfter), 19U);
+}
+
+TEST(ConstantSpeed, SaysHowFarAnUnsteadyFrameRatePutsItOff) {
+  SyntheticScan scan = steady_scan(50);
+  for (std::size_t i = 25; i < 50; ++i) {  // a beat was left out
+    scan.pulses[i].time += 10 * kMillisecond;
+    scan.frames[i].stamp += 10 * kMillisecond;
+  }
+  Outcome outcome = bind(scan, motion());
+  EXPECT_NEAR(outcome.match(10)->position_error_bound, 0, 1e-9);
+  EXPECT_NEAR(outcome.match(30)->position_error_bound, 0.001, 1e-9);
+  EXPECT_NEAR(outcome.audit.worst_position_error, 0.001, 1e-9);
+  Settings strict = motion();
+  strict.most_pose_gap = 0.005;
+  outcome = bind(scan, strict);
+  EXPECT_EQ(outcome.dropped(DropReason::PoseGap), 25U);
+}
+
+TEST(ConstantSpeed, SaysNothingOfASecondArming) {
+  SyntheticScan scan = steady_scan(30);
+  for (int i = 0; i < 30; ++i) {
+    scan.add_pulse(1003 + 10.0 * i, 2);
+    scan.add_frame(scan.pulses.size() - 1, static_cast<std::uint64_t>(131 + i));
+  }
+  const Outcome outcome = bind(scan, motion());
+  EXPECT_EQ(outcome.audit.frames_bound, 30U);
+  EXPECT_EQ(outcome.dropped(DropReason::NoPoseBefore), 30U);
+}
+
+TEST(ConstantSpeed, RefusesAMotionThatIsNotDetermined) {
+  const auto says = [](const char* words, const std::function<void(ConstantSpeed&)>& change) {
+    const std::string text = complaint([&](Settings& s) { change(s.constant_speed); });
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  };
+  says("not given", [](ConstantSpeed& m) {
+    m = ConstantSpeed{ConstantSpeed::none(), m.end, 1, 1};
+  });
+  says("constant_speed/speed", [](ConstantSpeed& m) { m.speed = 0; });
+  says("constant_speed/speed", [](ConstantSpeed& m) { m.speed = -0.1; });
+  says("constant_speed/speed", [](ConstantSpeed& m) { m.speed = NAN; });
+  says("constant_speed/frame_rate", [](ConstantSpeed& m) { m.frame_rate = INFINITY; });
+  says("at the same place", [](ConstantSpeed& m) { m.end.translation() = m.start.translation(); });
+  says("half a turn apart", [](ConstantSpeed& m) {
+    m.end.linear() = m.start.linear() * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+  });
+  EXPECT_EQ(complaint([](Settings& s) {
+              s.constant_speed = {};
+              s.method = Method::Interpolate;
+            }),
+            "taken");
+}
