@@ -139,6 +139,24 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(set(self.nodes(sim='true', record='/tmp/a.bag')) - plain, {'record'})
         self.assertEqual(plain - set(self.nodes(**self.real())), {'scan_cell_sim'})
 
+    def test_puts_the_chain_into_one_manager_where_asked(self):
+        plain, in_one = self.nodes(sim='true'), self.nodes(sim='true', nodelets='true')
+        self.assertEqual(set(in_one) - set(plain), {'chain'})
+        self.assertEqual(set(plain) - set(in_one), set())
+        self.assertEqual((in_one['chain'].type, in_one['chain'].args), ('nodelet', 'manager'))
+        chain = {'camera': 'tecnogamma_camera/Camera',
+                 'pose_frame_binder': 'pose_frame_binder/Binder',
+                 'laser_triangulation': 'laser_triangulation/Triangulation'}
+        for name, node in in_one.items():
+            if name in chain:
+                self.assertEqual((node.type, node.args), ('nodelet', 'load %s chain' % chain[name]))
+                self.assertEqual(node.remap_args, plain[name].remap_args)
+            elif name != 'chain':
+                self.assertEqual((node.type, node.args), (plain[name].type, plain[name].args))
+        parameters = {key: value.value for key, value in load(self.cell, sim='true').params.items()}
+        self.assertEqual({key: value.value for key, value in
+                          load(self.cell, sim='true', nodelets='true').params.items()}, parameters)
+
     def test_records_what_replay_plays(self):
         recorded = self.nodes(sim='true', record='/tmp/a.bag')['record'].args.split()
         for topic in ('/tf', '/laser_trigger/events', '/camera/profiles', '/scan_cell/state'):

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "triangulation_services.h"
 
+#include <boost/make_shared.hpp>
 #include <chrono>
 
 #include "scan_cell_common/errors.h"
@@ -11,14 +12,24 @@ namespace laser_triangulation {
 using scan_cell_msgs::FinishCloud;
 using scan_cell_msgs::StartScan;
 
-TriangulationServices::TriangulationServices(ros::NodeHandle node, const Parameters& parameters)
-    : parameters_(parameters), model_(load_scanner_model(parameters.scanner)) {
+namespace {
+
+/// roscpp breaks off a connection that announces a message of more than 1e9 bytes.
+constexpr std::size_t kMostBytes = 999'000'000;
+
+}  // namespace
+
+TriangulationServices::TriangulationServices(ros::NodeHandle node, ros::NodeHandle private_node,
+                                             const Parameters& parameters)
+    : parameters_(parameters),
+      model_(load_scanner_model(parameters.scanner)),
+      diagnostics_(node, private_node, private_node.getNamespace()) {
   Triangulator(model_, parameters.limits);  // refuses limits that contradict each other
-  cloud_ = node.advertise<sensor_msgs::PointCloud2>("cloud", 100);
-  whole_cloud_ = node.advertise<sensor_msgs::PointCloud2>("whole_cloud", 1, true);
+  cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("cloud", 100);
+  whole_cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("whole_cloud", 1, true);
 
   constexpr std::uint32_t kUnbounded = 0;  // what arrived is never thrown away unseen
-  ros::NodeHandle data;
+  ros::NodeHandle data = node;
   data.setCallbackQueue(&data_queue_);
   profiles_ = data.subscribe("bound_profiles", kUnbounded, &TriangulationServices::on_profile, this,
                              ros::TransportHints().tcpNoDelay());
@@ -27,8 +38,8 @@ TriangulationServices::TriangulationServices(ros::NodeHandle node, const Paramet
                                             const std::lock_guard<std::mutex> lock(mutex_);
                                             publish_increment();
                                           });
-  start_ = node.advertiseService("start", &TriangulationServices::start, this);
-  finish_ = node.advertiseService("finish", &TriangulationServices::finish, this);
+  start_ = private_node.advertiseService("start", &TriangulationServices::start, this);
+  finish_ = private_node.advertiseService("finish", &TriangulationServices::finish, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("triangulation", this, &TriangulationServices::diagnose);
   diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
@@ -53,7 +64,8 @@ void TriangulationServices::on_profile(const scan_cell_msgs::BoundProfile& profi
 
 void TriangulationServices::publish_increment() {
   if (!scan_ || scan_->points().size() == published_) return;
-  if (cloud_.getNumSubscribers() > 0) cloud_.publish(scan_->cloud(published_));
+  if (cloud_.getNumSubscribers() > 0)
+    cloud_.publish(boost::make_shared<sensor_msgs::PointCloud2>(scan_->cloud(published_)));
   published_ = scan_->points().size();
 }
 
@@ -92,8 +104,16 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
   finishing_ = false;
   publish_increment();
   response.statistics = scan_->statistics(scan_id_);
-  response.cloud = scan_->cloud();
   response.message = scan_->summary();
+  const std::size_t size = scan_->points().size() * sizeof(ScanPoint);
+  if (size <= kMostBytes) {
+    response.cloud = scan_->cloud();
+  } else if (failure_.empty()) {
+    failure_ = "cloud: " + std::to_string(scan_->points().size()) +
+               " points do not fit into one message, which holds " +
+               std::to_string(kMostBytes / sizeof(ScanPoint)) +
+               "; take them from ~cloud, or scan for less time";
+  }
   if (failure_.empty() && scan_->profiles() < request.profiles) {
     failure_ = "only " + std::to_string(scan_->profiles()) + " of " +
                std::to_string(request.profiles) + " bound profiles arrived";

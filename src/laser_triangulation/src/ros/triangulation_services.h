@@ -23,7 +23,9 @@ namespace laser_triangulation {
 /// they come in while ~finish waits for them.
 class TriangulationServices {
  public:
-  TriangulationServices(ros::NodeHandle node, const Parameters& parameters);
+  /// @param node its queue serves no topic with data
+  TriangulationServices(ros::NodeHandle node, ros::NodeHandle private_node,
+                        const Parameters& parameters);
 
  private:
   bool start(scan_cell_msgs::StartScan::Request& request,

@@ -12,14 +12,18 @@ namespace pose_frame_binder {
 using scan_cell_msgs::FinishBinding;
 using scan_cell_msgs::StartScan;
 
-BinderServices::BinderServices(ros::NodeHandle node, const Parameters& parameters)
-    : parameters_(parameters), static_transforms_(node), lookup_(parameters.lookup) {
+BinderServices::BinderServices(ros::NodeHandle node, ros::NodeHandle private_node,
+                               const Parameters& parameters)
+    : parameters_(parameters),
+      static_transforms_(node),
+      lookup_(parameters.lookup),
+      diagnostics_(node, private_node, private_node.getNamespace()) {
   constexpr std::uint32_t kBound = 20000;
   constexpr std::uint32_t kUnbounded = 0;  // what arrived is never thrown away unseen
-  bound_ = node.advertise<scan_cell_msgs::BoundProfile>("bound_profiles", kBound);
-  audit_ = node.advertise<scan_cell_msgs::BindingAudit>("audit", 1, true);
+  bound_ = private_node.advertise<scan_cell_msgs::BoundProfile>("bound_profiles", kBound);
+  audit_ = private_node.advertise<scan_cell_msgs::BindingAudit>("audit", 1, true);
 
-  ros::NodeHandle data;
+  ros::NodeHandle data = node;
   data.setCallbackQueue(&data_queue_);
   const boost::function<void(const scan_cell_msgs::PeakProfileConstPtr&)> on_profile =
       [this](const scan_cell_msgs::PeakProfileConstPtr& profile) {
@@ -36,8 +40,8 @@ BinderServices::BinderServices(ros::NodeHandle node, const Parameters& parameter
                                                          ros::VoidConstPtr(), no_delay);
   poses_ = data.subscribe<tf2_msgs::TFMessage>("/tf", kUnbounded, on_poses, ros::VoidConstPtr(),
                                                no_delay);
-  start_ = node.advertiseService("start", &BinderServices::start, this);
-  finish_ = node.advertiseService("finish", &BinderServices::finish, this);
+  start_ = private_node.advertiseService("start", &BinderServices::start, this);
+  finish_ = private_node.advertiseService("finish", &BinderServices::finish, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("binding", this, &BinderServices::diagnose);
   diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
@@ -63,8 +67,8 @@ bool BinderServices::take(const Data& data) {
 }
 
 void BinderServices::publish_bound() {
-  for (const scan_cell_msgs::BoundProfile& bound : scan_->take()) {
-    lookup_.add(bound);
+  for (const scan_cell_msgs::BoundProfileConstPtr& bound : scan_->take()) {
+    lookup_.add(*bound);
     bound_.publish(bound);
   }
 }

@@ -25,7 +25,8 @@ namespace pose_frame_binder {
 /// while ~finish waits for them.
 class BinderServices {
  public:
-  BinderServices(ros::NodeHandle node, const Parameters& parameters);
+  /// @param node its queue serves no topic with data
+  BinderServices(ros::NodeHandle node, ros::NodeHandle private_node, const Parameters& parameters);
 
  private:
   bool start(scan_cell_msgs::StartScan::Request& request,

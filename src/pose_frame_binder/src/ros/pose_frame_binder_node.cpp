@@ -7,11 +7,12 @@
 
 int main(int argc, char** argv) {
   return scan_cell_common::node_main(argc, argv, "pose_frame_binder", [] {
-    ros::NodeHandle node("~");
+    ros::NodeHandle node;
+    ros::NodeHandle private_node("~");
     constexpr int kThreads = 3;  // diagnostics, and a second call while one waits
     ros::AsyncSpinner spinner(kThreads);
-    const pose_frame_binder::BinderServices services(node,
-                                                     pose_frame_binder::Parameters::load(node));
+    const pose_frame_binder::BinderServices services(
+        node, private_node, pose_frame_binder::Parameters::load(private_node));
     spinner.start();
     ros::waitForShutdown();
   });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_frame_binder/ros/profile_binder.h"
 
+#include <boost/make_shared.hpp>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -14,6 +15,7 @@ namespace pose_frame_binder {
 using scan_cell_common::from_ros;
 using scan_cell_common::to_ros;
 using scan_cell_msgs::BoundProfile;
+using scan_cell_msgs::BoundProfileConstPtr;
 using scan_cell_msgs::PeakProfile;
 using scan_cell_msgs::TriggerEvent;
 
@@ -26,8 +28,10 @@ std::uint8_t laser_of(const PeakProfile& profile, std::uint8_t lasers_on) {
   return PeakProfile::LASER_UNKNOWN;
 }
 
-BoundProfile to_message(const PeakProfile& profile, const Match& match, const std::string& frame) {
-  BoundProfile bound;
+BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
+                                const std::string& frame) {
+  const auto message = boost::make_shared<BoundProfile>();
+  BoundProfile& bound = *message;
   bound.header.stamp = to_ros(match.pulse.time);
   bound.header.frame_id = frame;
   bound.profile = profile;
@@ -40,7 +44,7 @@ BoundProfile to_message(const PeakProfile& profile, const Match& match, const st
   bound.match.time_to_before = match.time_to_before;
   bound.match.time_to_after = match.time_to_after;
   bound.match.position_error_bound = match.position_error_bound;
-  return bound;
+  return message;
 }
 
 /// NaN where the rotation is none: a quaternion of zeros would become the identity.
@@ -123,8 +127,8 @@ void ProfileBinder::add(const scan_cell_msgs::PeakProfileConstPtr& profile) {
   waiting_[number] = profile;
 }
 
-std::vector<BoundProfile> ProfileBinder::take() {
-  std::vector<BoundProfile> bound;
+std::vector<BoundProfileConstPtr> ProfileBinder::take() {
+  std::vector<BoundProfileConstPtr> bound;
   for (const Decision& decision : binder_.take_decisions()) {
     const auto profile = waiting_.find(decision.frame);
     if (decision.match)

@@ -49,8 +49,8 @@ Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) 
 }
 
 void write_bound(pose_frame_binder::ProfileBinder& scan, rosbag::Bag& output, ros::Time& last) {
-  for (const scan_cell_msgs::BoundProfile& bound : scan.take()) {
-    last = bound.header.stamp;
+  for (const scan_cell_msgs::BoundProfileConstPtr& bound : scan.take()) {
+    last = bound->header.stamp;
     output.write("/pose_frame_binder/bound_profiles", last, bound);
   }
 }

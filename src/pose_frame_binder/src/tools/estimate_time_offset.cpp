@@ -34,14 +34,14 @@ UnboundScan read(const std::string& path, const Options& options) {
   UnboundScan scan;
   std::vector<laser_triangulation::ScanPoint> points;
   feed(bag, options.topics, binder, [&] {
-    for (const scan_cell_msgs::BoundProfile& bound : binder.take()) {
-      const scan_cell_msgs::PeakProfile& profile = bound.profile;
+    for (const scan_cell_msgs::BoundProfileConstPtr& bound : binder.take()) {
+      const scan_cell_msgs::PeakProfile& profile = bound->profile;
       points.clear();
       triangulator.add({profile.laser, profile.first_row, profile.position.size(),
                         profile.position.data(), profile.width.data(), profile.intensity.data()},
                        Eigen::Isometry3d::Identity(), points);
       UnboundScan::Line& line = scan.lines.emplace_back();
-      line.time = static_cast<Nanoseconds>(bound.header.stamp.toNSec());
+      line.time = static_cast<Nanoseconds>(bound->header.stamp.toNSec());
       for (const laser_triangulation::ScanPoint& point : points)
         line.points.push_back(Eigen::Vector3f(point.x, point.y, point.z).cast<double>());
     }

@@ -43,8 +43,9 @@ class ProfileBinder {
   Binder& binder() { return binder_; }
   const Binder& binder() const { return binder_; }
 
-  /// What was bound since the last call, in the order of the frames.
-  std::vector<scan_cell_msgs::BoundProfile> take();
+  /// What was bound since the last call, in the order of the frames: shared, for publishing without
+  /// a copy.
+  std::vector<scan_cell_msgs::BoundProfileConstPtr> take();
 
  private:
   const Frames frames_;
