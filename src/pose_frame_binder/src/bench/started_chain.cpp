@@ -32,7 +32,7 @@ laser_triangulation::ScannerModel scanner() {
 void join_master(const std::string& name) {
   ros::M_string no_remappings;
   ros::init(no_remappings, name, ros::init_options::NoRosout);
-  if (ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Warn))
+  if (ros::console::set_logger_level(ROSCONSOLE_ROOT_LOGGER_NAME, ros::console::levels::Warn))
     ros::console::notifyLoggerLevelsChanged();
   wait_until("ROS master", [] { return ros::master::check(); });
 }
