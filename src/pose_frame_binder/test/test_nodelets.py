@@ -144,6 +144,17 @@ class Nodelets(unittest.TestCase):
             for value, right in zip(point, (x * depth, y * depth, depth + 0.1)):
                 self.assertAlmostEqual(value, right, 5)
 
+    def test_answer_while_a_call_waits_although_the_manager_has_one_worker(self):
+        self.assertTrue(self.call['nodelets', 'binder/start']('scan').success)
+        waiting = threading.Thread(target=self.call['nodelets', 'binder/finish'],
+                                   args=(1, rospy.Duration(5)))
+        waiting.start()
+        for _ in range(20):  # the first may come before the call that waits
+            self.assertFalse(self.call['nodelets', 'triangulation/finish'](
+                1, rospy.Duration(0), False).success)
+        self.assertTrue(waiting.is_alive())
+        waiting.join()
+
     def test_report_under_their_own_names(self):
         for chain in CHAINS:
             for stage in ('binder: binding', 'triangulation: triangulation'):

@@ -13,7 +13,7 @@ namespace laser_triangulation {
 struct Parameters {
   std::string scanner;  //!< path of the scanner model
   PeakLimits limits;
-  double publish_rate = 5;               //!< [Hz] of the growing cloud
+  double publish_rate = 50;              //!< [Hz] of the growing cloud
   std::size_t most_points = 50'000'000;  //!< of a scan (24 bytes each)
 
   /// @throw scan_cell_common::InvalidParameter

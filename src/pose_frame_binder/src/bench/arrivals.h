@@ -1,0 +1,69 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+
+#include <atomic>
+#include <vector>
+
+#include "child_process.h"
+#include "profile_feeder.h"
+
+namespace pose_frame_binder {
+
+/// When how much of what is counted (points, profiles) had come, on a thread of its own.
+class Arrivals {
+ public:
+  struct Arrival {
+    Instant time;
+    std::uint64_t count;  // with all before it
+  };
+
+  template <class Message, class Count>
+  void subscribe(ros::NodeHandle node, const std::string& topic, const Count& count_in) {
+    using Pointer = boost::shared_ptr<const Message>;
+    constexpr std::uint32_t kUnbounded = 0;
+    node.setCallbackQueue(&queue_);
+    const boost::function<void(const Pointer&)> on_message = [this,
+                                                              count_in](const Pointer& message) {
+      count_ += count_in(*message);
+      all_.push_back({std::chrono::steady_clock::now(), count_});
+      cpu_ = cpu_of_this_thread();
+    };
+    subscriber_ = node.subscribe<Message>(topic, kUnbounded, on_message, ros::VoidConstPtr(),
+                                          ros::TransportHints().tcpNoDelay());
+    spinner_.start();
+  }
+
+  bool subscribed() const { return subscriber_.getNumPublishers() > 0; }
+
+  /// @return whether that many came before nothing had come for two seconds
+  bool wait(std::uint64_t count) const;
+
+  std::uint64_t count() const { return count_; }
+  double cpu() const { return cpu_; }                       ///< [s] of its thread so far
+  const std::vector<Arrival>& all() const { return all_; }  ///< to be read when all came
+
+ private:
+  ros::CallbackQueue queue_;
+  std::vector<Arrival> all_;
+  std::atomic<std::uint64_t> count_{0};
+  std::atomic<double> cpu_{0};
+  ros::Subscriber subscriber_;
+  ros::AsyncSpinner spinner_{1, &queue_};
+};
+
+/// [s] from the sending of a profile to the arrival of the last that is counted in it.
+struct Latency {
+  double median = 0, p99 = 0, worst = 0, last = 0;
+};
+
+/// @param per_profile of what is counted
+/// @throw scan_cell_common::Refused if not all came
+Latency latency_of(const std::vector<Instant>& sent, const std::vector<Arrivals::Arrival>& arrivals,
+                   std::uint64_t per_profile);
+
+}  // namespace pose_frame_binder

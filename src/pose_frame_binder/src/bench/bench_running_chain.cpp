@@ -1,0 +1,77 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Profiles through binder and triangulation as they run, under a ROS master of its own: as nodelets
+// in one process and as nodes; beside two nodes in their place that only hand the profiles on.
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "chain_run.h"
+#include "child_process.h"
+#include "scan_cell_common/errors.h"
+
+using namespace pose_frame_binder;  // NOLINT
+
+namespace {
+
+/// A port that nobody has.
+int free_port() {
+  const int line = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof(address);
+  const bool found = bind(line, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
+                     getsockname(line, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+  close(line);
+  if (!found) throw scan_cell_common::Refused("a port of 127.0.0.1", "none free", "see ss -lt");
+  return ntohs(address.sin_port);
+}
+
+/// Each run in a process of its own, so that its memory is its own.
+int run_all(const std::string& program, const Pace& pace) {
+  const std::string port = std::to_string(free_port());
+  setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
+  setenv("ROS_IP", "127.0.0.1", 1);
+  const ChildProcess master({"rosmaster", "--core", "-p", port}, true);
+  double load[1] = {0};
+  getloadavg(load, 1);
+  std::printf("%g profiles/s of %zu rows for %g s, %u processors, load before the run %.1f\n",
+              pace.rate, pace.rows, pace.seconds, std::thread::hardware_concurrency(), load[0]);
+  std::fflush(stdout);
+  for (const char* kind : {"nodelets", "nodes", "relays"}) {
+    ChildProcess run({program, "--run", kind, "--seconds", std::to_string(pace.seconds), "--rate",
+                      std::to_string(pace.rate), "--rows", std::to_string(pace.rows)});
+    if (const int code = run.wait(); code != 0) return code;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe");
+  Pace pace;
+  std::string kind, from, to;
+  CLI::App app("Profiles through the running chain.");
+  app.add_option("--seconds", pace.seconds, "of each run");
+  app.add_option("--rate", pace.rate, "profiles a second");
+  app.add_option("--rows", pace.rows, "of a profile");
+  app.add_option("--run", kind, "for the program itself: nodelets, nodes, relays or relay");
+  app.add_option("--from", from, "for the program itself: topic that a relay hands on");
+  app.add_option("--to", to, "for the program itself: where");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (kind.empty()) return run_all(program, pace);
+    if (kind == "relay") return relay(from, to);
+    return kind == "relays" ? run_relays(program, pace) : run_chain(program, kind, pace);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

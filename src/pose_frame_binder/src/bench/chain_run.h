@@ -1,0 +1,23 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "profile_feeder.h"
+
+namespace pose_frame_binder {
+
+/// Feeds binder and triangulation and prints what came of it.
+/// @param program path of this program; the nodes lie beside it
+/// @param kind "nodelets": in this process; "nodes": each in its own
+/// @return exit code
+int run_chain(const std::string& program, const std::string& kind, const Pace& pace);
+
+/// The yardstick: the same profiles through two nodes that hand them on.
+int run_relays(const std::string& program, const Pace& pace);
+
+/// Such a node, until it is ended.
+int relay(const std::string& from, const std::string& to);
+
+}  // namespace pose_frame_binder

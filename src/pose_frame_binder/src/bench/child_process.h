@@ -1,0 +1,39 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace pose_frame_binder {
+
+/// A program that ends with this object, or with the process that started it.
+class ChildProcess {
+ public:
+  /// @param command program (looked for on PATH) and its arguments
+  /// @param quiet what it writes is thrown away
+  /// @throw scan_cell_common::Refused if it cannot be started
+  explicit ChildProcess(const std::vector<std::string>& command, bool quiet = false);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  pid_t id() const { return id_; }
+  int wait();  ///< @return its exit code; 128 + the signal that ended it
+
+ private:
+  pid_t id_ = -1;
+};
+
+/// What a process has taken so far.
+struct Usage {
+  double cpu = 0;     //!< [s]
+  double memory = 0;  //!< [MB] resident
+};
+
+Usage usage_of(pid_t process);
+double cpu_of_this_thread();  ///< [s]
+
+}  // namespace pose_frame_binder
