@@ -42,6 +42,8 @@ class FrameNumbering {
   ClockSettings settings_;
   CounterUnwrapper unwrapper_;
   scan_cell_common::ClockMap clock_;
+  bool clock_agreed_ = false;  // a frame came within a second of what the camera's clock says
+  int late_in_a_row_ = 0;
   Nanoseconds last_device_time_ = 0;
   int counted_back_ = 0;         // frames in a row, each numbered after the one before
   std::uint64_t last_back_ = 0;  // the number of the last of them

@@ -51,8 +51,12 @@ Nanoseconds FrameNumbering::time_of(const Frame& frame, bool late) {
     if (!late || clock_.empty()) clock_.add(frame.device_time, frame.host_time);
     return clock_.to_host(frame.device_time);
   }
+  constexpr double kMost = 1;      // [s]
+  constexpr int kMostLate = 1000;  // frames: a host that was busy for a while has caught up by then
   const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
-  if (std::abs(off) > 1.0) {
+  late_in_a_row_ = off > kMost ? late_in_a_row_ + 1 : 0;
+  clock_agreed_ = clock_agreed_ || std::abs(off) <= kMost;
+  if (off < -kMost || late_in_a_row_ > (clock_agreed_ ? kMostLate : 0)) {
     throw scan_cell_common::UnusableInput(
         "device_clock", "the camera's clock is " + std::to_string(off) + " s off the host's",
         "synchronise it (PTP), or let its clock be mapped");
