@@ -219,7 +219,7 @@ void PartialSearch::search() {
   keep_distinct(fits_, probes, 0.03 * object_.size, 10);
   for (PartialFit& each : fits_) {
     each.similarity = refine(reference_, object_, each.similarity, prior_.scale, Density::kFew, 15);
-    each.agreement = comparison_.under({each.similarity, {}});
+    each.agreement = agreement({each.similarity, {}});
     const bool allowed = each.agreement.known >= kLeastKnown && is_sane(each.similarity.scale) &&
                          prior_.allows(each.similarity, middle);
     if (!allowed) each.agreement.cost = kNever;
@@ -227,12 +227,21 @@ void PartialSearch::search() {
   keep_distinct(fits_, probes, 0.03 * object_.size, 6);
 }
 
+Agreement PartialSearch::agreement(const Mapping& mapping) {
+  if (!comparison_) comparison_.emplace(reference_, object_);
+  return comparison_->under(mapping);
+}
+
 bool PartialSearch::is_certain() {
+  if (!certain_) certain_ = !fits().empty() && agrees_to_the_noise();
+  return *certain_;
+}
+
+bool PartialSearch::agrees_to_the_noise() const {
   constexpr double kAgreeing = 0.95;
   constexpr double kContradicted = 0.02;
   constexpr double kRough = 2;  // times the roughness of both surfaces
-  if (fits().empty()) return false;
-  const PartialFit& best = fits().front();
+  const PartialFit& best = fits_.front();
   const double rough =
       std::hypot(best.similarity.scale * roughness(reference_), roughness(object_));
   return best.agreement.agreeing >= kAgreeing &&

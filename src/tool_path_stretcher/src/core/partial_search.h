@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "agreement.h"
 #include "hypotheses.h"
 
@@ -18,7 +20,7 @@ class PartialSearch {
  public:
   /// The surfaces must outlive it.
   PartialSearch(const Surface& reference, const Surface& object, const Prior& prior)
-      : reference_(reference), object_(object), prior_(prior), comparison_(reference, object) {}
+      : reference_(reference), object_(object), prior_(prior) {}
 
   /// Distinct ones, best first; searched for at the first call. None contradicts the prior.
   const std::vector<PartialFit>& fits();
@@ -26,16 +28,18 @@ class PartialSearch {
   /// Whether the best agrees to the noise, undeformed, and next to nothing contradicts it.
   bool is_certain();
 
-  Agreement agreement(const Mapping& mapping) const { return comparison_.under(mapping); }
+  Agreement agreement(const Mapping& mapping);
 
  private:
   void search();
+  bool agrees_to_the_noise() const;
 
   const Surface& reference_;
   const Surface& object_;
   Prior prior_;
-  Comparison comparison_;
+  std::optional<Comparison> comparison_;  // most scans need none
   bool searched_ = false;
+  std::optional<bool> certain_;
   std::vector<PartialFit> fits_;
 };
 
