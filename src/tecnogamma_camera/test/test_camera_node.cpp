@@ -12,10 +12,10 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <mutex>
 
 #include "fake_cameras.h"
 #include "line_camera.h"
+#include "topic.h"
 
 using fake_cameras::LineCamera;
 using fake_cameras::wait_until;
@@ -23,33 +23,6 @@ using scan_cell_msgs::PeakProfile;
 using scan_cell_msgs::SetAcquisition;
 
 namespace {
-
-/// All that arrived on one topic.
-template <class Message>
-class Topic {
- public:
-  explicit Topic(const std::string& name)
-      : subscriber_(ros::NodeHandle().subscribe(name, 1000, &Topic::take, this)) {}
-  void forget() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    messages_.clear();
-  }
-  std::vector<Message> messages() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return messages_;
-  }
-  std::size_t count() { return messages().size(); }
-  bool has_publisher() { return subscriber_.getNumPublishers() > 0; }
-
- private:
-  void take(const typename Message::ConstPtr& message) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    messages_.push_back(*message);
-  }
-  std::mutex mutex_;
-  std::vector<Message> messages_;
-  ros::Subscriber subscriber_;
-};
 
 class CameraNode : public testing::Test {
  protected:

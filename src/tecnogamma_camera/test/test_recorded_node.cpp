@@ -15,12 +15,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
 #include <opencv2/imgcodecs.hpp>
 
 #include "fake_cameras.h"
 #include "payloads.h"
 #include "stripes.h"
+#include "topic.h"
 
 namespace fs = std::filesystem;
 
@@ -72,29 +72,6 @@ class Node {
 
  private:
   pid_t process_;
-};
-
-/// All that arrived on one topic.
-template <class Message>
-class Topic {
- public:
-  explicit Topic(const std::string& name)
-      : subscriber_(ros::NodeHandle().subscribe(name, 10000, &Topic::take, this)) {}
-  std::vector<Message> messages() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return messages_;
-  }
-  std::size_t count() { return messages().size(); }
-  bool has_publisher() { return subscriber_.getNumPublishers() > 0; }
-
- private:
-  void take(const typename Message::ConstPtr& message) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    messages_.push_back(*message);
-  }
-  std::mutex mutex_;
-  std::vector<Message> messages_;
-  ros::Subscriber subscriber_;
 };
 
 class RecordedNode : public testing::Test {
