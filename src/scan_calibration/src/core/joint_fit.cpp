@@ -134,7 +134,7 @@ void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLe
     const std::vector<Eigen::Vector2d> corners = corner_residuals(state, surface, sight, view);
     for (std::size_t i = 0; i < corners.size(); ++i)
       view.weights[i] = huber(corners[i].norm() / noise.corner_px);
-    for (std::size_t laser = 0; laser < view.lines.size(); ++laser) {
+    for (std::size_t laser = 0; laser < state.planes.size(); ++laser) {
       LinePoints& line = view.lines[laser];
       const std::vector<double> points = line_residuals(state, surface, sight, line, laser);
       for (std::size_t i = 0; i < points.size(); ++i)
