@@ -47,8 +47,8 @@ inline std::vector<double> true_parameters(const Cell& cell,
 }
 
 /// Stated deviations by which the worst parameter is off, and its name.
-inline std::pair<double, std::string> worst_miss(
-    const Cell& cell, const scan_calibration::Calibration& calibration) {
+inline std::pair<double, std::string> worst_miss(const Cell& cell,
+                                                 const scan_calibration::Calibration& calibration) {
   const std::vector<double> truth = true_parameters(cell, calibration);
   std::pair<double, std::string> worst{0, ""};
   for (std::size_t i = 0; i < truth.size(); ++i) {

@@ -54,11 +54,15 @@ class Problem {
     options.function_tolerance = 1e-10;
     options.parameter_tolerance = 1e-12;
     options.logging_type = ceres::SILENT;
+    double cost = 0;  // Ceres prints what it cannot begin with
     ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem_, &summary);
-    if (!summary.IsSolutionUsable()) {
-      throw scan_cell_common::UnusableInput("estimate", summary.message,
-                                            "check the views and poses of the session");
+    const bool possible =
+        problem_.Evaluate(ceres::Problem::EvaluateOptions(), &cost, nullptr, nullptr, nullptr);
+    if (possible) ceres::Solve(options, &problem_, &summary);
+    if (!possible || !summary.IsSolutionUsable()) {
+      throw scan_cell_common::UnusableInput(
+          "estimate", possible ? summary.message : "the start puts corners behind the camera",
+          "check the views and poses of the session");
     }
   }
 
