@@ -94,7 +94,7 @@ class FreePoses {
         lengths.push_back(residual.norm());
     constexpr double kLeast = 1e-4;  // [px]
     noise_.corner_px = std::max(median(lengths) / kRayleigh, kLeast);
-    weigh(state_, surface_, noise_, views_);
+    weigh(state_, surface_, noise_, Multiplicities{}, views_);
   }
 
   std::vector<Eigen::Vector2d> residuals(std::size_t i) const {
