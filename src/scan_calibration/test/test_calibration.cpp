@@ -272,11 +272,12 @@ TEST(Calibration, PutsRightWhatWasCountedFromTheBoardsOtherEnd) {
   expect_true(cell, found);
 }
 
-TEST(Calibration, FindsABentBoardWhereItIsAsked) {
+TEST(Calibration, FindsABentBoard) {
   synthetic::Cell cell;
   cell.bend = Vector3d(8e-4, -3e-4, 4e-4);
   const Observations observations = observe(cell, some_poses(cell, 30), kNoise, 1);
   CalibrationOptions options;
+  options.board_flatness = false;
   const Calibration flat = calibrate(observations, options);
   options.board_flatness = true;
   const Calibration bent = calibrate(observations, options);
@@ -304,8 +305,9 @@ TEST(Calibration, SaysWhereTheLensWasNotSeen) {
   poses.farthest = 0.55;
   poses.aside = 0.02;
   const Calibration found = calibrate(observe(cell, flange_poses(cell, poses), kNoise, 1), {});
-  ASSERT_FALSE(found.notes.empty());
-  EXPECT_NE(found.notes.front().find("show the board further out"), std::string::npos);
+  EXPECT_TRUE(std::any_of(found.notes.begin(), found.notes.end(), [](const std::string& note) {
+    return note.find("show the board further out") != std::string::npos;
+  }));
 }
 
 TEST(Calibration, AdvisesAPoseThatBringsWhatItSays) {
