@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,26 @@ struct CalibrationOptions {
   double robot_deviation = 0;        //!< [m] of the flange's position, along each axis
   double robot_angle_deviation = 0;  //!< [rad] of its orientation, about each axis
   int folds = 5;                     //!< groups of views that are held out in turn
-  int threads = 2;
+  int threads = 2;                   //!< has no influence on the result
+  /// A laser: where its projector is in camera_optical_frame [m]. It does not show in the images;
+  /// left out, the model's origin is the plane's nearest point beside the lens.
+  std::vector<Eigen::Vector3d> projectors;
+  std::function<void(const std::string&)> progress;  //!< told what is done next; may be empty
+};
+
+/// Standard deviations that the observations were weighted by.
+struct NoiseLevels {
+  double corner_px = 0;         //!< along each axis
+  std::vector<double> line_px;  //!< a laser, across its line
+  double robot_m = 0;           //!< along each axis
+  double robot_rad = 0;         //!< about each axis
+};
+
+/// A pose to add to the session: the one, of those tried, that lessens PointUncertainty most.
+struct PoseAdvice {
+  std::string text;                  //!< in words: where to hold the camera, and what it brings
+  Eigen::Isometry3d base_to_flange;  //!< [m]; whether the robot can go there is not checked
+  double deviation_mm = 0;           //!< RMS of `uncertainty` with this pose added, as predicted
 };
 
 /// One estimated number.
@@ -68,6 +88,13 @@ struct Calibration {
   std::vector<ViewFigures> views;  //!< used ones, in their order
   std::vector<RejectedView> rejected;
   std::vector<PointUncertainty> uncertainty;
+  NoiseLevels noise;
+  /// Height [m] of the board above its plane: [0] (x^2 - mean), [1] x y, [2] (y^2 - mean), with x
+  /// and y from -1 to 1 over its corners. Zero where it is not asked for, or explains held-out
+  /// views no better.
+  Eigen::Vector3d board_bend = Eigen::Vector3d::Zero();
+  std::vector<std::string> notes;  //!< what a person should know before using the result
+  std::vector<PoseAdvice> advice;  //!< best first
 };
 
 /// Camera, its pose on the flange, board and every laser plane in one robust least-squares
