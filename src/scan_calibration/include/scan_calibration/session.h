@@ -39,4 +39,23 @@ struct Session {
 /// @throw scan_cell_common::UnusableInput naming the entry, or the line, that makes no sense
 Session load_session(const std::string& folder);
 
+/// What session.yaml says.
+struct SessionHead {
+  std::string poses_file;  //!< as it is written there
+  Board board;
+  std::vector<std::string> lasers;
+};
+
+/// The parsers behind load_session(); `name` names the text in errors. Paths of views come as they
+/// are written there.
+/// @throw as load_session()
+SessionHead parse_session_head(const std::string& text, const std::string& name);
+std::vector<SessionView> parse_session_poses(const std::string& text, const std::string& name,
+                                             const std::vector<std::string>& lasers);
+
+/// Text of such files, as the parsers read it, to the last digit.
+std::string session_head_text(const SessionHead& head);
+std::string session_poses_text(const std::vector<SessionView>& views,
+                               const std::vector<std::string>& lasers);
+
 }  // namespace scan_calibration
