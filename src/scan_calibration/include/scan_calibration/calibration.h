@@ -65,8 +65,11 @@ struct ViewFigures {
   std::vector<double> laser_plane_rms_mm;  //!< a laser; NaN: not seen
   double board_offset_mm = 0;  //!< of the board's centre in base_link from where the model has it
   double board_angle_deg = 0;  //!< of the board's orientation in base_link
-  std::vector<Eigen::Vector2d>
-      corner_residuals;  //!< [px] seen - modelled, in the order of the view's corners
+  /// [px] seen - modelled, in the order of the view's corners
+  std::vector<Eigen::Vector2d> corner_residuals;
+  std::vector<std::size_t> left_out_corners;  //!< that miss by far: in no other figure
+  /// A laser: points of its line, of those that were looked at, that miss by far.
+  std::vector<std::vector<std::size_t>> left_out_points;
 };
 
 /// What a deviation of the numbers means for a point of the scan, from the covariance.
