@@ -200,11 +200,10 @@ TEST_F(ScanSequence, RefusesABadRequestBeforeAnythingMoves) {
 }
 
 TEST_F(ScanSequence, EndsSafelyWithTheReasonWhenADeviceIsLost) {
-  const std::vector<std::pair<std::string, Outcome>> devices = {
-      {"robot", Outcome::RobotLost},
-      {"camera", Outcome::CameraLost},
-      {"trigger", Outcome::TriggerLost},
-      {"stages", Outcome::StageFailed}};
+  const std::vector<std::pair<std::string, Outcome>> devices = {{"robot", Outcome::RobotLost},
+                                                                {"camera", Outcome::CameraLost},
+                                                                {"trigger", Outcome::TriggerLost},
+                                                                {"stages", Outcome::StageFailed}};
   for (const auto& [device, outcome] : devices) {
     SCOPED_TRACE(device);
     cell_ = FakeCell();
@@ -241,8 +240,7 @@ TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheRobotDoesNotMove) {
 
 TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
   const std::vector<std::pair<Motion::State, Outcome>> ends = {
-      {Motion::State::Failed, Outcome::MotionFailed},
-      {Motion::State::Lost, Outcome::RobotLost}};
+      {Motion::State::Failed, Outcome::MotionFailed}, {Motion::State::Lost, Outcome::RobotLost}};
   for (const auto& [state, outcome] : ends) {
     robot_.ends_at_once = state;
     cell_ = FakeCell();

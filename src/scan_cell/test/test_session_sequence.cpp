@@ -18,10 +18,10 @@ namespace {
 /// A cell without hardware that writes down what it is told. Poses are told apart by their x.
 struct FakeCell {
   std::vector<std::string> log;
-  int pose = 0;            // the one driven to last, from 1
+  int pose = 0;             // the one driven to last, from 1
   std::uint8_t lasers = 0;  // on
   bool armed = false;
-  std::string throws_at;                 // call that throws
+  std::string throws_at;  // call that throws
   std::function<void(const std::string&)> on_call = [](const std::string&) {};
 
   void note(const std::string& call) {
@@ -335,7 +335,8 @@ TEST_F(SessionSequence, KeepsTheTriggerAliveForAsLongAsALaserIsOn) {
 }
 
 TEST_F(SessionSequence, SwitchesTheLaserOffAndNeverMovesAgainWhenCancelled) {
-  for (const std::string& at : std::vector<std::string>{"move 2", "pose", "arm 0", "arm 1", "arm 2", "record"}) {
+  for (const std::string& at :
+       std::vector<std::string>{"move 2", "pose", "arm 0", "arm 1", "arm 2", "record"}) {
     SCOPED_TRACE(at);
     cell_ = FakeCell();
     cell_.on_call = [&](const std::string& call) {
@@ -377,8 +378,10 @@ TEST_F(SessionSequence, SaysWhereTheCameraCouldNotBeRestored) {
 
 TEST_F(SessionSequence, RefusesWhatMakesNoSenseBeforeAnythingMoves) {
   const std::vector<std::function<void(scan_cell::SessionRequest&)>> mistakes = {
-      [](auto& request) { request.poses.clear(); }, [](auto& request) { request.lasers = 0; },
-      [](auto& request) { request.lasers = 4; }, [](auto& request) { request.line_exposure = 0; },
+      [](auto& request) { request.poses.clear(); },
+      [](auto& request) { request.lasers = 0; },
+      [](auto& request) { request.lasers = 4; },
+      [](auto& request) { request.line_exposure = 0; },
       [](auto& request) { request.board_exposure = 20; },
       [](auto& request) { request.board_exposure = std::nan(""); }};
   const scan_cell::SessionRequest good = request_;

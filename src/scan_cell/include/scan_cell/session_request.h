@@ -11,7 +11,7 @@ namespace scan_cell {
 
 /// One pose of a calibration session.
 struct TaughtPose {
-  std::string name;  //!< in messages, such as "line 12"
+  std::string name;                                          //!< in messages, such as "line 12"
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0 in the robot's base frame
 };
 

@@ -66,8 +66,8 @@ class SessionSequence {
     double aftermath = 0.5;        //!< [s] for the robot to say why a motion failed
   };
 
-  SessionSequence(Robot& robot, SnapshotCamera& camera, Trigger& trigger,
-                  SessionObserver& observer, const SessionLimits& limits, const Timing& timing);
+  SessionSequence(Robot& robot, SnapshotCamera& camera, Trigger& trigger, SessionObserver& observer,
+                  const SessionLimits& limits, const Timing& timing);
 
   /// Records the whole session in the calling thread.
   /// @param cancel set by another thread to end it early

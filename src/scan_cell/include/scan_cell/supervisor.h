@@ -21,10 +21,10 @@ double monotonic_now();
 class Supervisor {
  public:
   struct Timing {
-    double poll = 0.01;        //!< [s] between two looks at the devices
-    double keep_alive = 0.1;   //!< [s] between two signs of life to the trigger
-    double readiness = 1.0;    //!< [s] to hear of the robot, before anything moves
-    double stall = 5.0;        //!< [s] without progress after which a motion has failed
+    double poll = 0.01;       //!< [s] between two looks at the devices
+    double keep_alive = 0.1;  //!< [s] between two signs of life to the trigger
+    double readiness = 1.0;   //!< [s] to hear of the robot, before anything moves
+    double stall = 5.0;       //!< [s] without progress after which a motion has failed
   };
 
   /// What else is watched, and how a sequence ends that cannot rely on it.

@@ -21,8 +21,8 @@ ScanSequence::ScanSequence(Robot& robot, Camera& camera, Trigger& trigger, Stage
       observer_(observer),
       limits_(limits),
       timing_(timing),
-      supervisor_(robot, trigger,
-                  {{&camera, Outcome::CameraLost}, {&stages, Outcome::StageFailed}}, timing) {}
+      supervisor_(robot, trigger, {{&camera, Outcome::CameraLost}, {&stages, Outcome::StageFailed}},
+                  timing) {}
 
 SequenceEnd ScanSequence::run(const ScanRequest& request, const std::atomic<bool>& cancel) {
   supervisor_.begin(cancel);

@@ -95,8 +95,7 @@ void SessionSequence::move_to(const Eigen::Isometry3d& flange) {
 /// Only a target that the robot did not take is skipped. Where it was stopped, or made no way, or
 /// could not move, it would move by itself once it can again.
 void SessionSequence::skip_or_end(const EndEarly& failure) {
-  if (failure.outcome != Outcome::MotionFailed ||
-      robot_.motion().state != Motion::State::Failed) {
+  if (failure.outcome != Outcome::MotionFailed || robot_.motion().state != Motion::State::Failed) {
     throw failure;
   }
   supervisor_.stop_robot();

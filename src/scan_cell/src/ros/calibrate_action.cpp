@@ -36,10 +36,11 @@ scan_calibration::Board board_of(const CalibrateGoal& goal) {
   constexpr std::uint32_t kMost = 200;  // corners
   for (const std::uint32_t corners : {goal.board_columns, goal.board_rows}) {
     if (corners < kLeast || corners > kMost) {
-      throw Refused("board",
-                    std::to_string(goal.board_columns) + " x " + std::to_string(goal.board_rows) +
-                        " inner corners",
-                    "give " + std::to_string(kLeast) + " to " + std::to_string(kMost) + " each way");
+      throw Refused(
+          "board",
+          std::to_string(goal.board_columns) + " x " + std::to_string(goal.board_rows) +
+              " inner corners",
+          "give " + std::to_string(kLeast) + " to " + std::to_string(kMost) + " each way");
     }
   }
   if (!(goal.square_size > 1e-4 && goal.square_size < 1)) {

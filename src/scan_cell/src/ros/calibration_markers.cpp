@@ -68,7 +68,8 @@ Points edges(const Points& corners) {
   return ends;
 }
 
-std::optional<Eigen::Vector3d> ray_at(const CameraIntrinsics& camera, const Eigen::Vector2d& pixel) {
+std::optional<Eigen::Vector3d> ray_at(const CameraIntrinsics& camera,
+                                      const Eigen::Vector2d& pixel) {
   const Eigen::Vector2d distorted((pixel.x() - camera.cx) / camera.fx,
                                   (pixel.y() - camera.cy) / camera.fy);
   Eigen::Vector2d ray = distorted;
@@ -124,9 +125,8 @@ std::optional<Eigen::Isometry3d> board_in_camera(const CameraIntrinsics& camera,
     pixels.emplace_back(corner.pixel.x(), corner.pixel.y());
   }
   const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
-  const cv::Mat distortion =
-      (cv::Mat_<double>(1, 5) << camera.distortion[0], camera.distortion[1], camera.distortion[2],
-       camera.distortion[3], camera.distortion[4]);
+  const cv::Mat distortion = (cv::Mat_<double>(1, 5) << camera.distortion[0], camera.distortion[1],
+                              camera.distortion[2], camera.distortion[3], camera.distortion[4]);
   cv::Vec3d turn, shift;
   if (places.size() < 4 || !cv::solvePnP(places, pixels, matrix, distortion, turn, shift)) {
     return std::nullopt;

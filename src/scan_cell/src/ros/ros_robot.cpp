@@ -128,8 +128,8 @@ std::string RosRobot::hindrance() const {
 }
 
 Eigen::Isometry3d RosRobot::static_pose() {
-  const auto answer = call<scan_cell_msgs::GetStaticPose>(parameters_.robot + "/get_static_pose", {},
-                                                          parameters_.call_timeout);
+  const auto answer = call<scan_cell_msgs::GetStaticPose>(parameters_.robot + "/get_static_pose",
+                                                          {}, parameters_.call_timeout);
   if (answer.pose.header.frame_id != parameters_.base_frame) {
     throw scan_cell_common::Refused("static pose", "in frame '" + answer.pose.header.frame_id + "'",
                                     "set base_frame to the driver's");

@@ -32,7 +32,8 @@ auto find(const Parameters& parameters, const std::string& name) {
   const auto found = std::find_if(parameters.begin(), parameters.end(),
                                   [&](const auto& one) { return one.name == name; });
   if (found == parameters.end()) {
-    throw Refused("camera", "no parameter " + name, "use a node with tecnogamma_camera's interface");
+    throw Refused("camera", "no parameter " + name,
+                  "use a node with tecnogamma_camera's interface");
   }
   return found->value;
 }
@@ -165,8 +166,9 @@ void RosSnapshotCamera::write(const Settings& settings) const {
                   "look at its node's log");
   }
   if (find(taken.doubles, "exposure") != settings.exposure) {
-    throw Refused("camera", "it did not take an exposure of " + std::to_string(settings.exposure) +
-                                " s", "look at its node's log");
+    throw Refused("camera",
+                  "it did not take an exposure of " + std::to_string(settings.exposure) + " s",
+                  "look at its node's log");
   }
 }
 

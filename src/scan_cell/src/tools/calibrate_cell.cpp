@@ -88,7 +88,8 @@ int main(int argc, char** argv) {
   options.goal.line_exposure = 0.001;
   options.goal.square_size = 0.02;
   CLI::App app(
-      "Moves the running cell's robot to taught poses, records a calibration session, and computes\n"
+      "Moves the running cell's robot to taught poses, records a calibration session, and "
+      "computes\n"
       "the scanner model from it.\n"
       "Exit code 0: done; 2: ended early, refused, or no model within the limits; 1: no cell.");
   app.add_option("--poses", options.goal.poses, "file of taught poses of the flange")
@@ -96,7 +97,8 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingFile);
   app.add_option("--session", options.goal.session, "folder to record into, new or empty")
       ->required();
-  app.add_option("--output", options.goal.output, "scanner model (YAML) to write; none: record only");
+  app.add_option("--output", options.goal.output,
+                 "scanner model (YAML) to write; none: record only");
   app.add_option("--report", options.goal.report, "JSON; report.json in the session if not given");
   app.add_option("--corners", options.corners, "inner corners of the board, along its x and its y")
       ->expected(2)
