@@ -4,6 +4,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "calibration_markers.h"
@@ -91,8 +92,10 @@ std::string CalibrateAction::accept(const CalibrateGoal& goal) {
   request.line_exposure = goal.line_exposure;
   check(request, parameters_.session_limits);
   const scan_calibration::Board board = board_of(goal);
-  folder_ = std::make_unique<SessionFolder>(goal.session, board, names_of(goal.lasers));
+  recorder_ = std::make_unique<scan_calibration::SessionRecorder>(goal.session, board,
+                                                                  names_of(goal.lasers));
   request_ = request;
+  progress_ = 0;
   goal_ = goal;
   if (goal_.report.empty()) {
     goal_.report = (std::filesystem::path(goal.session) / "report.json").string();
@@ -116,7 +119,7 @@ CalibrateResult CalibrateAction::run(const std::atomic<bool>& cancel) {
 
 SequenceEnd CalibrateAction::record(const std::atomic<bool>& cancel, CalibrateResult& result) {
   const SessionEnd recorded = sequence_.run(request_, cancel);
-  folder_.reset();
+  recorder_.reset();
   result.poses = static_cast<std::uint32_t>(request_.poses.size());
   result.views = static_cast<std::uint32_t>(recorded.views);
   for (const SkippedPose& pose : recorded.skipped) {
@@ -127,19 +130,20 @@ SequenceEnd CalibrateAction::record(const std::atomic<bool>& cancel, CalibrateRe
 }
 
 void CalibrateAction::compute(const std::atomic<bool>& cancel, CalibrateResult& result) {
-  double left = 1 - kRecording;
-  const auto next_stage = [&](const std::string& stage) {
+  constexpr double kReading = 0.6;  // of the time that computing takes, about
+  const auto go_on = [&](const std::string& doing, double share) {
     if (cancel) throw EndEarly{Outcome::Cancelled, "cancelled by the client while computing"};
-    constexpr double kShare = 0.2;  // of what is left: how many stages there are is not known
-    tell(0, stage, 1 - left);
-    left *= 1 - kShare;
+    tell(0, doing, kRecording + (1 - kRecording) * share);
+  };
+  scan_calibration::ObservationOptions reading;
+  reading.progress = [&](const std::string& what, int done, int total) {
+    go_on("read the images: " + what, kReading * done / total);
   };
   scan_calibration::CalibrationOptions options;
-  options.progress = next_stage;
+  options.progress = [&](const std::string& stage) { go_on(stage, kReading); };
   try {
-    next_stage("read the images");
-    const auto found = scan_calibration::run_calibration(goal_.session, {}, options, {});
-    next_stage("write the results");
+    const auto found = scan_calibration::run_calibration(goal_.session, reading, options, {});
+    go_on("write the results", 1);
     save(found, result);
     if (found.calibration) {
       markers_publisher_.publish(calibration_markers(found, parameters_.base_frame));
@@ -177,11 +181,15 @@ void CalibrateAction::on_progress(int pose, const std::string& doing, double pro
 }
 
 void CalibrateAction::on_view(const TakenView& view) {
-  folder_->add(view);
+  std::vector<scan_calibration::RecordedLine> lines;
+  for (const Snapshot& line : view.lines)
+    lines.push_back({line.image, line.peaks});
+  recorder_->add(view.base_to_flange, view.board.image, lines);
 }
 
 void CalibrateAction::tell(int pose, const std::string& doing, double progress) {
-  constexpr double kPeriod = 0.1;  // [s]
+  constexpr double kPeriod = 0.1;             // [s]
+  progress_ = std::max(progress_, progress);  // what is done twice over does not go back
   const ros::WallTime now = ros::WallTime::now();
   if (doing == last_doing_ && (now - last_feedback_).toSec() < kPeriod) return;
   last_feedback_ = now;
@@ -190,7 +198,7 @@ void CalibrateAction::tell(int pose, const std::string& doing, double progress) 
   feedback.pose = static_cast<std::uint32_t>(pose);
   feedback.poses = static_cast<std::uint32_t>(request_.poses.size());
   feedback.doing = doing;
-  feedback.progress = progress;
+  feedback.progress = progress_;
   action_.publish(feedback);
 }
 

@@ -13,8 +13,8 @@
 #include "cell_devices.h"
 #include "parameters.h"
 #include "scan_calibration/calibration_run.h"
+#include "scan_calibration/session_recorder.h"
 #include "scan_cell/session_sequence.h"
-#include "session_folder.h"
 
 namespace scan_cell {
 
@@ -46,9 +46,10 @@ class CalibrateAction : private SessionObserver,
   ros::Publisher markers_publisher_;
   ros::WallTime last_feedback_;
   std::string last_doing_;
+  double progress_ = 0;
   scan_cell_msgs::CalibrateGoal goal_;
   SessionRequest request_;
-  std::unique_ptr<SessionFolder> folder_;
+  std::unique_ptr<scan_calibration::SessionRecorder> recorder_;  // while one is recorded
   CellAction<scan_cell_msgs::CalibrateAction> action_;  // last: its callbacks use all the rest
 };
 
