@@ -25,7 +25,7 @@ constexpr double kLeastFill = 0.3;  // peaks a row that the line goes through
 class BoardPlane {
  public:
   BoardPlane(const CameraIntrinsics& camera, const Eigen::Isometry3d& board_in_camera,
-            const Board& board)
+             const Board& board)
       : camera_(camera), board_(board) {
     Eigen::Matrix3d to_ray;
     to_ray << board_in_camera.linear().col(0), board_in_camera.linear().col(1),

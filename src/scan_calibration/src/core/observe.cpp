@@ -20,7 +20,8 @@ namespace {
 using laser_triangulation::CameraIntrinsics;
 
 /// Counts the corners of every view from the same end of the board.
-void align(const Session& session, const CameraIntrinsics& camera, std::vector<BoardSighting>& views) {
+void align(const Session& session, const CameraIntrinsics& camera,
+           std::vector<BoardSighting>& views) {
   std::vector<TurnableView> turnable;
   std::vector<BoardSighting*> seen;
   for (std::size_t i = 0; i < views.size(); ++i) {
