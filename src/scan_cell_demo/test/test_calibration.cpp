@@ -138,7 +138,7 @@ class Calibration : public testing::Test {
     goal.board_rows = 25;
     goal.square_size = 0.02;
     goal.lasers = 3;
-    goal.board_exposure = 0.02;
+    goal.board_exposure = 0.05;
     goal.line_exposure = 0.001;
     return goal;
   }

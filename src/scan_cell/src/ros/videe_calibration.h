@@ -22,7 +22,7 @@ struct VideeCalibrationParameters {
   int board_rows = 25;            //!< inner corners
   double square_size = 0.020;     //!< [m]
   int lasers = 3;                 //!< bit mask
-  double board_exposure = 0.02;   //!< [s] lasers off
+  double board_exposure = 0.05;   //!< [s] lasers off
   double line_exposure = 0.001;   //!< [s]
 
   /// @throw scan_cell_common::InvalidParameter

@@ -84,7 +84,7 @@ void calibrate(const Options& options) {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "calibrate_cell", ros::init_options::AnonymousName);
   Options options;
-  options.goal.board_exposure = 0.02;
+  options.goal.board_exposure = 0.05;
   options.goal.line_exposure = 0.001;
   options.goal.square_size = 0.02;
   CLI::App app(
