@@ -99,7 +99,7 @@ std::optional<Snapshot> RosSnapshotCamera::snapshot() {
 }
 
 void RosSnapshotCamera::stop() noexcept {
-  constexpr double kTimeout = 0.5;  // a camera that was lost may not answer for seconds
+  constexpr double kTimeout = 2;  // [s] a camera that was lost may not answer for longer
   try {
     set_acquisition(SetAcquisition::Request::STOP, kTimeout);
   } catch (const scan_cell_common::Error& error) {
