@@ -54,8 +54,7 @@ std::pair<double, double> distances(const JointEstimate& estimate, const BoardSu
   for (std::size_t i = 0; i < estimate.views.size(); ++i) {
     const BoardSight sight = sight_of(estimate.state, estimate.views[i], i);
     const double depth =
-        (sight.rotation * surface.centre().homogeneous().cwiseProduct(Vector3d(1, 1, 0)) +
-         sight.position)
+        (sight.rotation * on_board(surface, estimate.state.bend, surface.centre()) + sight.position)
             .z();
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);

@@ -13,6 +13,8 @@
 namespace scan_calibration {
 namespace {
 
+using scan_cell_common::UnusableInput;
+
 std::vector<cv::Point3f> places_of(const BoardView& view) {
   std::vector<cv::Point3f> points;
   for (const Eigen::Vector2d& place : view.places)
@@ -51,8 +53,8 @@ Eigen::Isometry3d board_pose(const BoardView& view, const CameraVector& camera) 
   cv::Vec3d turn, shift;
   if (!cv::solvePnP(places_of(view), pixels_of(view), matrix, cv::noArray(), turn, shift, false,
                     cv::SOLVEPNP_IPPE)) {
-    throw scan_cell_common::UnusableInput("view " + view.name, "its corners fit no pose",
-                                          "check the order of the corners");
+    throw UnusableInput("view " + view.name, "its corners fit no pose",
+                        "check the order of the corners");
   }
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   const Eigen::Vector3d axis(turn[0], turn[1], turn[2]);
@@ -129,20 +131,26 @@ double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<d
 
 CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, int height,
                      bool square_pixels, bool robust) {
-  constexpr double kGood = 2;  // [px] of the median view: no need to look for a better start
+  constexpr double kGood = 2;         // [px] of the median view: no need to look for a better start
+  constexpr double kMostMiss = 0.01;  // of the image's width: this is not that board
   constexpr int kReweighings = 3;
   BoardViews scratch = views;
   double least = std::numeric_limits<double>::infinity();
   CameraFit best;
   for (const double focal : focal_lengths(views, width, height)) {
     BoardViews trial = views;
-    FreePoses poses(trial, surface, width, height, focal);
-    poses.solve(square_pixels);
-    for (int i = 0; robust && i < kReweighings; ++i) {
-      poses.reweigh();
+    CameraFit found;
+    try {
+      FreePoses poses(trial, surface, width, height, focal);
       poses.solve(square_pixels);
+      for (int i = 0; robust && i < kReweighings; ++i) {
+        poses.reweigh();
+        poses.solve(square_pixels);
+      }
+      found = poses.result();
+    } catch (const UnusableInput&) {
+      continue;  // no camera is near this start: there are others
     }
-    const CameraFit found = poses.result();
     const double typical = median(found.rms_px);
     if (typical < least) {
       least = typical;
@@ -150,6 +158,12 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
       scratch = trial;
     }
     if (least < kGood) break;
+  }
+  if (!(least < kMostMiss * width)) {
+    throw UnusableInput(
+        "corners of the board",
+        best.rms_px.empty() ? "fit no camera" : "miss any camera by " + figure(least, " px"),
+        "check the board's columns and rows, and that the corners are named row by row");
   }
   for (std::size_t i = 0; i < views.size(); ++i)
     views[i].weights = scratch[i].weights;

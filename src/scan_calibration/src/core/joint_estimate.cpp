@@ -15,11 +15,6 @@ double change(const NoiseLevels& before, const NoiseLevels& after) {
   return (noise_vector(after).array() / noise_vector(before).array()).log().abs().maxCoeff();
 }
 
-/// A plane whose views were rejected may have lost what determined it.
-void check_lasers_left(const Observations& observations, const BoardViews& views) {
-  check_lasers_seen(observations, views);
-}
-
 void check_majority(std::size_t before, const JointEstimate& estimate) {
   if (2 * estimate.views.size() > before) return;
   throw scan_cell_common::UnusableInput(
@@ -54,7 +49,7 @@ JointEstimate estimate_jointly(Start start, const Observations& observations,
         reject_misfits(surface, estimate.noise.levels, equations, observations.lasers,
                        estimate.views, estimate.state, estimate.rejected);
     check_majority(before, estimate);
-    check_lasers_left(observations, estimate.views);
+    check_lasers_seen(observations, estimate.views);
     if (!left_out && round > 0 && change(assumed, estimate.noise.levels) < kStill) break;
   }
   fit(estimate.views, surface, estimate.noise.levels, choice, estimate.state);

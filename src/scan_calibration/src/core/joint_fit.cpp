@@ -54,11 +54,15 @@ class Problem {
     options.function_tolerance = 1e-10;
     options.parameter_tolerance = 1e-12;
     options.logging_type = ceres::SILENT;
+    double cost = 0;  // Ceres prints what it cannot begin with
     ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem_, &summary);
-    if (!summary.IsSolutionUsable()) {
-      throw scan_cell_common::UnusableInput("estimate", summary.message,
-                                            "check the views and poses of the session");
+    const bool possible =
+        problem_.Evaluate(ceres::Problem::EvaluateOptions(), &cost, nullptr, nullptr, nullptr);
+    if (possible) ceres::Solve(options, &problem_, &summary);
+    if (!possible || !summary.IsSolutionUsable()) {
+      throw scan_cell_common::UnusableInput(
+          "estimate", possible ? summary.message : "the start puts corners behind the camera",
+          "check the views and poses of the session");
     }
   }
 
@@ -134,7 +138,7 @@ void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLe
     const std::vector<Eigen::Vector2d> corners = corner_residuals(state, surface, sight, view);
     for (std::size_t i = 0; i < corners.size(); ++i)
       view.weights[i] = huber(corners[i].norm() / noise.corner_px);
-    for (std::size_t laser = 0; laser < view.lines.size(); ++laser) {
+    for (std::size_t laser = 0; laser < state.planes.size(); ++laser) {
       LinePoints& line = view.lines[laser];
       const std::vector<double> points = line_residuals(state, surface, sight, line, laser);
       for (std::size_t i = 0; i < points.size(); ++i)

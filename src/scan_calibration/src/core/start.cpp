@@ -153,12 +153,6 @@ Start closed_form_start(const Observations& observations) {
     view.measured = observations.views[view.source].base_to_flange;
   start.views = std::move(for_camera);
 
-  constexpr double kMostMiss = 0.01;  // of the image's width: this is not that board
-  if (camera.corner_px > kMostMiss * observations.width) {
-    throw scan_cell_common::UnusableInput(
-        "corners of the board", "miss any camera by " + figure(camera.corner_px, " px"),
-        "check the board's columns and rows, and that the corners are named row by row");
-  }
   const PosePairs pairs = pairs_of(start.views, camera);
   check_tilts(pairs);
   const HandEye hand_eye = agreed_hand_eye(pairs, surface);
