@@ -157,6 +157,16 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual({key: value.value for key, value in
                           load(self.cell, sim='true', nodelets='true').params.items()}, parameters)
 
+    def test_puts_the_stages_of_a_replay_into_one_manager_where_asked(self):
+        replay = os.path.join(FOLDER, 'replay.launch')
+        given = {name: GIVEN[name] for name in ('bag', 'reference', 'path', 'output')}
+        nodes = {node.name: node
+                 for node in load(replay, sim='true', nodelets='true', **given).nodes}
+        self.assertEqual(nodes['pose_frame_binder'].args, 'load pose_frame_binder/Binder chain')
+        self.assertEqual(nodes['laser_triangulation'].args,
+                         'load laser_triangulation/Triangulation chain')
+        self.assertEqual((nodes['chain'].type, nodes['chain'].args), ('nodelet', 'manager'))
+
     def test_records_what_replay_plays(self):
         recorded = self.nodes(sim='true', record='/tmp/a.bag')['record'].args.split()
         for topic in ('/tf', '/laser_trigger/events', '/camera/profiles', '/scan_cell/state'):
