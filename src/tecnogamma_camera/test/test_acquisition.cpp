@@ -243,10 +243,11 @@ TEST_F(AcquisitionOfScriptedCamera, TellsALateFrameFromARestartedCamera) {
   script_.send(50, 5000);
   script_.send(49, 4900);  // late: its time is earlier
   script_.send(51, 5100);
-  script_.send(1, 5200);  // restarted: its time goes on
+  script_.send(1, 5200);  // restarted: its time goes on, and the next frame counts on from it
   script_.send(2, 5300);
-  expect_frames({{1, 50, 0}, {1, 49, 0}, {1, 51, 0}, {2, 1, 0}, {2, 2, 0}});
-  EXPECT_EQ(acquisition.state().frames.late, 1U);
+  script_.send(3, 5400);
+  expect_frames({{1, 50, 0}, {1, 49, 0}, {1, 51, 0}, {1, 1, 0}, {2, 2, 0}, {2, 3, 0}});
+  EXPECT_EQ(acquisition.state().frames.late, 2U);
   EXPECT_EQ(acquisition.state().frames.restarts, 1U);
 }
 
