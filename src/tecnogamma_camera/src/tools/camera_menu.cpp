@@ -155,14 +155,14 @@ class Menu {
 int main(int argc, char** argv) {
   CLI::App app("Tries a camera by hand, without ROS");
   app.option_defaults()->always_capture_default();
-  std::string camera, detector = "center_of_gravity";
+  std::string camera, detector = "fir_derivative";
   tecnogamma_camera::CameraOptions options;
   options.playback.speed = 0;
   app.add_option("--camera", camera,
                  "id, serial number, address or folder:PATH; without: the only one");
   app.add_option("--payload", options.payload.format,
                  "image, tecnogamma_relief or photonfocus_3d03");
-  app.add_option("--detector", detector, "threshold or center_of_gravity");
+  app.add_option("--detector", detector, "threshold, center_of_gravity or fir_derivative");
   CLI11_PARSE(app, argc, argv);
   try {
     Menu(camera, detector, options).run();

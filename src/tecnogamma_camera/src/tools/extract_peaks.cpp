@@ -91,6 +91,8 @@ int main(int argc, char** argv) {
   app.add_option("--permanence", settings.permanence, "pixels that make an edge");
   app.add_option("--window", settings.window,
                  "most columns of the centre of gravity; 0: as the stripe's width asks");
+  app.add_option("--most-width", settings.most_width,
+                 "pixels: wider spots (shiny objects) are passed over; 0: any width");
   app.add_option("--choice", choice, "of several spots in a row: brightest, first or last");
   CLI11_PARSE(app, argc, argv);
   try {
