@@ -5,6 +5,7 @@
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"
@@ -163,12 +164,8 @@ int main(int argc, char** argv) {
   app.add_option("--payload", options.payload.format,
                  "image, tecnogamma_relief or photonfocus_3d03");
   app.add_option("--detector", detector, "threshold, center_of_gravity or fir_derivative");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("camera_menu", app, argc, argv, [&] {
     Menu(camera, detector, options).run();
     return 0;
-  } catch (const scan_cell_common::Error& error) {
-    std::cerr << "camera_menu: " << error.what() << "\n";
-    return 1;
-  }
+  });
 }
