@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "fake_cameras.h"
 #include "tecnogamma_camera/aravis_camera.h"
@@ -51,6 +52,17 @@ inline std::optional<Frame> grab(Camera& camera) {
 inline std::string genicam_file() {
   return (std::filesystem::temp_directory_path() / ("fake_" + std::to_string(getpid()) + ".xml"))
       .string();
+}
+
+/// The parameter that is refused.
+template <class Act>
+std::string refused_parameter(const Act& act) {
+  try {
+    act();
+  } catch (const scan_cell_common::InvalidParameter& error) {
+    return error.thing();
+  }
+  return "nothing";
 }
 
 }  // namespace fake_cameras

@@ -17,6 +17,7 @@ using fake_cameras::kAddress;
 using fake_cameras::LineCamera;
 using fake_cameras::open;
 using fake_cameras::Program;
+using fake_cameras::refused_parameter;
 using fake_cameras::small_region;
 using scan_cell_common::ConnectionError;
 using scan_cell_common::Refused;

@@ -13,26 +13,12 @@ using fake_cameras::grab;
 using fake_cameras::LineCamera;
 using fake_cameras::open;
 using fake_cameras::Program;
+using fake_cameras::refused_parameter;
 using fake_cameras::small_region;
-using scan_cell_common::InvalidParameter;
 using scan_cell_common::Refused;
 using tecnogamma_camera::CameraSettings;
 using tecnogamma_camera::MissingFeature;
 using tecnogamma_camera::Trigger;
-
-namespace {
-
-template <class Act>
-std::string refused_parameter(const Act& act) {
-  try {
-    act();
-  } catch (const InvalidParameter& error) {
-    return error.thing();
-  }
-  return "nothing";
-}
-
-}  // namespace
 
 TEST(AravisCamera, TakesParametersOnlyInStopButForTheExposure) {
   const Program program;
