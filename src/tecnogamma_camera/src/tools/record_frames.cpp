@@ -100,8 +100,8 @@ void record(const Options& options) {
   acquisition.set(AcquisitionMode::RELIEF_ONLY,
                   options.external ? Trigger::EXTERNAL : Trigger::FREE_RUN);
   writer.wait(acquisition);
+  const std::uint64_t written = writer.finish();  // first: the camera may be gone
   acquisition.set(AcquisitionMode::STOP, Trigger::FREE_RUN);
-  const std::uint64_t written = writer.finish();
   const auto counts = acquisition.state().frames;
   std::printf("%llu frames in %s, %llu lost, %llu incomplete\n",
               static_cast<unsigned long long>(written), options.output.c_str(),
