@@ -94,6 +94,7 @@ void ScanAction::conclude(const ScanEnd& end, double seconds) {
   result.audit = stages_.audit();
   result.statistics = stages_.statistics();
   result.cloud = stages_.cloud();
+  result.cloud_file = stages_.cloud_file();
   result.seconds = seconds;
   const bool finished = end.outcome == ScanOutcome::Finished;
   result.message = finished ? stages_.binding() : end.message;
