@@ -89,7 +89,7 @@ DelayTrial try_delay(SimulatedCell& cell, const Motion& there, const Motion& bac
   const std::string said =
       said_by("rosrun pose_frame_binder estimate_time_offset --camera-latency 0 --forward " +
               forward + " --backward " + backward + " --scanner " + scanner);
-  fs::remove_all(folder);
+  fs::remove_all(folder);  // where the command failed they are left to look at
   DelayTrial trial = figures_in(said);
   trial.truth = (truth_there + truth_back) / 2;
   return trial;

@@ -48,7 +48,8 @@ void wait_until_true(const std::string& what, const std::function<bool()>& met) 
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (!met()) {
     if (ros::WallTime::now() > deadline) {
-      throw Refused(what, "not there after a minute", "see whether another simulator runs");
+      throw Refused(what, "not there after a minute",
+                    "see whether another simulator runs, or the machine is too busy");
     }
     ros::WallDuration(0.01).sleep();
   }
@@ -68,23 +69,22 @@ SimulatedCell::SimulatedCell(const std::string& launch_file)
       node_(join_master()),
       base_link_(scan_cell_sim::load_base_link_in_world(ros::package::getPath("scan_cell_sim") +
                                                         "/config/cell.yaml")) {
-  watch("pose_frame_binder", &Scan::interpolated);
-  watch("first_pose_binder", &Scan::first_pose);
-  const boost::function<void(const geometry_msgs::PoseStamped&)> keep =
-      [this](const geometry_msgs::PoseStamped& exposure) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        scan_.truth[exposure.header.stamp.toNSec()] =
-            base_link_ * scan_cell_common::from_ros(exposure.pose);
-      };
-  subscribers_.push_back(node_.subscribe<geometry_msgs::PoseStamped>(
-      "/scan_cell_sim/true_exposures", kUnbounded, keep));
-  const boost::function<void(const scan_cell_msgs::RobotStatus&)> look =
-      [this](const scan_cell_msgs::RobotStatus& status) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        connected_ = status.connected;
-      };
-  subscribers_.push_back(
-      node_.subscribe<scan_cell_msgs::RobotStatus>("/c4g_driver/status", 1, look));
+  for (const auto& [binder, bound] : {std::pair("/pose_frame_binder", &Scan::interpolated),
+                                      std::pair("/first_pose_binder", &Scan::first_pose)}) {
+    listen<scan_cell_msgs::BoundProfile>(std::string(binder) + "/bound_profiles",
+                                         [this, to = bound](const BoundProfileConstPtr& profile) {
+                                           (scan_.*to).profiles.push_back(profile);
+                                         });
+  }
+  listen<geometry_msgs::PoseStamped>("/scan_cell_sim/true_exposures",
+                                     [this](const geometry_msgs::PoseStampedConstPtr& exposure) {
+                                       scan_.truth[exposure->header.stamp.toNSec()] =
+                                           base_link_ * scan_cell_common::from_ros(exposure->pose);
+                                     });
+  listen<scan_cell_msgs::RobotStatus>("/c4g_driver/status",
+                                      [this](const scan_cell_msgs::RobotStatusConstPtr& status) {
+                                        connected_ = status->connected;
+                                      });
   keep_alive_ = node_.advertise<std_msgs::Empty>("/laser_trigger/keep_alive", 1);
   constexpr double kKeepAlive = 0.1;  // [s]
   keeper_ = node_.createWallTimer(
@@ -94,14 +94,14 @@ SimulatedCell::SimulatedCell(const std::string& launch_file)
   wait_until_up();
 }
 
-void SimulatedCell::watch(const std::string& binder, Scan::Bound Scan::*bound) {
-  const boost::function<void(const BoundProfileConstPtr&)> keep =
-      [this, bound](const BoundProfileConstPtr& profile) {
+template <class Message, class Take>
+void SimulatedCell::listen(const std::string& topic, const Take& take) {
+  const boost::function<void(const boost::shared_ptr<const Message>&)> on_message =
+      [this, take](const boost::shared_ptr<const Message>& message) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        (scan_.*bound).profiles.push_back(profile);
+        take(message);
       };
-  subscribers_.push_back(node_.subscribe<scan_cell_msgs::BoundProfile>(
-      "/" + binder + "/bound_profiles", kUnbounded, keep));
+  subscribers_.push_back(node_.subscribe<Message>(topic, kUnbounded, on_message));
 }
 
 void SimulatedCell::wait_until_up() {

@@ -74,7 +74,8 @@ class SimulatedCell {
 
  private:
   void wait_until_up();
-  void watch(const std::string& binder, Scan::Bound Scan::*bound);
+  template <class Message, class Take>
+  void listen(const std::string& topic, const Take& take);
   void start_stages();
   void finish_stages(std::uint64_t pulses);
   static void acquire(std::uint8_t mode);
