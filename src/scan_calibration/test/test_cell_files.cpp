@@ -124,3 +124,37 @@ TEST_F(TaughtPosesFile, IsRefusedWithTheNumberOfTheBadLine) {
   EXPECT_EQ(complaint("x,y,z,qx,qy,qz,qw\n1,2,3,1,1,0,0\n").find(": line 2: quaternion"), 0U);
   EXPECT_THROW(scan_calibration::load_taught_poses("/no/such.csv"), scan_cell_common::FileError);
 }
+
+TEST_F(TaughtPosesFile, TakesMillimetresAndDegreesAsC4gShowsThem) {
+  const TaughtPoses taught = scan_calibration::load_taught_poses(
+      write("x_mm, y_mm, z_mm, a_deg, e_deg, r_deg\n# above the board\n850,-20,640,0,180,0\n"
+            "850,-20,640,90,90,0\n"));
+  ASSERT_EQ(taught.poses.size(), 2U);
+  EXPECT_EQ(taught.lines, (std::vector<int>{3, 4}));
+  EXPECT_TRUE(taught.poses[0].translation().isApprox(Eigen::Vector3d(0.85, -0.02, 0.64), 1e-12));
+  EXPECT_TRUE((taught.poses[0].linear() * Eigen::Vector3d::UnitZ())
+                  .isApprox(-Eigen::Vector3d::UnitZ(), 1e-12));
+  // Rz(90) Ry(90): the tool looks along base y.
+  EXPECT_TRUE((taught.poses[1].linear() * Eigen::Vector3d::UnitZ())
+                  .isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+}
+
+TEST_F(TaughtPosesFile, SaysWhereTheNumbersBelieTheUnitsOfTheHead) {
+  const std::string wire = "x_mm,y_mm,z_mm,a_deg,e_deg,r_deg\n";
+  const std::string metres = "x,y,z,qx,qy,qz,qw\n";
+  EXPECT_NE(complaint(wire + "850,-20,640,0.1,3.14,0\n").find("looks like radians"),
+            std::string::npos);
+  EXPECT_NE(complaint(wire + "0.85,-0.02,0.64,10,175,0\n").find("looks like metres"),
+            std::string::npos);
+  EXPECT_NE(complaint(metres + "0.85,0,0.6,10,175,0,0\n").find("looks like angles in degrees"),
+            std::string::npos);
+  EXPECT_NE(complaint(metres + "850,-20,640,0,0,0,1\n").find("looks like millimetres"),
+            std::string::npos);
+  EXPECT_NE(complaint("x,y,z\n850,-20,640\n").find("looks like millimetres"), std::string::npos);
+  EXPECT_NE(complaint("850,-20,640,10,175,0\n").find("begin with the header"), std::string::npos);
+}
+
+TEST_F(TaughtPosesFile, NamesThePoseThatIsRepeated) {
+  EXPECT_EQ(complaint("x,y,z,qx,qy,qz,qw\n1,2,3,0,0,0,1\n1,2,4,0,0,0,1\n1,2,3,0,0,0,1\n"),
+            ": line 4: the pose of line 2 again; leave one out or teach it elsewhere");
+}

@@ -12,12 +12,22 @@ namespace scan_calibration {
 struct TaughtPoses {
   bool has_orientation = false;          //!< false: points only, rotations are identity
   std::vector<Eigen::Isometry3d> poses;  //!< [m] in base_link, in the file's order
+  std::vector<int> lines;                //!< of the file, a pose: its name in reports
 };
 
-/// Reads a CSV file: a header `x,y,z` or `x,y,z,qx,qy,qz,qw`, then a pose a line [m, unit
-/// quaternion]. Empty lines and lines that begin with # are left out.
+/// Reads a CSV file: a head that says the units, then a pose a line. Empty lines and lines that
+/// begin with # are left out.
+///
+///     x,y,z                              points [m]
+///     x,y,z,qx,qy,qz,qw                  poses [m, unit quaternion]
+///     x_mm,y_mm,z_mm,a_deg,e_deg,r_deg   poses as C4G shows them [mm, degrees, Z-Y-Z]
+///
 /// @throw scan_cell_common::FileError if the file is missing or unreadable
-/// @throw scan_cell_common::UnusableInput naming the line that makes no sense
+/// @throw scan_cell_common::UnusableInput naming the line that makes no sense: also where the
+/// numbers belie the head's units, or a pose is repeated
 TaughtPoses load_taught_poses(const std::string& path);
+
+/// The same from the text of such a file. @param name of the text, in errors
+TaughtPoses parse_taught_poses(const std::string& text, const std::string& name);
 
 }  // namespace scan_calibration

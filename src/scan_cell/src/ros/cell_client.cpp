@@ -146,6 +146,19 @@ sensor_msgs::PointCloud2 CellClient::scan_clean(const ScanProgram& program,
   return watch.wait(result.cloud.header.stamp, kCleaningTimeout);
 }
 
+scan_cell_msgs::CalibrateResult CellClient::calibrate(const scan_cell_msgs::CalibrateGoal& goal,
+                                                      double timeout, const Progress& progress) {
+  const auto feedback = [&](const scan_cell_msgs::CalibrateFeedbackConstPtr& news) {
+    const std::string where =
+        "pose " + std::to_string(news->pose) + " of " + std::to_string(news->poses) + ": ";
+    progress((news->pose > 0 ? where : "") + news->doing, news->progress);
+  };
+  const auto result =
+      run_action<scan_cell_msgs::CalibrateAction>(node_, names_.calibrate, goal, timeout, feedback);
+  progress(std::to_string(result.views) + " views recorded", 1);
+  return result;
+}
+
 scan_cell_msgs::StretchToolPathResult CellClient::stretch(
     const scan_cell_msgs::StretchToolPathGoal& goal, double timeout, const Progress& progress) {
   const auto feedback = [&](const scan_cell_msgs::StretchToolPathFeedbackConstPtr& news) {

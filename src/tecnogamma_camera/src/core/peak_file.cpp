@@ -6,6 +6,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "scan_cell_common/csv_reader.h"
+#include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 
 namespace tecnogamma_camera {
@@ -20,6 +22,37 @@ void save_peaks(const std::string& path, const PeakProfile& profile) {
          << profile.intensity[i] << '\n';
   }
   scan_cell_common::save_text(path, file.str());
+}
+
+PeakProfile load_peaks(const std::string& path) {
+  return parse_peaks(scan_cell_common::read_file(path), path);
+}
+
+PeakProfile parse_peaks(const std::string& text, const std::string& name) {
+  constexpr int kMostRows = 65536;
+  scan_cell_common::CsvReader table(text, name);
+  if (!table.next() ||
+      table.fields() != std::vector<std::string_view>{"row", "position", "width", "intensity"}) {
+    throw scan_cell_common::UnusableInput(name, "no table of peaks",
+                                          "begin with the header row,position,width,intensity");
+  }
+  PeakProfile profile;
+  int last = -1;
+  while (table.next()) {
+    table.expect_fields(4);
+    const double row = table.number(0);
+    if (row != std::floor(row) || row <= last || row >= kMostRows)
+      table.refuse("row " + std::string(table.field(0)), "give whole numbers that ascend");
+    if (last < 0) profile.first_row = static_cast<int>(row);
+    last = static_cast<int>(row);
+    const int size = last - profile.first_row;
+    for (auto* values : {&profile.position, &profile.width, &profile.intensity})
+      values->resize(size, kNoPeak);
+    profile.position.push_back(static_cast<float>(table.number(1)));
+    profile.width.push_back(static_cast<float>(table.number(2)));
+    profile.intensity.push_back(static_cast<float>(table.number(3)));
+  }
+  return profile;
 }
 
 }  // namespace tecnogamma_camera

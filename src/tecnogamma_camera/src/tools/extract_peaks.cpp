@@ -3,12 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <vector>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/tool_main.h"
+#include "tecnogamma_camera/grey_image_file.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"
 
@@ -16,52 +14,13 @@ namespace {
 
 using tecnogamma_camera::DetectorSettings;
 using tecnogamma_camera::GreyImage;
-using tecnogamma_camera::ImageView;
 using tecnogamma_camera::PeakProfile;
-
-/// Grey that was saved as colour, its channels all the same, becomes grey.
-cv::Mat without_equal_channels(const cv::Mat& image) {
-  std::vector<cv::Mat> channels;
-  cv::split(image, channels);
-  if (channels.size() != 3) return image;
-  for (const cv::Mat& channel : {channels[1], channels[2]})
-    if (cv::norm(channels[0], channel, cv::NORM_INF) != 0) return image;
-  return channels[0];
-}
-
-cv::Mat load_image(const std::string& path) {
-  constexpr const char* kCure = "give a PNG, TIFF or PGM of 8 or 16 bit grey pixels";
-  cv::Mat image;
-  try {
-    image = cv::imread(path, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception& error) {
-    throw scan_cell_common::FileError(path, error.err, kCure);
-  }
-  if (image.empty()) throw scan_cell_common::FileError(path, "cannot be read as an image", kCure);
-  image = without_equal_channels(image);
-  if (image.type() != CV_8UC1 && image.type() != CV_16UC1) {
-    throw scan_cell_common::UnusableInput(path, cv::typeToString(image.type()) + " pixels",
-                                          "convert it to 8 or 16 bit grey");
-  }
-  return image;
-}
-
-template <class Pixel>
-ImageView<Pixel> view_of(const cv::Mat& image) {
-  return {
-      image.ptr<Pixel>(), image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step1()), 0, 0};
-}
-
-GreyImage grey_view_of(const cv::Mat& image) {
-  if (image.type() == CV_16UC1) return view_of<std::uint16_t>(image);
-  return view_of<std::uint8_t>(image);
-}
 
 void extract(const std::string& image_path, const std::string& output_path,
              const std::string& detector_name, const DetectorSettings& settings) {
   const auto detector = tecnogamma_camera::make_detector(detector_name, settings);
-  const cv::Mat image = load_image(image_path);
-  const GreyImage view = grey_view_of(image);
+  const cv::Mat image = tecnogamma_camera::load_grey_image(image_path);
+  const GreyImage view = tecnogamma_camera::grey_view(image);
   if (settings.trigger_level > view.greatest_grey_value()) {
     throw scan_cell_common::InvalidParameter(
         "trigger_level", std::to_string(settings.trigger_level),

@@ -1,0 +1,74 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scan_calibration/session.h"
+
+namespace scan_calibration {
+
+/// An inner corner of the board and where it was seen.
+struct SeenCorner {
+  int column = 0;         //!< 0 .. columns - 1
+  int row = 0;            //!< 0 .. rows - 1
+  Eigen::Vector2d pixel;  //!< [px] whole sensor, pixel centres are whole numbers
+};
+
+/// What became of the peaks of one laser's line in one view.
+struct LineCounts {
+  int peaks = 0;     //!< found, at most one a row (or column) of the image
+  int off_line = 0;  //!< not on the straight line on the board: reflections, the table, strays
+  int at_edges = 0;  //!< near an edge between a dark and a bright square, which shifts a peak
+  int thinned = 0;   //!< left out evenly, so that every line counts alike
+  int used = 0;
+};
+
+/// What was seen at one pose.
+struct ViewObservation {
+  std::string name;
+  Eigen::Isometry3d base_to_flange;  //!< [m]
+  std::vector<SeenCorner> corners;
+  /// A laser, then points along its line on the board's plane [px]; empty: not seen.
+  std::vector<std::vector<Eigen::Vector2d>> lines;
+  std::vector<LineCounts> line_counts;  //!< a laser
+  int covered_corners = 0;  //!< that are not in `corners`: under the laser's line, or in a glare
+};
+
+/// A view, or a laser's line in it, that is not used, and why.
+struct RejectedView {
+  std::string name;   //!< of the view
+  std::string laser;  //!< empty: the whole view
+  std::string reason;
+};
+
+/// What a session shows, as far as it could be read from its images.
+struct Observations {
+  int width = 0;   //!< [px] of the sensor
+  int height = 0;  //!< [px]
+  Board board;
+  std::vector<std::string> lasers;
+  std::vector<ViewObservation> views;
+  std::vector<RejectedView> rejected;
+};
+
+/// How a session's images are read.
+struct ObservationOptions {
+  std::string detector = "fir_derivative";  //!< of the laser line (tecnogamma_camera)
+  int most_line_points = 300;               //!< of a line
+  int threads = 2;                          //!< has no influence on the result
+  /// Told what is done, and how much of it, from one thread at a time; may be empty.
+  std::function<void(const std::string& what, int done, int total)> progress;
+};
+
+/// Finds boards and laser lines in a session's images (docs/scan_calibration.md, "What is read out
+/// of the images").
+/// @throw scan_cell_common::InvalidParameter if there is no such detector
+/// @throw scan_cell_common::UnusableInput if no image shows the board: also saying which size of
+/// board the images show instead
+Observations observe(const Session& session, const ObservationOptions& options = {});
+
+}  // namespace scan_calibration

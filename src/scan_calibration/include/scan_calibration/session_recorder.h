@@ -1,0 +1,55 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scan_calibration/session.h"
+#include "tecnogamma_camera/peak_profile.h"
+
+namespace scan_calibration {
+
+/// What shows one laser's line: an image or peaks; neither: it was not taken. Where both are given
+/// the peaks count, and the image they were found in lies beside them.
+struct RecordedLine {
+  cv::Mat image;  //!< 8 or 16 bit grey
+  std::optional<tecnogamma_camera::PeakProfile> peaks;
+};
+
+/// Records a session folder that load_session() reads. A view's files are whole before the table
+/// names them, and the table is replaced as a whole: whenever the recording is cut, the folder
+/// holds a session of the views so far.
+class SessionRecorder {
+ public:
+  /// @param folder made where there is none
+  /// @param lasers laser_0, laser_1 ...
+  /// @throw scan_cell_common::Refused if it holds a session already
+  /// @throw scan_cell_common::FileError if it cannot be made
+  SessionRecorder(const std::string& folder, const Board& board,
+                  const std::vector<std::string>& lasers);
+
+  /// @param base_to_flange pose of tool0 in base_link [m], measured when it was still
+  /// @param board_image 8 or 16 bit grey
+  /// @param lines one a laser
+  /// @throw scan_cell_common::UnusableInput if the image is none, or there is not one line a laser
+  /// @throw scan_cell_common::FileError if it cannot be written; the views before are still a
+  /// session
+  void add(const Eigen::Isometry3d& base_to_flange, const cv::Mat& board_image,
+           const std::vector<RecordedLine>& lines);
+
+  int views() const { return static_cast<int>(views_.size()); }
+
+ private:
+  std::string save(const cv::Mat& image, const std::string& name) const;
+  std::string save(const RecordedLine& line, const std::string& name) const;
+
+  std::string folder_;
+  SessionHead head_;
+  std::vector<SessionView> views_;
+};
+
+}  // namespace scan_calibration

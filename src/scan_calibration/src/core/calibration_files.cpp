@@ -1,0 +1,97 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_calibration/calibration_files.h"
+
+#include <sys/stat.h>
+
+#include <ctime>
+#include <filesystem>
+#include <sstream>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
+
+namespace fs = std::filesystem;
+
+namespace scan_calibration {
+namespace {
+
+std::string time_written(const std::string& path) {
+  struct stat status {};
+  std::tm utc{};
+  char text[32] = "before";
+  if (stat(path.c_str(), &status) == 0 && gmtime_r(&status.st_mtime, &utc) != nullptr)
+    std::strftime(text, sizeof text, "%Y%m%d_%H%M%S", &utc);
+  return text;
+}
+
+std::string with_stem(const fs::path& path, const std::string& added) {
+  return (path.parent_path() / (path.stem().string() + added + path.extension().string())).string();
+}
+
+std::string matrix_text(const std::string& name, int rows, int columns,
+                        const std::vector<double>& values) {
+  std::ostringstream text;
+  text.precision(17);
+  text << name << ":\n  rows: " << rows << "\n  cols: " << columns << "\n  data: [";
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text << (i == 0 ? "" : ", ") << values[i];
+  text << "]\n";
+  return text.str();
+}
+
+}  // namespace
+
+std::string camera_info_file(const std::string& scanner) {
+  return with_stem(scanner, "_camera_info");
+}
+
+std::string keep_old(const std::string& path) {
+  if (!fs::exists(path)) return {};
+  const std::string name = "_" + time_written(path);
+  std::string kept = with_stem(path, name);
+  for (int i = 2; fs::exists(kept); ++i)
+    kept = with_stem(path, name + "_" + std::to_string(i));
+  scan_cell_common::save_text(kept, scan_cell_common::read_file(path));
+  return kept;
+}
+
+void save_camera_info(const std::string& path,
+                      const laser_triangulation::CameraIntrinsics& camera) {
+  const auto& d = camera.distortion;
+  std::ostringstream text;
+  text << "image_width: " << camera.width << "\nimage_height: " << camera.height
+       << "\ncamera_name: camera\n"
+       << matrix_text("camera_matrix", 3, 3,
+                      {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1})
+       << "distortion_model: plumb_bob\n"
+       << matrix_text("distortion_coefficients", 1, 5, {d[0], d[1], d[2], d[3], d[4]})
+       << matrix_text("rectification_matrix", 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1})
+       << matrix_text("projection_matrix", 3, 4,
+                      {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0});
+  scan_cell_common::save_text(path, text.str());
+}
+
+WrittenFiles save_calibration(const CalibrationRun& run, const CalibrationFiles& files) {
+  const fs::path report(files.report);
+  const std::string stem = report.stem().string();
+  WrittenFiles written;
+  written.report = files.report;
+  written.page = (report.parent_path() / (stem + ".html")).string();
+  if (run.verdict == CalibrationVerdict::PASSED) {
+    written.kept_scanner = keep_old(files.scanner);
+    keep_old(files.camera_info);
+    save_camera_info(files.camera_info, run.calibration->scanner.camera);
+    laser_triangulation::save_scanner_model(files.scanner, run.calibration->scanner);
+    written.scanner = files.scanner;
+    written.camera_info = files.camera_info;
+  }
+  const std::vector<ReportPicture> pictures = report_pictures(run, stem);
+  for (const ReportPicture& picture : pictures)
+    scan_cell_common::save_text((report.parent_path() / picture.file).string(), picture.png);
+  scan_cell_common::save_text(written.page, report_page(run, written, pictures));
+  scan_cell_common::save_text(written.report, report_json(run, written));
+  return written;
+}
+
+}  // namespace scan_calibration

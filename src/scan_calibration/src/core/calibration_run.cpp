@@ -1,0 +1,70 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_calibration/calibration_run.h"
+
+#include <algorithm>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_calibration {
+
+std::string to_string(CalibrationVerdict verdict) {
+  switch (verdict) {
+    case CalibrationVerdict::PASSED:
+      return "passed";
+    case CalibrationVerdict::LIMITS_MISSED:
+      return "limits_missed";
+    case CalibrationVerdict::REFUSED:
+      break;
+  }
+  return "refused";
+}
+
+std::vector<JudgedFigure> judge(const Calibration& calibration,
+                                const std::vector<std::string>& lasers,
+                                const CalibrationLimits& limits) {
+  std::vector<JudgedFigure> judged;
+  const auto add = [&](const std::string& name, double value, double limit) {
+    if (limit != CalibrationLimits::kNone) judged.push_back({name, value, limit});
+  };
+  const Figures& held_out = calibration.held_out;
+  add("reprojection_rms_px", held_out.reprojection_rms_px, limits.reprojection_rms_px);
+  for (std::size_t i = 0; i < lasers.size(); ++i) {
+    add("laser_plane_rms_mm " + lasers[i], held_out.laser_plane_rms_mm.at(i),
+        limits.laser_plane_rms_mm);
+  }
+  add("board_scatter_mm", held_out.board_scatter_mm, limits.board_scatter_mm);
+  double worst = 0;
+  for (const PointUncertainty& point : calibration.uncertainty)
+    worst = std::max(worst, point.deviation_mm);
+  add("point_deviation_mm", worst, limits.point_deviation_mm);
+  return judged;
+}
+
+CalibrationRun run_calibration(const std::string& session_folder,
+                               const ObservationOptions& observation_options,
+                               const CalibrationOptions& options, const CalibrationLimits& limits) {
+  const Session session = load_session(session_folder);
+  CalibrationRun run;
+  run.session = session_folder;
+  run.limits = limits;
+  run.taken = static_cast<int>(session.views.size());
+  try {
+    run.observations = observe(session, observation_options);
+    run.calibration = calibrate(run.observations, options);
+    if (options.progress) options.progress("the sequential way, to compare");
+    run.sequential =
+        calibrate_sequentially(used_views(run.observations, *run.calibration), options.folds);
+  } catch (const scan_cell_common::UnusableInput& error) {
+    run.calibration.reset();
+    run.reason = error.what();
+    return run;
+  }
+  run.judged = judge(*run.calibration, session.lasers, limits);
+  const bool passed = std::all_of(run.judged.begin(), run.judged.end(),
+                                  [](const JudgedFigure& figure) { return figure.passed(); });
+  run.verdict = passed ? CalibrationVerdict::PASSED : CalibrationVerdict::LIMITS_MISSED;
+  return run;
+}
+
+}  // namespace scan_calibration

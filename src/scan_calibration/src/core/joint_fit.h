@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "board_view.h"
+#include "scan_calibration/calibration.h"
+
+namespace scan_calibration {
+
+/// What a fit may move.
+struct FitChoice {
+  bool robot = true;           //!< false: the camera alone; every view's pose is free, nothing else
+  bool bend = false;           //!< whether the board may be bent
+  bool square_pixels = false;  //!< fx = fy
+};
+
+/// Moves the state to where the weighted squares are least, at the given noise and weights.
+/// @throw scan_cell_common::UnusableInput if there is no way down from the state given
+void fit(const BoardViews& views, const BoardSurface& surface, const NoiseLevels& noise,
+         const FitChoice& choice, ScannerState& state);
+
+/// Weights of corners, points and poses by how far they miss, as of Huber's function: one within
+/// three deviations, falling beyond; corners and points beyond eight are left out.
+void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLevels& noise,
+           BoardViews& views);
+
+}  // namespace scan_calibration

@@ -1,0 +1,85 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <sstream>
+
+#include "scan_calibration/session.h"
+#include "scan_cell_common/yaml_file.h"
+
+namespace scan_calibration {
+namespace {
+
+using scan_cell_common::YamlEntry;
+
+constexpr int kLeastCorners = 3;  // along a side: fewer have no square inside
+constexpr int kMostCorners = 200;
+
+int corners(const YamlEntry& entry) {
+  const int count = entry.as<int>();
+  if (count < kLeastCorners || count > kMostCorners) {
+    entry.refuse(std::to_string(count), "give " + std::to_string(kLeastCorners) + " to " +
+                                            std::to_string(kMostCorners) +
+                                            " inner corners: one less than squares");
+  }
+  return count;
+}
+
+Board board(const YamlEntry& entry) {
+  constexpr double kLeastSquare = 1e-4, kMostSquare = 0.5;  // [m]
+  entry.refuse_unknown({"type", "inner_corners", "square_size"});
+  const auto type = entry["type"].as<std::string>();
+  if (type != "checkerboard") entry["type"].refuse("'" + type + "'", "give checkerboard");
+  const std::vector<YamlEntry> sides = entry["inner_corners"].elements();
+  if (sides.size() != 2) {
+    entry["inner_corners"].refuse(std::to_string(sides.size()) + " numbers",
+                                  "give two: [columns, rows]");
+  }
+  Board result{corners(sides[0]), corners(sides[1]), entry["square_size"].as<double>()};
+  if (!(result.square_size >= kLeastSquare && result.square_size <= kMostSquare)) {
+    std::ostringstream value;
+    value << result.square_size << " m";
+    entry["square_size"].refuse(value.str(), result.square_size > kMostSquare
+                                                 ? "give metres: this looks like millimetres"
+                                                 : "give metres, above 0");
+  }
+  return result;
+}
+
+std::vector<std::string> lasers(const YamlEntry& entry) {
+  constexpr std::size_t kMostLasers = 16;
+  std::vector<std::string> names;
+  for (const YamlEntry& element : entry.elements()) {
+    names.push_back(element.as<std::string>());
+    const std::string expected = "laser_" + std::to_string(names.size() - 1);
+    if (names.back() != expected || names.size() > kMostLasers)
+      element.refuse("'" + names.back() + "'", "name them laser_0, laser_1, in this order");
+  }
+  if (names.empty()) entry.refuse("none", "name the lasers: [laser_0]");
+  return names;
+}
+
+}  // namespace
+
+SessionHead parse_session_head(const std::string& text, const std::string& name) {
+  const YamlEntry root = YamlEntry::parse(text, name);
+  root.refuse_unknown({"images", "board", "lasers"});
+  SessionHead head{root["images"].as<std::string>(), board(root["board"]), lasers(root["lasers"])};
+  if (head.poses_file.empty()) root["images"].refuse("empty", "name the CSV of poses: poses.csv");
+  return head;
+}
+
+std::string session_head_text(const SessionHead& head) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "# A calibration session: what was taken at taught poses.\n"
+       << "images: " << head.poses_file << "\n"
+       << "board: {type: checkerboard, inner_corners: [" << head.board.columns << ", "
+       << head.board.rows << "], square_size: " << head.board.square_size << "}  # [m]\n"
+       << "lasers: [";
+  for (std::size_t i = 0; i < head.lasers.size(); ++i)
+    text << (i == 0 ? "" : ", ") << head.lasers[i];
+  text << "]\n";
+  return text.str();
+}
+
+}  // namespace scan_calibration

@@ -1,0 +1,28 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "camera_fit.h"
+#include "diagnosis.h"
+#include "session_checks.h"
+
+namespace scan_calibration {
+
+/// Where the joint estimate begins.
+struct Start {
+  BoardViews views;
+  ScannerState state;  //!< its corrections are what each view's corners alone would have
+  NoiseLevels noise;   //!< by robust measures
+  std::vector<RejectedView> rejected;
+};
+
+/// Camera alone, hand-eye, board and laser planes one after the other, in closed form and robustly.
+/// @throw scan_cell_common::UnusableInput as calibrate()
+Start closed_form_start(const Observations& observations);
+
+/// Leaves out views whose corners fit the camera far worse than the others' do, and fits again.
+CameraFit fit_camera_and_reject(BoardViews& views, const BoardSurface& surface, int width,
+                                int height, bool square_pixels,
+                                std::vector<RejectedView>& rejected);
+
+}  // namespace scan_calibration

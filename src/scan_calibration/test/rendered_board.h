@@ -1,0 +1,55 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "laser_triangulation/scanner_model.h"
+#include "scan_calibration/session.h"
+
+/// Images of a checkerboard on a plate above a table, through a known camera: the truth that the
+/// readers of images are judged by. Nothing of it uses what it judges, save the lens model.
+struct RenderedScene {
+  scan_calibration::Board board;
+  double plate_margin = 0.03;  //!< [m] by which the white plate is larger than the checker
+  double plate_height = 0.01;  //!< [m] above the table
+  double white = 200;          //!< [grey value] of the board under the room's light
+  double black = 30;
+  double table = 60;
+  double blur = 0.7;         //!< [px] standard deviation of the lens's spot
+  double noise = 2;          //!< [grey value] standard deviation of a pixel
+  double room_light = 1;     //!< 0: only the laser shows
+  double laser_light = 0;    //!< [grey value] of the line's middle on white; 0: laser off
+  double line_sigma = 5e-4;  //!< [m] of the line's profile across its plane
+  laser_triangulation::LaserPlane laser;
+};
+
+class BoardRenderer {
+ public:
+  /// @param samples of a pixel along each side
+  explicit BoardRenderer(const laser_triangulation::CameraIntrinsics& camera, int samples = 4);
+
+  /// @param board_in_camera pose of the board (docs of Board) in camera_optical_frame
+  cv::Mat render(const RenderedScene& scene, const Eigen::Isometry3d& board_in_camera,
+                 std::uint32_t seed) const;
+
+  const laser_triangulation::CameraIntrinsics& camera() const { return camera_; }
+
+ private:
+  laser_triangulation::CameraIntrinsics camera_;
+  int samples_;
+  std::vector<Eigen::Vector2f> rays_;  // of the samples, pixel by pixel
+};
+
+/// Pose of a board in camera_optical_frame whose centre lies at `centre`, tilted by `tilt` about
+/// the direction `towards` in its plane and turned by `turn` about its normal [rad].
+Eigen::Isometry3d board_pose(const scan_calibration::Board& board, const Eigen::Vector3d& centre,
+                             double tilt, double towards, double turn);
+
+/// Where an inner corner truly is [px].
+Eigen::Vector2d true_corner(const laser_triangulation::CameraIntrinsics& camera,
+                            const Eigen::Isometry3d& board_in_camera,
+                            const scan_calibration::Board& board, int column, int row);

@@ -1,0 +1,49 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scan_cell_common {
+
+/// Goes through a table of fields between commas, line by line. Empty lines and lines that begin
+/// with # are left out, blanks around a field too; lines end with LF or CR LF. There is no quoting.
+class CsvReader {
+ public:
+  /// @param text must outlive it
+  /// @param source names the text in errors
+  CsvReader(std::string_view text, std::string source);
+
+  /// Goes to the next line. False at the end.
+  bool next();
+
+  const std::vector<std::string_view>& fields() const { return fields_; }
+  std::string_view field(std::size_t column) const { return fields_.at(column); }
+
+  /// Number of the line, from 1.
+  std::size_t line() const { return line_; }
+
+  /// @throw UnusableInput if this line has another number of fields
+  void expect_fields(std::size_t count) const;
+
+  /// @throw UnusableInput if the field is no finite number
+  double number(std::size_t column) const;
+
+  /// The pose in seven fields from `column` on: x, y, z [m], unit quaternion qx, qy, qz, qw.
+  /// @throw UnusableInput if it is none: also where it looks like millimetres or Euler angles
+  Eigen::Isometry3d pose(std::size_t column) const;
+
+  /// @throw UnusableInput about this line
+  [[noreturn]] void refuse(const std::string& value, const std::string& cure) const;
+
+ private:
+  std::string_view left_;
+  std::string source_;
+  std::size_t line_ = 0;
+  std::vector<std::string_view> fields_;
+};
+
+}  // namespace scan_cell_common
