@@ -94,6 +94,7 @@ void complete(Options& options) {
   };
   if (options.files.camera_info.empty())
     options.files.camera_info = camera_info_file(options.files.scanner);
+  check_writable(options.files);  // before minutes of work, not after
 }
 
 void print_figures(const CalibrationRun& run) {
