@@ -41,17 +41,17 @@ RenderedSession example_session(int views) {
     const double share = (i + 0.5) / views;
     const Vector3d centre(0.03 * std::sin(2.4 * i), 0.025 * std::cos(3.1 * i),
                           0.26 + 0.14 * std::fmod(0.618 * i, 1));
-    session.boards_in_camera.push_back(board_pose(session.board, centre, 0.1 + 0.5 * share,
-                                                  2.4 * i, 0.8 * std::sin(1.7 * i)));
+    session.boards_in_camera.push_back(
+        board_pose(session.board, centre, 0.1 + 0.5 * share, 2.4 * i, 0.8 * std::sin(1.7 * i)));
   }
   return session;
 }
 
 void record(const RenderedSession& session, const std::string& folder, bool laser_in_board_image) {
   const BoardRenderer renderer(session.truth.camera, 3);
-  const std::vector<std::string> names =
-      laser_in_board_image ? std::vector<std::string>{"laser_0"}
-                           : std::vector<std::string>{"laser_0", "laser_1"};
+  const std::vector<std::string> names = laser_in_board_image
+                                             ? std::vector<std::string>{"laser_0"}
+                                             : std::vector<std::string>{"laser_0", "laser_1"};
   scan_calibration::SessionRecorder recorder(folder, session.board, names);
   for (std::size_t i = 0; i < session.boards_in_camera.size(); ++i) {
     const Isometry3d& pose = session.boards_in_camera[i];
@@ -65,7 +65,7 @@ void record(const RenderedSession& session, const std::string& folder, bool lase
     if (laser_in_board_image) {
       lit.laser = session.truth.lasers[0];
       const cv::Mat image = renderer.render(lit, pose, seed);
-      lines[0].image = image;
+      lines[0].in_board_image = true;
       recorder.add(session.base_to_flange(i), image, lines);
       continue;
     }

@@ -25,7 +25,7 @@ RenderedSession example_session(int views);
 
 /// Takes its images and writes them to a folder: the board under the room's light, then each laser
 /// alone.
-/// @param lasers_in_board_image the first laser shines in the image of the board too, which is dark;
-/// no other image is taken
+/// @param lasers_in_board_image the first laser shines in the image of the board too, which is
+/// dark; no other image is taken
 void record(const RenderedSession& session, const std::string& folder,
             bool laser_in_board_image = false);

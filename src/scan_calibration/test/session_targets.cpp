@@ -27,7 +27,7 @@ FuzzTarget head_target() {
       "lasers: [laser_0]\n",
       "# two\nimages: p\nboard:\n  type: checkerboard\n  inner_corners: [15, 25]\n"
       "  square_size: 2e-2\nlasers:\n  - laser_0\n  - laser_1\n"};
-  target.words = {"images", "board", "inner_corners", "lasers", "laser_", "[", "]", "{", "}",
+  target.words = {"images", "board", "inner_corners", "lasers", "laser_", "[",   "]", "{", "}",
                   "- ",     ": ",    "&p ",           "*p",     ".nan",   ".inf"};
   target.run = [](const std::string& bytes) {
     const SessionHead head = parse_session_head(bytes, "session.yaml");

@@ -72,7 +72,8 @@ TEST(SessionHead, IsRefusedWithTheEntryAndTheCure) {
             "s: image: no such entry; check its spelling");
   EXPECT_EQ(head_complaint(with("0.010", "10")),
             "s: board.square_size: 10 m; give metres: this looks like millimetres");
-  EXPECT_EQ(head_complaint(with("0.010", "-1")), "s: board.square_size: -1 m; give metres, above 0");
+  EXPECT_EQ(head_complaint(with("0.010", "-1")),
+            "s: board.square_size: -1 m; give metres, above 0");
   EXPECT_EQ(head_complaint(with("0.010", ".nan")).find("s: board.square_size: nan"), 0U);
   EXPECT_EQ(head_complaint(with("[7, 6]", "[7]")),
             "s: board.inner_corners: 1 numbers; give two: [columns, rows]");
@@ -86,8 +87,8 @@ TEST(SessionHead, IsRefusedWithTheEntryAndTheCure) {
 }
 
 TEST(SessionPoses, TakeTheLineFromTheBoardImageWhereNoColumnNamesAnother) {
-  const auto views = parse_session_poses(std::string(kColumns) + "\na.png" + kPose + "\n", "p",
-                                         {"laser_0"});
+  const auto views =
+      parse_session_poses(std::string(kColumns) + "\na.png" + kPose + "\n", "p", {"laser_0"});
   ASSERT_EQ(views.size(), 1U);
   EXPECT_EQ(views[0].name, "a.png");
   EXPECT_EQ(views[0].lines, std::vector<std::string>{"a.png"});
@@ -95,10 +96,9 @@ TEST(SessionPoses, TakeTheLineFromTheBoardImageWhereNoColumnNamesAnother) {
 }
 
 TEST(SessionPoses, NameAnImageOrPeaksOfEachLaserOrNone) {
-  const auto views =
-      parse_session_poses(std::string(kColumns) + ",laser_1,laser_0\na.png" + kPose +
-                              ",b.png,c.csv\nd.png,1,2,3,0,0,0,1,,e.png\n",
-                          "p", {"laser_0", "laser_1"});
+  const auto views = parse_session_poses(std::string(kColumns) + ",laser_1,laser_0\na.png" + kPose +
+                                             ",b.png,c.csv\nd.png,1,2,3,0,0,0,1,,e.png\n",
+                                         "p", {"laser_0", "laser_1"});
   ASSERT_EQ(views.size(), 2U);
   EXPECT_EQ(views[0].lines, (std::vector<std::string>{"c.csv", "b.png"}));
   EXPECT_EQ(views[1].lines, (std::vector<std::string>{"e.png", ""}));
@@ -107,8 +107,7 @@ TEST(SessionPoses, NameAnImageOrPeaksOfEachLaserOrNone) {
 TEST(SessionPoses, AreRefusedWithTheLineAndTheCure) {
   const std::string columns = std::string(kColumns) + "\n";
   const std::string pose = kPose;
-  EXPECT_EQ(poses_complaint("", {"laser_0"}),
-            "p: empty; begin with image,x,y,z,qx,qy,qz,qw");
+  EXPECT_EQ(poses_complaint("", {"laser_0"}), "p: empty; begin with image,x,y,z,qx,qy,qz,qw");
   EXPECT_EQ(poses_complaint("name,x,y,z,qx,qy,qz,qw\n", {"laser_0"}).find("p: line 1: no such"),
             0U);
   EXPECT_EQ(poses_complaint(std::string(kColumns) + ",laser_2\n", {"laser_0"}),
@@ -116,21 +115,22 @@ TEST(SessionPoses, AreRefusedWithTheLineAndTheCure) {
   EXPECT_EQ(poses_complaint(std::string(kColumns) + ",laser_0,laser_0\n", {"laser_0"})
                 .find("p: line 1: column 'laser_0'"),
             0U);
-  EXPECT_EQ(poses_complaint(columns, {"laser_0", "laser_1"}),
-            "p: line 1: columns for 0 of 2 lasers; add a column a laser: several lines in one image "
-            "cannot be told apart");
+  EXPECT_EQ(
+      poses_complaint(columns, {"laser_0", "laser_1"}),
+      "p: line 1: columns for 0 of 2 lasers; add a column a laser: several lines in one image "
+      "cannot be told apart");
   EXPECT_EQ(poses_complaint(columns + "a.png" + pose + "\na.png,1,2,4,0,0,0,1\n", {"laser_0"}),
             "p: line 3: 'a.png' again, first in line 2; give each view files of its own");
   EXPECT_EQ(poses_complaint(columns + pose + "\n", {"laser_0"}),
             "p: line 2: no image; name the image that shows the board");
   EXPECT_EQ(poses_complaint(columns + "a.png,1,2\n", {"laser_0"}),
             "p: line 2: 3 values; give 8, as in the header");
-  EXPECT_NE(poses_complaint(columns + "a.png,1,2,3,10,170,5,0\n", {"laser_0"})
-                .find("angles in degrees"),
-            std::string::npos);
-  EXPECT_NE(poses_complaint(columns + "a.png,1360,33,1481,0,0,0,1\n", {"laser_0"})
-                .find("millimetres"),
-            std::string::npos);
+  EXPECT_NE(
+      poses_complaint(columns + "a.png,1,2,3,10,170,5,0\n", {"laser_0"}).find("angles in degrees"),
+      std::string::npos);
+  EXPECT_NE(
+      poses_complaint(columns + "a.png,1360,33,1481,0,0,0,1\n", {"laser_0"}).find("millimetres"),
+      std::string::npos);
 }
 
 TEST_F(SessionFolder, NamesTheMissingImage) {
@@ -154,7 +154,7 @@ TEST_F(SessionFolder, ComesBackAsItWasRecorded) {
   peaks.position[1] = 10.25F;
   peaks.width[1] = 3;
   peaks.intensity[1] = 200;
-  recorder.add(pose, grey(8, 6), {{grey(8, 6), {}}, {{}, peaks}});
+  recorder.add(pose, grey(8, 6), {{grey(8, 6), {}, false}, {{}, peaks, false}});
   const Session first = load_session(folder_.string());
   ASSERT_EQ(first.views.size(), 1U) << "a session after each view";
   recorder.add(pose, grey(8, 6), {{}, {}});
@@ -184,11 +184,12 @@ TEST_F(SessionFolder, IsNeverRecordedOverAndStaysWholeWhereAViewCannotBeWritten)
   EXPECT_THROW(recorder.add(Eigen::Isometry3d::Identity(), grey(4, 4), {{}}),
                scan_cell_common::FileError);
   EXPECT_EQ(recorder.views(), 1);
-  EXPECT_EQ(parse_session_poses([&] {
-              std::ifstream file(path("poses.csv"));
-              return std::string(std::istreambuf_iterator<char>(file), {});
-            }(),
-                                "p", {"laser_0"})
+  EXPECT_EQ(parse_session_poses(
+                [&] {
+                  std::ifstream file(path("poses.csv"));
+                  return std::string(std::istreambuf_iterator<char>(file), {});
+                }(),
+                "p", {"laser_0"})
                 .size(),
             1U);
   EXPECT_THROW(SessionRecorder(folder_.string(), board, {"laser_0"}), scan_cell_common::Refused);

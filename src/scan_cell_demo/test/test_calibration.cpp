@@ -39,7 +39,7 @@ using State = actionlib::SimpleClientGoalState;
 
 namespace {
 
-constexpr double kTimeout = 90;  // [s]
+constexpr double kTimeout = 90;                                               // [s]
 const char* const kVideePoses = "/tmp/scan_cell_test_calibration_poses.csv";  // calibration.test
 
 std::string config(const std::string& name) {
@@ -78,9 +78,7 @@ class Calibration : public testing::Test {
     trigger_ = node_.subscribe("/laser_trigger/state", 10, &Calibration::on_trigger, this);
     status_ = node_.subscribe("/c4g_driver/status", 10, &Calibration::on_status, this);
     wait_for("the robot", [this] { return connected_; });
-    wait_for("the camera", [] {
-      return ros::service::exists("/camera/set_parameters", false);
-    });
+    wait_for("the camera", [] { return ros::service::exists("/camera/set_parameters", false); });
     before_ = camera_settings();
   }
 
@@ -109,7 +107,8 @@ class Calibration : public testing::Test {
 
   void wait_for(const std::string& what, const std::function<bool()>& condition) {
     constexpr std::chrono::milliseconds kSlice(50);
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(kTimeout);
+    const auto deadline =
+        std::chrono::steady_clock::now() + std::chrono::duration<double>(kTimeout);
     std::unique_lock<std::mutex> lock(mutex_);
     while (!condition()) {
       ASSERT_LT(std::chrono::steady_clock::now(), deadline) << what;
@@ -118,9 +117,9 @@ class Calibration : public testing::Test {
   }
 
   static std::vector<double> camera_settings() {
-    const auto config = scan_cell::ask<dynamic_reconfigure::Reconfigure>("/camera/set_parameters",
-                                                                         {}, kTimeout)
-                            .config;
+    const auto config =
+        scan_cell::ask<dynamic_reconfigure::Reconfigure>("/camera/set_parameters", {}, kTimeout)
+            .config;
     std::vector<double> settings;
     for (const auto& value : config.ints)
       settings.push_back(value.value);
@@ -193,11 +192,11 @@ double worst_point(const ScannerModel& model, const ScannerModel& truth) {
     const LaserPlane& plane = truth.lasers[static_cast<std::size_t>(laser)];
     for (double z = 0.42; z <= 0.62; z += 0.02) {
       for (double y = -0.2; y <= 0.2; y += 0.02) {
-        const double x = (plane.distance - plane.normal.y() * y - plane.normal.z() * z) /
-                         plane.normal.x();
+        const double x =
+            (plane.distance - plane.normal.y() * y - plane.normal.z() * z) / plane.normal.x();
         const Eigen::Vector2d pixel = truth.camera.project({x, y, z});
-        worst = std::max(
-            worst, (scanned(model, laser, pixel) - scanned(truth, laser, pixel)).norm());
+        worst =
+            std::max(worst, (scanned(model, laser, pixel) - scanned(truth, laser, pixel)).norm());
       }
     }
   }

@@ -161,6 +161,16 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual({key: value.value for key, value in
                           load(self.cell, sim='true', nodelets='true').params.items()}, parameters)
 
+    def test_puts_the_stages_of_a_replay_into_one_manager_where_asked(self):
+        replay = os.path.join(FOLDER, 'replay.launch')
+        given = {name: GIVEN[name] for name in ('bag', 'reference', 'path', 'output')}
+        nodes = {node.name: node
+                 for node in load(replay, sim='true', nodelets='true', **given).nodes}
+        self.assertEqual(nodes['pose_frame_binder'].args, 'load pose_frame_binder/Binder chain')
+        self.assertEqual(nodes['laser_triangulation'].args,
+                         'load laser_triangulation/Triangulation chain')
+        self.assertEqual((nodes['chain'].type, nodes['chain'].args), ('nodelet', 'manager'))
+
     def test_lets_the_simulator_keep_its_truth_and_the_cell_know_only_what_was_calibrated(self):
         params = load(self.cell, sim='true').params
         truth = params['/scan_cell_sim/scanner'].value

@@ -20,6 +20,10 @@ struct CalibrationFiles {
 /// scanner.yaml -> scanner_camera_info.yaml
 std::string camera_info_file(const std::string& scanner);
 
+/// @throw scan_cell_common::FileError if a folder that results would go to is not there, or two
+/// results would go to the same file
+void check_writable(const CalibrationFiles& files);
+
 /// Files that were written and kept.
 struct WrittenFiles {
   std::string report;

@@ -18,6 +18,7 @@ namespace scan_calibration {
 struct RecordedLine {
   cv::Mat image;  //!< 8 or 16 bit grey
   std::optional<tecnogamma_camera::PeakProfile> peaks;
+  bool in_board_image = false;  //!< the laser was on when the board was taken; one laser only
 };
 
 /// Records a session folder that load_session() reads. A view's files are whole before the table

@@ -176,6 +176,7 @@ BoardLine board_line(const std::vector<LinePeaks>& ways, const CameraIntrinsics&
   std::vector<Vector2d> pixels;
   for (const Candidate& candidate : straight) {
     widths.push_back(candidate.peak.width);
+    result.course.push_back(candidate.peak.pixel);
     if (view.is_at_edge(candidate.straight, kEdgeReach * candidate.peak.width + 1)) {
       ++result.counts.at_edges;
     } else {

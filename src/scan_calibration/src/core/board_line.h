@@ -15,6 +15,7 @@ namespace scan_calibration {
 /// A laser's line on the board's plane.
 struct BoardLine {
   std::vector<Eigen::Vector2d> pixels;  //!< empty: there is none
+  std::vector<Eigen::Vector2d> course;  //!< [px] the same with all that was left out of it
   double width = 0;                     //!< [px] median of the stripe's
   LineCounts counts;
   std::string reason;  //!< why there is none

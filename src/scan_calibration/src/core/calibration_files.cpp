@@ -6,6 +6,7 @@
 
 #include <ctime>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "scan_cell_common/errors.h"
@@ -44,6 +45,17 @@ std::string matrix_text(const std::string& name, int rows, int columns,
 
 std::string camera_info_file(const std::string& scanner) {
   return with_stem(scanner, "_camera_info");
+}
+
+void check_writable(const CalibrationFiles& files) {
+  std::set<std::string> names;
+  for (const std::string& file : {files.scanner, files.camera_info, files.report}) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (!fs::is_directory(folder))
+      throw scan_cell_common::FileError(folder.string(), "no such folder", "make it");
+    if (!names.insert(fs::absolute(file).lexically_normal().string()).second)
+      throw scan_cell_common::FileError(file, "named twice", "give each result its own file");
+  }
 }
 
 std::string keep_old(const std::string& path) {

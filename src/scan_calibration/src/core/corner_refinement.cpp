@@ -29,20 +29,22 @@ class Disc {
         reach_(static_cast<int>(std::ceil(radius))),
         radius_(radius) {}
 
-  bool inside_image() const {
-    return column_ - reach_ >= 0 && row_ - reach_ >= 0 && column_ + reach_ < image_.cols &&
-           row_ + reach_ < image_.rows;
+  /// Whether enough of it lies in the image: a corner at the border still shows all its squares.
+  bool shows_all_sides() const {
+    constexpr int kLeast = 3;  // [px]
+    return column_ >= kLeast && row_ >= kLeast && column_ + kLeast < image_.cols &&
+           row_ + kLeast < image_.rows;
   }
 
   Vector2d centre() const { return {column_, row_}; }
 
   template <class Visit>
   void visit(const Visit& visit) const {
-    for (int y = -reach_; y <= reach_; ++y) {
+    for (int y = std::max(-reach_, -row_); y <= std::min(reach_, image_.rows - 1 - row_); ++y) {
       const auto half = static_cast<int>(
           std::sqrt(std::max(0.0, radius_ * radius_ - static_cast<double>(y * y))));
       const float* const row = image_.ptr<float>(row_ + y) + column_;
-      for (int x = -half; x <= half; ++x)
+      for (int x = std::max(-half, -column_); x <= std::min(half, image_.cols - 1 - column_); ++x)
         visit(Vector2d(x, y), row[x]);
     }
   }
@@ -122,15 +124,14 @@ double free_radius(const RoughCorner& rough) {
 }  // namespace
 
 bool refine_corner(const cv::Mat& image, RoughCorner& rough) {
-  constexpr double kLeastRadius = 2.5, kMostRadius = 20;  // [px]
-  constexpr double kShare = 0.55;  // of the way to the next edge: blur has to stay out
+  constexpr double kLeastRadius = 2.5;  // [px]
   constexpr int kMostSteps = 25;
   constexpr double kSettled = 1e-4;     // [px]
   constexpr double kLeastBlur = 0.3;    // [px]
   constexpr double kMostMisfit = 0.35;  // of the contrast, RMS
-  const double radius = std::min(kMostRadius, kShare * free_radius(rough));
+  const double radius = std::min(kMostFitRadius, kFitShare * free_radius(rough));
   const Disc disc(image, rough.pixel, radius);
-  if (!(radius >= kLeastRadius) || !disc.inside_image()) return false;
+  if (!(radius >= kLeastRadius) || !disc.shows_all_sides()) return false;
   Shape shape = first_guess(disc, rough);
   Linearised now = linearise(disc, shape);
   double damping = 1e-3;

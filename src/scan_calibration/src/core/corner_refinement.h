@@ -7,6 +7,9 @@
 
 namespace scan_calibration {
 
+constexpr double kMostFitRadius = 20;  //!< [px] about a corner that its fit looks at
+constexpr double kFitShare = 0.55;  //!< of the way to the next edge that it looks: blur stays out
+
 /// A corner where four squares meet, about where it is known to a pixel or so.
 struct RoughCorner {
   Eigen::Vector2d pixel;

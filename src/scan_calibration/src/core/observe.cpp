@@ -1,10 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <limits>
 
 #include "board_line.h"
 #include "board_order.h"
 #include "board_sightings.h"
+#include "corner_refinement.h"
 #include "parallel.h"
 #include "rough_camera.h"
 #include "scan_calibration/observations.h"
@@ -88,27 +90,47 @@ class LineReader {
   const ObservationOptions& options_;
 };
 
-/// Whether a corner lies under a line of the same image: its fit then took some of the line's
-/// light.
+double distance(const Eigen::Vector2d& place, const std::vector<Eigen::Vector2d>& course) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+    const Eigen::Vector2d step = course[i + 1] - course[i];
+    const double along = std::clamp((place - course[i]).dot(step) / step.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (place - course[i] - along * step).norm());
+  }
+  return least;
+}
+
+/// Whether a line of the same image runs through what a corner's fit looked at: it then took some
+/// of the line's light for the board's.
 bool is_covered(const Eigen::Vector2d& corner, const SessionView& view,
                 const std::vector<BoardLine>& lines, double reach) {
   for (std::size_t laser = 0; laser < lines.size(); ++laser) {
     if (view.lines[laser] != view.board_image) continue;
-    for (const Eigen::Vector2d& pixel : lines[laser].pixels)
-      if ((pixel - corner).norm() < lines[laser].width + reach) return true;
+    if (distance(corner, lines[laser].course) < lines[laser].width + reach) return true;
   }
   return false;
 }
 
+/// [px] about a corner that its fit looked at.
+double fit_reach(const BoardCorners& corners, const Board& board) {
+  double longest = 0;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    if (static_cast<int>(i + 1) % board.columns == 0) continue;
+    const double step = (corners[i + 1] - corners[i]).norm();
+    if (step > longest) longest = step;  // not where one is NaN
+  }
+  return std::min(kMostFitRadius, kFitShare * longest);
+}
+
 ViewObservation observation(const SessionView& view, const BoardSighting& seen, const Board& board,
                             const std::vector<BoardLine>& lines) {
-  constexpr double kFitReach = 10;  // [px] about a corner that its fit looks at
+  const double reach = fit_reach(seen.corners, board);
   ViewObservation result;
   result.name = view.name;
   result.base_to_flange = view.base_to_flange;
   for (int i = 0; i < board.columns * board.rows; ++i) {
     const Eigen::Vector2d& corner = seen.corners[i];
-    if (corner.allFinite() && !is_covered(corner, view, lines, kFitReach)) {
+    if (corner.allFinite() && !is_covered(corner, view, lines, reach)) {
       result.corners.push_back({i % board.columns, i / board.columns, corner});
     } else {
       ++result.covered_corners;

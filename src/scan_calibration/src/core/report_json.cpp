@@ -53,6 +53,7 @@ Json to_json(const ViewFigures& view, const ViewObservation& seen,
                  {"board_angle_deg", view.board_angle_deg},
                  {"corners", seen.corners.size()},
                  {"covered_corners", seen.covered_corners},
+                 {"left_out_corners", view.left_out_corners.size()},
                  {"lines", Json::object()},
                  {"residuals_px", Json::array()}};
   for (std::size_t i = 0; i < seen.line_counts.size(); ++i)

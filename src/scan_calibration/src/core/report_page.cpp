@@ -105,7 +105,8 @@ std::string views(const CalibrationRun& run) {
   Rows rows;
   for (const ViewFigures& view : run.calibration->views) {
     const ViewObservation& what = *seen.at(view.name);
-    Cells cells = {escaped(view.name), std::to_string(what.corners.size()),
+    Cells cells = {escaped(view.name),
+                   std::to_string(what.corners.size() - view.left_out_corners.size()),
                    rounded(view.reprojection_rms_px, 3)};
     for (std::size_t i = 0; i < lasers.size(); ++i) {
       cells.push_back(std::to_string(what.lines[i].size()));

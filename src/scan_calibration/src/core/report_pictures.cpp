@@ -76,6 +76,8 @@ ReportPicture residuals(const Observations& seen, const Calibration& calibration
     const ViewObservation& view = *views.at(figures.name);
     const cv::Scalar colour = colour_of(i, calibration.views.size());
     for (std::size_t k = 0; k < view.corners.size() && k < figures.corner_residuals.size(); ++k) {
+      const auto& left_out = figures.left_out_corners;
+      if (std::find(left_out.begin(), left_out.end(), k) != left_out.end()) continue;
       const Vector2d& place = view.corners[k].pixel;
       chart.line(place, place + stretch * figures.corner_residuals[k], colour);
       chart.dot(place, colour, 1.2);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_calibration/session_recorder.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
@@ -42,7 +43,7 @@ SessionRecorder::SessionRecorder(const std::string& folder, const Board& board,
 }
 
 std::string SessionRecorder::save(const cv::Mat& image, const std::string& name) const {
-  if (image.type() != CV_8UC1 && image.type() != CV_16UC1) {
+  if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_16UC1)) {
     throw scan_cell_common::UnusableInput(
         name, image.empty() ? "empty" : cv::typeToString(image.type()) + " pixels",
         "give an image of 8 or 16 bit grey");
@@ -69,13 +70,21 @@ void SessionRecorder::add(const Eigen::Isometry3d& base_to_flange, const cv::Mat
         "lines of a view", std::to_string(lines.size()),
         "give one a laser, empty where it was not taken: " + std::to_string(head_.lasers.size()));
   }
+  if (lines.size() > 1 && std::any_of(lines.begin(), lines.end(), [](const RecordedLine& line) {
+        return line.in_board_image;
+      })) {
+    throw scan_cell_common::UnusableInput("lines of a view", "in the image of the board",
+                                          "take one image a laser: several lines in one image "
+                                          "cannot be told apart");
+  }
   char number[16];
   std::snprintf(number, sizeof number, "%04d", views() + 1);
   SessionView view;
   view.base_to_flange = base_to_flange;
   view.name = view.board_image = save(board_image, "board_" + std::string(number));
   for (std::size_t i = 0; i < lines.size(); ++i)
-    view.lines.push_back(save(lines[i], head_.lasers[i] + "_" + number));
+    view.lines.push_back(lines[i].in_board_image ? view.board_image
+                                                 : save(lines[i], head_.lasers[i] + "_" + number));
   std::vector<SessionView> views = views_;
   views.push_back(view);
   scan_cell_common::save_text(path_of(folder_, head_.poses_file),

@@ -142,6 +142,7 @@ sensor_msgs::PointCloud2 CellClient::scan_clean(const ScanProgram& program,
   if (result.outcome != scan_cell_msgs::ScanResult::FINISHED) {
     throw scan_cell_common::Refused("scan '" + scan_id + "'", "ended early", result.message);
   }
+  check_published(result.cloud_file);
   return watch.wait(result.cloud.header.stamp, kCleaningTimeout);
 }
 

@@ -55,6 +55,7 @@ ScanResult ScanAction::run(const std::atomic<bool>& cancel) {
   result.audit = stages_.audit();
   result.statistics = stages_.statistics();
   result.cloud = stages_.cloud();
+  result.cloud_file = stages_.cloud_file();
   result.seconds = (ros::WallTime::now() - start).toSec();
   const bool finished = end.outcome == Outcome::Finished;
   result.message = finished ? stages_.binding() : end.message;

@@ -10,6 +10,7 @@
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
@@ -113,17 +114,13 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell")
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    ros::AsyncSpinner spinner(2);
-    spinner.start();
-    calibrate(options);
-    return 0;
-  } catch (const scan_cell_common::Refused& error) {
-    std::fprintf(stderr, "calibrate_cell: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "calibrate_cell: %s\n", error.what());
-    return 1;
-  }
+  return scan_cell_common::tool_main(
+      "calibrate_cell", app, argc, argv,
+      [&] {
+        ros::AsyncSpinner spinner(2);
+        spinner.start();
+        calibrate(options);
+        return 0;
+      },
+      scan_cell_common::kRefused);
 }
