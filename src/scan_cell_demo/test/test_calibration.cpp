@@ -316,8 +316,9 @@ TEST_F(Calibration, RefusesWhatMakesNoSenseBeforeAnythingMoves) {
   bad.square_size = 20;
   refused(bad, "squares of 20");
   bad = goal("full", shipped_poses());
-  bad.session = folder_;
-  refused(bad, "not empty");
+  fs::create_directories(bad.session);
+  std::ofstream(bad.session + "/session.yaml") << "poses: poses.csv\n";
+  refused(bad, "holds a session already");
 }
 
 TEST_F(Calibration, IsReachedByViDeE) {

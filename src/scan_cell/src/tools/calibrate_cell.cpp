@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
   app.add_option("--poses", options.goal.poses, "file of taught poses of the flange")
       ->required()
       ->check(CLI::ExistingFile);
-  app.add_option("--session", options.goal.session, "folder to record into, new or empty")
+  app.add_option("--session", options.goal.session, "folder to record into, without a session")
       ->required();
   app.add_option("--output", options.goal.output,
                  "scanner model (YAML) to write; none: record only");
