@@ -14,7 +14,9 @@ namespace scan_calibration {
 
 /// What is estimated and what is known beforehand. A deviation of 0 is estimated from the data.
 struct CalibrationOptions {
-  bool board_flatness = false;       //!< whether the board may be bent
+  /// Whether the board may be bent; it is taken as flat unless that explains held-out corners
+  /// better.
+  bool board_flatness = true;
   double corner_deviation = 0;       //!< [px] of a corner, standard deviation along each axis
   double line_deviation = 0;         //!< [px] of a line's point, across the line
   double robot_deviation = 0;        //!< [m] of the flange's position, along each axis

@@ -117,6 +117,19 @@ void note(const JointEstimate& estimate, const Knowledge& knowledge, Calibration
   }
 }
 
+void note_multiplicities(const JointEstimate& estimate, const std::vector<std::string>& lasers,
+                         std::vector<std::string>& notes) {
+  constexpr double kMuch = 2;
+  if (estimate.multiplicities.corners > kMuch)
+    notes.push_back(
+        "neighbouring corners miss alike: " + figure(estimate.multiplicities.corners, "") +
+        " are counted as one; look for a board that is not flat, or blur");
+  for (std::size_t laser = 0; laser < lasers.size(); ++laser)
+    if (estimate.multiplicities.lines[laser] > kMuch)
+      notes.push_back("neighbouring points of " + lasers[laser] + " miss alike: " +
+                      figure(estimate.multiplicities.lines[laser], "") + " are counted as one");
+}
+
 JointEstimate best_estimate(const Observations& observations, const CalibrationOptions& options,
                             const BoardSurface& surface, Calibration& result) {
   const Start start = closed_form_start(observations);
@@ -166,6 +179,7 @@ Calibration calibrate(const Observations& observations, const CalibrationOptions
   result.uncertainty = point_uncertainties(estimate, knowledge, places, observations.lasers);
   result.advice = advise(estimate, knowledge, observations.board, places);
   note(estimate, knowledge, result);
+  note_multiplicities(estimate, observations.lasers, result.notes);
   return result;
 }
 

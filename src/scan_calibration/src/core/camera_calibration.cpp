@@ -64,7 +64,7 @@ CameraCalibration calibrate_camera(const Observations& observations, const Camer
   JointEstimate weighted = estimate;
   const NormalEquations equations(weighted.views, surface, weighted.noise.levels, weighted.choice,
                                   weighted.state);
-  weighted.noise = estimate_noise(equations, given_noise({}, 0));
+  weighted.noise = estimate_noise(equations, given_noise({}, 0), unbounded_noise(0));
   state_parameters(weighted.state, Knowledge(weighted, surface), result.parameters, covariance);
   return result;
 }

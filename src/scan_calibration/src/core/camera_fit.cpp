@@ -39,9 +39,13 @@ std::vector<double> focal_lengths(const BoardViews& views, int width, int height
   }
   const int size = std::max(width, height);
   std::vector<double> result;
-  const cv::Mat matrix = cv::initCameraMatrix2D(places, pixels, cv::Size(width, height), 1);
-  const double zhang = matrix.at<double>(0, 0);
-  if (zhang > 0.2 * size && zhang < 20 * size) result.push_back(zhang);
+  try {
+    const cv::Mat matrix = cv::initCameraMatrix2D(places, pixels, cv::Size(width, height), 1);
+    const double zhang = matrix.at<double>(0, 0);
+    if (zhang > 0.2 * size && zhang < 20 * size) result.push_back(zhang);
+  } catch (const cv::Exception&) {
+    // Views that determine none: the fit from the others tells
+  }
   for (const double focal : {1., 2., 0.5, 4., 8.})
     result.push_back(focal * size);
   return result;
@@ -94,7 +98,7 @@ class FreePoses {
         lengths.push_back(residual.norm());
     constexpr double kLeast = 1e-4;  // [px]
     noise_.corner_px = std::max(median(lengths) / kRayleigh, kLeast);
-    weigh(state_, surface_, noise_, views_);
+    weigh(state_, surface_, noise_, Multiplicities{}, views_);
   }
 
   std::vector<Eigen::Vector2d> residuals(std::size_t i) const {
@@ -150,6 +154,8 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
       found = poses.result();
     } catch (const UnusableInput&) {
       continue;  // no camera is near this start: there are others
+    } catch (const cv::Exception&) {
+      continue;  // no pose from these corners
     }
     const double typical = median(found.rms_px);
     if (typical < least) {

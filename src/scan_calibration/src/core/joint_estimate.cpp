@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "multiplicity.h"
 #include "rejection.h"
 #include "scan_cell_common/errors.h"
 #include "statistics.h"
@@ -13,6 +14,24 @@ namespace {
 
 double change(const NoiseLevels& before, const NoiseLevels& after) {
   return (noise_vector(after).array() / noise_vector(before).array()).log().abs().maxCoeff();
+}
+
+/// The robot is not off by more than its poses are from where each view's corners alone put it.
+NoiseLevels most_noise(const NoiseLevels& start) {
+  constexpr double kAllowed = 1.5;  // that is a median of few
+  NoiseLevels most = unbounded_noise(start.line_px.size());
+  most.robot_m = kAllowed * start.robot_m;
+  most.robot_rad = kAllowed * start.robot_rad;
+  return most;
+}
+
+Multiplicities multiplicities(const JointEstimate& estimate, const Observations& observations,
+                              const BoardSurface& surface) {
+  Multiplicities result;
+  result.corners = corner_multiplicity(estimate.state, surface, observations.board, estimate.views);
+  for (std::size_t laser = 0; laser < observations.lasers.size(); ++laser)
+    result.lines.push_back(line_multiplicity(estimate.state, surface, estimate.views, laser));
+  return result;
 }
 
 void check_majority(std::size_t before, const JointEstimate& estimate) {
@@ -32,19 +51,22 @@ JointEstimate estimate_jointly(Start start, const Observations& observations,
   constexpr double kStill = 0.02;  // relative, of the noise
   const BoardSurface surface(observations.board);
   const NoiseLevels given = given_noise(options, observations.lasers.size());
+  const NoiseLevels most = most_noise(start.noise);
   const std::size_t before = start.views.size();
-  JointEstimate estimate{std::move(start.views),
-                         std::move(start.state),
-                         {start.noise, {}},
-                         choice,
-                         std::move(start.rejected)};
+  JointEstimate estimate;
+  estimate.views = std::move(start.views);
+  estimate.state = std::move(start.state);
+  estimate.noise.levels = start.noise;
+  estimate.choice = choice;
+  estimate.rejected = std::move(start.rejected);
   for (int round = 0; round < kMostRounds; ++round) {
-    weigh(estimate.state, surface, estimate.noise.levels, estimate.views);
+    estimate.multiplicities = multiplicities(estimate, observations, surface);
+    weigh(estimate.state, surface, estimate.noise.levels, estimate.multiplicities, estimate.views);
     fit(estimate.views, surface, estimate.noise.levels, choice, estimate.state);
     const NormalEquations equations(estimate.views, surface, estimate.noise.levels, choice,
                                     estimate.state);
     const NoiseLevels assumed = estimate.noise.levels;
-    estimate.noise = estimate_noise(equations, given);
+    estimate.noise = estimate_noise(equations, given, most);
     const bool left_out =
         reject_misfits(surface, estimate.noise.levels, equations, observations.lasers,
                        estimate.views, estimate.state, estimate.rejected);

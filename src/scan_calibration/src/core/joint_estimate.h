@@ -12,6 +12,7 @@ struct JointEstimate {
   BoardViews views;
   ScannerState state;
   NoiseEstimate noise;
+  Multiplicities multiplicities;
   FitChoice choice;
   std::vector<RejectedView> rejected;
 };

@@ -131,18 +131,19 @@ void fit(const BoardViews& views, const BoardSurface& surface, const NoiseLevels
 }
 
 void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLevels& noise,
-           BoardViews& views) {
+           const Multiplicities& multiplicities, BoardViews& views) {
   for (std::size_t index = 0; index < views.size(); ++index) {
     BoardView& view = views[index];
     const BoardSight sight = sight_of(state, view, index);
     const std::vector<Eigen::Vector2d> corners = corner_residuals(state, surface, sight, view);
     for (std::size_t i = 0; i < corners.size(); ++i)
-      view.weights[i] = huber(corners[i].norm() / noise.corner_px);
+      view.weights[i] = huber(corners[i].norm() / noise.corner_px) / multiplicities.corners;
     for (std::size_t laser = 0; laser < state.planes.size(); ++laser) {
       LinePoints& line = view.lines[laser];
       const std::vector<double> points = line_residuals(state, surface, sight, line, laser);
       for (std::size_t i = 0; i < points.size(); ++i)
-        line.weights[i] = huber(std::abs(points[i]) / noise.line_px[laser]);
+        line.weights[i] =
+            huber(std::abs(points[i]) / noise.line_px[laser]) / multiplicities.lines[laser];
     }
     weigh_pose(state.corrections[index], noise, view);
   }

@@ -19,9 +19,16 @@ struct FitChoice {
 void fit(const BoardViews& views, const BoardSurface& surface, const NoiseLevels& noise,
          const FitChoice& choice, ScannerState& state);
 
+/// Corners, and a laser's points, that are worth one (multiplicity.h).
+struct Multiplicities {
+  double corners = 1;
+  std::vector<double> lines;
+};
+
 /// Weights of corners, points and poses by how far they miss, as of Huber's function: one within
-/// three deviations, falling beyond; corners and points beyond eight are left out.
+/// three deviations, falling beyond; corners and points beyond eight are left out. Those of corners
+/// and points are divided by how many are worth one.
 void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLevels& noise,
-           BoardViews& views);
+           const Multiplicities& multiplicities, BoardViews& views);
 
 }  // namespace scan_calibration

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise_components.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,12 +47,19 @@ NoiseLevels least_noise(std::size_t lasers) {
   return {1e-4, std::vector<double>(lasers, 1e-4), 1e-7, 1e-7};
 }
 
-NoiseEstimate estimate_noise(const NormalEquations& equations, const NoiseLevels& given) {
+NoiseLevels unbounded_noise(std::size_t lasers) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  return {kInfinite, std::vector<double>(lasers, kInfinite), kInfinite, kInfinite};
+}
+
+NoiseEstimate estimate_noise(const NormalEquations& equations, const NoiseLevels& given,
+                             const NoiseLevels& bounds) {
   constexpr int kMostSteps = 200;
   constexpr double kStill = 1e-3;
   constexpr double kLeastRedundancy = 1e-3;  // of a group's count: one that is used up says nothing
   const Eigen::VectorXd known = noise_vector(given);
   const Eigen::VectorXd least = noise_vector(least_noise(given.line_px.size()));
+  const Eigen::VectorXd most = noise_vector(bounds).cwiseMax(least);
   NoiseEstimate result;
   Eigen::VectorXd noise = equations.noise;
   for (Eigen::Index group = 0; group < known.size(); ++group)

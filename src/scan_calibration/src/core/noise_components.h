@@ -18,7 +18,12 @@ NoiseLevels given_noise(const CalibrationOptions& options, std::size_t lasers);
 /// Variance components (Foerstner 1979): each group's squares over its redundancy, over and over
 /// until they stand.
 /// @param given as of given_noise()
-NoiseEstimate estimate_noise(const NormalEquations& equations, const NoiseLevels& given);
+/// @param most none is taken to be more than this
+NoiseEstimate estimate_noise(const NormalEquations& equations, const NoiseLevels& given,
+                             const NoiseLevels& most);
+
+/// Bounds that nothing exceeds.
+NoiseLevels unbounded_noise(std::size_t lasers);
 
 /// Noise of groups that nothing shows is not taken to be less than this.
 NoiseLevels least_noise(std::size_t lasers);

@@ -89,17 +89,23 @@ BoardSurface::BoardSurface(const Board& board)
       mean_squares_(mean_square(board.columns), mean_square(board.rows)) {}
 
 Eigen::Vector3d BoardSurface::basis(const Eigen::Vector2d& place) const {
-  const Eigen::Vector2d unit = (place - centre_).cwiseQuotient(half_);
+  const Eigen::Vector2d unit = unit_place(place);
   return {unit.x() * unit.x() - mean_squares_.x(), unit.x() * unit.y(),
           unit.y() * unit.y() - mean_squares_.y()};
 }
 
 Eigen::Matrix<double, 2, 3> BoardSurface::slope(const Eigen::Vector2d& place) const {
-  const Eigen::Vector2d unit = (place - centre_).cwiseQuotient(half_);
+  const Eigen::Vector2d unit = unit_place(place);
+  const double per_x = std::abs(unit.x()) < 1 ? 1 / half_.x() : 0;
+  const double per_y = std::abs(unit.y()) < 1 ? 1 / half_.y() : 0;
   Eigen::Matrix<double, 2, 3> result;
-  result << 2 * unit.x() / half_.x(), unit.y() / half_.x(), 0,  //
-      0, unit.x() / half_.y(), 2 * unit.y() / half_.y();
+  result << 2 * unit.x() * per_x, unit.y() * per_x, 0,  //
+      0, unit.x() * per_y, 2 * unit.y() * per_y;
   return result;
+}
+
+Eigen::Vector2d BoardSurface::unit_place(const Eigen::Vector2d& place) const {
+  return (place - centre_).cwiseQuotient(half_).cwiseMax(-1).cwiseMin(1);
 }
 
 Eigen::Isometry3d BoardSurface::half_turn() const {

@@ -50,7 +50,8 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
 laser_triangulation::ScannerModel scanner_model(const ScannerState& state,
                                                 const std::vector<Eigen::Vector3d>& projectors);
 
-/// The surface of a board that may be bent: z = basis(x, y) . bend.
+/// The surface of a board that may be bent: z = basis(x, y) . bend. Beyond its corners, where
+/// nothing shows it, it goes on at the height of its border.
 class BoardSurface {
  public:
   explicit BoardSurface(const Board& board);
@@ -67,6 +68,9 @@ class BoardSurface {
   Eigen::Isometry3d half_turn() const;
 
  private:
+  /// From -1 to 1 over the corners, and no further.
+  Eigen::Vector2d unit_place(const Eigen::Vector2d& place) const;
+
   Eigen::Vector2d centre_;
   Eigen::Vector2d half_;
   Eigen::Vector2d mean_squares_;
