@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "scan_calibration/calibration_files.h"
+#include "scan_cell_common/errors.h"
 #include "scan_cell_common/tool_main.h"
 
 namespace {
