@@ -48,6 +48,14 @@ def expected(number):
     return points
 
 
+def points_of_file(path):
+    """As save_ply lays them out."""
+    with open(path, 'rb') as file:
+        header, data = file.read().split(b'end_header\n', 1)
+    count = int(header.split(b'element vertex ')[1].split()[0])
+    return [struct.unpack_from('<ffffBf', data, 21 * i) for i in range(count)]
+
+
 def points_of(cloud):
     return [struct.unpack_from('<ffffB3xf', cloud.data, i * cloud.point_step)
             for i in range(cloud.width)]
@@ -65,7 +73,7 @@ class LaserTriangulationNode(unittest.TestCase):
         cls.start = rospy.ServiceProxy('/triangulation/start', StartScan)
         cls.finish = rospy.ServiceProxy('/triangulation/finish', FinishCloud)
         end = time.time() + 30
-        while cls.publisher.get_num_connections() == 0:
+        while cls.publisher.get_num_connections() < 2:
             assert time.time() < end, 'the triangulation does not subscribe'
             time.sleep(0.01)
 
@@ -75,6 +83,52 @@ class LaserTriangulationNode(unittest.TestCase):
             self.publisher.publish(message)
         return self.finish(len(profiles) if announced is None else announced,
                            rospy.Duration(timeout), partial)
+
+    def expect_points(self, points, truth):
+        self.assertEqual(len(points), len(truth))
+        for point, true in zip(points, truth):
+            for value, right in zip(point, true):
+                self.assertAlmostEqual(value, right, 6)
+
+    def small_messages(self, scan_id, count, **options):
+        """A scan by a node whose messages hold a hundred points."""
+        call = {name: rospy.ServiceProxy('/small_messages/' + name, service)
+                for name, service in (('start', StartScan), ('finish', FinishCloud))}
+        for proxy in call.values():
+            proxy.wait_for_service(30)
+        self.assertTrue(call['start'](scan_id).success)
+        for n in range(count):
+            self.publisher.publish(profile(n))
+        finish = lambda: call['finish'](count, rospy.Duration(30), False)
+        return finish(), finish
+
+    def test_writes_a_cloud_that_is_too_large_for_a_message_into_a_file(self):
+        whole = []
+        rospy.Subscriber('/small_messages/whole_cloud', PointCloud2, whole.append)
+        answer, _ = self.small_messages('part 7/left', 10)
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn(answer.file, answer.message)
+        self.assertTrue(answer.file.startswith('/tmp/part_7_left_'), answer.file)
+        self.addCleanup(os.remove, answer.file)
+        self.assertEqual(answer.cloud.width, 0)
+        self.assertEqual(len(answer.cloud.data), 0)
+        self.assertEqual(answer.cloud.header.stamp, profile(9).header.stamp)
+        self.expect_points(points_of_file(answer.file), [p for n in range(10) for p in expected(n)])
+        small, _ = self.small_messages('small', 2)  # comes after the other, had it come
+        self.assertEqual(small.file, '')
+        self.assertEqual(small.cloud.width, 2 * ROWS * 4 // 5)
+        end = time.time() + 30
+        while not whole:
+            self.assertLess(time.time(), end, 'the small cloud does not come')
+            time.sleep(0.01)
+        self.assertEqual([c.width for c in whole], [small.cloud.width])
+
+    def test_keeps_the_points_where_the_file_cannot_be_written(self):
+        answer, again = self.small_messages('x' * 300, 10)
+        self.assertFalse(answer.success)
+        self.assertIn('finish again', answer.message)
+        self.assertEqual(answer.file, '')
+        self.assertEqual(again().statistics.points, 10 * ROWS * 4 // 5)
 
     def test_gives_the_whole_cloud_in_the_order_of_the_frames(self):
         count = 200
@@ -86,10 +140,7 @@ class LaserTriangulationNode(unittest.TestCase):
                          ['x', 'y', 'z', 'intensity', 'laser', 'width'])
         points = points_of(answer.cloud)
         truth = [point for n in range(count) for point in expected(n)]
-        self.assertEqual(len(points), len(truth))
-        for point, true in zip(points, truth):
-            for value, right in zip(point, true):
-                self.assertAlmostEqual(value, right, 6)
+        self.expect_points(points, truth)
         self.assertEqual(answer.statistics.profiles, count)
         self.assertEqual(answer.statistics.points, len(truth))
         self.assertEqual(answer.statistics.rows_without_peak, count * ROWS // 5)
@@ -116,13 +167,8 @@ class LaserTriangulationNode(unittest.TestCase):
             arguments = ['rosrun', 'laser_triangulation', 'triangulate', '--scanner', scanner,
                          '--output', folder + '/cloud.ply', '--bag', folder + '/bound.bag']
             subprocess.run(arguments, check=True, timeout=60)
-            with open(folder + '/cloud.ply', 'rb') as file:
-                header, data = file.read().split(b'end_header\n', 1)
             truth = [point for n in range(3) for point in expected(n)]
-            self.assertIn(b'element vertex %d\n' % len(truth), header)
-            for i, true in enumerate(truth):
-                for value, right in zip(struct.unpack_from('<ffffBf', data, 21 * i), true):
-                    self.assertAlmostEqual(value, right, 6)
+            self.expect_points(points_of_file(folder + '/cloud.ply'), truth)
             run = subprocess.run(arguments + ['--topic', '/other'], stderr=subprocess.PIPE,
                                  timeout=60)
             self.assertEqual(run.returncode, 1)

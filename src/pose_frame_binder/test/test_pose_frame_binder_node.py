@@ -4,113 +4,25 @@
 """The binder node on real topics."""
 import collections
 import io
-import math
-import re
 import socket
 import subprocess
-import tempfile
 import threading
 import time
 import unittest
 
-import rosbag
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import TransformStamped
 from scan_cell_msgs.msg import (BindingAudit, BoundProfile, DroppedFrame, PeakProfile, PoseMatch,
                                 TriggerEvent)
 from scan_cell_msgs.srv import FinishBinding, StartScan
 from tf2_msgs.msg import TFMessage
 
-START = 1700000000
-SPEED = 0.2       # [m/s] of the flange along y of the base
-PERIOD = 0.01     # [s] of the pulses
-LATENCY = 0.004   # [s] of the camera's stamps
+from scan_messages import LATENCY, PERIOD, SPEED, events, poses, profiles, stamp, transform
 
 # Where the binder's diagnostics count what it took of each topic.
 COUNTS = {'poses': ('poses', 'poses late', 'poses repeated', 'poses unusable'),
           'events': ('pulses', 'pulses refused'), 'profiles': ('frames',)}
-
-
-def stamp(seconds):
-    return rospy.Time(START, 0) + rospy.Duration(seconds)
-
-
-def transform(parent, child, seconds, xyz, q=(0, 0, 0, 1)):
-    message = TransformStamped()
-    message.header.stamp = stamp(seconds)
-    message.header.frame_id = parent
-    message.child_frame_id = child
-    t = message.transform
-    t.translation.x, t.translation.y, t.translation.z = xyz
-    t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w = q
-    return TFMessage([message])
-
-
-def poses(count):
-    """Every 4 ms from before the first pulse to after the last."""
-    times = [-0.05 + 0.004 * i for i in range(int((count * PERIOD + 0.2) / 0.004))]
-    return [transform('base_link', 'tool0', t, (0.5, SPEED * t, 0.7)) for t in times]
-
-
-def events(count):
-    messages = []
-    for i in range(count):
-        event = TriggerEvent(arming=1, count=i + 1, lasers=TriggerEvent.LASER_1)
-        event.header.stamp = stamp(i * PERIOD)
-        messages.append(event)
-    return messages
-
-
-def profiles(count, lost=()):
-    messages = []
-    for i in range(count):
-        if i in lost:
-            continue
-        profile = PeakProfile(acquisition=1, frame_counter=65530 + i, laser=PeakProfile.LASER_UNKNOWN,
-                              position=[1.5, 2.5], width=[3, 3], intensity=[9, 9])
-        profile.header.stamp = stamp(i * PERIOD + LATENCY)
-        messages.append(profile)
-    return messages
-
-
-SCANNER = """
-camera: {width: 1000, height: 800, fx: 800, fy: 800, cx: 500, cy: 400, distortion: [0, 0, 0, 0, 0]}
-flange_to_camera: {translation: [0, 0, 0.1], rotation: [0, 0, 0, 1]}
-lasers:
-  - {normal: [0.8, 0, -0.6], distance: -0.2, origin: [-0.25, 0, 0]}
-"""
-
-
-def write_scan_of_waves(bag, direction, delay):
-    """A surface z = 8 mm sin(60 x) under a flange that looks down from 0.7 m and goes along x, and
-    whose poses are stamped late. The line is met by bisection."""
-    speed, rate, length = 0.1, 100.0, 0.15
-
-    def flange(t):
-        return speed * t if direction > 0 else length - speed * t
-
-    for i in range(int((length / speed + 0.6) * 250)):
-        t = -0.3 + i / 250.0
-        bag.write('/tf', transform('base_link', 'tool0', t + delay, (flange(t), 0, 0.7),
-                                   (1, 0, 0, 0)), stamp(1 + t))
-    for i in range(int(length / speed * rate)):
-        t = i / rate
-        event = TriggerEvent(arming=1, count=i + 1, lasers=TriggerEvent.LASER_0)
-        event.header.stamp = stamp(t)
-        low, high = 0.5, 0.7  # depth from the camera
-        for _ in range(60):
-            depth = (low + high) / 2
-            x = (0.6 * depth - 0.2) / 0.8
-            above = 0.7 - depth - 0.1 > 0.008 * math.sin(60 * (flange(t) + x))
-            low, high = (depth, high) if above else (low, depth)
-        profile = PeakProfile(acquisition=1, frame_counter=i, laser=0, first_row=370,
-                              position=[500 + 800 * x / depth] * 60, width=[3] * 60,
-                              intensity=[9] * 60)
-        profile.header.stamp = stamp(t + LATENCY)
-        bag.write('/laser_trigger/events', event, stamp(1 + t))
-        bag.write('/camera/profiles', profile, stamp(1 + t + LATENCY))
 
 
 class PoseFrameBinderNode(unittest.TestCase):
@@ -259,6 +171,37 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.assertTrue(answer.success, answer.message)
         self.assertEqual(answer.audit.frames_bound, count)
 
+    def test_does_not_wait_for_a_camera_that_runs_free(self):
+        """One pulse has no frame, and frames that no pulse exposed keep coming."""
+        count, patience = 20, 0.5
+        data = {'poses': poses(count), 'events': events(count),
+                'profiles': profiles(count, lost=(7,))}
+        self.assertTrue(self.start('scan').success)
+        self.publish(data, ('poses', 'events', 'profiles'))
+        ended = threading.Event()
+
+        def run_free():
+            number, profile = 2 * count, profiles(1)[0]
+            while not ended.wait(0.01):
+                number += 1
+                profile.frame_counter = 65530 + number
+                profile.header.stamp = stamp(number * PERIOD + LATENCY)
+                self.publishers['profiles'].publish(profile)
+
+        camera = threading.Thread(target=run_free)
+        camera.start()
+        answers = []
+        finish = threading.Thread(
+            target=lambda: answers.append(self.finish(count, rospy.Duration(patience))))
+        finish.start()
+        finish.join(60)
+        ended.set()
+        camera.join()
+        finish.join()
+        self.assertTrue(answers[0].success, answers[0].message)
+        self.assertEqual(answers[0].audit.frames_bound, count - 1)
+        self.assertLess(answers[0].audit.frames_dropped, 5000, 'it waited for a minute')
+
     def test_says_when_trigger_events_are_missing(self):
         data = {'poses': poses(20), 'events': events(20), 'profiles': profiles(20)}
         answer = self.scan_with_gaps(data, ('poses', 'events', 'profiles'), 25)
@@ -333,70 +276,6 @@ class PoseFrameBinderNode(unittest.TestCase):
         self.scan(data, ('poses', 'events', 'profiles'), 5)
         late = rospy.wait_for_message('/binder/audit', BindingAudit, 30)
         self.assertEqual(late.scan_id, 'scan')
-
-    def test_binds_the_same_from_a_bag(self):
-        count = 30
-        with tempfile.TemporaryDirectory() as folder:
-            with rosbag.Bag(folder + '/scan.bag', 'w') as bag:
-                half = 0.5 ** 0.5
-                bag.write('/tf_static', transform('world', 'base_link', 0, (-1, 0, 0),
-                                                  (0, 0, half, half)), stamp(0))
-                for topic, messages in (('/laser_trigger/events', events(count)),
-                                        ('/camera/profiles', profiles(count, lost=(4,))),
-                                        ('/tf', poses(count))):
-                    for message in messages:
-                        bag.write(topic, message, stamp(1))
-            arguments = ['rosrun', 'pose_frame_binder', 'bind_bag', '--bag', folder + '/scan.bag']
-            subprocess.run(arguments + ['--output', folder + '/bound.bag'], check=True, timeout=60)
-            with rosbag.Bag(folder + '/bound.bag') as bag:
-                bound = [m for _, m, _ in bag.read_messages('/pose_frame_binder/bound_profiles')]
-                audits = [m for _, m, _ in bag.read_messages('/pose_frame_binder/audit')]
-            self.assertEqual([b.match.trigger_count for b in bound],
-                             [n for n in range(1, count + 1) if n != 5])
-            for b in bound:
-                self.assertAlmostEqual(b.pose.position.x,
-                                       -1 - SPEED * PERIOD * (b.match.trigger_count - 1), 8)
-            self.assertEqual(audits[0].frames_never_arrived, 1)
-            motion = ('--start 1 2 3 0 0 0 1 --end 1 2 -3 0 0 0 1 --speed 0.3 --frame-rate 100').split()
-            subprocess.run(arguments + ['--output', folder + '/speed.bag', '--method',
-                                        'constant_speed'] + motion, check=True, timeout=60)
-            with rosbag.Bag(folder + '/speed.bag') as bag:
-                bound = [m for _, m, _ in bag.read_messages('/pose_frame_binder/bound_profiles')]
-                audits = [m for _, m, _ in bag.read_messages('/pose_frame_binder/audit')]
-            self.assertEqual(audits[0].method, BindingAudit.CONSTANT_SPEED)
-            self.assertEqual(audits[0].constant_speed, count - 1)
-            for b in bound:
-                self.assertEqual(b.match.rule, PoseMatch.CONSTANT_SPEED)
-                self.assertAlmostEqual(b.pose.position.z, 3 - 0.003 * (b.match.trigger_count - 1), 9)
-            run = subprocess.run(arguments + ['--output', folder + '/none.bag', '--profiles', '/no'],
-                                 stderr=subprocess.PIPE, timeout=60)
-            self.assertEqual(run.returncode, 1)
-            self.assertIn('check that it holds', run.stderr.decode())
-            run = subprocess.run(arguments + ['--output', folder + '/none.bag',
-                                              '--camera-latency', 'nan'],
-                                 stderr=subprocess.PIPE, timeout=60)
-            self.assertEqual(run.returncode, 1)
-            self.assertIn('camera_latency', run.stderr.decode())
-
-    def test_estimates_the_delay_of_the_poses_from_two_bags(self):
-        delay = 0.009
-        with tempfile.TemporaryDirectory() as folder:
-            with open(folder + '/scanner.yaml', 'w') as file:
-                file.write(SCANNER)
-            for name, direction in (('there', 1), ('back', -1)):
-                with rosbag.Bag('%s/%s.bag' % (folder, name), 'w') as bag:
-                    write_scan_of_waves(bag, direction, delay)
-            arguments = ['rosrun', 'pose_frame_binder', 'estimate_time_offset',
-                         '--forward', folder + '/there.bag', '--scanner', folder + '/scanner.yaml']
-            text = subprocess.run(arguments + ['--backward', folder + '/back.bag'], check=True,
-                                  timeout=120, stdout=subprocess.PIPE).stdout.decode()
-            found, uncertainty = (float(word) / 1000 for word in re.search(
-                r'pose_delay: (\S+) ms, standard deviation (\S+) ms', text).groups())
-            self.assertLess(abs(found - delay), max(3 * uncertainty, 2e-5), text)
-            run = subprocess.run(arguments + ['--backward', folder + '/there.bag'],
-                                 stderr=subprocess.PIPE, timeout=120)
-            self.assertEqual(run.returncode, 1)
-            self.assertIn('not in opposite directions', run.stderr.decode())
 
     def test_refuses_to_finish_what_was_not_started(self):
         answer = self.finish(0, rospy.Duration(0.1))

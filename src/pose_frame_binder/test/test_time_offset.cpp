@@ -148,6 +148,16 @@ TEST(TimeOffset, IsFoundFromARoofAlone) {
   EXPECT_NEAR(found.pose_delay, Truth().delay, 3 * found.uncertainty);
 }
 
+TEST(TimeOffset, IsFoundFromASmallRoofOnAWidePlateWhateverTheDelay) {
+  const Height roof = [](double x, double) { return std::max(0.0, 0.012 - std::abs(x - 0.1)); };
+  for (double delay = 0.005; delay < 0.0101; delay += 0.0005) {
+    Truth truth;
+    truth.delay = delay;
+    const TimeOffset found = estimate(roof, truth);
+    EXPECT_NEAR(found.pose_delay, delay, 4 * found.uncertainty) << delay;
+  }
+}
+
 TEST(TimeOffset, IsRefusedWithoutReliefAlongTheMotion) {
   EXPECT_NE(refusal([](double, double) { return 0.0; }, {}).find("relief along the motion"),
             std::string::npos);

@@ -103,6 +103,9 @@ class FakeCell:
         response = srv.FinishCloudResponse(success=True)
         response.statistics.points = request.profiles
         response.cloud = cloud_of_one_point()
+        if fake('cloud') == 'large':
+            response.cloud.data, response.cloud.width = b'', 0
+            response.file = '/scans/large.ply'
         return response
 
     def on_move(self, goal):

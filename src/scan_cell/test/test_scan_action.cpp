@@ -122,6 +122,16 @@ TEST_F(ScanAction, FinishesAndGivesAuditAndCloud) {
   EXPECT_EQ(result.message, "0 events missing") << "what the binder says must not be lost";
 }
 
+TEST_F(ScanAction, FinishesAndNamesTheFileOfACloudThatIsTooLargeForAMessage) {
+  node_.setParam("/fake/cloud", "large");
+  const ScanResult result = run(goal("large"));
+  EXPECT_EQ(result.outcome, ScanResult::FINISHED) << result.message;
+  EXPECT_EQ(result.cloud_file, "/scans/large.ply");
+  EXPECT_TRUE(result.cloud.data.empty());
+  node_.deleteParam("/fake/cloud");
+  EXPECT_EQ(run(goal("small")).cloud_file, "") << "that of the last scan is forgotten";
+}
+
 TEST_F(ScanAction, FailsAndKeepsTheDataWhereTriggerEventsAreMissing) {
   node_.setParam("/fake/binder", "missing");
   const ScanResult result = run(goal("events missing"));

@@ -10,7 +10,7 @@
 #include "scan_cell_common/errors.h"
 
 using scan_cell::Motion;
-using scan_cell::ScanOutcome;
+using scan_cell::Outcome;
 
 namespace {
 
@@ -57,6 +57,8 @@ struct FakeRobot : scan_cell::Robot {
     if (cell.looks >= 10) return {Motion::State::Reached, 1, ""};
     return {Motion::State::Moving, std::max(0, cell.looks - 2) / 10.0, ""};
   }
+  std::string hindrance() const override { return ""; }
+  Eigen::Isometry3d static_pose() override { return Eigen::Isometry3d::Identity(); }
   void stop() noexcept override { cell.log.emplace_back("stop robot"); }
   FakeCell& cell;
   bool fails = false;
@@ -141,7 +143,7 @@ class ScanSequence : public testing::Test {
     timing_.keep_alive = 0;
   }
 
-  scan_cell::ScanEnd run() {
+  scan_cell::SequenceEnd run() {
     scan_cell::ScanSequence sequence(robot_, camera_, trigger_, stages_, observer_, {}, timing_);
     return sequence.run(request_, cancel_);
   }
@@ -172,8 +174,8 @@ class ScanSequence : public testing::Test {
 }  // namespace
 
 TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
-  const scan_cell::ScanEnd end = run();
-  EXPECT_EQ(end.outcome, ScanOutcome::Finished) << end.message;
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::Finished) << end.message;
   EXPECT_EQ(observer_.steps, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
   std::vector<std::string> once = cell_.log;
   once.erase(std::remove(once.begin(), once.end(), "keep alive"), once.end());
@@ -193,22 +195,21 @@ TEST_F(ScanSequence, SwitchesTheLasersOnOnlyOnceTheRobotMoves) {
 
 TEST_F(ScanSequence, RefusesABadRequestBeforeAnythingMoves) {
   request_.speed = 100;
-  EXPECT_EQ(run().outcome, ScanOutcome::Refused);
+  EXPECT_EQ(run().outcome, Outcome::Refused);
   EXPECT_TRUE(cell_.log.empty());
 }
 
 TEST_F(ScanSequence, EndsSafelyWithTheReasonWhenADeviceIsLost) {
-  const std::vector<std::pair<std::string, ScanOutcome>> devices = {
-      {"robot", ScanOutcome::RobotLost},
-      {"camera", ScanOutcome::CameraLost},
-      {"trigger", ScanOutcome::TriggerLost},
-      {"stages", ScanOutcome::StageFailed}};
+  const std::vector<std::pair<std::string, Outcome>> devices = {{"robot", Outcome::RobotLost},
+                                                                {"camera", Outcome::CameraLost},
+                                                                {"trigger", Outcome::TriggerLost},
+                                                                {"stages", Outcome::StageFailed}};
   for (const auto& [device, outcome] : devices) {
     SCOPED_TRACE(device);
     cell_ = FakeCell();
     cell_.trouble_of = device;
     observer_.last = 0;
-    const scan_cell::ScanEnd end = run();
+    const scan_cell::SequenceEnd end = run();
     EXPECT_EQ(end.outcome, outcome);
     EXPECT_EQ(end.message, device + " is lost");
     expect_safe();
@@ -217,14 +218,14 @@ TEST_F(ScanSequence, EndsSafelyWithTheReasonWhenADeviceIsLost) {
 
 TEST_F(ScanSequence, StopsTheRobotAndKeepsTheDataWhenCancelled) {
   observer_.cancel = &cancel_;
-  EXPECT_EQ(run().outcome, ScanOutcome::Cancelled);
+  EXPECT_EQ(run().outcome, Outcome::Cancelled);
   expect_safe();
 }
 
 TEST_F(ScanSequence, SaysWhyAMotionFailed) {
   robot_.fails = true;
-  const scan_cell::ScanEnd end = run();
-  EXPECT_EQ(end.outcome, ScanOutcome::MotionFailed);
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::MotionFailed);
   EXPECT_EQ(end.message, "collision");
   expect_safe();
 }
@@ -232,20 +233,19 @@ TEST_F(ScanSequence, SaysWhyAMotionFailed) {
 TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheRobotDoesNotMove) {
   robot_.stuck = true;
   timing_.stall = 0.02;
-  EXPECT_EQ(run().outcome, ScanOutcome::MotionFailed);
+  EXPECT_EQ(run().outcome, Outcome::MotionFailed);
   EXPECT_FALSE(cell_.noted("arm"));
   EXPECT_TRUE(cell_.noted("stop robot"));
 }
 
 TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
-  const std::vector<std::pair<Motion::State, ScanOutcome>> ends = {
-      {Motion::State::Failed, ScanOutcome::MotionFailed},
-      {Motion::State::Lost, ScanOutcome::RobotLost}};
+  const std::vector<std::pair<Motion::State, Outcome>> ends = {
+      {Motion::State::Failed, Outcome::MotionFailed}, {Motion::State::Lost, Outcome::RobotLost}};
   for (const auto& [state, outcome] : ends) {
     robot_.ends_at_once = state;
     cell_ = FakeCell();
     observer_.last = 0;
-    const scan_cell::ScanEnd end = run();
+    const scan_cell::SequenceEnd end = run();
     EXPECT_EQ(end.outcome, outcome);
     EXPECT_EQ(end.message, "no path");
     EXPECT_FALSE(cell_.noted("arm"));
@@ -255,14 +255,14 @@ TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
 
 TEST_F(ScanSequence, DisarmsEvenWhereArmingFailed) {
   cell_.throws_at = "arm";
-  EXPECT_EQ(run().outcome, ScanOutcome::TriggerLost);
+  EXPECT_EQ(run().outcome, Outcome::TriggerLost);
   expect_safe();
 }
 
 TEST_F(ScanSequence, KeepsTheCloudWhereTheBinderFails) {
   cell_.throws_at = "bind";
-  const scan_cell::ScanEnd end = run();
-  EXPECT_EQ(end.outcome, ScanOutcome::StageFailed);
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::StageFailed);
   EXPECT_NE(end.message.find("bind: gone"), std::string::npos) << end.message;
   EXPECT_TRUE(cell_.noted("triangulate"));
   EXPECT_FALSE(stages_.whole_cloud);
@@ -271,33 +271,33 @@ TEST_F(ScanSequence, KeepsTheCloudWhereTheBinderFails) {
 
 TEST_F(ScanSequence, ReportsATriangulationThatFails) {
   cell_.throws_at = "triangulate";
-  EXPECT_EQ(run().outcome, ScanOutcome::StageFailed);
+  EXPECT_EQ(run().outcome, Outcome::StageFailed);
   EXPECT_TRUE(cell_.noted("stop camera"));
 }
 
 TEST_F(ScanSequence, SaysWhatFailedBesides) {
   robot_.fails = true;
   cell_.throws_at = "bind";
-  const scan_cell::ScanEnd end = run();
-  EXPECT_EQ(end.outcome, ScanOutcome::MotionFailed);
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::MotionFailed);
   EXPECT_EQ(end.message, "collision; besides: bind: gone; look for it");
 }
 
 TEST_F(ScanSequence, IsNotFinishedWhereTheCameraWasLostAtTheVeryEnd) {
   stages_.missing_at_the_end = 4;
-  EXPECT_EQ(run().outcome, ScanOutcome::Finished) << "single frames may get lost";
+  EXPECT_EQ(run().outcome, Outcome::Finished) << "single frames may get lost";
   stages_.missing_at_the_end = 5;
   observer_.last = 0;
-  const scan_cell::ScanEnd end = run();
-  EXPECT_EQ(end.outcome, ScanOutcome::CameraLost);
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::CameraLost);
   EXPECT_EQ(end.message.find("camera: no frame of the last 5 of 77 pulses"), 0U) << end.message;
   EXPECT_FALSE(stages_.whole_cloud);
 }
 
 TEST_F(ScanSequence, IsNotFinishedWhereTheTriggerWasLostAtTheVeryEnd) {
   trigger_.answers = false;
-  const scan_cell::ScanEnd end = run();
-  EXPECT_EQ(end.outcome, ScanOutcome::TriggerLost);
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::TriggerLost);
   EXPECT_EQ(end.message, "trigger: no answer");
   EXPECT_FALSE(stages_.whole_cloud);
 }

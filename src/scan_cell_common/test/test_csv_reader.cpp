@@ -1,9 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/csv_reader.h"
-
 #include <gtest/gtest.h>
 
+#include "scan_cell_common/csv_reader.h"
 #include "scan_cell_common/errors.h"
 
 using scan_cell_common::CsvReader;

@@ -22,6 +22,9 @@ GIVEN = {
     'scanner': os.path.join(SIMULATOR, 'scanner.yaml'),
     'cell': os.path.join(SIMULATOR, 'cell.yaml'),
     'world': os.path.join(SIMULATOR, 'reference_frame.yaml'),
+    'controller': '192.168.0.10',
+    'camera': '192.168.1.20',
+    'port': '/dev/parport0',
     'input': '/cloud',
     'bag': '/tmp/scan.bag',
     'reference': '/tmp/reference.ply',
@@ -78,7 +81,8 @@ class LaunchFiles(unittest.TestCase):
 
     def test_are_all_looked_at(self):
         names = [os.path.basename(path) for path in launch_files()]
-        for name in ('scan_cell.launch', 'replay.launch', 'stages.launch', 'preprocess.launch', 'simulator.launch'):
+        for name in ('scan_cell.launch', 'calibration.launch', 'devices.launch', 'replay.launch', 'stages.launch',
+                     'preprocess.launch', 'simulator.launch'):
             self.assertIn(name, names)
         self.assertEqual(len(list(combinations(self.cell))), 2 ** len(switches(self.cell)))
 
@@ -156,6 +160,30 @@ class LaunchFiles(unittest.TestCase):
         parameters = {key: value.value for key, value in load(self.cell, sim='true').params.items()}
         self.assertEqual({key: value.value for key, value in
                           load(self.cell, sim='true', nodelets='true').params.items()}, parameters)
+
+    def test_puts_the_stages_of_a_replay_into_one_manager_where_asked(self):
+        replay = os.path.join(FOLDER, 'replay.launch')
+        given = {name: GIVEN[name] for name in ('bag', 'reference', 'path', 'output')}
+        nodes = {node.name: node
+                 for node in load(replay, sim='true', nodelets='true', **given).nodes}
+        self.assertEqual(nodes['pose_frame_binder'].args, 'load pose_frame_binder/Binder chain')
+        self.assertEqual(nodes['laser_triangulation'].args,
+                         'load laser_triangulation/Triangulation chain')
+        self.assertEqual((nodes['chain'].type, nodes['chain'].args), ('nodelet', 'manager'))
+
+    def test_lets_the_simulator_keep_its_truth_and_the_cell_know_only_what_was_calibrated(self):
+        params = load(self.cell, sim='true').params
+        truth = params['/scan_cell_sim/scanner'].value
+        self.assertEqual(os.path.basename(truth), 'scanner.yaml')
+        for name in ('/laser_triangulation/scanner', '/calibrated_frames/scanner_file', '/camera/scanner_model'):
+            self.assertEqual(os.path.basename(params[name].value), 'calibrated_scanner.yaml')
+
+    def test_calibrates_without_a_scanner_model(self):
+        path = os.path.join(FOLDER, 'calibration.launch')
+        params = load(path, sim='true', videe='true').params
+        self.assertNotIn('/camera/scanner_model', params)
+        self.assertEqual(params['/camera/live_ratio'].value, 1)
+        self.assertTrue(os.path.isfile(params['/videe/calibration/poses'].value))
 
     def test_records_what_replay_plays(self):
         recorded = self.nodes(sim='true', record='/tmp/a.bag')['record'].args.split()

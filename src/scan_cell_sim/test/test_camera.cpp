@@ -9,6 +9,8 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <random>
 #include <thread>
 
@@ -547,6 +549,12 @@ TEST(Cell, ThreeHundredPulsesAtAHundredHertzGiveThreeHundredFramesOfTheirPoses) 
   Client client;
   ASSERT_TRUE(client.connected());
   client.start(true);
+  std::mutex mutex;
+  std::map<Nanoseconds, double> true_heights;
+  cell.observe([&](const Cell::TrueExposure& exposure) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    true_heights[exposure.time] = exposure.flange.translation().z();
+  });
   const CircuitDriver driver(cell.circuit().port());
   ASSERT_TRUE(wait_until([&] {  // until the camera takes pulses
     driver.pulse();
@@ -574,8 +582,12 @@ TEST(Cell, ThreeHundredPulsesAtAHundredHertzGiveThreeHundredFramesOfTheirPoses) 
     const double height = motion.height(frame.time);
     worst =
         std::max(worst, std::abs(centre(frame, 256) - (848 + 800 * (-0.25 + height / 2) / height)));
+    const std::lock_guard<std::mutex> lock(mutex);
+    ASSERT_EQ(true_heights.count(frame.time), 1U);
+    EXPECT_EQ(true_heights[frame.time], height);
   }
   pulses.join();
+  cell.observe(nullptr);
   EXPECT_EQ(frames, kPulses);
   EXPECT_EQ(client.broken(), 0);
   const GigeCamera::Counts after = cell.camera().counts();

@@ -21,7 +21,7 @@ const Region kRegion = {336, 599, 1024, 512};
 
 Optics noiseless() {
   Optics optics;
-  optics.background = optics.read_noise = optics.shot_noise = 0;
+  optics.background = optics.ambient = optics.read_noise = optics.shot_noise = 0;
   return optics;
 }
 

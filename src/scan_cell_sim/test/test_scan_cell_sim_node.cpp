@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <set>
 
 namespace {
@@ -102,9 +103,12 @@ class Client {
     if (buffer == nullptr) return -1;
     int rows = -1;
     if (arv_buffer_get_status(buffer) == ARV_BUFFER_STATUS_SUCCESS) rows = count(buffer);
+    time_ = arv_buffer_get_timestamp(buffer);
     arv_stream_push_buffer(stream_, buffer);
     return rows;
   }
+
+  std::uint64_t time() const { return time_; }  ///< [ns] of the last frame, by the camera
 
   /// Lit rows after a pulse with these laser bits.
   int pulse(std::uint8_t lasers) {
@@ -134,6 +138,7 @@ class Client {
 
   ArvCamera* camera_;
   ArvStream* stream_ = nullptr;
+  std::uint64_t time_ = 0;
 };
 
 TEST(SimulatorNode, ServesACameraThatShowsTheLaserThatIsOn) {
@@ -219,6 +224,27 @@ TEST(SimulatorNode, TellsTheTrueFlange) {
   EXPECT_EQ(flange->header.frame_id, "base_link");
   EXPECT_NEAR(flange->pose.position.x, 0.80, 1e-3);  // the controller's start posture
   EXPECT_NEAR(flange->pose.position.z, 0.60, 1e-3);
+}
+
+TEST(SimulatorNode, TellsTheTruePoseOfEachFrame) {
+  ASSERT_TRUE(set_faults().success);
+  std::map<std::uint64_t, geometry_msgs::PoseStamped> exposures;
+  ros::NodeHandle node;
+  const boost::function<void(const geometry_msgs::PoseStamped&)> keep =
+      [&exposures](const geometry_msgs::PoseStamped& exposure) {
+        exposures[exposure.header.stamp.toNSec()] = exposure;
+      };
+  const auto subscriber =
+      node.subscribe<geometry_msgs::PoseStamped>("/scan_cell_sim/true_exposures", 100, keep);
+  ASSERT_TRUE(wait_until([&] { return subscriber.getNumPublishers() > 0; }));
+  Client client;
+  ASSERT_GT(client.pulse(0b010), 400);
+  ASSERT_TRUE(wait_until([&] {
+    ros::spinOnce();
+    return exposures.count(client.time()) > 0;
+  }));
+  EXPECT_EQ(exposures[client.time()].header.frame_id, "base_link");
+  EXPECT_NEAR(exposures[client.time()].pose.position.x, 0.80, 1e-3);
 }
 
 }  // namespace

@@ -61,6 +61,8 @@ TEST(WorldFile, EveryShippedWorldLoadsAndFitsOnePass) {
 TEST(WorldFile, ReadsEveryEntry) {
   const WorldFile file(R"(
 floor: {height: 0.01, size: [1, 2], reflectance: 0.3}
+board: {inner_corners: [9, 6], square_size: 0.03, margin: 0.01, white: 0.7, black: 0.1,
+        pose: {translation: [1, 2, 3], rotation: [1, 0, 0, 0]}}
 parts:
   - name: a
     shape: frame
@@ -77,6 +79,13 @@ parts:
 )");
   const World world = load_world(file.path());
   EXPECT_EQ(world.floor->height, 0.01);
+  EXPECT_EQ(world.board->columns, 9);
+  EXPECT_EQ(world.board->rows, 6);
+  EXPECT_EQ(world.board->square_size, 0.03);
+  EXPECT_EQ(world.board->margin, 0.01);
+  EXPECT_EQ(world.board->white, 0.7);
+  EXPECT_EQ(world.board->black, 0.1);
+  EXPECT_EQ(world.board->pose.translation(), Vector3d(1, 2, 3));
   const Part& part = world.part("a");
   EXPECT_EQ(std::get<FrameShape>(part.shape).size, Eigen::Vector2d(0.3, 0.2));
   EXPECT_EQ(std::get<FrameShape>(part.shape).sheet->bulge, 0.01);
@@ -89,6 +98,16 @@ parts:
   EXPECT_THROW(world.part("c"), scan_cell_common::UnusableInput);
 }
 
+TEST(WorldFile, TheShippedBoardLiesFaceUpInTheMiddle) {
+  const World world = load_world(kConfig + "/calibration_board.yaml");
+  ASSERT_TRUE(world.board);
+  const Checkerboard& board = *world.board;
+  const Vector3d middle = board.pose * Vector3d((board.columns - 1) * board.square_size / 2,
+                                                (board.rows - 1) * board.square_size / 2, 0);
+  EXPECT_LT(middle.head<2>().norm(), 1e-9);
+  EXPECT_NEAR(board.pose.linear().col(2).z(), -1, 1e-9);
+}
+
 TEST(WorldFile, RefusalsNameTheEntry) {
   EXPECT_EQ(thing_refused("parts: [{name: a, shape: ball}]"), "parts[0].shape");
   EXPECT_EQ(thing_refused("parts: [{name: a}]"), "parts[0].shape");
@@ -99,6 +118,10 @@ TEST(WorldFile, RefusalsNameTheEntry) {
             "parts[1].name");
   EXPECT_EQ(thing_refused("parts: [{name: a, shape: box, deformations: [{kind: twist}]}]"),
             "parts[0].deformations[0].kind");
+  EXPECT_EQ(thing_refused("board: {square_size: 0.02}"), "board.inner_corners");
+  EXPECT_EQ(thing_refused("board: {inner_corners: [9.5, 6], square_size: 0.02}"),
+            "board.inner_corners");
+  EXPECT_EQ(thing_refused("board: {inner_corners: [9, 6], square_size: 20}"), "board.square_size");
   EXPECT_EQ(thing_refused("flor: {}"), "flor");
   EXPECT_THROW(load_world("/nowhere.yaml"), scan_cell_common::FileError);
 }

@@ -2,79 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <optional>
 
-#include "fake_cameras.h"
 #include "line_camera.h"
+#include "opened_camera.h"
 #include "payloads.h"
-#include "tecnogamma_camera/aravis_camera.h"
 #include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 
+using fake_cameras::genicam_file;
+using fake_cameras::grab;
 using fake_cameras::kAddress;
 using fake_cameras::LineCamera;
+using fake_cameras::open;
 using fake_cameras::Program;
+using fake_cameras::refused_parameter;
+using fake_cameras::small_region;
 using scan_cell_common::ConnectionError;
-using scan_cell_common::InvalidParameter;
 using scan_cell_common::Refused;
-using tecnogamma_camera::Camera;
 using tecnogamma_camera::CameraSettings;
 using tecnogamma_camera::CounterStep;
-using tecnogamma_camera::Frame;
-using tecnogamma_camera::MissingFeature;
 using tecnogamma_camera::Trigger;
-
-namespace {
-
-/// Opens as soon as the camera answers.
-std::unique_ptr<Camera> open(const std::string& name = kAddress) {
-  std::unique_ptr<Camera> camera;
-  std::string reason;
-  fake_cameras::wait_until([&] {
-    try {
-      camera = tecnogamma_camera::open_aravis_camera(name, {});
-    } catch (const ConnectionError& error) {
-      reason = error.what();
-    }
-    return camera != nullptr;
-  });
-  EXPECT_NE(camera, nullptr) << reason;
-  return camera;
-}
-
-CameraSettings small_region(double rate) {
-  CameraSettings settings;
-  settings.region = {64, 32, 256, 64};
-  settings.rate = rate;
-  settings.trigger_source = "Software";
-  return settings;
-}
-
-std::optional<Frame> grab(Camera& camera) {
-  return camera.grab(std::chrono::seconds(10));
-}
-
-/// A path for the description of a fake camera.
-std::string genicam_file() {
-  return (std::filesystem::temp_directory_path() / ("fake_" + std::to_string(getpid()) + ".xml"))
-      .string();
-}
-
-template <class Act>
-std::string refused_parameter(const Act& act) {
-  try {
-    act();
-  } catch (const InvalidParameter& error) {
-    return error.thing();
-  }
-  return "nothing";
-}
-
-}  // namespace
 
 TEST(AravisCamera, IsListedAndOpenedByItsIdSerialNumberOrAddress) {
   const Program program({"-s", "SERIAL7"});
@@ -175,57 +124,6 @@ TEST(AravisCamera, ExposesOneFrameAPulse) {
   EXPECT_TRUE(grab(*camera));
 }
 
-TEST(AravisCamera, TakesParametersOnlyInStopButForTheExposure) {
-  const Program program;
-  const auto camera = open();
-  camera->configure(small_region(50));
-  camera->start(Trigger::FREE_RUN);
-  EXPECT_THROW(camera->configure(small_region(20)), Refused);
-  EXPECT_THROW(camera->start(Trigger::FREE_RUN), Refused);
-  camera->set_exposure(0.004);
-  EXPECT_DOUBLE_EQ(camera->describe().exposure, 0.004);
-  camera->stop();
-  camera->configure(small_region(20));
-}
-
-TEST(AravisCamera, NamesTheParameterThatItDoesNotTake) {
-  const Program program;
-  const auto camera = open();
-  CameraSettings settings;
-  settings.region = {2000, 0, 100, 100};
-  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "region");
-  settings = {};
-  settings.exposure = 20.0;
-  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "exposure");
-  settings = {};
-  settings.rate = 5000.0;
-  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "rate");
-  settings = {};
-  settings.gain = 100.0;
-  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "gain");
-  settings = {};
-  settings.trigger_source = "Line9";
-  camera->configure(settings);
-  EXPECT_THROW(camera->start(Trigger::EXTERNAL), scan_cell_common::Error);
-}
-
-TEST(AravisCamera, KeepsItsRegionWhereAnotherIsRefused) {
-  const std::string file = genicam_file();
-  LineCamera::save_genicam_with_steps(file);
-  LineCamera line(file);
-  const auto camera = open();
-  camera->configure(small_region(50));
-  CameraSettings settings = small_region(50);
-  settings.region.width = 250;  // the camera takes 240
-  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "region");
-  camera->start(Trigger::FREE_RUN);
-  const auto frame = grab(*camera);
-  ASSERT_TRUE(frame);
-  EXPECT_EQ(frame->packets_lost, 0U) << "the frame must be of the region that was kept";
-  EXPECT_EQ(frame->image.columns, 256);
-  std::filesystem::remove(file);
-}
-
 TEST(AravisCamera, HandsOutGreyValuesOfMoreThanEightBitsPackedOrNot) {
   const std::string file = genicam_file();
   LineCamera::save_genicam_with_mono12p(file);
@@ -251,102 +149,6 @@ TEST(AravisCamera, HandsOutGreyValuesOfMoreThanEightBitsPackedOrNot) {
     camera->stop();
   }
   std::filesystem::remove(file);
-}
-
-TEST(AravisCamera, NamesThePixelFormatThatItDoesNotHave) {
-  LineCamera line;
-  const auto camera = open();
-  CameraSettings settings = small_region(50);
-  settings.pixel_format = "Mono10";
-  try {
-    camera->configure(settings);
-    FAIL();
-  } catch (const MissingFeature& error) {
-    EXPECT_EQ(error.value(), "PixelFormat Mono10");
-  }
-  settings.pixel_format = "RGB8";  // it has that, but there are no grey values in it
-  EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "pixel_format");
-}
-
-TEST(AravisCamera, KeepsTheRateOfFreeRunAfterAnExternalTrigger) {
-  const std::string file = genicam_file();
-  LineCamera::save_genicam_with_rate_enable(file);
-  LineCamera line(file);
-  const auto camera = open();
-  camera->configure(small_region(50));
-  camera->start(Trigger::EXTERNAL);
-  EXPECT_FALSE(line.rate_is_enabled());
-  camera->stop();
-  camera->start(Trigger::FREE_RUN);
-  EXPECT_TRUE(line.rate_is_enabled());
-  std::filesystem::remove(file);
-}
-
-TEST(AravisCamera, NamesTheFeatureThatItDoesNotHave) {
-  const std::string file = genicam_file();
-  LineCamera::save_genicam_without("TriggerSource", file);
-  {
-    LineCamera line(file);
-    const auto camera = open();
-    camera->configure(small_region(50));
-    try {
-      camera->start(Trigger::EXTERNAL);
-      FAIL();
-    } catch (const MissingFeature& error) {
-      EXPECT_EQ(error.value(), "TriggerSource");
-    }
-    camera->start(Trigger::FREE_RUN);  // what it has still works
-    EXPECT_TRUE(grab(*camera));
-  }
-  std::filesystem::remove(file);
-}
-
-TEST(AravisCamera, DrivesTheStrobeWhileItRunsAndSetsTheLineBack) {
-  const std::string file = genicam_file();
-  LineCamera::Features()
-      .words("LineSelector", {"Line0", "Line1"})
-      .words("LineMode", {"Input", "Output"})
-      .words("LineSource", {"Off", "UserOutput0", "ExposureActive"})
-      .save(file);
-  LineCamera line(file);
-  line.write_feature(2, 1);
-  const auto camera = open();
-  CameraSettings settings = small_region(50);
-  settings.strobe_line = "Line1";
-  camera->configure(settings);
-  EXPECT_EQ(line.read_feature(1), 0U) << "nothing is driven in STOP";
-  for (const Trigger trigger : {Trigger::EXTERNAL, Trigger::FREE_RUN}) {
-    camera->start(trigger);
-    EXPECT_EQ(line.read_feature(0), 1U);
-    EXPECT_EQ(line.read_feature(1), 1U);
-    EXPECT_EQ(line.read_feature(2), 2U);
-    camera->stop();
-    for (unsigned i = 0; i < 3; ++i)
-      EXPECT_EQ(line.read_feature(i), i == 2 ? 1U : 0U) << "as it was before";
-  }
-  settings.strobe_source = "Moonlight";
-  camera->configure(settings);
-  EXPECT_THROW(camera->start(Trigger::FREE_RUN), scan_cell_common::Error);
-  for (unsigned i = 0; i < 3; ++i)
-    EXPECT_EQ(line.read_feature(i), i == 2 ? 1U : 0U) << "also where the start fails";
-  std::filesystem::remove(file);
-}
-
-TEST(AravisCamera, NeedsLinesOnlyWhereAStrobeIsAskedFor) {
-  const Program program;
-  const auto camera = open();
-  CameraSettings settings = small_region(50);
-  settings.strobe_line = "Line1";
-  camera->configure(settings);
-  try {
-    camera->start(Trigger::FREE_RUN);
-    FAIL();
-  } catch (const MissingFeature& error) {
-    EXPECT_EQ(error.value(), "LineSelector");
-  }
-  camera->configure(small_region(50));
-  camera->start(Trigger::FREE_RUN);
-  EXPECT_TRUE(grab(*camera));
 }
 
 TEST(AravisCamera, ThatSends3D03FramesGivesItsPeaksNumbersAndTimes) {
@@ -430,63 +232,6 @@ TEST(AravisCamera, NeverHandsOutPixelsOfAFrameWithPacketsMissing) {
     }
     return whole >= 5 && incomplete >= 5 && without_number >= 1;
   }));
-}
-
-TEST(CameraMenu, StopsTheCameraWhereAFrameCannotBeSaved) {
-  const Program program;
-  open();
-  const auto folder = std::filesystem::temp_directory_path() / ("menu_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder / "image.png");  // a folder in the file's place
-  const std::string command = "cd " + folder.string() + " && printf '2\\n4\\n4\\n6\\n' | " +
-                              CAMERA_MENU + " --camera " + kAddress + " > log 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  std::ifstream file(folder / "log");
-  const std::string log{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(log.find("image.png: cannot be written"), std::string::npos) << log;
-  EXPECT_EQ(log.find("is running"), std::string::npos) << log;
-  std::filesystem::remove_all(folder);
-}
-
-TEST(RecordFrames, WritesAFolderThatPlaysAsTheCameraDid) {
-  LineCamera line;
-  open();
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("frames_" + std::to_string(getpid()));
-  const auto record = [&](const std::string& options) {
-    return WEXITSTATUS(
-        std::system((std::string(RECORD_FRAMES) + " --camera " + kAddress + " --output " +
-                     folder.string() + " " + options + " > /dev/null 2>&1")
-                        .c_str()));
-  };
-  ASSERT_EQ(record("--frames 5 --rate 50 --pixel-format Mono16 --region-x 64 --region-y 32 "
-                   "--region-width 256 --region-height 64"),
-            0);
-  EXPECT_EQ(record("--frames 5"), 1) << "a recording is never overwritten";
-  tecnogamma_camera::CameraOptions options;
-  options.playback.speed = 0;
-  const auto camera = tecnogamma_camera::open_camera("folder:" + folder.string(), options);
-  EXPECT_EQ(camera->describe().sensor_columns, 2048);
-  camera->start(Trigger::FREE_RUN);
-  std::uint64_t number = 0;
-  scan_cell_common::Nanoseconds device_time = 0, time = 0;
-  for (int i = 0; i < 5; ++i) {
-    const auto frame = grab(*camera);
-    ASSERT_TRUE(frame);
-    EXPECT_GT(frame->counter, number);
-    EXPECT_GT(frame->device_time, device_time);
-    EXPECT_GT(frame->time, time);
-    number = frame->counter;
-    device_time = frame->device_time;
-    time = frame->time;
-    if (frame->packets_lost > 0) continue;
-    tecnogamma_camera::PeakProfile profile;
-    tecnogamma_camera::make_detector("center_of_gravity", {})->detect(frame->image, profile);
-    ASSERT_EQ(profile.rows(), 64);
-    EXPECT_EQ(profile.first_row, 32);
-    EXPECT_NEAR(profile.position[7], LineCamera::line(39), 0.02);
-  }
-  EXPECT_THROW(grab(*camera), tecnogamma_camera::StreamEnded);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(AravisCamera, IsFoundAgainAfterItWasLost) {

@@ -63,7 +63,9 @@ class CameraNode : public testing::Test {
     call.request.config.doubles[0].name = "exposure";
     call.request.config.doubles[0].value = value;
     EXPECT_TRUE(ros::service::call("camera/set_parameters", call));
-    return call.response.config.doubles.at(0).value;
+    for (const auto& answer : call.response.config.doubles)
+      if (answer.name == "exposure") return answer.value;
+    return -1;
   }
 
   /// Level of the newest diagnostics; -1 before the first.

@@ -32,6 +32,7 @@ class PayloadCamera : public tecnogamma_camera::Camera {
     std::string bytes;
     int columns = 0;
     std::uint32_t packets_lost = 0;
+    bool restarted = false;
   };
   explicit PayloadCamera(std::deque<Sent> sent) : sent_(std::move(sent)) {}
 
@@ -54,6 +55,7 @@ class PayloadCamera : public tecnogamma_camera::Camera {
     frame.device_time = 77;
     frame.host_time = 1'000'000'000 + block_id_;
     frame.packets_lost = now_.packets_lost;
+    frame.restarted = now_.restarted;
     if (now_.packets_lost == 0) frame.image = payloads::view(now_.bytes, now_.columns);
     return frame;
   }
@@ -166,6 +168,25 @@ TEST(DecodingCamera, HandsOutCombinedFramesOneByOne) {
     time = frame->device_time;
   }
   EXPECT_FALSE(grab(camera)) << "fillers are no frames";
+}
+
+TEST(DecodingCamera, TellsARestartWithTheFirstFrameAlsoAfterAPayloadWithoutFrames) {
+  Photonfocus sent(32, 2);
+  Photonfocus fillers(32, 1);
+  fillers.fill(0);
+  Photonfocus3D03Settings settings;
+  settings.scan_first_row = 0;
+  DecodingCamera camera(
+      std::make_unique<PayloadCamera>(std::deque<PayloadCamera::Sent>{
+          {sent.bytes, 32}, {fillers.bytes, 32, 0, true}, {sent.bytes, 32}, {sent.bytes, 33}}),
+      std::make_unique<Photonfocus3D03Decoder>(settings));
+  camera.start(Trigger::EXTERNAL);
+  EXPECT_FALSE(grab(camera)->restarted);
+  EXPECT_FALSE(grab(camera)->restarted);
+  EXPECT_FALSE(grab(camera)) << "fillers";
+  EXPECT_TRUE(grab(camera)->restarted);
+  EXPECT_FALSE(grab(camera)->restarted);
+  EXPECT_FALSE(grab(camera)->restarted) << "told once, whatever comes next";
 }
 
 TEST(DecodingCamera, ForgetsWhatWasNotHandedOutWhenItIsStopped) {

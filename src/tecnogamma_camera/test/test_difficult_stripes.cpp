@@ -189,6 +189,23 @@ TEST_P(EachDetector, TakesTheSideThatIsChosenAmongReflections) {
   EXPECT_LT(errors(detect(image, settings), [](int row) { return line(row) + 100; }).worst, 0.3);
 }
 
+TEST_P(EachDetector, PassesOverWhatIsWiderThanALineCanBe) {
+  stripes::Image image = line_image({0, 4, 1500});
+  for (int row = 0; row < kRows; ++row) {
+    image.add(row, {line(row) + 200, row % 2 ? 25.0 : 15.0, 400});  // a shiny object, saturated too
+    if (row % 3 == 0) image.add(row, {0, 60, 600});  // another, which the border cuts
+  }
+  image.add_noise(1.5, 3);
+  EXPECT_GT(errors(detect(image)).worst, 100);
+  DetectorSettings settings;
+  settings.most_width = 30;
+  const Errors found = errors(detect(image, settings));
+  EXPECT_EQ(found.missing, 0);
+  EXPECT_LT(found.worst, 0.5);
+  settings.most_width = 5;
+  EXPECT_LT(peaks(detect(image, settings)), 5) << "all but noise";
+}
+
 TEST_P(EachDetector, BridgesTheDipsOfSpeckle) {
   std::mt19937 engine(5);
   stripes::Image image(kColumns, kRows, kBackground);
@@ -249,6 +266,32 @@ TEST_P(EachDetector, PassesOverSingleHotAndDeadPixels) {
   const Errors found = errors(detect(image));
   EXPECT_EQ(found.missing, 0);
   EXPECT_LT(found.worst, 0.4);
+}
+
+TEST_P(EachDetector, IsNotMisledByAHotPixelBesideTheLine) {
+  for (const double height : {30.0, 60.0, 120.0}) {
+    for (int off = 5; off <= 14; ++off) {
+      stripes::Image image = line_image({0, 2, height});
+      image.add_noise(1.5, 3);
+      for (int row = 0; row < kRows; row += 3)
+        image.at(row, static_cast<int>(line(row)) + (row % 2 ? off : -off)) = 255;
+      const Errors found = errors(detect(image));
+      EXPECT_EQ(found.missing, 0) << height << ", " << off << " px off";
+      EXPECT_LT(found.worst, height < 50 ? 0.9 : 0.5) << height << ", " << off << " px off";
+    }
+  }
+}
+
+TEST_P(EachDetector, TakesNoThinLineForHotPixels) {
+  for (const double sigma : {0.25, 0.4, 0.5}) {
+    stripes::Image image = line_image({0, sigma, 200});
+    for (int row = 0; row < kRows; ++row)
+      image.add(row, {line(row), 5, 20});  // a glow about it
+    image.add_noise(1.5, 3);
+    const Errors found = errors(detect(image));
+    EXPECT_EQ(found.missing, 0) << sigma;
+    EXPECT_LT(found.worst, 0.8) << sigma;
+  }
 }
 
 TEST_P(EachDetector, GivesTheWidthAtHalfOfTheHeight) {

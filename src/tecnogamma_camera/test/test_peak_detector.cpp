@@ -118,6 +118,16 @@ TEST(PeakDetector, TakesTheFirstOrTheLastSpotWhereThatIsChosen) {
   EXPECT_EQ(threshold_position("..#..+++++..#....", 2, Choice::FIRST), 7.0F);  // too short an edge
 }
 
+TEST(ThresholdDetector, PassesOverSpotsThatAreTooWide) {
+  DetectorSettings narrow = settings(105, 2);
+  narrow.most_width = 4;
+  EXPECT_EQ(threshold("..###....+++++...", narrow).position[0], 3.0F);
+  EXPECT_EQ(threshold("..####....+++++...", narrow).position[0], 3.5F) << "4 is not above 4";
+  EXPECT_EQ(threshold("#######...###....", narrow).position[0], 11.0F) << "also if it is cut";
+  EXPECT_TRUE(std::isnan(threshold("###...##.....", narrow).position[0])) << "cut, and may be it";
+  EXPECT_TRUE(std::isnan(threshold("...#####.....", narrow).position[0]));
+}
+
 TEST(ThresholdDetector, DoesNotFallBackToAReflectionWhereTheLineIsCut) {
   EXPECT_TRUE(std::isnan(threshold_position("#####...##....", 2)));
   EXPECT_EQ(threshold_position("##...####....", 2), 6.5F);
@@ -191,6 +201,11 @@ TEST(PeakDetector, RefusesSettingsOutOfRangeByName) {
   DetectorSettings window;
   window.window = 256;
   EXPECT_EQ(refused(window), "window");
+  DetectorSettings width;
+  for (const double most : {-1.0, 70000.0, std::nan("")}) {
+    width.most_width = most;
+    EXPECT_EQ(refused(width), "most_width") << most;
+  }
   EXPECT_THROW(make_detector("parabola", {}), scan_cell_common::InvalidParameter);
 }
 

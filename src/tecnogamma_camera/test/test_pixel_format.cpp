@@ -79,3 +79,14 @@ TEST(PixelFormat, NamesTheFormatsWhereAnotherIsAskedFor) {
     EXPECT_NE(std::string(error.what()).find("Mono12p"), std::string::npos);
   }
 }
+
+TEST(PixelFormat, CountsTheBytesThatPadTheRows) {
+  const auto& mono8 = pixel_format("Mono8");
+  EXPECT_EQ(mono8.bytes(100, 50, 0), 5000U);
+  EXPECT_EQ(mono8.bytes(100, 50, 28), 5000U + 49 * 28);
+  EXPECT_EQ(mono8.bytes(100, 1, 28), 100U);
+  EXPECT_EQ(pixel_format("Mono12").bytes(100, 50, 28), 10000U + 49 * 28);
+  EXPECT_FALSE(pixel_format("Mono12").bytes(100, 50, 27)) << "a row would begin within a pixel";
+  EXPECT_EQ(pixel_format("Mono12p").bytes(100, 50, 0), 7500U);
+  EXPECT_FALSE(pixel_format("Mono12p").bytes(100, 50, 2));
+}

@@ -5,69 +5,11 @@
 #include <cmath>
 
 #include "scan_cell_common/errors.h"
-#include "synthetic_parts.h"
+#include "stretch_case.h"
 #include "tool_path_stretcher/report.h"
-#include "tool_path_stretcher/stretcher.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 using namespace tool_path_stretcher;
-using synthetic::Part;
-
-namespace {
-
-constexpr double kDegree = M_PI / 180;
-constexpr std::size_t kWaypoints = 200;
-
-Eigen::Matrix3d about_vertical(double degrees) {
-  return Eigen::AngleAxisd(degrees * kDegree, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
-
-/// One case with its truth; tests change what they are about.
-struct Case {
-  Part part = synthetic::photo_frame();
-  Part scanned_part = part;
-  Similarity moved = synthetic::similarity(1.08, about_vertical(30), {0.4, -0.2, 0.1});
-  synthetic::Deformation deformation = synthetic::no_deformation();
-  synthetic::Scan scan;
-  StretchParameters parameters;
-  ToolPath path = synthetic::path_on(part, kWaypoints);
-
-  Surface reference() const {
-    synthetic::Scan whole;
-    whole.seed = 11;
-    return surface_from_cloud(synthetic::scan(part, {}, synthetic::no_deformation(), whole),
-                              parameters.leaf, "reference");
-  }
-
-  Surface object() const {
-    return surface_from_cloud(synthetic::scan(scanned_part, moved, deformation, scan),
-                              parameters.leaf, "object");
-  }
-
-  StretchResult run(const Progress& progress = {}) const {
-    return stretch(reference(), object(), path, parameters, progress);
-  }
-
-  synthetic::PathError error(const StretchResult& result) const {
-    return synthetic::error_of(result.path, synthetic::truth(path, moved, deformation));
-  }
-};
-
-void expect_refused(const StretchResult& result, Reason reason) {
-  EXPECT_EQ(to_string(result.verdict.reason), to_string(reason)) << result.verdict.message;
-  EXPECT_TRUE(result.path.segments.empty());
-  EXPECT_FALSE(result.verdict.message.empty());
-}
-
-void expect_adapted(const Case& each, double position_rms, double orientation_rms) {
-  const StretchResult result = each.run();
-  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
-  const synthetic::PathError error = each.error(result);
-  EXPECT_LE(error.rms, position_rms);
-  EXPECT_LE(error.orientation, orientation_rms);
-}
-
-}  // namespace
 
 TEST(Stretcher, StandsAnyRotationAboutTheVertical) {
   for (const double degrees : {0.0, 95.0, 178.0, 260.0, 359.0}) {
@@ -221,72 +163,6 @@ TEST(AffineMethod, IsRefusedWhereTheObjectIsBent) {
   EXPECT_TRUE(result.path.segments.empty());
 }
 
-TEST(Refusal, OfAWrongPart) {
-  Case panel;
-  panel.scanned_part = synthetic::curved_panel();
-  expect_refused(panel.run(), Reason::kWrongPart);
-  Case box;
-  box.scanned_part = synthetic::box_lid();
-  expect_refused(box.run(), Reason::kWrongPart);
-}
-
-TEST(Refusal, OfASymmetricPart) {
-  Case each;
-  each.part = each.scanned_part = synthetic::photo_frame(0);
-  expect_refused(each.run(), Reason::kAmbiguous);
-}
-
-TEST(Refusal, OfAScaleOutOfBounds) {
-  Case each;
-  each.moved.scale = 2.6;
-  expect_refused(each.run(), Reason::kScaleAtBound);
-}
-
-TEST(Refusal, OfCloudsInDifferentUnits) {
-  Case each;
-  each.moved.scale = 1000;
-  each.scan.noise = 0.1;
-  const StretchResult result = each.run();
-  expect_refused(result, Reason::kUnusableInput);
-  EXPECT_NE(result.verdict.message.find("millimetres"), std::string::npos);
-}
-
-TEST(Refusal, OfAPathOffTheReferenceNamesTheWaypoints) {
-  Case each;
-  each.path.segments[1].waypoints[3].pose.translation().z() += 0.5;
-  const StretchResult result = each.run();
-  expect_refused(result, Reason::kPathOffReference);
-  EXPECT_EQ(result.verdict.waypoints, std::vector<std::size_t>{kWaypoints / 2 + 3});
-}
-
-TEST(Refusal, OfAPathBesideTheReferenceDoesNotTakeItForMillimetres) {
-  Case each;
-  for (Segment& segment : each.path.segments) {
-    for (Waypoint& waypoint : segment.waypoints)
-      waypoint.pose.translation().y() += 0.4;
-  }
-  expect_refused(each.run(), Reason::kPathOffReference);
-}
-
-TEST(Refusal, OfAPathThatWasNotScannedNamesTheWaypoints) {
-  Case each;
-  const auto is_hole = [](const Eigen::Vector3d& at) { return at.x() > 0.02 && at.y() < -0.03; };
-  each.scan.is_hole = is_hole;
-  const StretchResult result = each.run();
-  expect_refused(result, Reason::kPathNotScanned);
-  std::size_t index = 0;
-  std::vector<std::size_t> inside;
-  for (const Segment& segment : each.path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints) {
-      if (is_hole(waypoint.pose.translation())) inside.push_back(index);
-      ++index;
-    }
-  }
-  ASSERT_FALSE(result.verdict.waypoints.empty());
-  for (const std::size_t waypoint : result.verdict.waypoints)
-    EXPECT_EQ(std::count(inside.begin(), inside.end(), waypoint), 1) << waypoint;
-}
-
 TEST(Stretcher, InfersWaypointsOverASmallHoleAndFlagsThem) {
   Case each;
   each.scan.is_hole = [](const Eigen::Vector3d& at) {
@@ -299,30 +175,6 @@ TEST(Stretcher, InfersWaypointsOverASmallHoleAndFlagsThem) {
                                       [](const WaypointQuality& q) { return !q.measured; });
   EXPECT_GE(inferred, 2);
   EXPECT_LE(inferred, 8);
-}
-
-TEST(Refusal, OfTooFewPoints) {
-  Case each;
-  each.scan.points = 100;
-  expect_refused(each.run(), Reason::kTooFewPoints);
-}
-
-TEST(Refusal, OfUnusablePaths) {
-  Case each;
-  each.path.segments.clear();
-  expect_refused(each.run(), Reason::kUnusableInput);
-  Case nan;
-  nan.path.segments[0].waypoints[0].pose.translation().x() = std::nan("");
-  expect_refused(nan.run(), Reason::kUnusableInput);
-}
-
-TEST(Refusal, OfAToleranceThatIsExceeded) {
-  Case each;
-  each.deformation = synthetic::bend(0.004, 0.200);
-  each.parameters.max_displacement = 0.0005;
-  const StretchResult result = each.run();
-  expect_refused(result, Reason::kToleranceExceeded);
-  EXPECT_FALSE(result.verdict.waypoints.empty());
 }
 
 TEST(Stretcher, CanBeCancelledAtEveryStage) {
@@ -415,28 +267,4 @@ TEST(Stretcher, FindsAPlateOfWhichAThirdWasNotScanned) {
         1.2, Eigen::AngleAxisd(degrees * kDegree, axis).toRotationMatrix(), {0.4, -0.2, 0.1});
     expect_adapted(each, 0.0003, 1 * kDegree);
   }
-}
-
-TEST(Refusal, OfSomethingThatLiesAcrossThePath) {
-  Case each;
-  constexpr double kHigh = 0.009;  // [m]
-  const Eigen::Vector3d middle = each.path.segments[0].waypoints[kWaypoints / 8].pose.translation();
-  each.scanned_part.height = [height = each.part.height, middle](double x, double y) {
-    constexpr double kHalfWide = 0.004;
-    const bool covered = std::abs(x - middle.x()) < kHalfWide && std::abs(y - middle.y()) < 0.02;
-    return height(x, y) + (covered ? kHigh : 0);
-  };
-  const StretchResult result = each.run();
-  expect_refused(result, Reason::kWrongPart);
-  EXPECT_NE(
-      std::find(result.verdict.waypoints.begin(), result.verdict.waypoints.end(), kWaypoints / 8),
-      result.verdict.waypoints.end());
-  EXPECT_LT(result.verdict.waypoints.size(), kWaypoints / 4);
-}
-
-TEST(Refusal, OfAPartThatWouldHaveToBeBentTooFar) {
-  Case each;
-  each.deformation = synthetic::bend(0.008, 0.200);
-  each.parameters.max_deformation = 0.001;
-  expect_refused(each.run(), Reason::kWrongPart);
 }

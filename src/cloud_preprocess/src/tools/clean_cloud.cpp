@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cloud_preprocess/clean.h"
+#include "scan_cell_common/tool_main.h"
 #include "scan_cell_common/yaml_file.h"
 
 using cloud_preprocess::CleanParameters;
@@ -109,14 +110,8 @@ int main(int argc, char** argv) {
   app.add_option("--output", output, "clean cloud (.ply, .pcd); only written if all went well")
       ->required();
   add_settings(app, root);
-  try {
-    app.parse(argc, argv);
+  return scan_cell_common::tool_main("clean_cloud", app, argc, argv, [&] {
     run(input, output, cloud_preprocess::read_clean_parameters({root, "settings"}));
     return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "clean_cloud: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -3,8 +3,11 @@
 #include "triangulation_services.h"
 
 #include <boost/make_shared.hpp>
+#include <cctype>
 #include <chrono>
+#include <filesystem>
 
+#include "laser_triangulation/cloud_file.h"
 #include "scan_cell_common/errors.h"
 
 namespace laser_triangulation {
@@ -14,8 +17,14 @@ using scan_cell_msgs::StartScan;
 
 namespace {
 
-/// roscpp breaks off a connection that announces a message of more than 1e9 bytes.
-constexpr std::size_t kMostBytes = 999'000'000;
+/// Another for each scan, whatever its id holds.
+std::string file_name(std::string scan_id, const ros::Time& stamp) {
+  for (char& letter : scan_id) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-';
+    if (!plain) letter = '_';
+  }
+  return scan_id + "_" + std::to_string(stamp.toNSec()) + ".ply";
+}
 
 }  // namespace
 
@@ -84,6 +93,40 @@ bool TriangulationServices::start(StartScan::Request& request, StartScan::Respon
   return true;
 }
 
+void TriangulationServices::wait_for(std::uint64_t profiles, double timeout,
+                                     std::unique_lock<std::mutex>& lock) {
+  finishing_ = true;
+  const auto all = [this, profiles] {
+    return scan_->profiles() >= profiles || !failure_.empty() || !ros::ok();
+  };
+  std::uint64_t heard = 0;
+  do {
+    heard = scan_->profiles();
+  } while (!news_.wait_for(lock, std::chrono::duration<double>(timeout), all) &&
+           scan_->profiles() > heard);
+  finishing_ = false;
+}
+
+std::string TriangulationServices::find_fault(std::uint64_t profiles) const {
+  if (!failure_.empty()) return failure_;
+  if (scan_->profiles() < profiles) {
+    return "only " + std::to_string(scan_->profiles()) + " of " + std::to_string(profiles) +
+           " bound profiles arrived";
+  }
+  return scan_->points().empty() ? "no point: " + scan_->summary() : "";
+}
+
+void TriangulationServices::give_cloud(FinishCloud::Response& response) const {
+  if (scan_->points().size() <= parameters_.most_message_points) {
+    response.cloud = scan_->cloud();
+    return;
+  }
+  response.cloud = scan_->cloud(scan_->points().size());
+  const std::string name = file_name(scan_id_, response.cloud.header.stamp);
+  response.file = std::filesystem::absolute(parameters_.cloud_folder) / name;
+  save_ply(response.file, scan_->points());
+}
+
 bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::Response& response) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (!scan_ || finishing_) {
@@ -92,37 +135,24 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
                              : "no scan is under way; call start first";
     return true;
   }
-  finishing_ = true;
-  const auto all = [this, &request] {
-    return scan_->profiles() >= request.profiles || !failure_.empty() || !ros::ok();
-  };
-  std::uint64_t heard = 0;
-  do {
-    heard = scan_->profiles();
-  } while (!news_.wait_for(lock, std::chrono::duration<double>(request.timeout.toSec()), all) &&
-           scan_->profiles() > heard);
-  finishing_ = false;
+  wait_for(request.profiles, request.timeout.toSec(), lock);
   publish_increment();
   response.statistics = scan_->statistics(scan_id_);
-  response.message = scan_->summary();
-  const std::size_t size = scan_->points().size() * sizeof(ScanPoint);
-  if (size <= kMostBytes) {
-    response.cloud = scan_->cloud();
-  } else if (failure_.empty()) {
-    failure_ = "cloud: " + std::to_string(scan_->points().size()) +
-               " points do not fit into one message, which holds " +
-               std::to_string(kMostBytes / sizeof(ScanPoint)) +
-               "; take them from ~cloud, or scan for less time";
+  try {
+    give_cloud(response);
+  } catch (const std::exception& error) {  // the points are kept
+    response.file.clear();
+    response.success = false;
+    response.message = std::string(error.what()) + ", and call finish again";
+    ROS_ERROR("scan %s: %s", scan_id_.c_str(), response.message.c_str());
+    return true;
   }
-  if (failure_.empty() && scan_->profiles() < request.profiles) {
-    failure_ = "only " + std::to_string(scan_->profiles()) + " of " +
-               std::to_string(request.profiles) + " bound profiles arrived";
-  } else if (failure_.empty() && scan_->points().empty()) {
-    failure_ = "no point: " + response.message;
-  }
+  failure_ = find_fault(request.profiles);
   response.success = failure_.empty();
-  if (!response.success) response.message = failure_;
-  if (response.success && !request.partial) whole_cloud_.publish(response.cloud);
+  response.message = response.success ? scan_->summary() : failure_;
+  if (!response.file.empty()) response.message += "; too many for a message: " + response.file;
+  if (response.success && response.file.empty() && !request.partial)
+    whole_cloud_.publish(response.cloud);
   ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
   scan_.reset();
   return true;

@@ -33,6 +33,9 @@ class TriangulationServices {
   bool finish(scan_cell_msgs::FinishCloud::Request& request,
               scan_cell_msgs::FinishCloud::Response& response);
   void on_profile(const scan_cell_msgs::BoundProfile& profile);
+  void wait_for(std::uint64_t profiles, double timeout, std::unique_lock<std::mutex>& lock);
+  std::string find_fault(std::uint64_t profiles) const;
+  void give_cloud(scan_cell_msgs::FinishCloud::Response& response) const;
   void publish_increment();  // call with the mutex held
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 

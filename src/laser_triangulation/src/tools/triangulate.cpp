@@ -9,6 +9,7 @@
 #include "laser_triangulation/cloud_file.h"
 #include "laser_triangulation/ros/cloud_builder.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
@@ -63,12 +64,8 @@ int main(int argc, char** argv) {
   app.add_option("--least-range", options.limits.least_range, "[m] along the camera's axis")
       ->capture_default_str();
   app.add_option("--most-range", options.limits.most_range, "[m]")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("triangulate", app, argc, argv, [&] {
     triangulate(options);
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "triangulate: " << error.what() << '\n';
-    return 1;
-  }
+  });
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -19,7 +20,7 @@ using scan_cell_common::Nanoseconds;
 
 /// One pulse that was sent.
 struct Pulse {
-  Nanoseconds time = 0;      //!< host time of the rising edge, from just before and after the write
+  Nanoseconds time = 0;      //!< host time of the rising edge
   std::uint32_t arming = 0;  //!< the first is 1
   std::uint64_t count = 0;   //!< since this arming; the first is 1
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
@@ -108,6 +109,7 @@ class PulseGenerator {
   Clock::time_point armed_at_;
   Clock::time_point kept_alive_at_;
   Clock::time_point guardian_told_at_;
+  Nanoseconds shortest_write_ = std::numeric_limits<Nanoseconds>::max();  // of a pulse
   std::thread thread_;
 };
 

@@ -266,7 +266,9 @@ void PulseGenerator::send_pulse() {
     write(laser_bits(status_.lasers) | kCameraPulse);
     const Nanoseconds after = host_time();
     if (failure.empty()) {
-      pulse = {before + (after - before) / 2, status_.arming, ++status_.pulses, status_.lasers};
+      // Where a write is held up it is behind the edge, as the call returns.
+      shortest_write_ = std::clamp<Nanoseconds>(after - before, 0, shortest_write_);
+      pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, status_.lasers};
     }
   }
   if (failure.empty()) {

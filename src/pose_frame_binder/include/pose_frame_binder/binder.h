@@ -47,6 +47,12 @@ class Binder {
   /// Whether every one of `triggers` pulses is there and bound or named by a dropped frame.
   bool whole(std::uint64_t triggers) const;
 
+  /// Grows with each pulse and with each frame that may be of one; of frames that no pulse exposed,
+  /// such as those of a camera in free run, only with the first few.
+  std::uint64_t progress() const {
+    return pulses_.size() + settled_ + pending_.size() + matcher_.waiting();
+  }
+
   std::uint64_t pulses() const { return pulses_.size(); }
   const PoseLog& poses() const { return poses_; }
 

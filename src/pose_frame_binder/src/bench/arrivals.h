@@ -9,8 +9,8 @@
 #include <atomic>
 #include <vector>
 
-#include "child_process.h"
 #include "profile_feeder.h"
+#include "scan_cell_common/child_process.h"
 
 namespace pose_frame_binder {
 
@@ -31,7 +31,7 @@ class Arrivals {
                                                               count_in](const Pointer& message) {
       count_ += count_in(*message);
       all_.push_back({std::chrono::steady_clock::now(), count_});
-      cpu_ = cpu_of_this_thread();
+      cpu_ = scan_cell_common::cpu_of_this_thread();
     };
     subscriber_ = node.subscribe<Message>(topic, kUnbounded, on_message, ros::VoidConstPtr(),
                                           ros::TransportHints().tcpNoDelay());

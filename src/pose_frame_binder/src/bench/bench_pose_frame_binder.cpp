@@ -1,7 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrong pairings in a million frames with faults, beside those of plainer ways on the same frames;
-// the error of a cloud beside that of a perfect binding.
+// Wrong pairings in a million frames with faults, beside those of plainer ways on the same frames.
 #include <malloc.h>
 
 #include <algorithm>
@@ -11,7 +10,6 @@
 #include <cstdlib>
 #include <map>
 
-#include "cloud_error.h"
 #include "faulty_scan.h"
 #include "pose_frame_binder/binder.h"
 
@@ -204,7 +202,5 @@ int main(int argc, char** argv) {
   bench_pairings("16-bit counter", tecnogamma_camera::kCounter16, seed);
   bench_pairings("GigE Vision block id", tecnogamma_camera::kGigEVisionBlockId, seed + 1);
   bench_pairings("24-bit counter", tecnogamma_camera::kCounter24, seed + 2);
-  std::printf("cloud error, r.m.s. distance of the points from the truth, up to 100 mm/s\n");
-  bench_cloud_error();
   return 0;
 }

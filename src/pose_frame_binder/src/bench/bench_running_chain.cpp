@@ -2,40 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Profiles through binder and triangulation as they run, under a ROS master of its own: as nodelets
 // in one process and as nodes; beside two nodes in their place that only hand the profiles on.
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
 
 #include "chain_run.h"
-#include "child_process.h"
+#include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
 
 using namespace pose_frame_binder;  // NOLINT
+using scan_cell_common::ChildProcess;
 
 namespace {
 
-/// A port that nobody has.
-int free_port() {
-  const int line = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(address);
-  const bool found = bind(line, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
-                     getsockname(line, reinterpret_cast<sockaddr*>(&address), &size) == 0;
-  close(line);
-  if (!found) throw scan_cell_common::Refused("a port of 127.0.0.1", "none free", "see ss -lt");
-  return ntohs(address.sin_port);
-}
-
 /// Each run in a process of its own, so that its memory is its own.
 int run_all(const std::string& program, const Pace& pace) {
-  const std::string port = std::to_string(free_port());
+  const std::string port = std::to_string(scan_cell_common::free_port());
   setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
   setenv("ROS_IP", "127.0.0.1", 1);
   const ChildProcess master({"rosmaster", "--core", "-p", port}, true);

@@ -15,6 +15,11 @@
 #include "started_chain.h"
 
 namespace pose_frame_binder {
+
+using scan_cell_common::ChildProcess;
+using scan_cell_common::Usage;
+using scan_cell_common::usage_of;
+
 namespace {
 
 constexpr double kMilliseconds = 1e3;

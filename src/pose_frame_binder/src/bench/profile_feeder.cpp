@@ -10,7 +10,7 @@
 #include <boost/make_shared.hpp>
 #include <cmath>
 
-#include "child_process.h"
+#include "scan_cell_common/child_process.h"
 
 namespace pose_frame_binder {
 namespace {
@@ -89,7 +89,7 @@ void ProfileFeeder::feed() {
       send_profile(frame++);
       done_ = frame == frames;
     }
-    cpu_ = cpu_of_this_thread();
+    cpu_ = scan_cell_common::cpu_of_this_thread();
   }
 }
 

@@ -8,6 +8,11 @@
 #include "laser_triangulation/scanner_model.h"
 
 namespace pose_frame_binder {
+
+using scan_cell_common::ChildProcess;
+using scan_cell_common::Usage;
+using scan_cell_common::usage_of;
+
 namespace {
 
 laser_triangulation::ScannerModel scanner() {

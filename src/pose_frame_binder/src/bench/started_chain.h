@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "child_process.h"
+#include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
 
 namespace pose_frame_binder {
@@ -48,14 +48,14 @@ class StartedChain {
   StartedChain(const std::string& program, bool nodelets);
 
   bool here() const { return loader_ != nullptr; }  ///< in this process
-  Usage usage() const;
+  scan_cell_common::Usage usage() const;
 
  private:
   void load_nodelets();
   void start_nodes(const std::filesystem::path& folder);
 
   std::unique_ptr<nodelet::Loader> loader_;
-  std::vector<std::unique_ptr<ChildProcess>> nodes_;
+  std::vector<std::unique_ptr<scan_cell_common::ChildProcess>> nodes_;
 };
 
 }  // namespace pose_frame_binder

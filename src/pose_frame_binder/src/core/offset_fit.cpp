@@ -10,13 +10,17 @@
 namespace pose_frame_binder {
 namespace {
 
-/// 1.4826 x the median: the standard deviation, were there no outliers.
-double robust_deviation(const std::vector<OffsetPair>& pairs, const Eigen::Vector3d& solution) {
+/// 1.4826 x the median of the residuals of pairs on slopes, or on flats: the standard deviation,
+/// were there no outliers.
+double robust_deviation(const std::vector<OffsetPair>& pairs, bool on_relief,
+                        const Eigen::Vector3d& solution) {
   constexpr double kOfMedian = 1.4826;
   constexpr double kLeast = 1e-6;  // [m]
   std::vector<double> sizes;
   for (const OffsetPair& pair : pairs)
-    sizes.push_back(std::abs(pair.residual + pair.slope.dot(solution)));
+    if (pair.on_relief == on_relief)
+      sizes.push_back(std::abs(pair.residual + pair.slope.dot(solution)));
+  if (sizes.empty()) return kLeast;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   return std::max(kLeast, kOfMedian * *middle);
@@ -77,12 +81,15 @@ OffsetFit fit_offset(const std::vector<OffsetPair>& pairs) {
       Eigen::Vector3d(kAlmostNothing, 1 / (kShift * kShift), 1 / (kShift * kShift)).asDiagonal();
   OffsetFit fit;
   for (int step = 0; step < kSteps; ++step) {
-    const double deviation = robust_deviation(pairs, fit.solution);
+    // Apart, or the many flats would make outliers of all slopes while the delay is still far off.
+    const double of_flats = robust_deviation(pairs, false, fit.solution);
+    const double of_slopes = std::max(of_flats, robust_deviation(pairs, true, fit.solution));
     Equations all;
     all.information = prior;
     all.gradient = prior * fit.solution;
     std::map<int, Equations> blocks;
     for (const OffsetPair& pair : pairs) {
+      const double deviation = pair.on_relief ? of_slopes : of_flats;
       const double residual = pair.residual + pair.slope.dot(fit.solution);
       const double share = residual / (kTukey * deviation);
       if (std::abs(share) >= 1) continue;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "binder_services.h"
 
+#include <algorithm>
 #include <chrono>
-#include <type_traits>
 
 #include "scan_cell_common/errors.h"
 
@@ -60,8 +60,6 @@ bool BinderServices::take(const Data& data) {
     ROS_ERROR("scan %s: %s", scan_id_.c_str(), error.what());
   }
   publish_bound();
-  // Poses keep coming as long as the robot is there; they do not tell that frames will.
-  if constexpr (!std::is_same_v<Data, tf2_msgs::TFMessage>) ++arrivals_;
   if (finishing_) news_.notify_all();
   return true;
 }
@@ -106,10 +104,13 @@ void BinderServices::wait_for_all(std::unique_lock<std::mutex>& lock, std::uint6
     return binder.whole(triggers) || !failure_.empty() || !ros::ok();
   };
   finishing_ = true;
-  std::uint64_t heard = 0;
+  // Poses keep coming as long as the robot is there, and frames as long as a camera runs free; they
+  // do not tell that the others will.
+  std::uint64_t most = 0;
   do {
-    heard = arrivals_;
-  } while (!news_.wait_for(lock, std::chrono::duration<double>(timeout), all) && arrivals_ > heard);
+    most = std::max(most, scan_->binder().progress());
+  } while (!news_.wait_for(lock, std::chrono::duration<double>(timeout), all) &&
+           scan_->binder().progress() > most);
   finishing_ = false;
 }
 

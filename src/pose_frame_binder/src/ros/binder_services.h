@@ -51,7 +51,6 @@ class BinderServices {
   std::string scan_id_;
   std::string failure_;  // why the scan under way cannot be bound to its end
   bool finishing_ = false;
-  std::uint64_t arrivals_ = 0;                      // of frames and events
   std::atomic<std::uint64_t> profiles_ignored_{0};  // since the last start
   Audit last_audit_;
 

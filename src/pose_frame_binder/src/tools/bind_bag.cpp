@@ -12,6 +12,7 @@
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
@@ -138,13 +139,9 @@ int main(int argc, char** argv) {
   CLI::App app("Binds the frames of a recorded scan to poses, as the node does");
   Options options;
   declare(app, options);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("bind_bag", app, argc, argv, [&] {
     finish(options);
     run(options);
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "bind_bag: " << error.what() << '\n';
-    return 1;
-  }
+  });
 }

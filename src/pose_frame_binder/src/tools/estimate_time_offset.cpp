@@ -8,6 +8,7 @@
 #include "laser_triangulation/triangulator.h"
 #include "pose_frame_binder/time_offset.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
@@ -95,12 +96,8 @@ int main(int argc, char** argv) {
   CLI::App app("Finds how late the robot's poses are stamped, from two scans there and back");
   Options options;
   declare(app, options);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("estimate_time_offset", app, argc, argv, [&] {
     run(options);
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "estimate_time_offset: " << error.what() << '\n';
-    return 1;
-  }
+  });
 }

@@ -13,7 +13,8 @@
 
 namespace scan_calibration {
 
-/// What shows one laser's line: an image or peaks; neither: it was not taken.
+/// What shows one laser's line: an image or peaks; neither: it was not taken. Where both are given
+/// the peaks count, and the image they were found in lies beside them.
 struct RecordedLine {
   cv::Mat image;  //!< 8 or 16 bit grey
   std::optional<tecnogamma_camera::PeakProfile> peaks;

@@ -6,7 +6,6 @@
 
 int main() {
   cv::setNumThreads(1);  // as the command does: views are read in parallel
-  scan_calibration::print_synthetic_sessions();
   scan_calibration::print_real_sessions();
   scan_calibration::print_corner_accuracy();
   scan_calibration::print_reading_time();

@@ -7,10 +7,6 @@ namespace scan_calibration {
 /// Real images: a session of a robot and a laser, and OpenCV's pictures of a checkerboard.
 void print_real_sessions();
 
-/// The goals of a calibration on 100 seeded synthetic sessions of 70 views, each figure beside its
-/// goal, and the sequential way on some of them.
-void print_synthetic_sessions();
-
 /// Corners in rendered images, beside OpenCV's.
 void print_corner_accuracy();
 

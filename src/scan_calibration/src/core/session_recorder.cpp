@@ -56,7 +56,8 @@ std::string SessionRecorder::save(const cv::Mat& image, const std::string& name)
 }
 
 std::string SessionRecorder::save(const RecordedLine& line, const std::string& name) const {
-  if (!line.peaks) return line.image.empty() ? "" : save(line.image, name);
+  const std::string image = line.image.empty() ? "" : save(line.image, name);
+  if (!line.peaks) return image;
   const std::string file = std::string(kImages) + "/" + name + ".csv";
   tecnogamma_camera::save_peaks(path_of(folder_, file), *line.peaks);
   return file;

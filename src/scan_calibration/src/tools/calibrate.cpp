@@ -8,14 +8,15 @@
 
 #include "scan_calibration/calibration_files.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
 using namespace scan_calibration;
 
+using scan_cell_common::kRefused;
+
 constexpr int kPassed = 0;
-constexpr int kUnusable = 1;
-constexpr int kRefused = 2;
 
 struct Options {
   std::string session;
@@ -153,19 +154,11 @@ int main(int argc, char** argv) {
   add_files(app, options);
   add_limits(app, options.limits);
   add_knowledge(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kPassed : kUnusable;
-  }
-  try {
+  return scan_cell_common::tool_main("calibrate", app, argc, argv, [&] {
     complete(options);
     cv::setNumThreads(1);  // views are read in parallel, each by one thread
     const CalibrationRun run =
         run_calibration(options.session, options.observation, options.calibration, options.limits);
     return finish(run, save_calibration(run, options.files));
-  } catch (const scan_cell_common::Error& error) {
-    std::fprintf(stderr, "calibrate: %s\n", error.what());
-    return kUnusable;
-  }
+  });
 }

@@ -9,6 +9,7 @@
 #include "scan_calibration/tool_tip.h"
 #include "scan_calibration/world_frame.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 using scan_calibration::TaughtPoses;
 using scan_cell_common::UnusableInput;
@@ -96,15 +97,9 @@ int main(int argc, char** argv) {
   for (CLI::App* command : {tool, world})
     command->fallthrough();
 
-  try {
-    app.parse(argc, argv);
+  return scan_cell_common::tool_main("cell_frames", app, argc, argv, [&] {
     if (tool->parsed()) calibrate_tool(taught_file, cell_file, tool_limits);
     if (world->parsed()) calibrate_world(taught_file, cell_file, world_limits);
     return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "cell_frames: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -4,16 +4,26 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <opencv2/core.hpp>
+#include <optional>
 #include <string>
+
+#include "tecnogamma_camera/peak_profile.h"
 
 namespace scan_cell {
 
 /// How the motion that was started last stands.
 struct Motion {
-  enum class State { Moving, Reached, Failed, Lost };
+  enum class State {
+    Moving,
+    Reached,
+    Failed,   //!< refused, or not carried out
+    Stopped,  //!< by the controller or by somebody else
+    Lost,
+  };
   State state = State::Moving;
   double progress = 0;  //!< 0 .. 1
-  std::string message;  //!< why it failed or was lost
+  std::string message;  //!< why it did not get there
 };
 
 /// What all devices have in common. Calls that cannot be carried out throw a
@@ -39,6 +49,13 @@ class Robot : public Device {
 
   virtual Motion motion() const = 0;
 
+  /// Why it could not move now, such as a pressed emergency stop; empty while it could.
+  virtual std::string hindrance() const = 0;
+
+  /// Pose of tool0 in the robot's base frame, asked of the controller while it stands still.
+  /// @throw scan_cell_common::Error, also while it moves
+  virtual Eigen::Isometry3d static_pose() = 0;
+
   /// Stops and drops the goal. Never throws: it is called when things go wrong.
   virtual void stop() noexcept = 0;
 };
@@ -50,6 +67,35 @@ class Camera : public Device {
   virtual void start() = 0;
   virtual void expect_profiles(double rate) = 0;
   virtual void stop() noexcept = 0;
+};
+
+/// One frame: the image and the laser line that was found in it.
+struct Snapshot {
+  cv::Mat image;  //!< 8 or 16 bit grey, the whole sensor
+  tecnogamma_camera::PeakProfile peaks;
+};
+
+/// The camera as it takes single frames of the whole sensor, a pulse of the trigger each.
+class SnapshotCamera {
+ public:
+  virtual ~SnapshotCamera() = default;
+
+  /// Makes it read out the whole sensor, and remembers what it was set to.
+  virtual void prepare() = 0;
+
+  /// From here on the next pulse's frame is waited for.
+  /// @param exposure [s]
+  virtual void start(double exposure) = 0;
+
+  /// The first whole frame since start(), once it is there.
+  virtual std::optional<Snapshot> snapshot() = 0;
+
+  /// Neither throws: they are called when things go wrong.
+  virtual void stop() noexcept = 0;
+
+  /// Undoes prepare(), which may have failed half way.
+  /// @return why it could not be undone; empty: it was
+  virtual std::string restore() noexcept = 0;
 };
 
 /// How a trigger circuit left off.

@@ -142,7 +142,21 @@ sensor_msgs::PointCloud2 CellClient::scan_clean(const ScanProgram& program,
   if (result.outcome != scan_cell_msgs::ScanResult::FINISHED) {
     throw scan_cell_common::Refused("scan '" + scan_id + "'", "ended early", result.message);
   }
+  check_published(result.cloud_file);
   return watch.wait(result.cloud.header.stamp, kCleaningTimeout);
+}
+
+scan_cell_msgs::CalibrateResult CellClient::calibrate(const scan_cell_msgs::CalibrateGoal& goal,
+                                                      double timeout, const Progress& progress) {
+  const auto feedback = [&](const scan_cell_msgs::CalibrateFeedbackConstPtr& news) {
+    const std::string where =
+        "pose " + std::to_string(news->pose) + " of " + std::to_string(news->poses) + ": ";
+    progress((news->pose > 0 ? where : "") + news->doing, news->progress);
+  };
+  const auto result =
+      run_action<scan_cell_msgs::CalibrateAction>(node_, names_.calibrate, goal, timeout, feedback);
+  progress(std::to_string(result.views) + " views recorded", 1);
+  return result;
 }
 
 scan_cell_msgs::StretchToolPathResult CellClient::stretch(

@@ -8,6 +8,12 @@
 
 namespace scan_cell {
 
+void check_published(const std::string& cloud_file) {
+  if (cloud_file.empty()) return;
+  throw scan_cell_common::Refused("cloud", "too large for a message, in " + cloud_file,
+                                  "clean it with rosrun cloud_preprocess clean_cloud");
+}
+
 CleanCloudWatch::CleanCloudWatch(ros::NodeHandle node, const std::string& clean_cloud,
                                  const std::string& report)
     : clean_cloud_(clean_cloud) {

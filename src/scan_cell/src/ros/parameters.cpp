@@ -14,6 +14,20 @@ double Parameters::silence_allowed(double rate) const {
   return std::max(lost_after, std::min(kLongest, kPeriods / rate));
 }
 
+namespace {
+
+void load_session(scan_cell_common::ParameterReader& reader, SessionSequence::Timing& session) {
+  reader.read("calibration/speed", session.speed, {0.001, 1.5});
+  reader.read("calibration/settle", session.settle, {0, 60});
+  reader.read("calibration/still_position", session.still_position, {1e-6, 0.01});
+  reader.read("calibration/still_angle", session.still_angle, {1e-6, 0.1});
+  reader.read("calibration/still_patience", session.still_patience, {0.1, 60});
+  reader.read("calibration/rate", session.rate, {2, 100});
+  reader.read("calibration/image_patience", session.image_patience, {0.1, 60});
+}
+
+}  // namespace
+
 Parameters Parameters::load(const ros::NodeHandle& node) {
   scan_cell_common::ParameterReader reader(node);
   Parameters parameters;
@@ -31,6 +45,8 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   reader.read("approach_speed", parameters.timing.approach_speed, {0.001, 1.5});
   reader.read("stall", parameters.timing.stall, {0.5, 60});
   reader.read("patience", parameters.timing.patience, {0.1, 60});
+  parameters.session.stall = parameters.timing.stall;
+  load_session(reader, parameters.session);
   reader.refuse_unknown();
   return parameters;
 }

@@ -8,6 +8,7 @@
 
 #include "scan_cell/scan_request.h"
 #include "scan_cell/scan_sequence.h"
+#include "scan_cell/session_sequence.h"
 
 namespace scan_cell {
 
@@ -24,6 +25,8 @@ struct Parameters {
   double call_timeout = 5.0;  //!< [s] the longest a service may take to answer
   ScanLimits limits;
   ScanSequence::Timing timing;
+  SessionLimits session_limits;
+  SessionSequence::Timing session;  //!< of calibration sessions; stall as in timing
 
   /// [s] of silence that a device which ticks at `rate` [Hz] may keep: five periods where that is
   /// longer, up to one second.

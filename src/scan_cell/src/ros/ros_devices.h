@@ -29,6 +29,8 @@ class RosRobot : public Robot {
   void set_linear_motion(double speed) override;
   void start_move(const Eigen::Isometry3d& flange, double camera_rate) override;
   Motion motion() const override;
+  std::string hindrance() const override;
+  Eigen::Isometry3d static_pose() override;
   void stop() noexcept override;
 
  private:

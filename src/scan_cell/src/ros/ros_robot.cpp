@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <scan_cell_msgs/GetStaticPose.h>
 #include <scan_cell_msgs/SetControllerParameter.h>
 #include <scan_cell_msgs/SetLinearSpeed.h>
 
@@ -11,6 +12,22 @@ namespace scan_cell {
 
 using scan_cell_msgs::MoveGoal;
 using scan_cell_msgs::MoveResult;
+
+namespace {
+
+/// How a motion ended that did not reach its target.
+Motion::State state_of(std::uint8_t outcome) {
+  switch (outcome) {
+    case MoveResult::LINK_LOST:
+      return Motion::State::Lost;
+    case MoveResult::STOPPED:
+      return Motion::State::Stopped;
+    default:
+      return Motion::State::Failed;
+  }
+}
+
+}  // namespace
 
 RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
     : parameters_(parameters), client_(node, parameters.robot + "/move", false) {
@@ -92,14 +109,32 @@ void RosRobot::on_done(std::uint64_t move, const actionlib::SimpleClientGoalStat
     motion_ = {Motion::State::Reached, 1, ""};
     return;
   }
-  const bool lost = !result || result->outcome == MoveResult::LINK_LOST;
-  motion_.state = lost ? Motion::State::Lost : Motion::State::Failed;
+  motion_.state = !result ? Motion::State::Lost : state_of(result->outcome);
   motion_.message = result ? result->message : state.getText();
 }
 
 Motion RosRobot::motion() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return motion_;
+}
+
+std::string RosRobot::hindrance() const {
+  using scan_cell_msgs::RobotStatus;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (last_status_.e_stopped == RobotStatus::YES) return "the emergency stop is pressed";
+  if (last_status_.drives_powered == RobotStatus::NO) return "the drives are off";
+  if (last_status_.motion_possible == RobotStatus::NO) return "it is not in automatic mode";
+  return "";
+}
+
+Eigen::Isometry3d RosRobot::static_pose() {
+  const auto answer = call<scan_cell_msgs::GetStaticPose>(parameters_.robot + "/get_static_pose",
+                                                          {}, parameters_.call_timeout);
+  if (answer.pose.header.frame_id != parameters_.base_frame) {
+    throw scan_cell_common::Refused("static pose", "in frame '" + answer.pose.header.frame_id + "'",
+                                    "set base_frame to the driver's");
+  }
+  return scan_cell_common::from_ros(answer.pose.pose);
 }
 
 void RosRobot::stop() noexcept {

@@ -32,6 +32,7 @@ void RosStages::clear() {
   binding_.clear();
   statistics_ = {};
   cloud_ = {};
+  cloud_file_.clear();
 }
 
 std::string RosStages::trouble() const {
@@ -87,6 +88,7 @@ void RosStages::triangulate(bool whole, double patience) {
   const auto response = ask<FinishCloud>(finish_cloud(), request, longest(patience));
   statistics_ = response.statistics;
   cloud_ = response.cloud;  // also where it failed: what was captured is kept
+  cloud_file_ = response.file;
   check_answer(finish_cloud(), response);
 }
 

@@ -15,16 +15,14 @@ using scan_cell_common::Refused;
 using scan_cell_msgs::CellState;
 using scan_cell_msgs::ScanResult;
 
-ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters)
+ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
+                       CellInUse& cell)
     : parameters_(parameters),
-      robot_(node, parameters),
-      camera_(node, parameters),
-      trigger_(node, parameters),
+      camera_(devices.camera),
       stages_(parameters.binder, parameters.triangulation, parameters.call_timeout),
-      sequence_(robot_, camera_, trigger_, stages_, *this, parameters.limits, parameters.timing),
-      server_(
-          node, "scan", [this](Server::GoalHandle goal) { on_goal(goal); },
-          [this](Server::GoalHandle goal) { on_cancel(goal); }, false) {
+      sequence_(devices.robot, devices.camera, devices.trigger, stages_, *this, parameters.limits,
+                parameters.timing),
+      action_(node, "scan", cell, *this) {
   state_publisher_ = node.advertise<CellState>("state", 10, true);
   const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> count =
       [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
@@ -33,83 +31,38 @@ ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters)
   cloud_subscriber_ =
       node.subscribe<sensor_msgs::PointCloud2>(parameters.triangulation + "/cloud", 100, count);
   publish_state(CellState::IDLE, "");
-  server_.start();
+  action_.start();
 }
 
 ScanAction::~ScanAction() {
-  bool interrupted = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    interrupted = running_;
-    ending_ = true;
-    cancel_ = true;
-  }
-  if (thread_.joinable()) thread_.join();
-  // roscpp forgets what it has not written when it shuts down; the result holds the captured cloud.
-  if (interrupted) ros::WallDuration(0.5).sleep();
+  action_.end();
 }
 
-void ScanAction::on_goal(Server::GoalHandle goal) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ScanResult refusal;
-  refusal.outcome = ScanResult::REFUSED;
-  refusal.scan_id = goal.getGoal()->scan_id;
-  try {
-    if (running_) {
-      throw Refused("scan", "'" + request_.scan_id + "' is running", "wait for it, or cancel it");
-    }
-    if (ending_) throw Refused("scan", "the node is ending", "start it again");
-    request_ = request_from(*goal.getGoal());
-  } catch (const scan_cell_common::Error& error) {
-    refusal.message = error.what();
-    goal.setRejected(refusal, refusal.message);
-    return;
-  }
-  if (thread_.joinable()) thread_.join();
-  goal.setAccepted();
-  goal_ = goal;
-  running_ = true;
-  cancel_ = false;
+std::string ScanAction::accept(const scan_cell_msgs::ScanGoal& goal) {
+  request_ = request_from(goal);
   points_ = 0;
   camera_.clear();
   stages_.clear();
-  thread_ = std::thread(&ScanAction::run, this);
+  return request_.scan_id;
 }
 
-void ScanAction::on_cancel(Server::GoalHandle goal) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (running_ && goal == goal_) cancel_ = true;
-}
-
-void ScanAction::run() {
+ScanResult ScanAction::run(const std::atomic<bool>& cancel) {
   const ros::WallTime start = ros::WallTime::now();
-  const ScanEnd end = sequence_.run(request_, cancel_);
-  conclude(end, (ros::WallTime::now() - start).toSec());
-}
-
-void ScanAction::conclude(const ScanEnd& end, double seconds) {
+  const SequenceEnd end = sequence_.run(request_, cancel);
   ScanResult result;
   result.outcome = static_cast<std::uint8_t>(end.outcome);
   result.scan_id = request_.scan_id;
   result.audit = stages_.audit();
   result.statistics = stages_.statistics();
   result.cloud = stages_.cloud();
-  result.seconds = seconds;
-  const bool finished = end.outcome == ScanOutcome::Finished;
+  result.cloud_file = stages_.cloud_file();
+  result.seconds = (ros::WallTime::now() - start).toSec();
+  const bool finished = end.outcome == Outcome::Finished;
   result.message = finished ? stages_.binding() : end.message;
   publish_state(finished ? CellState::FINISHED : CellState::FAILED, end.message);
   if (!finished)
     ROS_WARN("Scan '%s' ended early: %s", request_.scan_id.c_str(), end.message.c_str());
-
-  const std::lock_guard<std::mutex> lock(mutex_);
-  running_ = false;
-  if (finished) {
-    goal_.setSucceeded(result);
-  } else if (end.outcome == ScanOutcome::Cancelled) {
-    goal_.setCanceled(result, end.message);
-  } else {
-    goal_.setAborted(result, end.message);
-  }
+  return result;
 }
 
 ScanRequest ScanAction::request_from(const scan_cell_msgs::ScanGoal& goal) const {
@@ -159,7 +112,7 @@ void ScanAction::on_progress(int step, const std::string& name, double progress)
   feedback.progress = progress;
   feedback.frames = camera_.profiles();
   feedback.points = points_;
-  goal_.publishFeedback(feedback);
+  action_.publish(feedback);
 }
 
 void ScanAction::on_capture_begins() {

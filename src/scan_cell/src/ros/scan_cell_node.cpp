@@ -6,6 +6,7 @@
 #include <atomic>
 #include <csignal>
 
+#include "calibrate_action.h"
 #include "scan_action.h"
 #include "scan_cell_common/ros/node_main.h"
 
@@ -37,7 +38,10 @@ int main(int argc, char** argv) {
     const scan_cell::Parameters parameters = scan_cell::Parameters::load(node);
     constexpr int kThreads = 4;  // goals and cancels are heard while a service call is under way
     ros::AsyncSpinner spinner(kThreads);
-    scan_cell::ScanAction scan(node, parameters);
+    scan_cell::CellDevices devices(node, parameters);
+    scan_cell::CellInUse cell;
+    scan_cell::ScanAction scan(node, parameters, devices, cell);
+    scan_cell::CalibrateAction calibrate(node, parameters, devices, cell);
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     take_over_shutdown();

@@ -12,6 +12,7 @@
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_common/ros/parameter_reader.h"
+#include "videe_wait.h"
 
 namespace scan_cell {
 
@@ -28,6 +29,8 @@ VideeParameters VideeParameters::load(const ros::NodeHandle& node) {
   reader.read("image_folder", parameters.image_folder);
   reader.read("scan", parameters.scan);
   reader.read("camera", parameters.camera);
+  reader.read("calibrate", parameters.calibrate);
+  parameters.calibration = VideeCalibrationParameters::load(reader);
   reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
   reader.refuse_unknown();
   return parameters;
@@ -37,7 +40,8 @@ VideeCell::VideeCell(ros::NodeHandle node, const VideeParameters& parameters)
     : node_(node),
       parameters_(parameters),
       program_(load_scan_program(parameters.program)),
-      client_(node, parameters.scan, false) {}
+      client_(node, parameters.scan, false),
+      calibration_(node, parameters.calibration, parameters.calibrate, parameters.call_timeout) {}
 
 std::string VideeCell::carry_out(const VideeCommand& command,
                                  const VideeServer::ClientThere& client_there) {
@@ -47,9 +51,9 @@ std::string VideeCell::carry_out(const VideeCommand& command,
       reset();
       return "";
     case VideeCommandKind::InitCalibration:
+      return calibration_.init();
     case VideeCommandKind::PerformCalibration:
-      throw Refused("calibration", "not served over ViDeE by this version",
-                    "give the cell a scanner model file");
+      return calibration_.perform(client_there);
     case VideeCommandKind::GrabImage:
       return grab_image();
     case VideeCommandKind::SetPosition:
@@ -65,6 +69,7 @@ std::string VideeCell::carry_out(const VideeCommand& command,
 
 void VideeCell::reset() {
   positions_.clear();
+  calibration_.reset();
   if (!running_) return;
   client_.cancelGoal();
   client_.waitForResult(ros::Duration(parameters_.call_timeout));
@@ -76,9 +81,7 @@ std::string VideeCell::start_scan() {
     throw Refused("START_SCAN", "no positions", "send SET_POSITION first");
   }
   if (running_) throw Refused("START_SCAN", "a scan is running", "send STOP_SCAN or RESET first");
-  if (!client_.waitForServer(ros::Duration(parameters_.call_timeout))) {
-    throw ConnectionError(parameters_.scan, "no action server", "is scan_cell_node running?");
-  }
+  wait_for_server(client_, parameters_.scan, parameters_.call_timeout);
   scan_cell_msgs::ScanGoal goal;
   goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
   goal.start.pose = scan_cell_common::to_ros_pose(positions_[0]);
@@ -93,19 +96,7 @@ std::string VideeCell::start_scan() {
 
 std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
   if (!running_) throw Refused("STOP_SCAN", "no scan is running", "send START_SCAN first");
-  while (!client_.waitForResult(ros::Duration(0.1))) {
-    if (!client_there()) throw ConnectionError("ViDeE client", "gone", "connect again");
-    if (!ros::ok() || !client_.isServerConnected()) {
-      running_ = false;
-      throw ConnectionError(parameters_.scan, "the action server went away", "look at its log");
-    }
-  }
-  running_ = false;
-  if (client_.getState() == actionlib::SimpleClientGoalState::LOST) {
-    throw ConnectionError(parameters_.scan, "lost the scan; it was probably restarted",
-                          "look at its log");
-  }
-  const scan_cell_msgs::ScanResultConstPtr result = client_.getResult();
+  const auto result = wait_for_result(client_, parameters_.scan, client_there, running_);
   if (result->outcome != scan_cell_msgs::ScanResult::FINISHED) {
     throw Refused("scan '" + result->scan_id + "'", "ended early", result->message);
   }
@@ -135,7 +126,7 @@ std::string VideeCell::grab_image() {
 }
 
 void VideeCell::on_client_lost() {
-  if (running_) ROS_WARN("The ViDeE client is gone; its scan is cancelled");
+  ROS_INFO("The ViDeE client is gone; what it had under way is cancelled");
   reset();
 }
 

@@ -12,6 +12,7 @@
 #include "scan_cell/scan_program.h"
 #include "scan_cell/videe_command.h"
 #include "scan_cell/videe_server.h"
+#include "videe_calibration.h"
 
 namespace scan_cell {
 
@@ -23,7 +24,9 @@ struct VideeParameters {
   std::string image_folder = "/tmp";     //!< where GRAB_IMAGE leaves its pictures
   std::string scan = "/scan_cell/scan";  //!< action
   std::string camera = "/camera";        //!< node with ~set_acquisition and ~image_raw
-  double call_timeout = 5.0;             //!< [s]
+  std::string calibrate = "/scan_cell/calibrate";  //!< action
+  VideeCalibrationParameters calibration;
+  double call_timeout = 5.0;  //!< [s]
 
   /// @throw scan_cell_common::InvalidParameter
   static VideeParameters load(const ros::NodeHandle& node);
@@ -39,7 +42,7 @@ class VideeCell {
   /// @throw scan_cell_common::Error, also where the client goes while it waits
   std::string carry_out(const VideeCommand& command, const VideeServer::ClientThere& client_there);
 
-  /// A client that is gone no longer watches: its scan is cancelled.
+  /// A client that is gone no longer watches: its scan or calibration is cancelled.
   void on_client_lost();
 
  private:
@@ -54,6 +57,7 @@ class VideeCell {
   const VideeParameters parameters_;
   const ScanProgram program_;
   Client client_;
+  VideeCalibration calibration_;
   std::vector<Eigen::Isometry3d> positions_;
   bool running_ = false;
   int images_ = 0;

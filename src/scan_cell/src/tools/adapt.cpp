@@ -8,6 +8,7 @@
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/adaptation.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
@@ -47,16 +48,12 @@ int main(int argc, char** argv) {
   app.add_option("--path", options.files.path, "tool path proven on it (.csv, .yaml)")->required();
   app.add_option("--output", options.files.output, "folder for cloud, path and report")->required();
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    ros::AsyncSpinner spinner(2);
-    spinner.start();
-    return adapt(options);
-  } catch (const scan_cell_common::Refused& error) {
-    std::fprintf(stderr, "\nadapt: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "\nadapt: %s\n", error.what());
-    return 1;
-  }
+  return scan_cell_common::tool_main(
+      "adapt", app, argc, argv,
+      [&] {
+        ros::AsyncSpinner spinner(2);
+        spinner.start();
+        return adapt(options);
+      },
+      scan_cell_common::kRefused);
 }

@@ -74,6 +74,7 @@ void replay(const Parameters& parameters) {
   stages.bind(bag.pulses(), parameters.patience);
   stages.triangulate(true, parameters.patience);
   bar.show("clean", 0.6);
+  scan_cell::check_published(stages.cloud_file());
   const auto object = watch.wait(stages.cloud().header.stamp, parameters.timeout);
   const auto verdict = scan_cell::adapt(
       client, parameters.files, object, parameters.timeout,

@@ -11,6 +11,7 @@
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
@@ -34,6 +35,10 @@ void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
               result.scan_id.c_str(), result.audit.triggers, result.audit.frames,
               result.audit.frames_bound, result.audit.frames_dropped,
               result.audit.frames_never_arrived);
+  if (!result.cloud_file.empty()) {
+    std::printf("%s: %lu points, too many for a message\n", result.cloud_file.c_str(),
+                result.statistics.points);
+  }
   if (!options.output.empty() && !result.cloud.data.empty()) save(options.output, result.cloud);
   if (result.outcome != scan_cell_msgs::ScanResult::FINISHED) {
     throw scan_cell_common::Refused("scan '" + result.scan_id + "'", "ended early", result.message);
@@ -56,6 +61,7 @@ void scan(const Options& options) {
   }
   tell(options, result);
   if (options.clean.empty()) return;
+  scan_cell::check_published(result.cloud_file);
   constexpr double kCleaningTimeout = 60;  // [s]
   save(options.clean, watch.wait(result.cloud.header.stamp, kCleaningTimeout));
 }
@@ -72,17 +78,13 @@ int main(int argc, char** argv) {
   app.add_option("--output", options.output, "whole cloud as it was scanned (.ply, .pcd)");
   app.add_option("--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    ros::AsyncSpinner spinner(2);
-    spinner.start();
-    scan(options);
-    return 0;
-  } catch (const scan_cell_common::Refused& error) {
-    std::fprintf(stderr, "scan: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "scan: %s\n", error.what());
-    return 1;
-  }
+  return scan_cell_common::tool_main(
+      "scan", app, argc, argv,
+      [&] {
+        ros::AsyncSpinner spinner(2);
+        spinner.start();
+        scan(options);
+        return 0;
+      },
+      scan_cell_common::kRefused);
 }

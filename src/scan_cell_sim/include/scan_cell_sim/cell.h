@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -33,6 +34,19 @@ class Cell {
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
 
+  /// A frame as it was truly taken.
+  struct TrueExposure {
+    scan_cell_common::Nanoseconds time = 0;  //!< host time; the frame's device time
+    Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0 in base_link, then
+
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  };
+  using Observer = std::function<void(const TrueExposure&)>;
+
+  /// Who hears of each frame before it is sent, in the camera's thread; none if empty. When this
+  /// returns, the observer before is not called any more.
+  void observe(const Observer& observer);
+
   /// The next frame shows this world.
   /// @throw as Scene; the old world stays
   void set_world(const World& world);
@@ -42,17 +56,16 @@ class Cell {
   TriggerCircuit& circuit() { return circuit_; }
   const TriggerCircuit& circuit() const { return circuit_; }
 
-  /// True pose of camera_optical_frame in world at an instant of the host's clock.
-  Eigen::Isometry3d camera_at(scan_cell_common::Nanoseconds host) const;
-
  private:
-  void render(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels) const;
+  void render(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels);
 
   const CellOptions options_;
   const FlangeMotion& motion_;
   const LaserLineRenderer renderer_;
   mutable std::mutex mutex_;  // of scene_
   std::shared_ptr<const Scene> scene_;
+  std::mutex observer_mutex_;  // held while the observer is called
+  Observer observer_;
   TriggerCircuit circuit_;
   GigeCamera camera_;
 };

@@ -24,6 +24,7 @@ class Scene {
     Eigen::Vector3d normal;  //!< unit vector, on the side the ray came from
     double distance;         //!< [m] from the ray's origin
     double reflectance;      //!< 0 .. 1
+    unsigned surface;        //!< numbers floor, board and parts
   };
 
   /// @throw scan_cell_common::UnusableInput if a part's deformation folds it
@@ -40,6 +41,11 @@ class Scene {
   /// First surface along a ray. `direction` is a unit vector.
   std::optional<Hit> first_hit(const Eigen::Vector3d& origin,
                                const Eigen::Vector3d& direction) const;
+
+  /// The calibration board, where there is one.
+  const std::optional<Checkerboard>& board() const;
+
+  bool is_on_board(const Hit& hit) const;
 
   /// Whether nothing stands between two points, the first of which lies on a surface.
   bool sees(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& eye) const;

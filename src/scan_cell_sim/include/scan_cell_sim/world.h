@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scan_cell_sim/checkerboard.h"
 #include "scan_cell_sim/part.h"
 
 namespace scan_cell_sim {
@@ -20,6 +21,7 @@ struct Floor {
 /// All that stands in the cell. Its frame is `world`, z up.
 struct World {
   std::optional<Floor> floor;
+  std::optional<Checkerboard> board;
   std::vector<Part> parts;
 
   /// @throw scan_cell_common::UnusableInput if no part has this name

@@ -46,18 +46,22 @@ std::shared_ptr<const Scene> Cell::scene() const {
   return scene_;
 }
 
-Eigen::Isometry3d Cell::camera_at(scan_cell_common::Nanoseconds host) const {
-  return options_.base_link_in_world * motion_.flange_at(host) * options_.scanner.flange_to_camera;
+void Cell::observe(const Observer& observer) {
+  const std::lock_guard<std::mutex> lock(observer_mutex_);
+  observer_ = observer;
 }
 
-void Cell::render(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels) const {
+void Cell::render(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels) {
+  const TrueExposure truth{shot.time, motion_.flange_at(shot.time)};
   Exposure exposure;
-  exposure.camera = camera_at(shot.time);
+  exposure.camera = options_.base_link_in_world * truth.flange * options_.scanner.flange_to_camera;
   exposure.lasers = shot.lasers;
   exposure.duration = shot.exposure;
   exposure.gain = shot.gain;
   exposure.frame = shot.frame;
   renderer_.render(*scene(), exposure, region, pixels);
+  const std::lock_guard<std::mutex> lock(observer_mutex_);
+  if (observer_) observer_(truth);
 }
 
 Eigen::Isometry3d load_base_link_in_world(const std::string& path) {

@@ -5,8 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <random>
 
 #include "scan_cell_sim/scramble.h"
 
@@ -16,16 +14,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kWhiteDistance = 0.5;     // [m] where Optics::brightness is meant
-constexpr double kMostTangent = 1;         // a fan opens +-45 degrees
-constexpr double kRaysPerRow = 2;          // further rays are added where the surface is steep
-constexpr double kJump = 0.0006;           // [m] neighbours this close are on one surface
-constexpr int kDeepest = 7;                // a gap that stays when cut into 2^7 is a jump
-constexpr std::size_t kNoise = 1U << 18U;  // kept samples of noise
-
-std::uint8_t to_grey(double value) {
-  return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));
-}
+constexpr double kWhiteDistance = 0.5;  // [m] where Optics::brightness is meant
+constexpr double kMostTangent = 1;      // a fan opens +-45 degrees
+constexpr double kRaysPerRow = 2;       // further rays are added where the surface is steep
+constexpr double kJump = 0.0006;        // [m] neighbours this close are on one surface
+constexpr int kDeepest = 7;             // a gap that stays when cut into 2^7 is a jump
 
 }  // namespace
 
@@ -51,7 +44,7 @@ struct LaserLineRenderer::Drawing {
 
 LaserLineRenderer::LaserLineRenderer(const laser_triangulation::ScannerModel& scanner,
                                      const Optics& optics)
-    : scanner_(scanner), optics_(optics), dark_(2 * kNoise), unit_noise_(2 * kNoise) {
+    : scanner_(scanner), optics_(optics), noise_(optics), ambient_(scanner.camera, optics) {
   for (const laser_triangulation::LaserPlane& laser : scanner_.lasers) {
     // The fan's middle meets the camera's axis, or runs along it where that is in the plane.
     const double slope = laser.normal.z();
@@ -61,14 +54,6 @@ LaserLineRenderer::LaserLineRenderer(const laser_triangulation::ScannerModel& sc
     const Vector3d way = target - laser.origin;
     const Vector3d axis = (way - laser.normal.dot(way) * laser.normal).normalized();
     fans_.push_back({laser.origin, axis, laser.normal.cross(axis)});
-  }
-  std::mt19937_64 random(scramble(optics_.seed));
-  std::normal_distribution<double> normal;
-  for (std::size_t i = 0; i < kNoise; ++i) {
-    const double value = normal(random);
-    unit_noise_[i] = unit_noise_[i + kNoise] = static_cast<float>(value);
-    dark_[i] = dark_[i + kNoise] =
-        to_grey(optics_.background + optics_.read_noise * normal(random));
   }
 }
 
@@ -152,23 +137,13 @@ void LaserLineRenderer::draw_row(const Drawing& drawing, int row, double column,
       std::min(drawing.region.width - 1, static_cast<int>(std::floor(column + kReach * sigma)));
   std::uint8_t* const pixels =
       drawing.pixels + static_cast<std::size_t>(row) * drawing.region.width;
-  const float* const noise =
-      &unit_noise_[scramble(drawing.seed + 2 * static_cast<std::uint64_t>(row) + 1) % kNoise];
+  const float* const noise = noise_.light(drawing.seed, row);
   const auto scale = static_cast<float>(-0.5 / (sigma * sigma));
   for (int x = begin; x <= end; ++x) {
     const auto offset = static_cast<float>(x - column);
     const float light = static_cast<float>(peak) * std::exp(scale * offset * offset);
     const float shot = static_cast<float>(optics_.shot_noise) * std::sqrt(light) * noise[x];
     pixels[x] = to_grey(pixels[x] + light + shot);
-  }
-}
-
-void LaserLineRenderer::fill_background(const Drawing& drawing) const {
-  const auto width = static_cast<std::size_t>(drawing.region.width);
-  for (int row = 0; row < drawing.region.height; ++row) {
-    const std::uint64_t offset =
-        scramble(drawing.seed + 2 * static_cast<std::uint64_t>(row)) % kNoise;
-    std::memcpy(drawing.pixels + static_cast<std::size_t>(row) * width, &dark_[offset], width);
   }
 }
 
@@ -180,7 +155,8 @@ void LaserLineRenderer::render(const Scene& scene, const Exposure& exposure, con
                         pixels,
                         exposure.camera.inverse(),
                         scramble(optics_.seed ^ (exposure.frame << 20U))};
-  fill_background(drawing);
+  noise_.fill_dark(drawing.seed, region.width, region.height, pixels);
+  ambient_.add(scene, exposure, region, noise_, drawing.seed, pixels);
   for (std::size_t i = 0; i < fans_.size(); ++i) {
     if ((exposure.lasers >> i & 1U) == 0) continue;
     const auto [least, most] = reach(fans_[i], region);

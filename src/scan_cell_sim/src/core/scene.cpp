@@ -109,10 +109,17 @@ struct Scene::Implementation {
   RTCScene scene;
   std::vector<Mesh> meshes;
   std::vector<double> reflectances;
+  std::optional<Checkerboard> board;
+  unsigned board_surface = 0;
 };
 
 Scene::Scene(const World& world) : implementation_(std::make_unique<Implementation>()) {
   if (world.floor) implementation_->add(floor_mesh(*world.floor), world.floor->reflectance);
+  if (world.board) {
+    implementation_->board = world.board;
+    implementation_->board_surface = static_cast<unsigned>(implementation_->meshes.size());
+    implementation_->add(world.board->mesh(), world.board->white);
+  }
   for (const Part& part : world.parts) {
     implementation_->add(part.mesh(kTolerance), part.reflectance);
   }
@@ -120,7 +127,7 @@ Scene::Scene(const World& world) : implementation_(std::make_unique<Implementati
 }
 
 Scene::Scene(const World& world, const std::string& part)
-    : Scene(World{std::nullopt, {world.part(part)}}) {}
+    : Scene(World{std::nullopt, std::nullopt, {world.part(part)}}) {}
 
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
@@ -144,8 +151,22 @@ std::optional<Scene::Hit> Scene::first_hit(const Vector3d& origin,
   hit.distance = towards != 0 ? hit.normal.dot(a - origin) / towards : ray.ray.tfar;
   if (towards > 0) hit.normal = -hit.normal;
   hit.point = origin + hit.distance * direction;
-  hit.reflectance = implementation_->reflectances[ray.hit.geomID];
+  hit.surface = ray.hit.geomID;
+  hit.reflectance = implementation_->reflectances[hit.surface];
+  if (is_on_board(hit)) {
+    constexpr double kSharp = 1e-5;  // [m]
+    const Vector3d on_board = board()->pose.inverse() * hit.point;
+    hit.reflectance = board()->reflectance(on_board.head<2>(), {kSharp, kSharp});
+  }
   return hit;
+}
+
+const std::optional<Checkerboard>& Scene::board() const {
+  return implementation_->board;
+}
+
+bool Scene::is_on_board(const Hit& hit) const {
+  return board() && hit.surface == implementation_->board_surface;
 }
 
 bool Scene::sees(const Vector3d& surface_point, const Vector3d& eye) const {

@@ -136,6 +136,25 @@ Floor read_floor(const YamlEntry& entry) {
   return floor;
 }
 
+Checkerboard read_board(const YamlEntry& entry) {
+  entry.refuse_unknown({"inner_corners", "square_size", "margin", "white", "black", "pose"});
+  constexpr double kMostCorners = 200;
+  Checkerboard board;
+  const Eigen::Vector2d corners = entry["inner_corners"].vector<2>();
+  if (!(corners.minCoeff() >= 2) || !(corners.maxCoeff() <= kMostCorners) ||
+      corners != corners.array().round().matrix()) {
+    entry["inner_corners"].refuse("no such board", "give [columns, rows], whole numbers from 2");
+  }
+  board.columns = static_cast<int>(corners.x());
+  board.rows = static_cast<int>(corners.y());
+  board.square_size = number(entry["square_size"], 0.001, 1);
+  read(entry, "margin", board.margin, 0, 1);
+  read(entry, "white", board.white, 0, 1);
+  read(entry, "black", board.black, 0, 1);
+  if (entry.has("pose")) board.pose = entry["pose"].pose();
+  return board;
+}
+
 }  // namespace
 
 const Part& World::part(const std::string& name) const {
@@ -150,9 +169,10 @@ const Part& World::part(const std::string& name) const {
 
 World load_world(const std::string& path) {
   const YamlEntry root = YamlEntry::load(path);
-  root.refuse_unknown({"floor", "parts"});
+  root.refuse_unknown({"floor", "board", "parts"});
   World world;
   if (root.has("floor")) world.floor = read_floor(root["floor"]);
+  if (root.has("board")) world.board = read_board(root["board"]);
   std::set<std::string> names;
   if (root.has("parts")) {
     for (const YamlEntry& entry : root["parts"].elements()) {

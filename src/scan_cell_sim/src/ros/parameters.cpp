@@ -36,6 +36,7 @@ void read_optics(ParameterReader& reader, Optics& optics) {
   reader.read("optics/brightness", optics.brightness, {0, 10000});
   reader.read("optics/exposure", optics.exposure, {1e-6, 1});
   reader.read("optics/background", optics.background, {0, 255});
+  reader.read("optics/ambient", optics.ambient, {0, 255});
   reader.read("optics/read_noise", optics.read_noise, {0, 50});
   reader.read("optics/shot_noise", optics.shot_noise, {0, 10});
   reader.read("optics/seed", seed, {0, 2147483647});

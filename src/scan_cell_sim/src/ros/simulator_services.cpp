@@ -13,6 +13,8 @@ namespace {
 
 using scan_cell_common::InvalidParameter;
 
+constexpr std::uint32_t kFramesKept = 1000;  // for a subscriber that is slow
+
 CellOptions cell_options(const Parameters& parameters) {
   CellOptions options = parameters.options;
   options.scanner = laser_triangulation::load_scanner_model(parameters.scanner);
@@ -51,6 +53,14 @@ ControllerFaults controller_faults(const scan_cell_msgs::SetFaults::Request& req
   faults.to_client.link_down = faults.from_client.link_down = request.robot_link_down;
   faults.clock_drift = request.robot_clock_drift;
   return faults;
+}
+
+geometry_msgs::PoseStamped to_message(const Eigen::Isometry3d& flange, const ros::Time& stamp) {
+  geometry_msgs::PoseStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = "base_link";
+  message.pose = scan_cell_common::to_ros_pose(flange);
+  return message;
 }
 
 visualization_msgs::Marker marker(const Part& part, int id) {
@@ -99,11 +109,17 @@ SimulatorServices::SimulatorServices(ros::NodeHandle node, const Parameters& par
       cell_(cell_options(parameters), load_world(parameters.world), controller_),
       parts_(node.advertise<visualization_msgs::MarkerArray>("parts", 1, true)),
       flange_(node.advertise<geometry_msgs::PoseStamped>("true_flange", 1)),
+      exposures_(node.advertise<geometry_msgs::PoseStamped>("true_exposures", kFramesKept)),
       load_world_(node.advertiseService("load_world", &SimulatorServices::load, this)),
       set_faults_(node.advertiseService("set_faults", &SimulatorServices::set, this)),
       timer_(node.createWallTimer(ros::WallDuration(1 / parameters.true_flange_rate),
                                   &SimulatorServices::publish_flange, this)) {
   publish_parts(load_world(parameters.world));
+  cell_.observe([this](const Cell::TrueExposure& exposure) { publish_exposure(exposure); });
+}
+
+SimulatorServices::~SimulatorServices() {
+  cell_.observe(nullptr);
 }
 
 bool SimulatorServices::load(scan_cell_msgs::LoadWorld::Request& request,
@@ -150,12 +166,12 @@ void SimulatorServices::publish_parts(const World& world) {
 }
 
 void SimulatorServices::publish_flange(const ros::WallTimerEvent&) {
-  geometry_msgs::PoseStamped message;
-  message.header.stamp = ros::Time::now();
-  message.header.frame_id = "base_link";
-  message.pose = scan_cell_common::to_ros_pose(
-      controller_.flange_at(scan_cell_common::from_ros(message.header.stamp)));
-  flange_.publish(message);
+  const ros::Time now = ros::Time::now();
+  flange_.publish(to_message(controller_.flange_at(scan_cell_common::from_ros(now)), now));
+}
+
+void SimulatorServices::publish_exposure(const Cell::TrueExposure& exposure) {
+  exposures_.publish(to_message(exposure.flange, scan_cell_common::to_ros(exposure.time)));
 }
 
 }  // namespace scan_cell_sim

@@ -17,6 +17,7 @@ class SimulatorServices {
  public:
   /// @throw as Controller, Cell, load_world() and load_scanner_model()
   SimulatorServices(ros::NodeHandle node, const Parameters& parameters);
+  ~SimulatorServices();
 
  private:
   bool load(scan_cell_msgs::LoadWorld::Request& request,
@@ -26,12 +27,14 @@ class SimulatorServices {
   void apply(const scan_cell_msgs::SetFaults::Request& request);
   void publish_parts(const World& world);
   void publish_flange(const ros::WallTimerEvent& event);
+  void publish_exposure(const Cell::TrueExposure& exposure);
 
   Controller controller_;
   Cell cell_;
   bool e_stop_ = false;
   ros::Publisher parts_;
   ros::Publisher flange_;
+  ros::Publisher exposures_;
   ros::ServiceServer load_world_;
   ros::ServiceServer set_faults_;
   ros::WallTimer timer_;

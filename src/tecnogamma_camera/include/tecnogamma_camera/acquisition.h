@@ -48,7 +48,8 @@ struct FrameCounts {
   std::uint64_t incomplete = 0;  //!< of them, with packets missing; delivered without pixels
   std::uint64_t lost = 0;        //!< missing in the frame counter
   std::uint64_t repeated = 0;
-  std::uint64_t late = 0;      //!< came after a later one
+  std::uint64_t late = 0;      //!< came after a later one, or their number was garbled
+  std::uint64_t garbled = 0;   //!< with a number too high, as those after them show
   std::uint64_t restarts = 0;  //!< the counter jumped back: the camera was restarted
   std::uint64_t invalid = 0;   //!< number lost with its packets: dropped, and in lost as well
   std::uint64_t unusable = 0;  //!< damaged, or without what the mode needs: dropped

@@ -32,6 +32,7 @@ class DecodingCamera : public Camera {
   void throw_if_lost() override { camera_->throw_if_lost(); }
 
  private:
+  Frame take_raw();
   Frame take_decoded();
 
   std::unique_ptr<Camera> camera_;

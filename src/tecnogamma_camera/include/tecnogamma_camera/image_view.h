@@ -25,24 +25,14 @@ using ImageView16 = ImageView<std::uint16_t>;
 
 /// An ImageView8 or an ImageView16: which, tells `bits`. Grey values are 0 .. 2^bits - 1, in the
 /// host's byte order, whatever the way they came over the wire.
-struct GreyImage {
-  const void* pixels = nullptr;
-  int columns = 0;
-  int rows = 0;
-  std::ptrdiff_t stride = 0;  //!< [pixels] from one row to the next
-  int first_column = 0;       //!< [px] sensor column of the first pixel
-  int first_row = 0;          //!< [px] sensor row of the first pixel
-  int bits = 8;               //!< of a grey value: 8, or 9 .. 16 in 16 bit pixels
+struct GreyImage : ImageView<void> {
+  int bits = 8;  //!< of a grey value: 8, or 9 .. 16 in 16 bit pixels
 
   GreyImage() = default;
   template <class Pixel>
   GreyImage(const ImageView<Pixel>& view, int grey_bits = 8 * static_cast<int>(sizeof(Pixel)))
-      : pixels(view.pixels),
-        columns(view.columns),
-        rows(view.rows),
-        stride(view.stride),
-        first_column(view.first_column),
-        first_row(view.first_row),
+      : ImageView<void>{view.pixels, view.columns,      view.rows,
+                        view.stride, view.first_column, view.first_row},
         bits(grey_bits) {}
 
   int greatest_grey_value() const { return (1 << bits) - 1; }

@@ -33,6 +33,8 @@ struct DetectorSettings {
   int trigger_level = kAutomaticLevel;
   int permanence = 2;  //!< [px] lit pixels in a row that make a rising edge, dark ones a falling
   int window = 0;  //!< [px] most columns of the centre of gravity; 0: as the stripe's width asks
+  double most_width = 0;  //!< [px] of a spot, as the profile tells it: wider ones are passed over
+                          //!< before the choice; 0: any width
   Choice choice = Choice::BRIGHTEST;
 
   /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range
@@ -49,6 +51,8 @@ struct DetectorSettings {
 /// chosen, the row has no peak, since its middle is not known and the other spots are more likely
 /// reflections.
 ///
+/// Spots wider than `most_width` (shiny objects, lamps) are left out of the choice, cut or not.
+///
 /// The automatic trigger level is 3.5 standard deviations of the noise above the background, both
 /// measured in tiles of the frame (background.h), so that it follows a dark offset and an ambient
 /// gradient, but at least three grey values above it; and a spot needs the light of 6 standard
@@ -61,6 +65,13 @@ struct DetectorSettings {
 /// saturated one is counted a little higher. Where its foot, 15 % of the height, reaches the
 /// image's border, it is cut. With the automatic level it is the stripe, and not the spot, that the
 /// border cuts.
+///
+/// Hot pixels beside the line become the mean of their neighbours. In a spot: its brightest pixel,
+/// where it stands out of both neighbours four times as far above the background, and the rest of
+/// the spot lies on one side of it (in a thin line it lies on both); the row is looked at again.
+/// With the automatic level also lone lit pixels, no further from the spot than its width, that are
+/// four times as far above the background as the level. Not where a trigger level is given and the
+/// detector needs no stripe (threshold).
 ///
 /// Profile. Position: by the detector. Width: between the edges at the trigger level, or where that
 /// is automatic at half of the height, interpolated between columns. Intensity: brightest pixel.

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct PixelFormat {
   std::size_t bytes(std::size_t pixels) const {
     return (pixels * static_cast<std::size_t>(wire_bits) + 7) / 8;
   }
+
+  /// Bytes of an image whose rows but the last are followed by `padding` bytes. None where such
+  /// rows cannot be read: packed, or beginning within a pixel.
+  std::optional<std::size_t> bytes(std::size_t columns, std::size_t rows,
+                                   std::size_t padding) const;
 };
 
 /// Mono8, Mono10, Mono12, Mono14, Mono16, Mono10Packed, Mono12Packed, Mono10p, Mono12p.

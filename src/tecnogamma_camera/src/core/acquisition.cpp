@@ -352,6 +352,8 @@ void Acquisition::count(const Frame& frame, const FramePlace& place) {
     s.frames.incomplete += kind != Kind::INVALID && frame.packets_lost > 0 ? 1 : 0;
     s.frames.impossible_peaks += frame.impossible_peaks;
     s.frames.lost += place.step.lost;
+    s.frames.lost -= place.found;
+    s.frames.garbled += place.was_garbled ? 1 : 0;
     s.frames.repeated += kind == Kind::REPEATED ? 1 : 0;
     s.frames.late += kind == Kind::BACKWARD ? 1 : 0;
     s.frames.invalid += kind == Kind::INVALID ? 1 : 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tecnogamma_camera/aravis_camera.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "aravis_settings.h"
@@ -12,6 +13,13 @@ namespace {
 
 using scan_cell_common::ConnectionError;
 using scan_cell_common::Refused;
+
+/// [bytes] at the end of a row, as the frame's header tells.
+std::size_t padding_of(ArvBuffer* buffer) {
+  int padding = 0, rows_of_padding = 0;
+  arv_buffer_get_image_padding(buffer, &padding, &rows_of_padding);
+  return static_cast<std::size_t>(std::max(0, padding));
+}
 
 /// Gives a buffer to the stream, without what its last frame left in it: where the first packet of
 /// a frame is lost, Aravis leaves number and times as they are.
@@ -277,29 +285,27 @@ bool AravisCamera::is_whole(ArvBuffer* buffer) const {
   if (arv_buffer_get_status(buffer) != ARV_BUFFER_STATUS_SUCCESS) return false;
   std::size_t size = 0;
   arv_buffer_get_image_data(buffer, &size);
-  const auto pixels =
-      static_cast<std::size_t>(region_.width) * static_cast<std::size_t>(region_.height);
+  const auto needed = format_.bytes(static_cast<std::size_t>(region_.width),
+                                    static_cast<std::size_t>(region_.height), padding_of(buffer));
   return arv_buffer_get_image_width(buffer) == region_.width &&
          arv_buffer_get_image_height(buffer) == region_.height &&
-         arv_buffer_get_image_pixel_format(buffer) == format_.code && size >= format_.bytes(pixels);
+         arv_buffer_get_image_pixel_format(buffer) == format_.code && needed && size >= *needed;
 }
 
 /// Packed pixels follow one another over the ends of the rows.
 void AravisCamera::set_pixels(ArvBuffer* buffer, GreyImage& image) {
   std::size_t size = 0;
   const void* const data = arv_buffer_get_image_data(buffer, &size);
+  image.pixels = data;
+  image.stride = region_.width;
   if (format_.packing == Packing::BYTES) {
-    int padding = 0, rows_of_padding = 0;  // [bytes] at a row's end, [rows]
-    arv_buffer_get_image_padding(buffer, &padding, &rows_of_padding);
-    image.pixels = data;
-    image.stride = region_.width + padding / image.bytes_per_pixel();
-  } else {
-    unpacked_.resize(static_cast<std::size_t>(region_.width) *
-                     static_cast<std::size_t>(region_.height));
-    unpack(format_, static_cast<const std::uint8_t*>(data), unpacked_);
-    image.pixels = unpacked_.data();
-    image.stride = region_.width;
+    image.stride += static_cast<std::ptrdiff_t>(padding_of(buffer)) / image.bytes_per_pixel();
+    return;
   }
+  unpacked_.resize(static_cast<std::size_t>(region_.width) *
+                   static_cast<std::size_t>(region_.height));
+  unpack(format_, static_cast<const std::uint8_t*>(data), unpacked_);
+  image.pixels = unpacked_.data();
 }
 
 void AravisCamera::software_trigger() {

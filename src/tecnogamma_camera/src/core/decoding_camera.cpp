@@ -17,6 +17,7 @@ CameraDescription DecodingCamera::describe() {
 void DecodingCamera::start(Trigger trigger) {
   decoder_->adapt([this](const std::string& name) { return camera_->feature(name); });
   count_ = next_ = 0;
+  raw_ = {};
   clock_.reset();
   camera_->start(trigger);
 }
@@ -31,11 +32,12 @@ std::optional<Frame> DecodingCamera::grab(std::chrono::microseconds timeout) {
   std::optional<Frame> payload = camera_->grab(timeout);
   if (!payload) return std::nullopt;
   const GreyImage bytes = payload->image;
+  if (payload->restarted) clock_.reset();
+  payload->restarted |= raw_.restarted;  // told by a payload without frames
   raw_ = std::move(*payload);
   raw_.counter = kNoFrameNumber;  // of the transport: the frames have their own
   raw_.image = {};
-  if (raw_.restarted) clock_.reset();
-  if (!raw_.fault.empty() || raw_.packets_lost > 0) return raw_;
+  if (!raw_.fault.empty() || raw_.packets_lost > 0) return take_raw();
   try {
     next_ = 0;
     count_ = 0;
@@ -46,17 +48,23 @@ std::optional<Frame> DecodingCamera::grab(std::chrono::microseconds timeout) {
     count_ = decoder_->decode(bytes.as<std::uint8_t>(), decoded_);
   } catch (const scan_cell_common::Error& error) {
     raw_.fault = error.what();
-    return raw_;
+    return take_raw();
   }
   if (count_ == 0) return std::nullopt;
   return take_decoded();
 }
 
+/// Only the first of its frames tells that the camera was restarted.
+Frame DecodingCamera::take_raw() {
+  Frame frame = raw_;
+  raw_.restarted = false;
+  return frame;
+}
+
 Frame DecodingCamera::take_decoded() {
   const DecodedFrame& decoded = decoded_[next_++];
-  Frame frame = raw_;
+  Frame frame = take_raw();
   frame.counter = decoded.counter;
-  raw_.restarted = false;  // of the first alone
   if (decoded.ticks) frame.device_time = clock_.unwrap(*decoded.ticks, frame.host_time);
   frame.packets_lost = decoded.packets_lost;
   frame.impossible_peaks = decoded.impossible_peaks;

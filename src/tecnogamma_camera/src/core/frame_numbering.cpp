@@ -15,32 +15,59 @@ FrameNumbering::FrameNumbering(const CounterRule& counter, const ClockSettings& 
 
 void FrameNumbering::begin() {
   unwrapper_.reset();
+  leap_.reset();
   last_device_time_ = 0;
   counted_back_ = 0;
 }
 
 FramePlace FrameNumbering::place(const Frame& frame) {
   FramePlace place;
+  const CounterUnwrapper before = unwrapper_;
   place.step = unwrapper_.unwrap(frame.counter);
-  if (place.step.kind == Kind::BACKWARD &&
-      (counts_on_from_before(frame) || frame.device_time > last_device_time_)) {
-    begin();
-    place.restarted = true;
-    place.step = unwrapper_.unwrap(frame.counter);
-  }
+  if (place.step.kind == Kind::BACKWARD) count_back(frame, place);
   if (place.step.kind == Kind::INVALID) return place;
   if (place.step.kind == Kind::NEXT || place.step.kind == Kind::GAP) counted_back_ = 0;
+  if (place.step.kind == Kind::NEXT) leap_.reset();
+  if (place.step.kind == Kind::GAP && !place.was_garbled)
+    leap_ = Leap{before, place.step.lost, last_device_time_};
   last_device_time_ = std::max(last_device_time_, frame.device_time);
   place.time = time_of(frame, place.step.kind == Kind::BACKWARD);
   return place;
 }
 
-bool FrameNumbering::counts_on_from_before(const Frame& frame) {
-  constexpr int kInARow = 3;
+void FrameNumbering::count_back(const Frame& frame, FramePlace& place) {
+  constexpr int kWithClock = 2, kWithout = 3;  // frames in a row
+  const bool clock_went_on = last_device_time_ != 0 && frame.device_time > last_device_time_;
+  const int in_a_row = counts_on_from_before(frame);
+  if (leap_) {
+    const bool late = frame.device_time > leap_->device_time && !clock_went_on;
+    const CounterStep step = leap_->before.unwrap(frame.counter);
+    if (step.kind == Kind::NEXT || step.kind == Kind::GAP) {
+      if (clock_went_on || (!late && in_a_row == kWithout)) return take_back(step, place);
+      leap_->lost -= step.lost;
+      return;
+    }
+  }
+  if (in_a_row < (clock_went_on ? kWithClock : kWithout)) return;
+  begin();
+  place.restarted = true;
+  place.step = unwrapper_.unwrap(frame.counter);
+}
+
+void FrameNumbering::take_back(const CounterStep& step, FramePlace& place) {
+  place.step = step;
+  place.was_garbled = true;
+  place.found = leap_->lost;
+  unwrapper_ = leap_->before;
+  leap_.reset();
+}
+
+/// @return how many frames counted on like this, with this one
+int FrameNumbering::counts_on_from_before(const Frame& frame) {
   const bool goes_on = counted_back_ > 0 && frame.counter == last_back_ + 1;
   counted_back_ = goes_on ? counted_back_ + 1 : 1;
   last_back_ = frame.counter;
-  return counted_back_ == kInARow;
+  return counted_back_;
 }
 
 Nanoseconds FrameNumbering::time_of(const Frame& frame, bool late) {

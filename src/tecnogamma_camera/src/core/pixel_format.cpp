@@ -47,6 +47,14 @@ void unpack_bits(int bits, const std::uint8_t* bytes, std::vector<std::uint16_t>
 
 }  // namespace
 
+std::optional<std::size_t> PixelFormat::bytes(std::size_t columns, std::size_t rows,
+                                              std::size_t padding) const {
+  if (padding == 0 || rows < 2) return bytes(columns * rows);
+  const bool whole_pixels = packing == Packing::BYTES && padding % bytes(1) == 0;
+  if (!whole_pixels) return std::nullopt;
+  return bytes(columns * rows) + padding * (rows - 1);
+}
+
 const std::vector<std::string>& pixel_format_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "lit_pixels.h"
 #include "tecnogamma_camera/peak_detector.h"
@@ -36,12 +37,15 @@ inline int falling_edge(const LitPixels& lit, int rise, int columns, int permane
 
 /// The spots of a row from left to right, by the rule of PeakDetector.
 /// @param take called with each; the `right` of a spot is not known yet
-template <class Take>
-void for_each_spot(const LitPixels& lit, int columns, int permanence, const Take& take) {
+/// @param pass_over called with the column of each lit pixel alone that is none
+template <class Take, class PassOver>
+void for_each_spot(const LitPixels& lit, int columns, int permanence, const Take& take,
+                   const PassOver& pass_over) {
   int last_fall = -1;
   for (int column = lit.next_lit(0); column < columns;) {
     const int run_end = lit.next_dark(column);
     if (run_end - column < permanence) {
+      if (run_end - column == 1) pass_over(column);
       column = lit.next_lit(run_end);
       continue;
     }
@@ -67,18 +71,24 @@ std::int64_t light_above(const Pixel* row, const Spot& spot, const TriggerLevels
 }
 
 /// The row's spot by the rule of Choice; its fall is 0 if there is none.
-template <class Pixel>
+/// @param fits tells whether a spot may be the laser's
+/// @param hot lone hot pixels of the row
+template <class Pixel, class Fits>
 Spot choose_spot(const Pixel* row, int columns, const LitPixels& lit,
-                 const TriggerLevels<Pixel>& levels, const DetectorSettings& settings) {
+                 const TriggerLevels<Pixel>& levels, const DetectorSettings& settings,
+                 const Fits& fits, std::vector<int>& hot) {
   Spot best;
   std::int64_t most = kNotSummed;
   bool best_is_last = false;
-  for_each_spot(lit, columns, settings.permanence, [&](const Spot& spot) {
+  hot.clear();
+  const auto take = [&](const Spot& spot) {
     const int width = spot.fall - spot.rise;
     if (levels.may_be_noise(width) &&
         !levels.is_enough(light_above(row, spot, levels), spot.rise, width))
       return;
     if (best_is_last) best.right = (best.fall + spot.rise) / 2;
+    best_is_last = false;
+    if (!fits(spot)) return;
     best_is_last = best.fall == 0 || settings.choice == Choice::LAST;
     if (best.fall > 0 && settings.choice == Choice::BRIGHTEST) {
       if (most == kNotSummed) most = light_above(row, best, levels);
@@ -87,6 +97,9 @@ Spot choose_spot(const Pixel* row, int columns, const LitPixels& lit,
       most = std::max(most, light);
     }
     if (best_is_last) best = spot;
+  };
+  for_each_spot(lit, columns, settings.permanence, take, [&](int column) {
+    if (levels.is_hot(row[column], column)) hot.push_back(column);
   });
   return best;
 }

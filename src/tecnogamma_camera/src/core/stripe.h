@@ -100,8 +100,9 @@ Height measure_height(const Pixel* row, const Spot& spot, const BackgroundLine& 
   }
   const double light = all.light(background.value);
   const double squares = all.light_of_squares(background.value);
-  if (!(light > 0)) return height;
-  const int floor = static_cast<int>(background.value + kHalfOfMean * squares / light);
+  const double mean = background.value + kHalfOfMean * squares / light;
+  if (!(light > 0 && mean < brightest)) return height;  // more dark dips than light
+  const int floor = static_cast<int>(mean);
   GreySums core;
   for (int column = spot.rise; column < spot.fall; ++column) {
     const bool counts = row[column] > floor;
@@ -112,6 +113,25 @@ Height measure_height(const Pixel* row, const Spot& spot, const BackgroundLine& 
       kHalfOfCoreMean * core.light_of_squares(background.value) / core.light(background.value);
   height.bridge = std::max(permanence, static_cast<int>(kBridgedShare * light * light / squares));
   return height;
+}
+
+/// Whether the brightest pixel of a spot is a hot one beside the line, by the rule of PeakDetector.
+template <class Pixel>
+bool is_hot(const Pixel* row, int columns, const Spot& spot, const Height& height) {
+  constexpr double kStandsOut = 4;  // a stripe of sigma 0.5 px does so by 4.4 at most
+  constexpr double kOneSide = 3;    // the line's side has so many times the other's light
+  const int at = height.anchor;
+  if (height.half == 0 || at == 0 || at == columns - 1) return false;
+  const double background = height.background.value;
+  const double light = row[at] - background;
+  if (light <= kStandsOut * (std::max(row[at - 1], row[at + 1]) - background)) return false;
+  double left = 0, right = 0;
+  for (int column = spot.rise; column < at; ++column)
+    left += row[column] - background;
+  for (int column = at + 1; column < spot.fall; ++column)
+    right += row[column] - background;
+  const double more = std::max(left, right);
+  return kStandsOut * more > light && more > kOneSide * std::min(left, right);
 }
 
 template <class Pixel>

@@ -51,6 +51,12 @@ class TriggerLevels {
     return automatic_ && kSpotSigmas * kSpotSigmas > kNoiseSigmas * kNoiseSigmas * width;
   }
 
+  /// Whether a lone lit pixel is far too bright for noise.
+  bool is_hot(Pixel grey, int column) const {
+    return automatic_ &&
+           grey - at(column) > kHotDistances * places_[column / kLevelColumns].distance;
+  }
+
   /// @param light sum of a spot's grey values above the level
   bool is_enough(std::int64_t light, int column, int width) const {
     return static_cast<double>(light) >=
@@ -94,6 +100,7 @@ class TriggerLevels {
   static constexpr int kMost = std::numeric_limits<Pixel>::max();
   static constexpr double kNoiseSigmas = 3.5;
   static constexpr double kSpotSigmas = 6;
+  static constexpr double kHotDistances = 3;   // of the level above the background
   static constexpr double kLeastDistance = 3;  // [grey values]
 
   bool automatic_;

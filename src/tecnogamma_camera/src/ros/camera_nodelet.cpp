@@ -161,6 +161,7 @@ void CameraNodelet::reconfigure(CameraConfig& config) {
   settings.trigger_level = config.trigger_level;
   settings.permanence = config.permanence;
   settings.window = config.window;
+  settings.most_width = config.most_width;
   {
     const std::lock_guard<std::mutex> lock(detector_mutex_);
     detector_ = make_detector(parameters_.detector, settings);

@@ -59,6 +59,7 @@ void write_diagnostics(const AcquisitionState& before, const AcquisitionState& n
   status.add("frames lost", now.frames.lost);
   status.add("frames repeated", now.frames.repeated);
   status.add("frames late", now.frames.late);
+  status.add("frames with a garbled number", now.frames.garbled);
   status.add("frames without number", now.frames.invalid);
   status.add("frames unusable", now.frames.unusable);
   status.add("last fault", now.fault);

@@ -40,6 +40,7 @@ void read_detection(ParameterReader& reader, Parameters& parameters) {
   reader.read("trigger_level", parameters.detection.trigger_level, {kAutomaticLevel, 65535});
   reader.read("permanence", parameters.detection.permanence, {1, 64});
   reader.read("window", parameters.detection.window, {0, 255});
+  reader.read("most_width", parameters.detection.most_width, {0, 65535});
   reader.read("live_ratio", parameters.live_ratio, {1, 100000});
 }
 

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"
@@ -155,20 +156,16 @@ class Menu {
 int main(int argc, char** argv) {
   CLI::App app("Tries a camera by hand, without ROS");
   app.option_defaults()->always_capture_default();
-  std::string camera, detector = "center_of_gravity";
+  std::string camera, detector = "fir_derivative";
   tecnogamma_camera::CameraOptions options;
   options.playback.speed = 0;
   app.add_option("--camera", camera,
                  "id, serial number, address or folder:PATH; without: the only one");
   app.add_option("--payload", options.payload.format,
                  "image, tecnogamma_relief or photonfocus_3d03");
-  app.add_option("--detector", detector, "threshold or center_of_gravity");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  app.add_option("--detector", detector, "threshold, center_of_gravity or fir_derivative");
+  return scan_cell_common::tool_main("camera_menu", app, argc, argv, [&] {
     Menu(camera, detector, options).run();
     return 0;
-  } catch (const scan_cell_common::Error& error) {
-    std::cerr << "camera_menu: " << error.what() << "\n";
-    return 1;
-  }
+  });
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/grey_image_file.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"
@@ -50,14 +51,12 @@ int main(int argc, char** argv) {
   app.add_option("--permanence", settings.permanence, "pixels that make an edge");
   app.add_option("--window", settings.window,
                  "most columns of the centre of gravity; 0: as the stripe's width asks");
+  app.add_option("--most-width", settings.most_width,
+                 "pixels: wider spots (shiny objects) are passed over; 0: any width");
   app.add_option("--choice", choice, "of several spots in a row: brightest, first or last");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("extract_peaks", app, argc, argv, [&] {
     settings.choice = tecnogamma_camera::to_choice(choice);
     extract(image, output, detector, settings);
     return 0;
-  } catch (const scan_cell_common::Error& error) {
-    std::fprintf(stderr, "extract_peaks: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <mutex>
 
+#include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/acquisition.h"
 #include "tecnogamma_camera/folder_recorder.h"
 #include "tecnogamma_camera/open_camera.h"
@@ -56,12 +57,19 @@ class Writer : public tecnogamma_camera::AcquisitionListener {
     std::fprintf(stderr, "%s\n", reason.c_str());
   }
 
-  /// Until there are frames enough, or the user ends it.
-  void wait() {
+  /// Until there are frames enough, the camera is lost, or the user ends it.
+  void wait(const tecnogamma_camera::Acquisition& acquisition) {
     std::unique_lock<std::mutex> lock(mutex_);
     constexpr std::chrono::milliseconds kLook(100);
-    while (!done_ && interrupted == 0)
+    while (!done_ && interrupted == 0) {
       changed_.wait_for(lock, kLook);
+      const auto state = acquisition.state();
+      if (done_ || state.times_lost == 0) continue;
+      done_ = true;
+      failure_ = std::make_exception_ptr(scan_cell_common::ConnectionError(
+          "camera", "lost after " + std::to_string(recorder_.frames()) + " frames, which are kept",
+          state.message));
+    }
     done_ = true;
   }
 
@@ -91,11 +99,12 @@ void record(const Options& options) {
       writer);
   acquisition.set(AcquisitionMode::RELIEF_ONLY,
                   options.external ? Trigger::EXTERNAL : Trigger::FREE_RUN);
-  writer.wait();
+  writer.wait(acquisition);
+  const std::uint64_t written = writer.finish();  // first: the camera may be gone
   acquisition.set(AcquisitionMode::STOP, Trigger::FREE_RUN);
   const auto counts = acquisition.state().frames;
   std::printf("%llu frames in %s, %llu lost, %llu incomplete\n",
-              static_cast<unsigned long long>(writer.finish()), options.output.c_str(),
+              static_cast<unsigned long long>(written), options.output.c_str(),
               static_cast<unsigned long long>(counts.lost),
               static_cast<unsigned long long>(counts.incomplete));
 }
@@ -124,13 +133,9 @@ int main(int argc, char** argv) {
   app.add_option("--region-y", settings.region.y, "[px]");
   app.add_option("--region-width", settings.region.width, "[px] 0: to the sensor's edge");
   app.add_option("--region-height", settings.region.height, "[px] 0: to the sensor's edge");
-  CLI11_PARSE(app, argc, argv);
   std::signal(SIGINT, [](int) { interrupted = 1; });
-  try {
+  return scan_cell_common::tool_main("record_frames", app, argc, argv, [&] {
     record(options);
     return 0;
-  } catch (const scan_cell_common::Error& error) {
-    std::fprintf(stderr, "record_frames: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -5,6 +5,7 @@
 
 #include "../picture/verdict_picture.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace {
@@ -59,14 +60,8 @@ int main(int argc, char** argv) {
       "Shows what stretch made of a path: both clouds, both paths, what differs, and why.");
   Options options;
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return scan_cell_common::tool_main("picture", app, argc, argv, [&] {
     run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
-  } catch (const scan_cell_common::Error& error) {
-    std::cerr << "picture: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

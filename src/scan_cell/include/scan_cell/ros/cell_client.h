@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <scan_cell_msgs/CalibrateAction.h>
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/StretchToolPathAction.h>
 
@@ -20,6 +21,7 @@ class CellClient {
  public:
   struct Names {
     std::string scan = "/scan_cell/scan";                  //!< action
+    std::string calibrate = "/scan_cell/calibrate";        //!< action
     std::string stretch = "/tool_path_stretcher/stretch";  //!< action
     std::string clean_cloud = "/preprocess/clean_cloud";   //!< topic, end of the preprocessing
     std::string report = "/preprocess/report";             //!< topic, reports of its stages
@@ -41,6 +43,11 @@ class CellClient {
   sensor_msgs::PointCloud2 scan_clean(const ScanProgram& program, const std::string& scan_id,
                                       double timeout, const Progress& progress,
                                       scan_cell_msgs::ScanResult& result);
+
+  /// Records a calibration session, and computes it where the goal names an output.
+  /// @throw ConnectionError if the cell is not there, or goes away
+  scan_cell_msgs::CalibrateResult calibrate(const scan_cell_msgs::CalibrateGoal& goal,
+                                            double timeout, const Progress& progress);
 
   /// @throw ConnectionError if the stretcher is not there, or goes away
   scan_cell_msgs::StretchToolPathResult stretch(const scan_cell_msgs::StretchToolPathGoal& goal,

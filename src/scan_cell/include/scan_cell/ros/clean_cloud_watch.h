@@ -13,6 +13,10 @@
 
 namespace scan_cell {
 
+/// @param cloud_file of a scan's result
+/// @throw scan_cell_common::Refused if it is set: such a cloud is not published
+void check_published(const std::string& cloud_file);
+
 /// Hears what preprocessing makes of clouds. Make it before the cloud is published.
 class CleanCloudWatch {
  public:

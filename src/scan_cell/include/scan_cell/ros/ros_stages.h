@@ -35,6 +35,8 @@ class RosStages : public Stages {
   const std::string& binding() const { return binding_; }  //!< the audit for a person
   const scan_cell_msgs::CloudStatistics& statistics() const { return statistics_; }
   const sensor_msgs::PointCloud2& cloud() const { return cloud_; }
+  /// With the cloud, where that is too large for a message; else empty.
+  const std::string& cloud_file() const { return cloud_file_; }
 
  private:
   double longest(double patience) const;  // [s] that a call may take
@@ -51,6 +53,7 @@ class RosStages : public Stages {
   std::string binding_;
   scan_cell_msgs::CloudStatistics statistics_;
   sensor_msgs::PointCloud2 cloud_;
+  std::string cloud_file_;
 };
 
 }  // namespace scan_cell

@@ -1,6 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+// The goals of a calibration on seeded synthetic sessions of 70 views, each figure beside its goal,
+// and the sequential way on the same views.
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -8,7 +10,6 @@
 #include "laser_triangulation/triangulator.h"
 #include "scan_calibration/calibration.h"
 #include "scan_calibration/sequential.h"
-#include "session_figures.h"
 #include "synthetic_session.h"
 #include "truth_comparison.h"
 
@@ -94,10 +95,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-namespace scan_calibration {
+int main(int argc, char** argv) {
+  CLI::App app("Calibrations of synthetic sessions beside their goals.");
+  unsigned sessions = 100, sequential = 5;
+  app.add_option("--sessions", sessions, "how many, each with its own poses and noise")
+      ->capture_default_str();
+  app.add_option("--step-by-step", sequential, "how many of them also one step after the other")
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
 
-void print_synthetic_sessions() {
-  constexpr unsigned sessions = 100, sequential = 5;
   const synthetic::Cell cell;
   unsigned inside = 0;
   std::size_t rejected = 0;
@@ -132,7 +138,5 @@ void print_synthetic_sessions() {
   print("held out", held_out, held_out_steps);
   std::printf("a scanned plane's height [mm RMS], worst: %.4f, goal 0.1\n", held_out.flatness_mm);
   std::printf("time a session [s]: %.2f, step by step %.2f\n", joint_seconds / sessions,
-              sequential_seconds / sequential);
+              sequential_seconds / std::max(1u, std::min(sequential, sessions)));
 }
-
-}  // namespace scan_calibration

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-namespace pose_frame_binder {
+namespace scan_cell_common {
 
 /// A program that ends with this object, or with the process that started it.
 class ChildProcess {
  public:
   /// @param command program (looked for on PATH) and its arguments
   /// @param quiet what it writes is thrown away
-  /// @throw scan_cell_common::Refused if it cannot be started
+  /// @throw Refused if it cannot be started
   explicit ChildProcess(const std::vector<std::string>& command, bool quiet = false);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
@@ -36,4 +36,8 @@ struct Usage {
 Usage usage_of(pid_t process);
 double cpu_of_this_thread();  ///< [s]
 
-}  // namespace pose_frame_binder
+/// A TCP port of 127.0.0.1 that nobody has, for a ROS master of one's own.
+/// @throw Refused if there is none
+int free_port();
+
+}  // namespace scan_cell_common

@@ -1,9 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "child_process.h"
+#include "scan_cell_common/child_process.h"
 
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,7 +16,7 @@
 
 #include "scan_cell_common/errors.h"
 
-namespace pose_frame_binder {
+namespace scan_cell_common {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, bool quiet) {
   std::vector<char*> arguments;
@@ -23,7 +25,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, bool quiet) 
   arguments.push_back(nullptr);
   id_ = fork();
   if (id_ < 0) {
-    throw scan_cell_common::Refused(command.front(), "no process for it", "end other programs");
+    throw Refused(command.front(), "no process for it", "end other programs");
   }
   if (id_ > 0) return;
   prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -78,4 +80,17 @@ double cpu_of_this_thread() {
   return static_cast<double>(time.tv_sec) + kNanosecond * static_cast<double>(time.tv_nsec);
 }
 
-}  // namespace pose_frame_binder
+int free_port() {
+  const int line = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof(address);
+  const bool found = bind(line, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
+                     getsockname(line, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+  close(line);
+  if (!found) throw Refused("a port of 127.0.0.1", "none free", "see ss -lt");
+  return ntohs(address.sin_port);
+}
+
+}  // namespace scan_cell_common

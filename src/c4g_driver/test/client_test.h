@@ -1,0 +1,99 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "c4g_driver/client.h"
+#include "fake_controller.h"
+
+/// The client against a scripted controller on real sockets.
+namespace c4g_driver {
+
+using scan_cell_common::Nanoseconds;
+using std::chrono::steady_clock;
+
+inline bool eventually(const std::function<bool()>& condition, double seconds = 10) {
+  const auto deadline = steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (steady_clock::now() < deadline) {
+    if (condition()) return true;
+    usleep(2000);
+  }
+  return condition();
+}
+
+inline Nanoseconds host_now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+inline Eigen::Isometry3d looking_down(double x, double y, double z) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() << x, y, z;
+  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  return pose;
+}
+
+/// All poses the client handed on.
+class Heard {
+ public:
+  void operator()(const MeasuredState& state) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    states_.push_back(state);
+  }
+  std::vector<MeasuredState> states() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return states_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<MeasuredState> states_;
+};
+
+class ClientTest : public testing::Test {
+ protected:
+  ClientOptions options(std::uint16_t port) const {
+    ClientOptions result;
+    result.port = port;
+    result.reconnect_period = 0.05;
+    result.link_timeout = link_timeout_;
+    return result;
+  }
+
+  void connect() {
+    client_ = std::make_unique<Client>(options(controller_->port()),
+                                       [this](const MeasuredState& state) { heard_(state); });
+    ASSERT_TRUE(eventually([this] { return client_->link().up; }));
+  }
+
+  bool poses_heard_at(const std::vector<std::int64_t>& microseconds) {
+    std::vector<std::int64_t> times;
+    for (const MeasuredState& state : heard_.states()) {
+      if (state.robot.controller_time >= 1'000'000'000'000)  // polls are in the first seconds
+        times.push_back(state.robot.controller_time / 1000);
+    }
+    return times == microseconds;
+  }
+
+  /// A stream that test writes by hand is ahead of the polls' time, so these are dropped.
+  static constexpr double kPatient = 20;
+
+  void TearDown() override { hold_ = false; }
+
+  std::atomic<bool> hold_{false};  // a listener that takes its time
+  std::atomic<bool> held_{false};
+  Heard heard_;
+  double link_timeout_ = 0.5;
+  std::unique_ptr<FakeController> controller_ = std::make_unique<FakeController>();
+  std::unique_ptr<Client> client_;
+};
+
+}  // namespace c4g_driver

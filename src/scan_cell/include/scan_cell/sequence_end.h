@@ -1,0 +1,55 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell {
+
+/// How a sequence ended; the values that the results of the cell's actions share.
+enum class Outcome : std::uint8_t {
+  Finished = 0,
+  Refused = 1,
+  Cancelled = 2,
+  RobotLost = 3,
+  CameraLost = 4,
+  TriggerLost = 5,
+  MotionFailed = 6,
+  StageFailed = 7,  //!< what the data goes to: binder and triangulation, or the session's folder
+};
+
+struct SequenceEnd {
+  Outcome outcome = Outcome::Finished;
+  std::string message;
+};
+
+/// Ends a sequence early, from any depth of it.
+struct EndEarly {
+  Outcome outcome;
+  std::string message;
+};
+
+/// Carries out what belongs to one device; an error of it ends the sequence with that device's
+/// outcome.
+template <class Call>
+auto on(Outcome outcome, const Call& call) {
+  try {
+    return call();
+  } catch (const scan_cell_common::Error& error) {
+    throw EndEarly{outcome, error.what()};
+  }
+}
+
+/// Adds what went wrong besides, or after all was well.
+inline void worsen(SequenceEnd& end, Outcome outcome, const std::string& why) {
+  if (end.outcome == Outcome::Finished) {
+    end = {outcome, why};
+  } else {
+    end.message += "; besides: " + why;
+  }
+}
+
+}  // namespace scan_cell

@@ -1,0 +1,38 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scan_cell {
+
+/// One pose of a calibration session.
+struct TaughtPose {
+  std::string name;                                          //!< in messages, such as "line 12"
+  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0 in the robot's base frame
+};
+
+/// What to record for a calibration.
+struct SessionRequest {
+  std::vector<TaughtPose> poses;
+  std::uint8_t lasers = 0;    //!< bit mask: each is on in turn
+  double board_exposure = 0;  //!< [s] of the image of the board, lasers off
+  double line_exposure = 0;   //!< [s] of the images of a laser's line
+};
+
+/// What the cell allows.
+struct SessionLimits {
+  double least_exposure = 1e-6;  //!< [s]
+  double most_exposure = 0.4;    //!< [s] the pulses come at most half as often
+};
+
+/// Indices of the lasers in a bit mask, in rising order.
+std::vector<int> lasers_in(std::uint8_t mask);
+
+/// @throw scan_cell_common::Refused naming what is out of range
+void check(const SessionRequest& request, const SessionLimits& limits);
+
+}  // namespace scan_cell

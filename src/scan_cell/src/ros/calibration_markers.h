@@ -1,0 +1,20 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+
+#include "scan_calibration/calibration_run.h"
+
+namespace scan_cell {
+
+/// A calibration to look at: in `base_frame` the board as each view alone sees it (they should lie
+/// on one another) with the camera that saw it, and in tool0 each plane of light with the points on
+/// it. The first marker removes those of an earlier calibration.
+/// @param run one that has a calibration
+visualization_msgs::MarkerArray calibration_markers(const scan_calibration::CalibrationRun& run,
+                                                    const std::string& base_frame);
+
+}  // namespace scan_cell

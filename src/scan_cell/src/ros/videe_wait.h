@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/ros.h>
+
+#include <string>
+
+#include "scan_cell/videe_server.h"
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell {
+
+/// @throw ConnectionError if there is no server within `timeout` [s]
+template <class Client>
+void wait_for_server(Client& client, const std::string& name, double timeout) {
+  if (client.waitForServer(ros::Duration(timeout))) return;
+  throw scan_cell_common::ConnectionError(name, "no action server", "is scan_cell_node running?");
+}
+
+/// Waits for a goal's end on behalf of a ViDeE client.
+/// @param running whether the goal is under way; true on return only where the client went away
+/// @throw ConnectionError if that client, or the action's server, goes away
+template <class Client>
+auto wait_for_result(Client& client, const std::string& name,
+                     const VideeServer::ClientThere& client_there, bool& running) {
+  using scan_cell_common::ConnectionError;
+  while (!client.waitForResult(ros::Duration(0.1))) {
+    if (!client_there()) throw ConnectionError("ViDeE client", "gone", "connect again");
+    if (!ros::ok() || !client.isServerConnected()) {
+      running = false;
+      throw ConnectionError(name, "the action server went away", "look at its log");
+    }
+  }
+  running = false;
+  if (client.getState() == actionlib::SimpleClientGoalState::LOST) {
+    throw ConnectionError(name, "lost the goal; it was probably restarted", "look at its log");
+  }
+  return client.getResult();
+}
+
+}  // namespace scan_cell

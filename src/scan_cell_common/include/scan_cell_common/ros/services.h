@@ -1,0 +1,58 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nodelet/nodelet.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <exception>
+#include <memory>
+#include <string>
+
+#include "scan_cell_common/ros/node_main.h"
+
+/// A node's topics and services, as a class with a constructor (node, private node, parameters),
+/// where they run: in a process of their own, or in a nodelet manager's.
+namespace scan_cell_common {
+
+/// Of the calls: diagnostics, and a second call while one waits.
+constexpr int kServiceThreads = 3;
+
+/// The main() of a node.
+template <class Services, class Parameters>
+int services_main(int argc, char** argv, const std::string& name) {
+  return node_main(argc, argv, name, [] {
+    ros::NodeHandle node;
+    ros::NodeHandle private_node("~");
+    ros::AsyncSpinner spinner(kServiceThreads);
+    const Services services(node, private_node, Parameters::load(private_node));
+    spinner.start();
+    ros::waitForShutdown();
+  });
+}
+
+/// The same in a manager's process. Its calls have threads of their own: one that waits never holds
+/// up the manager's others, however few workers it has.
+template <class Services, class Parameters>
+class ServicesNodelet : public nodelet::Nodelet {
+  void onInit() override {
+    try {
+      ros::NodeHandle node = getNodeHandle();
+      ros::NodeHandle private_node = getPrivateNodeHandle();
+      node.setCallbackQueue(&queue_);
+      private_node.setCallbackQueue(&queue_);
+      services_ = std::make_unique<Services>(node, private_node, Parameters::load(private_node));
+    } catch (const std::exception& error) {
+      NODELET_FATAL("%s", error.what());
+      throw;
+    }
+    spinner_.start();
+  }
+
+  ros::CallbackQueue queue_;
+  std::unique_ptr<Services> services_;
+  ros::AsyncSpinner spinner_{kServiceThreads, &queue_};  // last: its threads use the above
+};
+
+}  // namespace scan_cell_common

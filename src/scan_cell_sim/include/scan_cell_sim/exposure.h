@@ -1,0 +1,41 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+
+namespace scan_cell_sim {
+
+/// Part of the sensor that is read out [px].
+struct Region {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// How light becomes grey values.
+struct Optics {
+  double stripe_sigma = 2.2;  //!< [px] Gaussian cross-section of the line on the sensor
+  /// [grey value] peak on a white surface 0.5 m from the projector, met head on, at `exposure`
+  double brightness = 300;
+  double exposure = 0.001;  //!< [s] that `brightness` is meant for
+  double background = 6;    //!< [grey value] dark level and stray light
+  /// [grey value] of a white surface in the light of the room, at `exposure`
+  double ambient = 4;
+  double read_noise = 1.2;   //!< [grey value] standard deviation
+  double shot_noise = 0.35;  //!< standard deviation over the root of the stripe's grey value
+  std::uint64_t seed = 1;
+};
+
+/// What the camera looks at in one frame.
+struct Exposure {
+  Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();  //!< camera_optical_frame in world
+  std::uint8_t lasers = 0;                                   //!< bit mask: 1 laser_0, 2 laser_1
+  double duration = 0.001;                                   //!< [s]
+  double gain = 1;                                           //!< factor
+  std::uint64_t frame = 0;                                   //!< number that seeds the noise
+};
+
+}  // namespace scan_cell_sim
