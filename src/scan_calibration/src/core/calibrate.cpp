@@ -144,7 +144,9 @@ JointEstimate best_estimate(const Observations& observations, const CalibrationO
   JointEstimate bent = estimate_jointly(start, observations, options, choice);
   const Figures held_out = held_out_figures(bent, surface, options);
   constexpr double kBetter = 0.998;
-  if (held_out.reprojection_rms_px < kBetter * result.held_out.reprojection_rms_px) {
+  constexpr double kNothing = 1e-3;  // [px] that there is to explain
+  if (result.held_out.reprojection_rms_px > kNothing &&
+      held_out.reprojection_rms_px < kBetter * result.held_out.reprojection_rms_px) {
     result.held_out = held_out;
     return bent;
   }

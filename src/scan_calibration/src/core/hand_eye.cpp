@@ -61,6 +61,7 @@ class Search {
       refine_rotation();
     take_most_as_they_are();
     solve_translation();
+    solve_at_given_size();
     return best_;
   }
 
@@ -169,6 +170,24 @@ class Search {
       best_.scale_deviation = std::sqrt(variance_ * solver.pseudoInverse()(3, 3));
     }
     accept_offsets();
+  }
+
+  /// The same with the board's size as it was given.
+  void solve_at_given_size() {
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(6, 6);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(6);
+    for (std::size_t i = 0; i < flange_.size(); ++i) {
+      if (!best_.fits[i]) continue;
+      const Eigen::Matrix<double, 3, 7> all = equations(i);
+      Eigen::Matrix<double, 3, 6> rows;
+      rows << all.leftCols<3>(), all.rightCols<3>();
+      normal += rows.transpose() * rows;
+      right -= rows.transpose() * (flange_[i].translation() + all.col(3));
+    }
+    const Eigen::VectorXd solution =
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(normal).solve(right);
+    best_.flange_to_camera.translation() = solution.head<3>();
+    best_.base_to_board.translation() = solution.tail<3>();
   }
 
   Eigen::Matrix<double, 3, 7> equations(std::size_t i) const {

@@ -10,6 +10,7 @@
 
 #include "residuals.h"
 #include "scan_cell_common/errors.h"
+#include "statistics.h"
 
 namespace scan_calibration {
 namespace {
@@ -112,12 +113,22 @@ double huber(double miss) {
   return miss < kFull ? 1 : kFull / miss;
 }
 
-void weigh_pose(const Vector6d& correction, const NoiseLevels& noise, BoardView& view) {
-  constexpr double kFull = 3;  // of six numbers together, in deviations of one
-  const double miss = std::hypot(correction.head<3>().norm() / noise.robot_m,
-                                 correction.tail<3>().norm() / noise.robot_rad) /
-                      std::sqrt(2.);
-  view.pose_weight = miss < kFull ? 1 : kFull / miss;
+/// Of the measured poses, by what they miss beside the others: the noise may have been found to be
+/// next to nothing by a fit that is not at its end.
+void weigh_poses(const ScannerState& state, const NoiseLevels& noise, BoardViews& views) {
+  constexpr double kFull = 3;       // of six numbers together, in deviations of one
+  constexpr double kChi3 = 1.5382;  // median length of a vector of unit noise
+  std::vector<double> shifts, turns;
+  for (const Vector6d& correction : state.corrections) {
+    shifts.push_back(correction.head<3>().norm());
+    turns.push_back(correction.tail<3>().norm());
+  }
+  const double shift = std::max(noise.robot_m, median(shifts) / kChi3);
+  const double turn = std::max(noise.robot_rad, median(turns) / kChi3);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const double miss = std::hypot(shifts[i] / shift, turns[i] / turn) / std::sqrt(2.);
+    views[i].pose_weight = miss < kFull ? 1 : kFull / miss;
+  }
 }
 
 }  // namespace
@@ -145,8 +156,8 @@ void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLe
         line.weights[i] =
             huber(std::abs(points[i]) / noise.line_px[laser]) / multiplicities.lines[laser];
     }
-    weigh_pose(state.corrections[index], noise, view);
   }
+  weigh_poses(state, noise, views);
 }
 
 }  // namespace scan_calibration

@@ -24,7 +24,8 @@ class Correlation {
   /// Not below 0: at least what it is but for two deviations by chance.
   double least() const {
     constexpr double kMost = 0.98;
-    if (!(squares_ > 0) || pairs_ < 1) return 0;
+    constexpr double kNothing = 1e-3;  // [px] of what is left by rounding
+    if (!(squares_ > kNothing * kNothing * values_) || pairs_ < 1) return 0;
     const double correlation = products_ / pairs_ / (squares_ / values_);
     return std::clamp(correlation - 2 / std::sqrt(pairs_), 0., kMost);
   }

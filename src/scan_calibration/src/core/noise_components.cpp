@@ -44,7 +44,7 @@ NoiseLevels given_noise(const CalibrationOptions& options, std::size_t lasers) {
 }
 
 NoiseLevels least_noise(std::size_t lasers) {
-  return {1e-4, std::vector<double>(lasers, 1e-4), 1e-7, 1e-7};
+  return {1e-4, std::vector<double>(lasers, 1e-4), 1e-5, 1e-5};
 }
 
 NoiseLevels unbounded_noise(std::size_t lasers) {

@@ -60,7 +60,9 @@ void add_knowledge(CLI::App& app, Options& options) {
   app.add_option("--projector", options.projectors,
                  "where a laser's projector is in camera_optical_frame: x y z [m] a laser")
       ->group("Known beforehand");
-  app.add_flag("--board-flatness", known.board_flatness, "the board may be bent: estimate it");
+  app.add_flag("--board-flatness,!--flat-board", known.board_flatness,
+               "the board may be bent (the default; kept if it explains held-out views better), or "
+               "is flat");
   app.add_option("--folds", known.folds, "groups of views that are held out in turn")
       ->capture_default_str();
   app.add_option("--detector", options.observation.detector,
