@@ -50,17 +50,31 @@ double light_of(const RenderedScene& scene, const Eigen::Isometry3d& board_in_ca
   return light;
 }
 
+/// Places in a pixel, about its centre: spread so that no two lie in a row, column or diagonal,
+/// since a grid of them would move an edge that is parallel to it (R2 sequence, Roberts 2018).
+std::vector<Vector2d> places_in_pixel(int count) {
+  std::vector<Vector2d> places;
+  Vector2d mean = Vector2d::Zero();
+  for (int i = 0; i < count; ++i) {
+    places.emplace_back(std::fmod(0.7548776662466927 * i, 1), std::fmod(0.5698402909980532 * i, 1));
+    mean += places.back() / count;
+  }
+  for (Vector2d& place : places)
+    place -= mean;
+  return places;
+}
+
 }  // namespace
 
 BoardRenderer::BoardRenderer(const laser_triangulation::CameraIntrinsics& camera, int samples)
     : camera_(camera), samples_(samples) {
   rays_.reserve(static_cast<std::size_t>(camera.width) * camera.height * samples * samples);
+  const std::vector<Vector2d> places = places_in_pixel(samples * samples);
   for (int row = 0; row < camera.height; ++row) {
     for (int column = 0; column < camera.width; ++column) {
-      for (int i = 0; i < samples * samples; ++i) {
-        const Vector2d distorted(
-            (column - 0.5 + (i % samples + 0.5) / samples - camera.cx) / camera.fx,
-            (row - 0.5 + (i / samples + 0.5) / samples - camera.cy) / camera.fy);
+      for (const Vector2d& place : places) {
+        const Vector2d distorted((column + place.x() - camera.cx) / camera.fx,
+                                 (row + place.y() - camera.cy) / camera.fy);
         Vector2d ray = distorted;
         camera.undistort(distorted, ray);
         rays_.push_back(ray.cast<float>());

@@ -29,7 +29,7 @@ struct RenderedScene {
 
 class BoardRenderer {
  public:
-  /// @param samples of a pixel along each side
+  /// @param samples of a pixel, squared
   explicit BoardRenderer(const laser_triangulation::CameraIntrinsics& camera, int samples = 4);
 
   /// @param board_in_camera pose of the board (docs of Board) in camera_optical_frame

@@ -47,8 +47,9 @@ RenderedSession example_session(int views) {
   return session;
 }
 
-void record(const RenderedSession& session, const std::string& folder, bool laser_in_board_image) {
-  const BoardRenderer renderer(session.truth.camera, 3);
+void record(const RenderedSession& session, const std::string& folder, bool laser_in_board_image,
+            int samples) {
+  const BoardRenderer renderer(session.truth.camera, samples);
   const std::vector<std::string> names = laser_in_board_image
                                              ? std::vector<std::string>{"laser_0"}
                                              : std::vector<std::string>{"laser_0", "laser_1"};

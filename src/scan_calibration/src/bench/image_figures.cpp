@@ -86,9 +86,10 @@ void print_accuracy(const BoardRenderer& renderer, const RenderedSession& sessio
               rms(ours), rms(gradients), rms(sectors));
 }
 
-/// 70 views: ten that are rendered, seven times over, as if the robot stood a hair beside.
+/// 70 views: five that are rendered, 14 times over, as if the robot stood a hair beside.
 void record_large_session(const fs::path& folder) {
-  RenderedSession session = example_session(10);
+  constexpr int kRendered = 5;
+  RenderedSession session = example_session(kRendered);
   auto& camera = session.truth.camera;
   camera.width = 1696;
   camera.height = 1710;
@@ -99,13 +100,13 @@ void record_large_session(const fs::path& folder) {
   for (Isometry3d& pose : session.boards_in_camera)
     pose = pose * Eigen::Translation3d(0.02, -0.04, 0);  // the larger board in the middle
   const fs::path rendered = folder / "rendered";
-  record(session, rendered.string());
+  record(session, rendered.string(), false, 1);
   const Session original = load_session(rendered.string());
   std::vector<SessionView> views;
   const fs::path all = folder / "all";
   fs::create_directories(all);
   for (int i = 0; i < 70; ++i) {
-    SessionView view = original.views[i % 10];
+    SessionView view = original.views[i % kRendered];
     const auto copy = [&](std::string& file) {
       const std::string name = std::to_string(i) + "_" + fs::path(file).filename().string();
       fs::create_hard_link(file, all / name);
