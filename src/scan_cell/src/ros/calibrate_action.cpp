@@ -67,6 +67,17 @@ scan_cell_msgs::CalibrationFigures to_message(const scan_calibration::Figures& f
   return message;
 }
 
+/// Why a run gave no model: what was refused, or every limit that was missed.
+std::string why_not(const scan_calibration::CalibrationRun& found) {
+  std::string text = found.reason;
+  for (const scan_calibration::JudgedFigure& figure : found.judged) {
+    if (figure.passed()) continue;
+    text += (text.empty() ? "" : "; ") + figure.name + ": " + std::to_string(figure.value) +
+            "; the limit is " + std::to_string(figure.limit);
+  }
+  return text;
+}
+
 }  // namespace
 
 CalibrateAction::CalibrateAction(ros::NodeHandle node, const Parameters& parameters,
@@ -142,7 +153,8 @@ void CalibrateAction::compute(const std::atomic<bool>& cancel, CalibrateResult& 
   scan_calibration::CalibrationOptions options;
   options.progress = [&](const std::string& stage) { go_on(stage, kReading); };
   try {
-    const auto found = scan_calibration::run_calibration(goal_.session, reading, options, {});
+    const auto found = scan_calibration::run_calibration(goal_.session, reading, options,
+                                                         parameters_.calibration_limits);
     go_on("write the results", 1);
     save(found, result);
     if (found.calibration) {
@@ -151,7 +163,7 @@ void CalibrateAction::compute(const std::atomic<bool>& cancel, CalibrateResult& 
   } catch (const EndEarly& early) {
     result.outcome = static_cast<std::uint8_t>(early.outcome);
     result.message = early.message;
-  } catch (const scan_cell_common::Error& error) {
+  } catch (const std::exception& error) {  // of OpenCV, too: a session must not end the node
     result.outcome = CalibrateResult::NOT_CALIBRATED;
     result.message = error.what();
   }
@@ -169,7 +181,7 @@ void CalibrateAction::save(const scan_calibration::CalibrationRun& found,
   }
   if (found.verdict != scan_calibration::CalibrationVerdict::PASSED) {
     result.outcome = CalibrateResult::NOT_CALIBRATED;
-    result.message = found.reason;
+    result.message = why_not(found);
     return;
   }
   result.message = std::to_string(found.calibration->views.size()) + " of " +

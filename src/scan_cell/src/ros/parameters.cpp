@@ -26,6 +26,16 @@ void load_session(scan_cell_common::ParameterReader& reader, SessionSequence::Ti
   reader.read("calibration/image_patience", session.image_patience, {0.1, 60});
 }
 
+/// No limit where the parameter is not set.
+void load_limits(scan_cell_common::ParameterReader& reader,
+                 scan_calibration::CalibrationLimits& limits) {
+  constexpr scan_cell_common::ParameterReader::Range kAny{1e-6, 1e6};
+  reader.read("calibration/most_reprojection_rms_px", limits.reprojection_rms_px, kAny);
+  reader.read("calibration/most_laser_plane_rms_mm", limits.laser_plane_rms_mm, kAny);
+  reader.read("calibration/most_board_scatter_mm", limits.board_scatter_mm, kAny);
+  reader.read("calibration/most_point_deviation_mm", limits.point_deviation_mm, kAny);
+}
+
 }  // namespace
 
 Parameters Parameters::load(const ros::NodeHandle& node) {
@@ -47,6 +57,7 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   reader.read("patience", parameters.timing.patience, {0.1, 60});
   parameters.session.stall = parameters.timing.stall;
   load_session(reader, parameters.session);
+  load_limits(reader, parameters.calibration_limits);
   reader.refuse_unknown();
   return parameters;
 }

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "scan_calibration/calibration_run.h"
 #include "scan_cell/scan_request.h"
 #include "scan_cell/scan_sequence.h"
 #include "scan_cell/session_sequence.h"
@@ -27,6 +28,8 @@ struct Parameters {
   ScanSequence::Timing timing;
   SessionLimits session_limits;
   SessionSequence::Timing session;  //!< of calibration sessions; stall as in timing
+  scan_calibration::CalibrationLimits
+      calibration_limits;  //!< what a model must reach to be written
 
   /// [s] of silence that a device which ticks at `rate` [Hz] may keep: five periods where that is
   /// longer, up to one second.
