@@ -27,5 +27,6 @@ RenderedSession example_session(int views);
 /// alone.
 /// @param lasers_in_board_image the first laser shines in the image of the board too, which is
 /// dark; no other image is taken
+/// @param samples of a pixel, squared
 void record(const RenderedSession& session, const std::string& folder,
-            bool laser_in_board_image = false);
+            bool laser_in_board_image = false, int samples = 3);
