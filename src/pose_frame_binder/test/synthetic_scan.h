@@ -63,6 +63,16 @@ inline SyntheticScan steady_scan(std::size_t pulses, double period = 10) {
   return scan;
 }
 
+/// 30 pulses, and 30 of a second arming from 1003 ms on, whose frames count on; no poses there.
+inline SyntheticScan armed_twice() {
+  SyntheticScan scan = steady_scan(30);
+  for (int i = 0; i < 30; ++i) {
+    scan.add_pulse(1003 + 10.0 * i, 2);
+    scan.add_frame(scan.pulses.size() - 1, static_cast<std::uint64_t>(131 + i));
+  }
+  return scan;
+}
+
 /// What came out of a binder.
 struct Outcome {
   std::vector<Decision> decisions;

@@ -6,6 +6,17 @@
 
 using namespace pose_frame_binder;  // NOLINT
 
+namespace {
+
+SyntheticScan armed_twice_with_poses() {
+  SyntheticScan scan = armed_twice();
+  for (double t = 401; t < 1500; t += 2)
+    scan.poses.push_back(pose_at(t, t / 1000));
+  return scan;
+}
+
+}  // namespace
+
 TEST(Binder, IsRightWhereTheFirstFramesWereLost) {
   SyntheticScan scan = steady_scan(50);
   scan.frames.erase(scan.frames.begin(), scan.frames.begin() + 7);
@@ -143,13 +154,7 @@ TEST(Binder, NeverBindsAnInventedFrameNextToARestart) {
 }
 
 TEST(Binder, NeverBindsAnInventedFrameAtTheEndOfAnArming) {
-  SyntheticScan scan = steady_scan(30);
-  for (int i = 0; i < 30; ++i) {
-    scan.add_pulse(1003 + 10.0 * i, 2);
-    scan.add_frame(scan.pulses.size() - 1, static_cast<std::uint64_t>(131 + i));
-  }
-  for (double t = 401; t < 1500; t += 2)
-    scan.poses.push_back(pose_at(t, t / 1000));
+  SyntheticScan scan = armed_twice_with_poses();
   invent_frame(scan, 28);
   lose_frame(scan, 30);  // of the arming's last pulse, which the invented one could be
   scan.frames[29].stamp += 9 * kMillisecond;
@@ -158,13 +163,7 @@ TEST(Binder, NeverBindsAnInventedFrameAtTheEndOfAnArming) {
 }
 
 TEST(Binder, GoesOnAfterTheTriggerWasArmedAgain) {
-  SyntheticScan scan = steady_scan(30);
-  for (int i = 0; i < 30; ++i) {
-    scan.add_pulse(1003 + 10.0 * i, 2);
-    scan.add_frame(scan.pulses.size() - 1, static_cast<std::uint64_t>(131 + i));
-  }
-  for (double t = 401; t < 1500; t += 2)
-    scan.poses.push_back(pose_at(t, t / 1000));
+  const SyntheticScan scan = armed_twice_with_poses();
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 60U);
   EXPECT_EQ(outcome.audit.slips, 0U);

@@ -124,11 +124,7 @@ TEST(ConstantSpeed, SaysHowFarAnUnsteadyFrameRatePutsItOff) {
 }
 
 TEST(ConstantSpeed, SaysNothingOfASecondArming) {
-  SyntheticScan scan = steady_scan(30);
-  for (int i = 0; i < 30; ++i) {
-    scan.add_pulse(1003 + 10.0 * i, 2);
-    scan.add_frame(scan.pulses.size() - 1, static_cast<std::uint64_t>(131 + i));
-  }
+  const SyntheticScan scan = armed_twice();
   const Outcome outcome = bind(scan, motion());
   EXPECT_EQ(outcome.audit.frames_bound, 30U);
   EXPECT_EQ(outcome.dropped(DropReason::NoPoseBefore), 30U);
