@@ -50,7 +50,8 @@ test: build
 	@$(IN_WORKSPACE) cmake --build build --parallel 1 --target run_tests
 	@[ -n "$$SCAN_CELL_DATA" ] || echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"
 	@$(IN_WORKSPACE) set -o pipefail && catkin_test_results --all build/test_results | awk '{ print } \
-	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }'
+	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }' \
+	  || { scripts/failed_tests.py build/test_results; exit 1; }
 
 install: build
 	@cmake --install build
