@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Names each test that failed, with the first line of its reason.
+"""Names each test that failed, with the beginning of its reason.
 
 Usage: failed_tests.py DIR
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <vector>
 
 #include "scan_calibration/calibration.h"
@@ -25,6 +26,16 @@ inline std::vector<Eigen::Isometry3d> some_poses(const Cell& cell, int count, un
 inline scan_calibration::Observations some_views(int count, unsigned seed = 1) {
   const Cell cell;
   return observe(cell, some_poses(cell, count, seed), kNoise, seed);
+}
+
+/// Each corner of the view off by 1 px (RMS) along either axis.
+inline void spoil_corners(scan_calibration::ViewObservation& view) {
+  std::mt19937 generator(1);
+  std::normal_distribution<double> error(0, 1);
+  for (scan_calibration::SeenCorner& corner : view.corners) {
+    const double x = error(generator);
+    corner.pixel += Eigen::Vector2d(x, error(generator));
+  }
 }
 
 inline void expect_true(const Cell& cell, const scan_calibration::Calibration& calibration) {

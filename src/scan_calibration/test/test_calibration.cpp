@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "example_sessions.h"
 #include "laser_triangulation/triangulator.h"
@@ -25,6 +24,7 @@ using synthetic::expect_true;
 using synthetic::kNoise;
 using synthetic::some_poses;
 using synthetic::some_views;
+using synthetic::spoil_corners;
 
 TEST(Calibration, FindsTheTruthExactlyWithoutNoise) {
   const synthetic::Cell cell;
@@ -273,10 +273,7 @@ TEST(Calibration, RefusesOptionsThatMakeNoSense) {
 TEST(CameraCalibration, FindsTheCameraAndTheBadViewWithoutTheRobot) {
   const synthetic::Cell cell;
   Observations observations = some_views(15);
-  std::mt19937 generator(1);
-  std::normal_distribution<double> blur(0, 1);
-  for (scan_calibration::SeenCorner& corner : observations.views[3].corners)
-    corner.pixel += Vector2d(blur(generator), blur(generator));
+  spoil_corners(observations.views[3]);
   for (scan_calibration::ViewObservation& view : observations.views)
     view.base_to_flange = Isometry3d::Identity();
   const scan_calibration::CameraCalibration found = calibrate_camera(observations, {});

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <random>
 
 #include "example_sessions.h"
 #include "scan_calibration/calibration.h"
@@ -17,6 +16,7 @@ using scan_calibration::Observations;
 using scan_calibration::RejectedView;
 using synthetic::expect_true;
 using synthetic::some_views;
+using synthetic::spoil_corners;
 
 namespace {
 
@@ -50,10 +50,7 @@ TEST(Calibration, LeavesOutAViewWhosePoseIsWrongAndSaysByHowMuch) {
 TEST(Calibration, LeavesOutAViewWhoseCornersAreWrong) {
   const synthetic::Cell cell;
   Observations observations = some_views(25);
-  std::mt19937 generator(1);
-  std::normal_distribution<double> blur(0, 1);
-  for (scan_calibration::SeenCorner& corner : observations.views[3].corners)
-    corner.pixel += Vector2d(blur(generator), blur(generator));
+  spoil_corners(observations.views[3]);
   const Calibration found = calibrate(observations, {});
   EXPECT_NE(reason_of(found, "view3", "").find("its corners miss"), std::string::npos);
   EXPECT_EQ(found.rejected.size(), 1u);

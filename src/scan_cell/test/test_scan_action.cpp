@@ -33,7 +33,7 @@ class ScanAction : public testing::Test {
  protected:
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
 
-  /// Waits until the cell has found its robot, however slowly the nodes come up.
+  /// Waits until a scan finishes, however slowly the nodes come up.
   static void SetUpTestSuite() {
     ros::param::set("/fake/move_time", 0.1);
     Client client("/scan_cell/scan", false);
