@@ -18,10 +18,11 @@ FakeController::FakeController(std::uint16_t port)
               {"camera_fps", 0},
               {"e_stop", false},
               {"drives", true},
-              {"mode", "auto"},
+              {"mode", "remote"},
               {"override", 100},
               {"linear_speed", 250},
-              {"error", nullptr}}) {
+              {"error", nullptr},
+              {"alarms", nlohmann::json::array()}}) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);

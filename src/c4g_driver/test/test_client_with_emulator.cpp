@@ -147,6 +147,8 @@ TEST_F(Together, EndTheGoalAtAnEmergencyStopForGood) {
   EXPECT_EQ(goal.message(), "emergency stop");
   EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0, 0.6), 100), scan_cell_common::Refused);
   controller_.release_e_stop();
+  controller_.reset_alarms();
+  controller_.switch_drives(true);
   usleep(300'000);
   EXPECT_EQ(controller_.state().status, scan_cell_sim::MotionStatus::Stopped);
   EXPECT_EQ(controller_.motions_begun(), 1u);

@@ -20,7 +20,8 @@ namespace {
 const char* const kState = R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204,
   "t": 48123456, "pose": [800, 0, 600, 0, 180, 180], "joints": [0, -3.2, -93.4, 0, 89.8, 0],
   "status": "moving", "motion": 17, "progress": 0.42, "camera_fps": 100, "e_stop": false,
-  "drives": true, "mode": "auto", "override": 100, "linear_speed": 250, "error": null})";
+  "drives": true, "mode": "remote", "override": 100, "linear_speed": 250, "error": null,
+  "alarms": []})";
 
 json ack() {
   json state = json::parse(kState);
@@ -72,6 +73,9 @@ TEST(Build, WritesEveryOtherRequest) {
   const json set = built(c4g_driver::SetParameter{"motion_type", "\"joint\""});
   EXPECT_EQ(set["cmd"], "SET_PARAMETER");
   EXPECT_EQ(set["value"], "joint");
+  EXPECT_EQ(built(c4g_driver::SetDrives{true}), json::parse(R"({"c4g": 1,
+    "session": 1790000000000000, "seq": 17, "cmd": "SET_DRIVES", "drives": true})"));
+  EXPECT_EQ(built(c4g_driver::ResetAlarms{})["cmd"], "RESET_ALARMS");
 }
 
 TEST(Build, RefusesAParameterThatIsNotJsonOrTooLong) {
@@ -93,8 +97,30 @@ TEST(Parse, ReadsAStateIntoSiUnits) {
   EXPECT_EQ(state.robot.motion, 17u);
   EXPECT_EQ(state.robot.linear_speed, 0.25);
   EXPECT_EQ(state.robot.override, 100);
-  EXPECT_TRUE(state.robot.automatic);
+  EXPECT_EQ(state.robot.mode, c4g_driver::ControllerMode::Remote);
   EXPECT_FALSE(state.robot.error);
+  EXPECT_TRUE(state.robot.alarms.empty());
+  EXPECT_TRUE(takes_motions(state.robot));
+}
+
+TEST(Parse, ReadsModesAndAlarmsAndWhetherTheControllerTakesMotions) {
+  const auto parsed = [](const json& changes) {
+    json state = json::parse(kState);
+    state.update(changes);
+    return std::get<StreamedState>(c4g_driver::parse(state.dump())).robot;
+  };
+  const json alarm = {{"code", 15}, {"text", "following error of J2"}};
+  const auto alarmed = parsed({{"alarms", json::array({alarm, alarm})}});
+  ASSERT_EQ(alarmed.alarms.size(), 2u);
+  EXPECT_EQ(alarmed.alarms[1].code, 15);
+  EXPECT_EQ(alarmed.alarms[1].text, "following error of J2");
+  EXPECT_FALSE(takes_motions(alarmed));
+  EXPECT_EQ(parsed({{"mode", "programming"}}).mode, c4g_driver::ControllerMode::Programming);
+  EXPECT_TRUE(takes_motions(parsed({{"mode", "programming"}})));
+  EXPECT_EQ(parsed({{"mode", "automatic"}}).mode, c4g_driver::ControllerMode::Automatic);
+  EXPECT_FALSE(takes_motions(parsed({{"mode", "automatic"}})));
+  EXPECT_FALSE(takes_motions(parsed({{"drives", false}})));
+  EXPECT_FALSE(takes_motions(parsed({{"e_stop", true}})));
 }
 
 TEST(Parse, ReadsAcknowledgements) {
@@ -140,7 +166,10 @@ TEST(Parse, NamesTheKeyThatMakesNoSense) {
       {"progress", "half"},
       {"e_stop", 0},
       {"drives", "yes"},
-      {"mode", "auto-ish"},
+      {"mode", "auto"},
+      {"alarms", nullptr},
+      {"alarms", json::array({7})},
+      {"alarms", json::array({json{{"code", 1}}})},
       {"override", {}},
       {"linear_speed", 1e9},
       {"error", 7},
@@ -150,7 +179,8 @@ TEST(Parse, NamesTheKeyThatMakesNoSense) {
     state[key] = value;
     const std::string what = complaint(state.dump());
     const bool named = what.find(key) != std::string::npos || (key == "c4g" && !what.empty()) ||
-                       (key == "error" && what.find("code") != std::string::npos);
+                       (key == "error" && what.find("code") != std::string::npos) ||
+                       (key == "alarms" && what.find("text") != std::string::npos);
     EXPECT_TRUE(named) << key << " = " << value << ": " << what;
   }
   json pose = json::parse(kState);

@@ -19,6 +19,7 @@ using nlohmann::json;
 using scan_cell_common::Nanoseconds;
 using scan_cell_sim::Controller;
 using scan_cell_sim::ControllerFaults;
+using scan_cell_sim::ControllerMode;
 using scan_cell_sim::ControllerOptions;
 using scan_cell_sim::MotionStatus;
 
@@ -122,7 +123,8 @@ TEST_F(Wire, TellsItsStartPosture) {
   EXPECT_NEAR(state["pose"][1].get<double>(), 0, 1e-9);
   EXPECT_NEAR(state["pose"][2].get<double>(), 600, 1e-9);
   EXPECT_NEAR(state["pose"][4].get<double>(), 180, 1e-9);
-  EXPECT_EQ(state["mode"], "auto");
+  EXPECT_EQ(state["mode"], "remote");
+  EXPECT_EQ(state["alarms"], json::array());
   EXPECT_EQ(state["drives"], true);
 }
 
@@ -216,6 +218,61 @@ TEST_F(Wire, AnswersEveryMistakeWithItsCode) {
   controller_.press_e_stop();
   stream_until_still(client_);
   EXPECT_EQ(asked(move_to(800, 0, 600)), 11);
+}
+
+TEST_F(Wire, TakesMotionsAsItsModeAllows) {
+  client_.open();
+  const json short_way = move_to(800, 5, 600);
+  controller_.select(ControllerMode::Automatic);
+  controller_.switch_drives(true);
+  EXPECT_EQ(client_.ask(2, {{"cmd", "GET_STATIC_POSE"}})["state"]["mode"], "automatic");
+  EXPECT_EQ(code(client_.ask(3, short_way)), 16);
+  controller_.select(ControllerMode::Programming);
+  EXPECT_EQ(code(client_.ask(4, short_way)), 11) << "nobody holds the enabling device";
+  EXPECT_EQ(code(client_.ask(5, {{"cmd", "SET_DRIVES"}, {"drives", true}})), 16);
+  controller_.switch_drives(true);
+  EXPECT_EQ(client_.ask(6, {{"cmd", "GET_STATIC_POSE"}})["state"]["mode"], "programming");
+  EXPECT_EQ(code(client_.ask(7, short_way)), 0);
+}
+
+TEST_F(Wire, LetsAClientInModeRemoteResetAlarmsAndSwitchTheDrives) {
+  client_.open();
+  const json reset = {{"cmd", "RESET_ALARMS"}};
+  const auto drives = [](bool on) { return json{{"cmd", "SET_DRIVES"}, {"drives", on}}; };
+  controller_.press_e_stop();
+  EXPECT_EQ(code(client_.ask(2, reset)), 11);
+  EXPECT_EQ(code(client_.ask(3, drives(true))), 11);
+  controller_.release_e_stop();
+  const json released = client_.ask(4, move_to(800, 5, 600));
+  EXPECT_EQ(code(released), 17);
+  EXPECT_EQ(released["state"]["e_stop"], false);
+  EXPECT_EQ(released["state"]["drives"], false);
+  EXPECT_EQ(released["state"]["alarms"],
+            json::array({json{{"code", 11}, {"text", "emergency stop"}}}));
+  EXPECT_EQ(code(client_.ask(5, drives(true))), 17);
+  EXPECT_EQ(code(client_.ask(6, reset)), 0);
+  EXPECT_EQ(code(client_.ask(7, move_to(800, 5, 600))), 11);
+  EXPECT_EQ(code(client_.ask(8, drives(true))), 0);
+  EXPECT_EQ(code(client_.ask(9, move_to(800, 5, 600))), 0);
+  stream_until_still(client_);
+  EXPECT_EQ(code(client_.ask(10, {{"cmd", "SET_DRIVES"}, {"drives", 1}})), 1);
+  EXPECT_EQ(client_.ask(11, drives(false))["state"]["drives"], false);
+}
+
+TEST_F(Wire, FitsTheLongestAnswerIntoADatagram) {
+  client_.open(18446744073709551600u);
+  const std::string text(1000, '\x01');
+  for (int i = 0; i < 9; ++i)
+    controller_.fail_motion(text);
+  const json request = {{"cmd", std::string(600, '"')},
+                        {"c4g", 1},
+                        {"session", 18446744073709551600u},
+                        {"seq", 18446744073709551615u}};
+  client_.send(request.dump());
+  const json answer = client_.receive("ack");
+  ASSERT_FALSE(answer.is_null());
+  EXPECT_EQ(code(answer), 6);
+  EXPECT_LE(answer.dump().size(), 1400u);
 }
 
 TEST_F(Wire, KeepsItsParameters) {

@@ -39,9 +39,14 @@ struct SetParameter {
   std::string name;
   std::string value;  //!< JSON
 };
+struct SetDrives {
+  bool on;
+};
+struct ResetAlarms {};
 
-using Request = std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride,
-                             SetLinearSpeed, GetStaticPose, GetParameter, SetParameter>;
+using Request =
+    std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride, SetLinearSpeed,
+                 GetStaticPose, GetParameter, SetParameter, SetDrives, ResetAlarms>;
 
 /// What a SET_PARAMETER asks for where it does the same as SET_OVERRIDE [%] or SET_LINSPEED [m/s].
 /// @throw scan_cell_common::Refused if its value is no number

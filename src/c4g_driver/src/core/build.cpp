@@ -44,6 +44,8 @@ struct Name {
   const char* operator()(const GetStaticPose&) const { return "GET_STATIC_POSE"; }
   const char* operator()(const GetParameter&) const { return "GET_PARAMETER"; }
   const char* operator()(const SetParameter&) const { return "SET_PARAMETER"; }
+  const char* operator()(const SetDrives&) const { return "SET_DRIVES"; }
+  const char* operator()(const ResetAlarms&) const { return "RESET_ALARMS"; }
 };
 
 struct Arguments {
@@ -61,6 +63,7 @@ struct Arguments {
   json operator()(const SetParameter& set) const {
     return {{"name", set.name}, {"value", value_of(set)}};
   }
+  json operator()(const SetDrives& set) const { return {{"drives", set.on}}; }
   template <class Other>
   json operator()(const Other&) const {
     return json::object();

@@ -98,10 +98,12 @@ void DriverNode::diagnose_robot(diagnostic_updater::DiagnosticStatusWrapper& sta
   const RobotState& robot = state->robot;
   if (robot.e_stop) {
     status.summary(DiagnosticStatus::ERROR, "emergency stop");
+  } else if (!robot.alarms.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "alarm: " + robot.alarms.front().text);
   } else if (robot.error) {
     status.summary(DiagnosticStatus::ERROR, robot.error->text);
-  } else if (!robot.drives || !robot.automatic) {
-    status.summary(DiagnosticStatus::WARN, robot.drives ? "manual mode" : "drives off");
+  } else if (!takes_motions(robot)) {
+    status.summary(DiagnosticStatus::WARN, robot.drives ? "automatic mode" : "drives off");
   } else {
     status.summary(DiagnosticStatus::OK, robot.status == MotionStatus::Moving ? "moving" : "ready");
   }

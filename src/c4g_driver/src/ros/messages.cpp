@@ -8,6 +8,21 @@
 #include "scan_cell_common/ros/conversions.h"
 
 namespace c4g_driver {
+namespace {
+
+const char* name_of(ControllerMode mode) {
+  switch (mode) {
+    case ControllerMode::Programming:
+      return "programming";
+    case ControllerMode::Automatic:
+      return "automatic";
+    case ControllerMode::Remote:
+      return "remote";
+  }
+  return "";
+}
+
+}  // namespace
 
 using scan_cell_common::Refused;
 using scan_cell_common::to_ros;
@@ -54,16 +69,25 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   message.override = message.linear_speed = std::nan("");
   if (!link.up || !state) return message;
   const RobotState& robot = state->robot;
-  message.mode = robot.automatic ? RobotStatus::MODE_AUTO : RobotStatus::MODE_MANUAL;
+  message.mode =
+      robot.mode == ControllerMode::Programming ? RobotStatus::MODE_MANUAL : RobotStatus::MODE_AUTO;
+  message.controller_mode = name_of(robot.mode);
   message.e_stopped = said(robot.e_stop);
   message.drives_powered = said(robot.drives);
-  message.motion_possible = said(robot.drives && !robot.e_stop && robot.automatic);
+  message.motion_possible = said(takes_motions(robot));
   message.in_motion = said(robot.status == MotionStatus::Moving);
-  message.in_error = said(robot.error.has_value());
-  message.error_code = robot.error ? robot.error->code : 0;
+  for (const ControllerError& alarm : robot.alarms) {
+    message.alarm_codes.push_back(alarm.code);
+    message.alarm_texts.push_back(alarm.text);
+  }
+  const ControllerError* const first = !robot.alarms.empty() ? &robot.alarms.front()
+                                       : robot.error         ? &*robot.error
+                                                             : nullptr;
+  message.in_error = said(first != nullptr);
+  message.error_code = first != nullptr ? first->code : 0;
   message.override = robot.override;
   message.linear_speed = robot.linear_speed;
-  if (robot.error) message.message = robot.error->text;
+  if (first != nullptr) message.message = first->text;
   return message;
 }
 

@@ -27,12 +27,23 @@ void check_share(const std::string& name, double share) {
   throw InvalidParameter(name, std::to_string(share), "give 0 .. 1");
 }
 
+ControllerMode mode_of(const scan_cell_msgs::SetFaults::Request& faults) {
+  if (faults.robot_mode.empty()) return ControllerMode::Remote;
+  try {
+    return controller_mode_of(faults.robot_mode);
+  } catch (const ControllerRefusal&) {
+    throw InvalidParameter("robot_mode", "'" + faults.robot_mode + "'",
+                           "give programming, automatic, remote, or nothing");
+  }
+}
+
 void check(const scan_cell_msgs::SetFaults::Request& faults) {
   check_share("camera_lost_frames", faults.camera_lost_frames);
   check_share("camera_lost_packets", faults.camera_lost_packets);
   check_share("robot_lost_packets", faults.robot_lost_packets);
   check_share("robot_repeated_packets", faults.robot_repeated_packets);
   check_share("robot_delayed_packets", faults.robot_delayed_packets);
+  mode_of(faults);
   constexpr double kMostDelay = 10, kMostDrift = 0.1;
   if (!(faults.robot_delay >= 0 && faults.robot_delay <= kMostDelay)) {
     throw InvalidParameter("robot_delay", std::to_string(faults.robot_delay) + " s",
@@ -148,10 +159,18 @@ void SimulatorServices::apply(const scan_cell_msgs::SetFaults::Request& request)
   camera.seed = request.seed;
   cell_.camera().set_faults(camera);
   controller_.set_faults(controller_faults(request));
-  if (request.robot_e_stop != e_stop_) {
-    request.robot_e_stop ? controller_.press_e_stop() : controller_.release_e_stop();
-    e_stop_ = request.robot_e_stop;
+  attend(request);
+}
+
+void SimulatorServices::attend(const scan_cell_msgs::SetFaults::Request& request) {
+  controller_.select(mode_of(request));
+  if (request.robot_e_stop) {
+    controller_.press_e_stop();
+    return;
   }
+  controller_.release_e_stop();
+  controller_.reset_alarms();
+  controller_.switch_drives(!request.robot_drives_off);
   if (!request.robot_motion_error.empty()) controller_.fail_motion(request.robot_motion_error);
 }
 

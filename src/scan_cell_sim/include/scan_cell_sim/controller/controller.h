@@ -57,9 +57,21 @@ class Controller : public FlangeMotion {
   std::uint64_t motions_begun() const { return motion_.motions_begun(); }
 
   void set_faults(const ControllerFaults& faults);
+
+  // What somebody at the controller's panel does. After an emergency stop or an alarm: release the
+  // button, reset the alarms, switch the drives on. The motion does not come back.
+
   void press_e_stop();
   void release_e_stop();
-  /// The motion under way ends in an error.
+  /// Another mode switches the drives off.
+  void select(ControllerMode mode);
+  /// In mode programming, drives are on as long as somebody holds the enabling device.
+  /// @throw ControllerRefusal while the emergency stop is pressed or an alarm stands
+  void switch_drives(bool on);
+  /// @throw ControllerRefusal while the emergency stop is pressed
+  void reset_alarms();
+
+  /// An alarm, as of a collision or a following error, that ends the motion under way in an error.
   void fail_motion(const std::string& text);
 
   static Joints start_posture();

@@ -125,6 +125,18 @@ void Controller::release_e_stop() {
   motion_.release_e_stop();
 }
 
+void Controller::select(ControllerMode mode) {
+  motion_.select(mode, host_now());
+}
+
+void Controller::switch_drives(bool on) {
+  motion_.switch_drives(on, Readiness::Source::Panel, host_now());
+}
+
+void Controller::reset_alarms() {
+  motion_.reset_alarms(Readiness::Source::Panel);
+}
+
 void Controller::fail_motion(const std::string& text) {
   motion_.fail(text, host_now());
 }

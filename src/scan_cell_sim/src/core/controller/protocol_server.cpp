@@ -52,8 +52,20 @@ const char* name_of(MotionStatus status) {
   return "error";
 }
 
-json error_json(Code code, const std::string& what) {
+/// @param what may repeat what a client sent: it is cut so that any answer fits into a datagram
+json error_json(Code code, std::string what) {
+  constexpr std::size_t kLongest = 80;
+  what.resize(std::min(what.size(), kLongest));
+  const auto odd = [](char byte) { return byte < ' ' || byte > '~'; };
+  std::replace_if(what.begin(), what.end(), odd, '?');
   return {{"code", static_cast<int>(code)}, {"text", what}};
+}
+
+json alarms_json(const std::vector<Complaint>& alarms) {
+  json list = json::array();
+  for (const Complaint& alarm : alarms)
+    list.push_back(error_json(alarm.code, alarm.text));
+  return list;
 }
 
 }  // namespace
@@ -80,7 +92,10 @@ ProtocolServer::ProtocolServer(MotionControl& motion, double stream_period,
 std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nanoseconds now) {
   const Peer& from = datagram.peer;
   const json request = json::parse(datagram.text, nullptr, false);
-  if (!request.is_object() || !request.contains("seq") || !request.contains("session")) return {};
+  const auto numbered = [&request](const char* key) {
+    return request.contains(key) && request[key].is_number_unsigned();
+  };
+  if (!request.is_object() || !numbered("seq") || !numbered("session")) return {};
   json head = {{"c4g", kVersion},
                {"session", request["session"]},
                {"type", "ack"},
@@ -95,7 +110,7 @@ std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nano
   }
   const bool ours = client_ && from == *client_ && head["session"] == session_;
   if (ours) head["state"] = state(motion_.state(now), now);
-  const std::string sent = head.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string sent = head.dump();
   if (ours && head["seq"] == last_seq_ && last_answer_.empty()) last_answer_ = sent;
   return sent;
 }
@@ -160,6 +175,11 @@ json ProtocolServer::perform(const json& request, Nanoseconds now) {
     return {{"value", parameters_.get(text(entry(request, "name"), "name"))}};
   } else if (command == "SET_PARAMETER") {
     parameters_.set(text(entry(request, "name"), "name"), entry(request, "value"), now);
+  } else if (command == "SET_DRIVES") {
+    motion_.switch_drives(truth(entry(request, "drives"), "drives"), Readiness::Source::Client,
+                          now);
+  } else if (command == "RESET_ALARMS") {
+    motion_.reset_alarms(Readiness::Source::Client);
   } else if (command == "CLOSE") {
     motion_.forget(now);
     client_.reset();
@@ -194,19 +214,20 @@ json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
                  {"motion", truth.motion},
                  {"progress", truth.progress},
                  {"camera_fps", truth.camera_rate},
-                 {"e_stop", truth.e_stop},
-                 {"drives", !truth.e_stop},
-                 {"mode", "auto"},
+                 {"e_stop", truth.readiness.e_stop()},
+                 {"drives", truth.readiness.drives()},
+                 {"mode", name_of(truth.readiness.mode())},
                  {"override", truth.settings.override / kPercent},
                  {"linear_speed", truth.settings.line.speed / kMillimetre},
-                 {"error", nullptr}};
+                 {"error", nullptr},
+                 {"alarms", alarms_json(truth.readiness.alarms())}};
   if (truth.why) result["error"] = error_json(truth.why->code, truth.why->text);
   return result;
 }
 
 void ProtocolServer::watch(Nanoseconds now) {
   if (!client_ || now - last_heard_ < kClientSilence) return;
-  motion_.stop(StopReason{Code::Session, "the client was silent for 1 s"}, now);
+  motion_.stop(Complaint{Code::Session, "the client was silent for 1 s"}, now);
   client_.reset();
 }
 

@@ -41,6 +41,11 @@ WireSix six(const json& value, const std::string& name) {
   return result;
 }
 
+bool truth(const json& value, const std::string& name) {
+  if (!value.is_boolean()) throw ControllerRefusal(Code::Malformed, name + " is not true or false");
+  return value.get<bool>();
+}
+
 std::uint64_t whole(const json& value, const std::string& name) {
   if (!value.is_number_unsigned()) {
     throw ControllerRefusal(Code::Malformed, name + " is not a whole number");
