@@ -8,6 +8,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "c4g_driver/seal.h"
+
 FakeController::FakeController(std::uint16_t port)
     : socket_(socket(AF_INET, SOCK_DGRAM, 0)),
       state_({{"pose", {800, 0, 600, 0, 180, 180}},
@@ -82,7 +84,7 @@ void FakeController::stream(std::uint64_t number, std::int64_t microseconds, con
   state.update({{"c4g", 1}, {"type", "state"}, {"n", number}});
   state["session"] = requests_.back()["session"];
   if (entries.is_object()) state.update(entries);
-  send(state.dump());
+  send(c4g_driver::seal(state.dump()));
 }
 
 void FakeController::send(const std::string& text) {
@@ -131,6 +133,6 @@ void FakeController::serve() {
     }
     const auto answers = script_ ? script_(request) : std::nullopt;
     for (const Json& answer : answers.value_or(std::vector<Json>{acknowledge(request)}))
-      send(answer.dump());
+      send(c4g_driver::seal(answer.dump()));
   }
 }

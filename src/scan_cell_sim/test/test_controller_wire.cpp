@@ -14,6 +14,7 @@
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_sim/controller/controller.h"
+#include "scan_cell_sim/controller/wire_json.h"
 
 using nlohmann::json;
 using scan_cell_common::Nanoseconds;
@@ -50,6 +51,7 @@ class BareClient {
   ~BareClient() { close(socket_); }
 
   void send(const std::string& text) { ::send(socket_, text.data(), text.size(), 0); }
+  void send(const json& packet) { send(scan_cell_sim::sealed(packet)); }
 
   /// The next datagram, or null.
   json receive(int milliseconds = 2000) {
@@ -77,7 +79,7 @@ class BareClient {
 
   json ask(std::uint64_t seq, json request, std::uint64_t session = 100) {
     request.update({{"c4g", 1}, {"session", session}, {"seq", seq}});
-    send(request.dump());
+    send(request);
     return receive("ack");
   }
 
@@ -268,7 +270,7 @@ TEST_F(Wire, FitsTheLongestAnswerIntoADatagram) {
                         {"c4g", 1},
                         {"session", 18446744073709551600u},
                         {"seq", 18446744073709551615u}};
-  client_.send(request.dump());
+  client_.send(request);
   const json answer = client_.receive("ack");
   ASSERT_FALSE(answer.is_null());
   EXPECT_EQ(code(answer), 6);
@@ -297,12 +299,28 @@ TEST_F(Wire, SurvivesRubbish) {
         std::string("{\"seq\":-2,\"session\":\"a\",\"c4g\":1,\"cmd\":\"STOP\"}"),
         std::string("{\"seq\":2,\"session\":100,\"c4g\":1,\"cmd\":\"\\ud800\"}")}) {
     client_.send(rubbish);
+    const json packet = json::parse(rubbish, nullptr, false);
+    if (packet.is_object()) client_.send(packet);
   }
   json ack = client_.ask(9, {{"cmd", "GET_STATIC_POSE"}});
   while (!ack.is_null() && ack["seq"] != 9)  // some rubbish was answered, with an error
     ack = client_.receive("ack");
   ASSERT_FALSE(ack.is_null());
   EXPECT_EQ(code(ack), 0);
+}
+
+TEST_F(Wire, DoesNothingThatWasSpoiltOnTheWay) {
+  client_.open();
+  json move = move_to(800, 100, 600);
+  move.update({{"c4g", 1}, {"session", 100}, {"seq", 2}});
+  std::string datagram = scan_cell_sim::sealed(move);
+  datagram[datagram.find("800")] = '9';
+  client_.send(datagram);
+  client_.send(move.dump());  // not sealed
+  EXPECT_TRUE(client_.receive(200).is_null());
+  EXPECT_EQ(controller_.motions_begun(), 0u);
+  const std::string sealed = scan_cell_sim::sealed({{"a", 1}});
+  EXPECT_EQ(sealed, R"({"a":1,"crc":2801990766})");
 }
 
 TEST_F(Wire, LosesRepeatsAndReordersOnRequest) {
@@ -313,13 +331,12 @@ TEST_F(Wire, LosesRepeatsAndReordersOnRequest) {
   faults.to_client.delayed = 0.1;
   faults.to_client.delay = 0.02;
   controller_.set_faults(faults);
-  client_.send(json({{"c4g", 1},
-                     {"session", 100},
-                     {"seq", 2},
-                     {"cmd", "MOVE_CARTESIAN"},
-                     {"pose", {800, 200, 600, 0, 180, 180}},
-                     {"camera_fps", 0}})
-                   .dump());
+  client_.send(json{{"c4g", 1},
+                    {"session", 100},
+                    {"seq", 2},
+                    {"cmd", "MOVE_CARTESIAN"},
+                    {"pose", {800, 200, 600, 0, 180, 180}},
+                    {"camera_fps", 0}});
   std::set<std::uint64_t> numbers;
   std::uint64_t newest = 0;
   int repeated = 0;
@@ -345,7 +362,7 @@ TEST_F(Wire, IsSilentWhileTheLinkIsDown) {
   faults.to_client.link_down = true;
   faults.from_client.link_down = true;
   controller_.set_faults(faults);
-  client_.send(json({{"c4g", 1}, {"session", 100}, {"seq", 2}, {"cmd", "STOP"}}).dump());
+  client_.send(json{{"c4g", 1}, {"session", 100}, {"seq", 2}, {"cmd", "STOP"}});
   EXPECT_TRUE(client_.receive(300).is_null());
   controller_.set_faults({});
   EXPECT_EQ(code(client_.ask(3, {{"cmd", "STOP"}})), 0);

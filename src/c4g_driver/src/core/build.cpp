@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "c4g_driver/codec.h"
+#include "c4g_driver/seal.h"
 #include "c4g_driver/wire_units.h"
 #include "scan_cell_common/errors.h"
 
@@ -93,7 +94,7 @@ std::string build(const Request& request, std::uint64_t session, std::uint64_t s
   packet["session"] = session;
   packet["seq"] = seq;
   packet["cmd"] = name_of(request);
-  std::string text = packet.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string text = seal(packet.dump(-1, ' ', false, json::error_handler_t::replace));
   if (text.size() > kMostDatagramBytes) {
     throw Refused(name_of(request) + " packet", std::to_string(text.size()) + " bytes",
                   "give a value of fewer than " + std::to_string(kMostDatagramBytes) + " bytes");

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "c4g_driver/codec.h"
+#include "c4g_driver/seal.h"
 #include "c4g_driver/wire_units.h"
 #include "scan_cell_common/errors.h"
 
@@ -146,6 +147,7 @@ Reply parse(const std::string& datagram) {
   if (datagram.size() > kMostDatagramBytes) {
     refuse("length", std::to_string(datagram.size()) + " bytes");
   }
+  check_seal(datagram);
   const json packet = json::parse(datagram, nullptr, false);
   if (!packet.is_object()) refuse("datagram", "not a JSON object");
   const std::uint64_t version = whole(packet, "c4g", UINT64_MAX);

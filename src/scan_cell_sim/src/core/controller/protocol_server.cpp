@@ -91,11 +91,13 @@ ProtocolServer::ProtocolServer(MotionControl& motion, double stream_period,
 
 std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nanoseconds now) {
   const Peer& from = datagram.peer;
-  const json request = json::parse(datagram.text, nullptr, false);
+  const std::optional<json> packet = unsealed(datagram.text);
+  if (!packet) return {};
+  const json& request = *packet;
   const auto numbered = [&request](const char* key) {
     return request.contains(key) && request[key].is_number_unsigned();
   };
-  if (!request.is_object() || !numbered("seq") || !numbered("session")) return {};
+  if (!numbered("seq") || !numbered("session")) return {};
   json head = {{"c4g", kVersion},
                {"session", request["session"]},
                {"type", "ack"},
@@ -110,7 +112,7 @@ std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nano
   }
   const bool ours = client_ && from == *client_ && head["session"] == session_;
   if (ours) head["state"] = state(motion_.state(now), now);
-  const std::string sent = head.dump();
+  const std::string sent = sealed(head);
   if (ours && head["seq"] == last_seq_ && last_answer_.empty()) last_answer_ = sent;
   return sent;
 }
@@ -239,7 +241,7 @@ std::optional<std::string> ProtocolServer::stream(Nanoseconds now) {
   json datagram = state(truth, now);
   datagram.update(
       {{"c4g", kVersion}, {"session", session_}, {"type", "state"}, {"n", ++streamed_}});
-  return datagram.dump();
+  return sealed(datagram);
 }
 
 }  // namespace scan_cell_sim
