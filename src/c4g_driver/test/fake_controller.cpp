@@ -13,7 +13,7 @@
 FakeController::FakeController(std::uint16_t port)
     : socket_(socket(AF_INET, SOCK_DGRAM, 0)),
       state_({{"pose", {800, 0, 600, 0, 180, 180}},
-              {"joints", {0, 0, -90, 0, 90, 0}},
+              {"joints", {0, 8.1589, -124.1102, 0, 47.7310, 0}},
               {"status", "idle"},
               {"motion", 0},
               {"progress", 0},
@@ -73,9 +73,13 @@ FakeController::Json FakeController::state_at(std::int64_t microseconds) const {
 
 FakeController::Json FakeController::acknowledge(const Json& request) {
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
-  return {{"c4g", 1},         {"session", request["session"]},
-          {"type", "ack"},    {"seq", request["seq"]},
-          {"error", nullptr}, {"state", state_at(clock())}};
+  Json answer = {{"c4g", 1},         {"session", request["session"]},
+                 {"type", "ack"},    {"seq", request["seq"]},
+                 {"error", nullptr}, {"state", state_at(clock())}};
+  const std::string name = request.value("name", "");
+  if (name == "rotational_speed") answer["value"] = 60;
+  if (name == "motion_type" || name == "interpolation") answer["value"] = "linear";
+  return answer;
 }
 
 void FakeController::stream(std::uint64_t number, std::int64_t microseconds, const Json& entries) {

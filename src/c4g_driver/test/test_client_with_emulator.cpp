@@ -12,6 +12,7 @@
 #include "closed_form.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_sim/controller/controller.h"
+#include "smart5_six.h"
 
 using c4g_driver::Client;
 using c4g_driver::Goal;
@@ -19,13 +20,6 @@ using c4g_driver::MeasuredState;
 using scan_cell_sim::Controller;
 
 namespace {
-
-Eigen::Isometry3d looking_down(double x, double y, double z) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() << x, y, z;
-  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  return pose;
-}
 
 scan_cell_sim::ControllerOptions any_port() {
   scan_cell_sim::ControllerOptions options;
@@ -40,6 +34,8 @@ class Together : public testing::Test {
     options.port = controller_.port();
     options.link_timeout = 2;  // patience for a busy machine
     options.tries = 40;
+    options.robot = std::make_shared<c4g_driver::RobotModel>(smart5_six());
+    options.limits.operation = c4g_driver::Operation::Automatic;
     client_ = std::make_unique<Client>(options, [this](const MeasuredState& state) {
       const Eigen::Isometry3d truth = controller_.flange_at(state.time);
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -81,7 +77,7 @@ TEST_F(Together, ReachPosesInWhateverOrientation) {
   std::uniform_real_distribution<double> tilt(-0.4, 0.4);
   std::uniform_real_distribution<double> turn(-1.0, 1.0);
   client_->set_linear_speed(1.0);
-  client_->set_parameter("rotational_speed", "180");
+  client_->set_parameter("rotational_speed", "90");
   for (int i = 0; i < 6; ++i) {
     Eigen::Isometry3d target = looking_down(0.8, 0.1 * turn(random), 0.6 + 0.1 * turn(random));
     if (i > 0) {  // the first looks straight down, where the Euler angles are degenerate

@@ -25,15 +25,6 @@ json value_of(const SetParameter& set) {
   return value;
 }
 
-std::optional<double> number_of(const SetParameter& set, const std::string& name) {
-  if (set.name != name) return std::nullopt;
-  const json value = value_of(set);
-  if (!value.is_number()) {
-    throw Refused("value of " + set.name, "'" + set.value + "'", "give a number");
-  }
-  return value.get<double>();
-}
-
 struct Name {
   const char* operator()(const Open&) const { return "OPEN"; }
   const char* operator()(const Close&) const { return "CLOSE"; }
@@ -72,17 +63,6 @@ struct Arguments {
 };
 
 }  // namespace
-
-std::optional<double> override_of(const SetParameter& set) {
-  return number_of(set, "override");
-}
-
-std::optional<double> linear_speed_of(const SetParameter& set) {
-  const auto speed = number_of(set, "linear_speed");
-  if (!speed) return std::nullopt;
-  constexpr double kMillimetresAMetre = 1e3;  // divided by, 700 mm/s is 0.7 m/s to the last digit
-  return *speed / kMillimetresAMetre;
-}
 
 std::string name_of(const Request& request) {
   return std::visit(Name(), request);

@@ -47,13 +47,12 @@ geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string
   return message;
 }
 
-sensor_msgs::JointState to_joint_state(const MeasuredState& state) {
+sensor_msgs::JointState to_joint_state(const MeasuredState& state,
+                                       const std::array<std::string, 6>& names) {
   sensor_msgs::JointState message;
   message.header.stamp = to_ros(state.time);
-  for (int i = 0; i < 6; ++i) {
-    message.name.push_back("joint_" + std::to_string(i + 1));
-    message.position.push_back(state.robot.joints[i]);
-  }
+  message.name.assign(names.begin(), names.end());
+  message.position.assign(state.robot.joints.begin(), state.robot.joints.end());
   return message;
 }
 
