@@ -378,6 +378,9 @@ TEST_F(Driver, EndsTheGoalAtAnEmergencyStop) {
   }));
   EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REFUSED);
   controller_->release_e_stop();
+  EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REFUSED) << "an alarm";
+  controller_->reset_alarms();
+  controller_->switch_drives(true);
   EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REACHED);
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "c4g_driver/codec.h"
 #include "c4g_driver/goal.h"
 #include "c4g_driver/limits.h"
+#include "c4g_driver/motion_check.h"
 #include "c4g_driver/pose_feed.h"
 #include "c4g_driver/sequence_monitor.h"
 #include "c4g_driver/udp_socket.h"
@@ -29,6 +31,7 @@ struct ClientOptions {
   double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
   double reconnect_period = 0.5;  //!< [s] between attempts to connect
   double clock_window = 2.0;      //!< [s] over which the least delay of the wire is sought
+  std::shared_ptr<const RobotModel> robot;  //!< required
   RobotLimits limits;
   ArrivalTolerance arrival;
 };
@@ -68,7 +71,8 @@ class Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// Starts a motion; it is sent to the controller once, however often the packet is.
+  /// Starts a motion that MotionCheck lets pass; it is sent to the controller once, however often
+  /// the packet is.
   void move_to_pose(const Eigen::Isometry3d& flange, double camera_rate);
   void move_to_joints(const std::vector<double>& joints, double camera_rate);
 
@@ -102,13 +106,22 @@ class Client {
             PoseFeed::Source source);
   bool awaited(const Acknowledgement& acknowledgement) const;
 
+  MotionCheck motion_check(bool along_line);
+  MotionSettings settings_in_force();
+  SpeedLimit speed_limit() const;
+  double most_override() const;
+
   void keep();
   void connect();
   void lose(const std::string& reason);
   void poll();
 
-  /// @param target of a motion; it becomes the goal before anything is sent
-  Acknowledgement request(const Request& request, const Goal::Target* target = nullptr);
+  /// A motion: its target becomes the goal before anything is sent.
+  struct Start {
+    Goal::Target target;
+    double most_override;  //!< [%] see MotionCheck
+  };
+  Acknowledgement request(const Request& request, const Start* start = nullptr);
   std::optional<Acknowledgement> exchange(const std::string& datagram);
 
   const ClientOptions options_;
@@ -116,7 +129,8 @@ class Client {
   const Listener listener_;
   UdpSocket socket_;
 
-  std::mutex request_mutex_;  // one request at a time; taken before mutex_
+  std::mutex settings_mutex_;  // what a motion was checked with stays so until it begins
+  std::mutex request_mutex_;   // one request at a time; taken after settings_mutex_, before mutex_
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
@@ -127,6 +141,7 @@ class Client {
   std::uint64_t seq_ = 0;
   std::optional<Acknowledgement> answer_;
   Goal goal_;
+  double most_override_ = 100;  // [%] of the goal
   SequenceMonitor stream_;
   PoseFeed poses_;
   std::uint64_t malformed_ = 0;

@@ -39,14 +39,14 @@ struct SetParameter {
   std::string name;
   std::string value;  //!< JSON
 };
+struct SetDrives {
+  bool on;
+};
+struct ResetAlarms {};
 
-using Request = std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride,
-                             SetLinearSpeed, GetStaticPose, GetParameter, SetParameter>;
-
-/// What a SET_PARAMETER asks for where it does the same as SET_OVERRIDE [%] or SET_LINSPEED [m/s].
-/// @throw scan_cell_common::Refused if its value is no number
-std::optional<double> override_of(const SetParameter& set);
-std::optional<double> linear_speed_of(const SetParameter& set);
+using Request =
+    std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride, SetLinearSpeed,
+                 GetStaticPose, GetParameter, SetParameter, SetDrives, ResetAlarms>;
 
 /// The command's name on the wire.
 std::string name_of(const Request& request);

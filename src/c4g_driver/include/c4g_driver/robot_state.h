@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scan_cell_common/timed_pose.h"
 
@@ -16,6 +17,9 @@ using Joints = Eigen::Matrix<double, 6, 1>;
 
 /// How the latest motion stands.
 enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
+
+/// Where the mode selector stands; docs/c4g_protocol.md says what each mode allows.
+enum class ControllerMode { Programming, Automatic, Remote };
 
 /// What the controller complains of; codes in docs/c4g_protocol.md.
 struct ControllerError {
@@ -34,11 +38,18 @@ struct RobotState {
   double camera_rate = 0;    //!< [Hz]
   bool e_stop = false;
   bool drives = false;
-  bool automatic = false;   //!< mode: automatic, or manual
-  double override = 0;      //!< [%]
-  double linear_speed = 0;  //!< [m/s]
-  std::optional<ControllerError> error;
+  ControllerMode mode = ControllerMode::Programming;
+  double override = 0;                   //!< [%]
+  double linear_speed = 0;               //!< [m/s]
+  std::optional<ControllerError> error;  //!< why the latest motion did not arrive
+  std::vector<ControllerError> alarms;   //!< that stand until they are reset
 };
+
+/// Whether the controller would begin a motion that this client asks for.
+inline bool takes_motions(const RobotState& robot) {
+  return robot.drives && !robot.e_stop && robot.alarms.empty() &&
+         robot.mode != ControllerMode::Automatic;
+}
 
 /// A state, and its instant on the host's clock.
 struct MeasuredState {

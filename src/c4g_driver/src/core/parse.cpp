@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "c4g_driver/codec.h"
+#include "c4g_driver/seal.h"
 #include "c4g_driver/wire_units.h"
 #include "scan_cell_common/errors.h"
 
@@ -72,18 +73,35 @@ MotionStatus status(const json& packet) {
   refuse("status", "none of idle, moving, arrived, stopped, error");
 }
 
-bool automatic(const json& packet) {
+ControllerMode mode(const json& packet) {
   const std::string word = text(packet, "mode");
-  if (word != "auto" && word != "manual") refuse("mode", "neither auto nor manual");
-  return word == "auto";
+  if (word == "programming") return ControllerMode::Programming;
+  if (word == "automatic") return ControllerMode::Automatic;
+  if (word == "remote") return ControllerMode::Remote;
+  refuse("mode", "none of programming, automatic, remote");
+}
+
+ControllerError complaint(const json& value) {
+  constexpr std::uint64_t kMostCode = 1'000'000;
+  return {static_cast<int>(whole(value, "code", kMostCode)), text(value, "text")};
 }
 
 std::optional<ControllerError> error(const json& packet) {
-  constexpr std::uint64_t kMostCode = 1'000'000;
   const json& value = entry(packet, "error");
   if (value.is_null()) return std::nullopt;
   if (!value.is_object()) refuse("error", "neither null nor an object");
-  return ControllerError{static_cast<int>(whole(value, "code", kMostCode)), text(value, "text")};
+  return complaint(value);
+}
+
+std::vector<ControllerError> alarms(const json& packet) {
+  const json& list = entry(packet, "alarms");
+  if (!list.is_array()) refuse("alarms", "not a list");
+  std::vector<ControllerError> result;
+  for (const json& alarm : list) {
+    if (!alarm.is_object()) refuse("alarms", "one is not an object");
+    result.push_back(complaint(alarm));
+  }
+  return result;
 }
 
 RobotState robot_state(const json& packet) {
@@ -100,10 +118,11 @@ RobotState robot_state(const json& packet) {
   state.camera_rate = number(entry(packet, "camera_fps"), "camera_fps");
   state.e_stop = truth(packet, "e_stop");
   state.drives = truth(packet, "drives");
-  state.automatic = automatic(packet);
+  state.mode = mode(packet);
   state.override = number(entry(packet, "override"), "override");
   state.linear_speed = number(entry(packet, "linear_speed"), "linear_speed") * kMillimetre;
   state.error = error(packet);
+  state.alarms = alarms(packet);
   return state;
 }
 
@@ -128,6 +147,7 @@ Reply parse(const std::string& datagram) {
   if (datagram.size() > kMostDatagramBytes) {
     refuse("length", std::to_string(datagram.size()) + " bytes");
   }
+  check_seal(datagram);
   const json packet = json::parse(datagram, nullptr, false);
   if (!packet.is_object()) refuse("datagram", "not a JSON object");
   const std::uint64_t version = whole(packet, "c4g", UINT64_MAX);

@@ -41,7 +41,7 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
 
 void DriverNode::publish(const MeasuredState& state) {
   transforms_.sendTransform(to_transform(state, parameters_.base_frame, parameters_.flange_frame));
-  joint_states_.publish(to_joint_state(state));
+  joint_states_.publish(to_joint_state(state, parameters_.client.robot->joint_names()));
 }
 
 void DriverNode::publish_status() {
@@ -98,10 +98,12 @@ void DriverNode::diagnose_robot(diagnostic_updater::DiagnosticStatusWrapper& sta
   const RobotState& robot = state->robot;
   if (robot.e_stop) {
     status.summary(DiagnosticStatus::ERROR, "emergency stop");
+  } else if (!robot.alarms.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "alarm: " + robot.alarms.front().text);
   } else if (robot.error) {
     status.summary(DiagnosticStatus::ERROR, robot.error->text);
-  } else if (!robot.drives || !robot.automatic) {
-    status.summary(DiagnosticStatus::WARN, robot.drives ? "manual mode" : "drives off");
+  } else if (!takes_motions(robot)) {
+    status.summary(DiagnosticStatus::WARN, robot.drives ? "automatic mode" : "drives off");
   } else {
     status.summary(DiagnosticStatus::OK, robot.status == MotionStatus::Moving ? "moving" : "ready");
   }
@@ -220,7 +222,7 @@ void DriverNode::get_static_pose(const scan_cell_msgs::GetStaticPose::Request&,
                                  scan_cell_msgs::GetStaticPose::Response& response) {
   const MeasuredState state = client_.static_pose();
   response.pose = to_pose(state, parameters_.base_frame);
-  response.joints = to_joint_state(state);
+  response.joints = to_joint_state(state, parameters_.client.robot->joint_names());
 }
 
 void DriverNode::get_parameter(const scan_cell_msgs::GetControllerParameter::Request& request,

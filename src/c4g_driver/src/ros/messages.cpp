@@ -8,6 +8,21 @@
 #include "scan_cell_common/ros/conversions.h"
 
 namespace c4g_driver {
+namespace {
+
+const char* name_of(ControllerMode mode) {
+  switch (mode) {
+    case ControllerMode::Programming:
+      return "programming";
+    case ControllerMode::Automatic:
+      return "automatic";
+    case ControllerMode::Remote:
+      return "remote";
+  }
+  return "";
+}
+
+}  // namespace
 
 using scan_cell_common::Refused;
 using scan_cell_common::to_ros;
@@ -32,13 +47,12 @@ geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string
   return message;
 }
 
-sensor_msgs::JointState to_joint_state(const MeasuredState& state) {
+sensor_msgs::JointState to_joint_state(const MeasuredState& state,
+                                       const std::array<std::string, 6>& names) {
   sensor_msgs::JointState message;
   message.header.stamp = to_ros(state.time);
-  for (int i = 0; i < 6; ++i) {
-    message.name.push_back("joint_" + std::to_string(i + 1));
-    message.position.push_back(state.robot.joints[i]);
-  }
+  message.name.assign(names.begin(), names.end());
+  message.position.assign(state.robot.joints.begin(), state.robot.joints.end());
   return message;
 }
 
@@ -54,16 +68,25 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   message.override = message.linear_speed = std::nan("");
   if (!link.up || !state) return message;
   const RobotState& robot = state->robot;
-  message.mode = robot.automatic ? RobotStatus::MODE_AUTO : RobotStatus::MODE_MANUAL;
+  message.mode =
+      robot.mode == ControllerMode::Programming ? RobotStatus::MODE_MANUAL : RobotStatus::MODE_AUTO;
+  message.controller_mode = name_of(robot.mode);
   message.e_stopped = said(robot.e_stop);
   message.drives_powered = said(robot.drives);
-  message.motion_possible = said(robot.drives && !robot.e_stop && robot.automatic);
+  message.motion_possible = said(takes_motions(robot));
   message.in_motion = said(robot.status == MotionStatus::Moving);
-  message.in_error = said(robot.error.has_value());
-  message.error_code = robot.error ? robot.error->code : 0;
+  for (const ControllerError& alarm : robot.alarms) {
+    message.alarm_codes.push_back(alarm.code);
+    message.alarm_texts.push_back(alarm.text);
+  }
+  const ControllerError* const first = !robot.alarms.empty() ? &robot.alarms.front()
+                                       : robot.error         ? &*robot.error
+                                                             : nullptr;
+  message.in_error = said(first != nullptr);
+  message.error_code = first != nullptr ? first->code : 0;
   message.override = robot.override;
   message.linear_speed = robot.linear_speed;
-  if (robot.error) message.message = robot.error->text;
+  if (first != nullptr) message.message = first->text;
   return message;
 }
 

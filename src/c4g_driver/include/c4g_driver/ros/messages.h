@@ -8,8 +8,8 @@
 #include <scan_cell_msgs/RobotStatus.h>
 #include <sensor_msgs/JointState.h>
 
+#include <array>
 #include <string>
-#include <vector>
 
 #include "c4g_driver/client.h"
 
@@ -22,8 +22,9 @@ geometry_msgs::TransformStamped to_transform(const MeasuredState& state,
 
 geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string& base_frame);
 
-/// Names as in the URDF: joint_1 .. joint_6.
-sensor_msgs::JointState to_joint_state(const MeasuredState& state);
+/// @param names of the joints in the URDF
+sensor_msgs::JointState to_joint_state(const MeasuredState& state,
+                                       const std::array<std::string, 6>& names);
 
 /// @param state the latest, of any age; none if there never was one
 scan_cell_msgs::RobotStatus to_status(const LinkReport& link,
