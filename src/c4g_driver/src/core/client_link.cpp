@@ -16,11 +16,8 @@ using scan_cell_common::ProtocolError;
 
 namespace {
 
-std::uint64_t microseconds_now() {
-  using std::chrono::system_clock;
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::microseconds>(system_clock::now().time_since_epoch())
-          .count());
+Nanoseconds host_now() {
+  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -30,7 +27,8 @@ void Client::connect() {
   std::string datagram;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    session_ = std::max(session_ + 1, microseconds_now());
+    session_ = std::max(session_ + 1, static_cast<std::uint64_t>(host_now() / 1000));
+    ++attempts_;
     seq_ = 1;
     answer_.reset();
     stream_.restart();
@@ -40,7 +38,7 @@ void Client::connect() {
   const auto answer = exchange(datagram);
   const std::lock_guard<std::mutex> lock(mutex_);
   up_ = answer && !answer->error;
-  if (!up_) why_down_ = answer ? answer->error->text : "does not answer";
+  if (!up_) why_down_ = answer ? answer->error->text.c_str() : "does not answer";
 }
 
 void Client::lose(const std::string& reason) {
@@ -49,6 +47,7 @@ void Client::lose(const std::string& reason) {
     up_ = false;
     why_down_ = reason;
     ++losses_;
+    attempts_ = 0;
     goal_.end(Goal::Outcome::LinkLost, name_ + " " + reason);
   }
   changed_.notify_all();
@@ -56,7 +55,7 @@ void Client::lose(const std::string& reason) {
 
 void Client::keep() {
   while (true) {
-    if (link().up) {
+    if (up()) {
       poll();
     } else {
       connect();
@@ -146,10 +145,14 @@ void Client::take(std::uint64_t session, const RobotState& robot, Nanoseconds ar
     verdict = poses_.take(robot, arrival, source, Clock::now());
     if (verdict == PoseFeed::Verdict::Overtaken) return;
     measured = *poses_.latest();
+    if (source == PoseFeed::Source::Stream) late_.add(arrival - measured.time);
     goal_.update(robot);
   }
   changed_.notify_all();
-  if (verdict == PoseFeed::Verdict::HandOn && listener_) listener_(measured);
+  if (verdict != PoseFeed::Verdict::HandOn || !listener_) return;
+  listener_(measured);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  hand_on_.add(host_now() - arrival);
 }
 
 }  // namespace c4g_driver
