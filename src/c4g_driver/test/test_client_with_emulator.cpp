@@ -108,7 +108,7 @@ TEST_F(Together, MoveJointsToWhereDenavitAndHartenbergSay) {
 TEST_F(Together, CarryOutEveryMotionOnceOverABadWire) {
   scan_cell_sim::ControllerFaults faults;
   for (auto* wire : {&faults.to_client, &faults.from_client})
-    *wire = {0.2, 0.2, 0.2, 0.01, false};
+    wire->lost = wire->repeated = wire->delayed = 0.2;
   controller_.set_faults(faults);
   for (int i = 1; i <= 8; ++i) {
     const Eigen::Isometry3d target = looking_down(0.8, i % 2 == 0 ? 0.0 : 0.05, 0.6);

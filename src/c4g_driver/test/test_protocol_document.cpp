@@ -92,7 +92,8 @@ TEST(ProtocolDocument, ShowsEveryRequestAsTheClientWritesIt) {
 
 TEST(ProtocolDocument, ShowsRequestsThatTheControllerCarriesOut) {
   scan_cell_sim::MotionControl motion(scan_cell_sim::Controller::start_posture());
-  scan_cell_sim::ProtocolServer controller(motion, 0.004, {}, 0);
+  const scan_cell_sim::DriftingClock clock(0);
+  scan_cell_sim::ProtocolServer controller(motion, clock, 0.004, {});
   scan_cell_common::Nanoseconds now = 0;
   for (const std::string& request : examples_with("\"cmd\"")) {
     now += 10'000'000'000;
@@ -124,7 +125,8 @@ TEST(ProtocolDocument, ShowsAStateAndAcknowledgementsThatTheClientReads) {
 
 TEST(ProtocolDocument, ShowsTheStateWithTheKeysThatTheControllerSends) {
   scan_cell_sim::MotionControl motion(scan_cell_sim::Controller::start_posture());
-  scan_cell_sim::ProtocolServer controller(motion, 0.004, {}, 0);
+  const scan_cell_sim::DriftingClock clock(0);
+  scan_cell_sim::ProtocolServer controller(motion, clock, 0.004, {});
   const auto written = examples_with("\"cmd\"");
   controller.answer({{}, written.front()}, 1'000'000'000);
   controller.answer({{}, written.at(9)}, 1'000'000'000);  // a MOVE

@@ -15,6 +15,8 @@ namespace scan_cell_sim {
 
 enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
 
+const char* name_of(MotionStatus status);
+
 /// What may be set; as the parameters of docs/c4g_protocol.md.
 struct MotionSettings {
   bool in_joints = false;  //!< MOVE_CARTESIAN goes in joints
@@ -59,6 +61,11 @@ class MotionControl {
 
   /// Stops, and forgets what the motion was for.
   void forget(Nanoseconds now);
+
+  /// The drives lose their power with everything else; then all is as at the start, but for the
+  /// mode selector and the emergency stop.
+  void power_off(Nanoseconds now);
+  void power_on(Nanoseconds now);
 
   void press_e_stop(Nanoseconds now);
   /// The alarm stands, the drives are off.

@@ -34,6 +34,10 @@ class Readiness {
   /// Another mode than before switches the drives off.
   void select(ControllerMode mode);
 
+  /// Forgets its alarms, but for the emergency stop if that is pressed; otherwise the drives are
+  /// on.
+  void restart();
+
   void press_e_stop();
   /// The alarm stands and the drives stay off.
   void release_e_stop() { e_stop_ = false; }

@@ -13,6 +13,22 @@ constexpr double kNoTravel = 1e-9;  // [m]
 
 }  // namespace
 
+const char* name_of(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::Idle:
+      return "idle";
+    case MotionStatus::Moving:
+      return "moving";
+    case MotionStatus::Arrived:
+      return "arrived";
+    case MotionStatus::Stopped:
+      return "stopped";
+    case MotionStatus::Error:
+      return "error";
+  }
+  return "error";
+}
+
 void MotionControl::refuse_unless_ready(Nanoseconds now) const {
   readiness_.require_motion();
   if (!log_.at(now).over(now)) {
@@ -90,6 +106,20 @@ void MotionControl::fail(const std::string& text, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Complaint alarm{ControllerErrorCode::MotionFailed, text};
   cut_power(MotionStatus::Error, alarm, now, [&] { readiness_.raise(alarm); });
+}
+
+void MotionControl::power_off(Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Complaint off{ControllerErrorCode::EmergencyStop, "the controller was switched off"};
+  cut_power(MotionStatus::Stopped, off, now,
+            [this] { readiness_.switch_drives(false, Readiness::Source::Panel); });
+}
+
+void MotionControl::power_on(Nanoseconds now) {
+  forget(now);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  settings_ = {};
+  readiness_.restart();
 }
 
 void MotionControl::press_e_stop(Nanoseconds now) {

@@ -36,22 +36,6 @@ WireSix rounded(WireSix values, double linear, double angular, int first_angle) 
   return values;
 }
 
-const char* name_of(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::Idle:
-      return "idle";
-    case MotionStatus::Moving:
-      return "moving";
-    case MotionStatus::Arrived:
-      return "arrived";
-    case MotionStatus::Stopped:
-      return "stopped";
-    case MotionStatus::Error:
-      return "error";
-  }
-  return "error";
-}
-
 /// @param what may repeat what a client sent: it is cut so that any answer fits into a datagram
 json error_json(Code code, std::string what) {
   constexpr std::size_t kLongest = 80;
@@ -70,24 +54,15 @@ json alarms_json(const std::vector<Complaint>& alarms) {
 
 }  // namespace
 
-std::int64_t DriftingClock::microseconds(Nanoseconds host) const {
-  const double device = device_ + static_cast<double>(host - host_) * (1 + drift_);
-  return std::max<std::int64_t>(0, static_cast<std::int64_t>(device / 1000));
-}
-
-void DriftingClock::set_drift(double drift, Nanoseconds host) {
-  device_ += static_cast<double>(host - host_) * (1 + drift_);
-  host_ = host;
-  drift_ = drift;
-}
-
-ProtocolServer::ProtocolServer(MotionControl& motion, double stream_period,
-                               const MeasurementNoise& noise, Nanoseconds start)
+ProtocolServer::ProtocolServer(MotionControl& motion, const DriftingClock& clock,
+                               double stream_period, const MeasurementNoise& noise,
+                               const Witness& witness)
     : motion_(motion),
+      clock_(clock),
       parameters_(motion, stream_period),
       noise_(noise),
       random_(noise.seed),
-      clock_(start) {}
+      witness_(witness) {}
 
 std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nanoseconds now) {
   const Peer& from = datagram.peer;
@@ -104,7 +79,7 @@ std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nano
                {"seq", request["seq"]},
                {"error", nullptr}};
   try {
-    const json result = reply(request, from, now);
+    const json result = reply(request, datagram, now);
     if (result.is_string()) return result.get<std::string>();  // a retry: the same answer again
     head.update(result);
   } catch (const ControllerRefusal& refusal) {
@@ -117,7 +92,8 @@ std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nano
   return sent;
 }
 
-json ProtocolServer::reply(const json& request, const Peer& from, Nanoseconds now) {
+json ProtocolServer::reply(const json& request, const Datagram& datagram, Nanoseconds now) {
+  const Peer& from = datagram.peer;
   if (entry(request, "c4g") != kVersion) {
     throw ControllerRefusal(Code::Version, "this controller speaks version 1");
   }
@@ -138,7 +114,23 @@ json ProtocolServer::reply(const json& request, const Peer& from, Nanoseconds no
   }
   last_seq_ = seq;
   last_answer_.clear();
-  return perform(request, now);
+  return take_up(request, datagram.text, now);
+}
+
+json ProtocolServer::take_up(const json& request, const std::string& datagram, Nanoseconds now) {
+  TakenUp taken{session_, last_seq_, datagram, {}};
+  const auto tell = [&] {
+    if (witness_) witness_(taken);
+  };
+  try {
+    json result = perform(request, now);
+    tell();
+    return result;
+  } catch (const ControllerRefusal& refusal) {
+    taken.refused = refusal.code();
+    tell();
+    throw;
+  }
 }
 
 void ProtocolServer::open(const json& request, const Peer& from, Nanoseconds now) {

@@ -59,6 +59,14 @@ void Readiness::press_e_stop() {
   raise({Code::EmergencyStop, "emergency stop"});
 }
 
+void Readiness::restart() {
+  alarms_.clear();
+  drives_ = !e_stop_;
+  if (!e_stop_) return;
+  e_stop_ = false;
+  press_e_stop();
+}
+
 void Readiness::raise(const Complaint& alarm) {
   drives_ = false;
   if (alarms_.size() == kMostAlarms) alarms_.erase(alarms_.begin() + 1);  // the first tells most
