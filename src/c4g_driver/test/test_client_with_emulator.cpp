@@ -12,6 +12,7 @@
 #include "closed_form.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_sim/controller/controller.h"
+#include "smart5_six.h"
 
 using c4g_driver::Client;
 using c4g_driver::Goal;
@@ -19,13 +20,6 @@ using c4g_driver::MeasuredState;
 using scan_cell_sim::Controller;
 
 namespace {
-
-Eigen::Isometry3d looking_down(double x, double y, double z) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() << x, y, z;
-  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  return pose;
-}
 
 scan_cell_sim::ControllerOptions any_port() {
   scan_cell_sim::ControllerOptions options;
@@ -40,6 +34,8 @@ class Together : public testing::Test {
     options.port = controller_.port();
     options.link_timeout = 2;  // patience for a busy machine
     options.tries = 40;
+    options.robot = std::make_shared<c4g_driver::RobotModel>(smart5_six());
+    options.limits.operation = c4g_driver::Operation::Automatic;
     client_ = std::make_unique<Client>(options, [this](const MeasuredState& state) {
       const Eigen::Isometry3d truth = controller_.flange_at(state.time);
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -81,7 +77,7 @@ TEST_F(Together, ReachPosesInWhateverOrientation) {
   std::uniform_real_distribution<double> tilt(-0.4, 0.4);
   std::uniform_real_distribution<double> turn(-1.0, 1.0);
   client_->set_linear_speed(1.0);
-  client_->set_parameter("rotational_speed", "180");
+  client_->set_parameter("rotational_speed", "90");
   for (int i = 0; i < 6; ++i) {
     Eigen::Isometry3d target = looking_down(0.8, 0.1 * turn(random), 0.6 + 0.1 * turn(random));
     if (i > 0) {  // the first looks straight down, where the Euler angles are degenerate
@@ -112,7 +108,7 @@ TEST_F(Together, MoveJointsToWhereDenavitAndHartenbergSay) {
 TEST_F(Together, CarryOutEveryMotionOnceOverABadWire) {
   scan_cell_sim::ControllerFaults faults;
   for (auto* wire : {&faults.to_client, &faults.from_client})
-    *wire = {0.2, 0.2, 0.2, 0.01, false};
+    wire->lost = wire->repeated = wire->delayed = 0.2;
   controller_.set_faults(faults);
   for (int i = 1; i <= 8; ++i) {
     const Eigen::Isometry3d target = looking_down(0.8, i % 2 == 0 ? 0.0 : 0.05, 0.6);
@@ -147,6 +143,8 @@ TEST_F(Together, EndTheGoalAtAnEmergencyStopForGood) {
   EXPECT_EQ(goal.message(), "emergency stop");
   EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0, 0.6), 100), scan_cell_common::Refused);
   controller_.release_e_stop();
+  controller_.reset_alarms();
+  controller_.switch_drives(true);
   usleep(300'000);
   EXPECT_EQ(controller_.state().status, scan_cell_sim::MotionStatus::Stopped);
   EXPECT_EQ(controller_.motions_begun(), 1u);

@@ -14,6 +14,8 @@
 #include <scan_cell_msgs/SetLinearSpeed.h>
 #include <scan_cell_msgs/SetOverride.h>
 #include <sensor_msgs/JointState.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 #include <sys/wait.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_listener.h>
@@ -378,6 +380,15 @@ TEST_F(Driver, EndsTheGoalAtAnEmergencyStop) {
   }));
   EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REFUSED);
   controller_->release_e_stop();
+  EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REFUSED) << "an alarm";
+  EXPECT_FALSE(call<std_srvs::SetBool>("set_drives",
+                                       with(&std_srvs::SetBool::Request::data, std::uint8_t{1}))
+                   .success);
+  EXPECT_TRUE(call<std_srvs::Trigger>("reset_alarms", {}).success);
+  EXPECT_TRUE(call<std_srvs::SetBool>("set_drives",
+                                      with(&std_srvs::SetBool::Request::data, std::uint8_t{1}))
+                  .success);
+  EXPECT_EQ(controller_->motions_begun(), 1u);
   EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REACHED);
 }
 
@@ -407,6 +418,29 @@ TEST_F(Driver, ReadsAndWritesParametersAndTheStaticPose) {
   EXPECT_EQ(pose.joints.position.size(), 6u);
   start_long_move();  // in joints, a line or not
   EXPECT_FALSE(call<scan_cell_msgs::GetStaticPose>("get_static_pose", {}).success);
+}
+
+TEST_F(Driver, DiagnosesTheStreamTheClockAndTheRoundTrip) {
+  const Latest<diagnostic_msgs::DiagnosticArray> diagnostics(node_, "/diagnostics");
+  const auto most = [&](const std::string& key) {
+    double result = -1;
+    for (const auto& array : diagnostics.all()) {
+      for (const auto& status : array.status) {
+        if (status.name != "c4g_driver: link") continue;
+        for (const auto& entry : status.values) {
+          if (entry.key == key) result = std::max(result, std::stod(entry.value));
+        }
+      }
+    }
+    return result;
+  };
+  start_long_move();
+  EXPECT_TRUE(eventually([&] { return most("positions a second") > 50; }));
+  EXPECT_LT(most("positions a second"), 300);
+  EXPECT_GT(most("round trip of a request, half within [ms]"), 0);
+  EXPECT_GT(most("from datagram to tf, 99 % within [ms]"), 0);
+  EXPECT_TRUE(eventually([&] { return most("controller's clock, watched for [s]") > 2; }));
+  EXPECT_GT(most("controller's clock, residual [us]"), -1);
 }
 
 TEST_F(Driver, DiagnosesLinkAndRobot) {

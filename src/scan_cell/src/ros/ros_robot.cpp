@@ -137,8 +137,11 @@ std::string RosRobot::hindrance() const {
   using scan_cell_msgs::RobotStatus;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (last_status_.e_stopped == RobotStatus::YES) return "the emergency stop is pressed";
+  if (!last_status_.alarm_texts.empty()) return "alarm: " + last_status_.alarm_texts.front();
   if (last_status_.drives_powered == RobotStatus::NO) return "the drives are off";
-  if (last_status_.motion_possible == RobotStatus::NO) return "it is not in automatic mode";
+  if (last_status_.motion_possible == RobotStatus::NO) {
+    return "the controller takes no motion in mode " + last_status_.controller_mode;
+  }
   return "";
 }
 
