@@ -10,6 +10,7 @@
 
 #include "delay_runs.h"
 #include "scan_cell_common/child_process.h"
+#include "scan_cell_common/errors.h"
 
 using namespace c4g_driver;  // NOLINT
 using scan_cell_common::ChildProcess;
@@ -29,10 +30,16 @@ void print(const char* what, const Durations& delays, double yardstick) {
 int measure(const std::string& program, double seconds) {
   const DelayRuns runs(program);
   const BareRun bare = runs.bare(seconds);
-  const Durations driver = runs.driver(seconds);
+  const Durations driver = runs.driver(seconds, 0);
   const double yardstick = 1e-3 * static_cast<double>(bare.delays.quantile(0.99));
   print("receive and publish", bare.delays, 0);
   print("driver", driver, yardstick);
+  try {
+    constexpr int kPriority = 50;
+    print("driver, realtime_priority 50", runs.driver(seconds, kPriority), yardstick);
+  } catch (const scan_cell_common::InvalidParameter& refused) {
+    std::printf("  driver, realtime_priority 50: not measured: %s\n", refused.what());
+  }
   std::printf("  %lu and %lu poses; publishing takes %.1f allocations a pose, the driver none\n",
               static_cast<unsigned long>(bare.delays.count()),
               static_cast<unsigned long>(driver.count()), bare.allocations);

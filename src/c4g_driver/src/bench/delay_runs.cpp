@@ -53,12 +53,16 @@ std::string free_udp_port() {
   return std::to_string(scan_cell_common::free_port());
 }
 
-DriverParameters parameters(const std::string& port) {
+DriverParameters parameters(const std::string& port, int priority) {
   ros::NodeHandle node("driver");
   node.setParam("address", "127.0.0.1");
   node.setParam("port", std::stoi(port));
+  node.setParam("realtime_priority", priority);
   return DriverParameters::load(node);
 }
+
+template <class Message>
+void ignore(const boost::shared_ptr<const Message>&) {}
 
 /// Along y, slowly enough for the motion to outlast the measurement.
 void start_motion() {
@@ -116,7 +120,7 @@ BareRun DelayRuns::bare(double seconds) const {
   return run;
 }
 
-Durations DelayRuns::driver(double seconds) const {
+Durations DelayRuns::driver(double seconds, int priority) const {
   const std::string port = free_udp_port();
   const auto folder = std::filesystem::path(program_).parent_path().parent_path();
   const ChildProcess controller(
@@ -125,7 +129,7 @@ Durations DelayRuns::driver(double seconds) const {
   ros::AsyncSpinner spinner(2);
   spinner.start();
   const ros::NodeHandle private_node("driver");
-  const DriverNode node(ros::NodeHandle(), private_node, parameters(port));
+  const DriverNode node(ros::NodeHandle(), private_node, parameters(port, priority));
   wait_until("controller", [&] { return node.client().link().up; });
   start_motion();
   wait_until("stream", [&] { return node.client().link().stream.received > 250; });
@@ -161,9 +165,8 @@ int send_to_whoever_asks(std::uint16_t port) {
 int listen() {
   join_master("listener");
   ros::NodeHandle node;
-  const auto transforms = node.subscribe<tf2_msgs::TFMessage>("/tf", 100, [](const auto&) {});
-  const auto joints =
-      node.subscribe<sensor_msgs::JointState>("joint_states", 100, [](const auto&) {});
+  const auto transforms = node.subscribe("/tf", 100, &ignore<tf2_msgs::TFMessage>);
+  const auto joints = node.subscribe("joint_states", 100, &ignore<sensor_msgs::JointState>);
   ros::spin();
   return 0;
 }

@@ -25,8 +25,10 @@ class DelayRuns {
 
   /// The driver's node with the emulated controller in a process of its own, in a slow motion.
   /// @return time from the kernel's stamp of a datagram until its pose was published
+  /// @param priority real-time priority of its receiving thread; 0: the usual scheduling
   /// @throw scan_cell_common::Refused if it does not move
-  Durations driver(double seconds) const;
+  /// @throw scan_cell_common::InvalidParameter if the priority is not allowed here
+  Durations driver(double seconds, int priority) const;
 
  private:
   std::string program_;
