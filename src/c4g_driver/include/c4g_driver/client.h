@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "c4g_driver/codec.h"
+#include "c4g_driver/durations.h"
 #include "c4g_driver/goal.h"
 #include "c4g_driver/limits.h"
 #include "c4g_driver/motion_check.h"
@@ -31,6 +32,7 @@ struct ClientOptions {
   double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
   double reconnect_period = 0.5;  //!< [s] between attempts to connect
   double clock_window = 2.0;      //!< [s] over which the least delay of the wire is sought
+  int realtime_priority = 0;      //!< of the receiving thread, SCHED_FIFO; 0: the usual scheduling
   std::shared_ptr<const RobotModel> robot;  //!< required
   RobotLimits limits;
   ArrivalTolerance arrival;
@@ -41,8 +43,13 @@ struct LinkReport {
   bool up = false;
   std::string message;  //!< why it is down
   std::uint64_t losses = 0;
+  std::uint64_t attempts = 0;  //!< to connect, since the start or the last loss
   SequenceCounts stream;
   PoseFeed::Counts dropped;
+  scan_cell_common::ClockMap::Figures clock;
+  Durations late;        //!< what the stream's datagrams were delayed by beyond the wire's least
+  Durations round_trip;  //!< of requests that were answered at the first try
+  Durations hand_on;     //!< from the kernel's stamp of a datagram until its pose was handed on
   std::uint64_t malformed = 0;
   std::string last_malformed;
   std::uint64_t foreign = 0;
@@ -62,7 +69,7 @@ class Client {
   /// Called from the client's own thread; must not call the client's requests.
   using Listener = std::function<void(const MeasuredState&)>;
 
-  /// @throw scan_cell_common::InvalidParameter if an option makes no sense
+  /// @throw scan_cell_common::InvalidParameter if an option makes no sense, or is not allowed
   Client(const ClientOptions& options, const Listener& listener);
 
   /// Stops the robot if a goal is under way, and closes the session.
@@ -81,6 +88,8 @@ class Client {
 
   void set_override(double percent);
   void set_linear_speed(double speed);  //!< [m/s]
+  void set_drives(bool on);
+  void reset_alarms();
   std::string get_parameter(const std::string& name);
   void set_parameter(const std::string& name, const std::string& json);
 
@@ -98,12 +107,14 @@ class Client {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void start_receiving();
   void receive();
   void handle(const UdpSocket::Received& received);
   void handle(const StreamedState& streamed, scan_cell_common::Nanoseconds arrival);
   void handle(const Acknowledgement& acknowledgement, scan_cell_common::Nanoseconds arrival);
   void take(std::uint64_t session, const RobotState& robot, scan_cell_common::Nanoseconds arrival,
             PoseFeed::Source source);
+  bool up() const;
   bool awaited(const Acknowledgement& acknowledgement) const;
 
   MotionCheck motion_check(bool along_line);
@@ -137,6 +148,7 @@ class Client {
   bool up_ = false;
   std::string why_down_ = "no answer yet";
   std::uint64_t losses_ = 0;
+  std::uint64_t attempts_ = 0;
   std::uint64_t session_ = 0;
   std::uint64_t seq_ = 0;
   std::optional<Acknowledgement> answer_;
@@ -144,6 +156,9 @@ class Client {
   double most_override_ = 100;  // [%] of the goal
   SequenceMonitor stream_;
   PoseFeed poses_;
+  Durations late_;
+  Durations round_trip_;
+  Durations hand_on_;
   std::uint64_t malformed_ = 0;
   std::string last_malformed_;
   bool ending_ = false;

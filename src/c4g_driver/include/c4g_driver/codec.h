@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "c4g_driver/robot_state.h"
@@ -72,6 +73,6 @@ struct Acknowledgement {
 using Reply = std::variant<StreamedState, Acknowledgement>;
 
 /// @throw scan_cell_common::ProtocolError for anything else than such a datagram
-Reply parse(const std::string& datagram);
+Reply parse(std::string_view datagram);
 
 }  // namespace c4g_driver

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <boost/container/static_vector.hpp>
+#include <boost/static_string/static_string.hpp>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "scan_cell_common/timed_pose.h"
 
@@ -24,8 +24,12 @@ enum class ControllerMode { Programming, Automatic, Remote };
 /// What the controller complains of; codes in docs/c4g_protocol.md.
 struct ControllerError {
   int code = 0;
-  std::string text;
+  boost::static_string<80> text;
 };
+
+/// Those that stand until they are reset. States come hundreds of times a second: nothing in them
+/// takes memory of its own.
+using Alarms = boost::container::static_vector<ControllerError, 4>;
 
 /// What the controller tells about the robot at one instant.
 struct RobotState {
@@ -42,7 +46,7 @@ struct RobotState {
   double override = 0;                   //!< [%]
   double linear_speed = 0;               //!< [m/s]
   std::optional<ControllerError> error;  //!< why the latest motion did not arrive
-  std::vector<ControllerError> alarms;   //!< that stand until they are reset
+  Alarms alarms;
 };
 
 /// Whether the controller would begin a motion that this client asks for.
@@ -54,6 +58,7 @@ inline bool takes_motions(const RobotState& robot) {
 /// A state, and its instant on the host's clock.
 struct MeasuredState {
   scan_cell_common::Nanoseconds time = 0;
+  scan_cell_common::Nanoseconds arrival = 0;  //!< when the kernel got the datagram
   RobotState robot;
 };
 

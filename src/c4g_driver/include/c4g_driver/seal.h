@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace c4g_driver {
 
@@ -13,6 +14,6 @@ namespace c4g_driver {
 std::string seal(std::string packet);
 
 /// @throw scan_cell_common::ProtocolError unless the datagram is as it was sealed
-void check_seal(const std::string& datagram);
+void check_seal(std::string_view datagram);
 
 }  // namespace c4g_driver

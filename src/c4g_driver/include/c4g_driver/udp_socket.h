@@ -8,17 +8,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "scan_cell_common/timed_pose.h"
 
 namespace c4g_driver {
 
 /// UDP to one peer: what comes from any other address or port is dropped and counted, and so are
-/// datagrams longer than allowed. Sending and receiving may happen in different threads.
+/// datagrams longer than allowed. One thread sends and one receives; receiving allocates nothing.
 class UdpSocket {
  public:
   struct Received {
-    std::string datagram;
+    std::string_view datagram;           //!< good until the next one is received
     scan_cell_common::Nanoseconds time;  //!< host time at which the kernel got it
   };
 
@@ -42,9 +44,9 @@ class UdpSocket {
  private:
   std::optional<Received> take();
 
+  std::vector<char> bytes_;  // of the datagram received last
   int socket_ = -1;
   sockaddr_in peer_{};
-  std::size_t most_bytes_;
   std::atomic<std::uint64_t> foreign_{0};
   std::atomic<std::uint64_t> overlong_{0};
 };

@@ -47,7 +47,7 @@ Client::Client(const ClientOptions& options, const Listener& listener)
       listener_(listener),
       socket_(options.address, options.port, kMostDatagramBytes),
       poses_(options.clock_window, options.link_timeout) {
-  receiver_ = std::thread([this] { receive(); });
+  start_receiving();
   keeper_ = std::thread([this] { keep(); });
 }
 
@@ -60,7 +60,7 @@ Client::~Client() {
   keeper_.join();
   try {
     if (goal().underway()) request(Stop{});
-    if (link().up) request(Close{});
+    if (up()) request(Close{});
   } catch (const Error&) {
     // the controller stops the motion of a silent client
   }
@@ -134,6 +134,14 @@ void Client::set_linear_speed(double speed) {
   request(SetLinearSpeed{speed});
 }
 
+void Client::set_drives(bool on) {
+  request(SetDrives{on});
+}
+
+void Client::reset_alarms() {
+  request(ResetAlarms{});
+}
+
 std::string Client::get_parameter(const std::string& name) {
   return request(GetParameter{name}).value;
 }
@@ -173,6 +181,11 @@ std::optional<MeasuredState> Client::latest() const {
   return poses_.latest();
 }
 
+bool Client::up() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return up_;
+}
+
 LinkReport Client::link() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   LinkReport report;
@@ -180,7 +193,12 @@ LinkReport Client::link() const {
   report.message = up_ ? "" : why_down_;
   report.losses = losses_;
   report.stream = stream_.counts();
+  report.attempts = attempts_;
   report.dropped = poses_.counts();
+  report.clock = poses_.clock();
+  report.late = late_;
+  report.round_trip = round_trip_;
+  report.hand_on = hand_on_;
   report.malformed = malformed_;
   report.last_malformed = last_malformed_;
   report.foreign = socket_.foreign();
@@ -206,15 +224,17 @@ Acknowledgement Client::request(const Request& request, const Start* start) {
   }
   const auto answer = exchange(datagram);
   if (!answer || (answer->error && ends_the_session(*answer->error))) {
-    const std::string reason = answer ? "dropped the session: " + answer->error->text
-                                      : "does not answer " + name_of(request);
+    const std::string reason =
+        answer ? std::string("dropped the session: ") + answer->error->text.c_str()
+               : "does not answer " + name_of(request);
     lose(reason);
     throw ConnectionError(name_, reason, kCheckLink);
   }
   if (answer->error) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (start != nullptr) goal_ = Goal();
-    throw Refused(name_of(request), "refused by the controller, " + answer->error->text,
+    throw Refused(name_of(request),
+                  std::string("refused by the controller, ") + answer->error->text.c_str(),
                   "see error " + std::to_string(answer->error->code) + " in docs/c4g_protocol.md");
   }
   return *answer;
@@ -223,9 +243,13 @@ Acknowledgement Client::request(const Request& request, const Start* start) {
 std::optional<Acknowledgement> Client::exchange(const std::string& datagram) {
   const std::chrono::duration<double> patience(options_.link_timeout / options_.tries);
   for (int i = 0; i < options_.tries; ++i) {
+    const Clock::time_point sent = Clock::now();
     socket_.send(datagram);
     std::unique_lock<std::mutex> lock(mutex_);
-    if (changed_.wait_for(lock, patience, [this] { return answer_.has_value(); })) return answer_;
+    if (!changed_.wait_for(lock, patience, [this] { return answer_.has_value(); })) continue;
+    // Karn's rule (1987): the answer to a retry may be that to an earlier try
+    if (i == 0) round_trip_.add(std::chrono::nanoseconds(Clock::now() - sent).count());
+    return answer_;
   }
   return std::nullopt;
 }

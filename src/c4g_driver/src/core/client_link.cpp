@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The client's own threads: what comes, and keeping the link.
+#include <pthread.h>
+
 #include <algorithm>
+#include <cstring>
 
 #include "c4g_driver/client.h"
 #include "scan_cell_common/errors.h"
@@ -16,11 +19,8 @@ using scan_cell_common::ProtocolError;
 
 namespace {
 
-std::uint64_t microseconds_now() {
-  using std::chrono::system_clock;
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::microseconds>(system_clock::now().time_since_epoch())
-          .count());
+Nanoseconds host_now() {
+  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -30,7 +30,8 @@ void Client::connect() {
   std::string datagram;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    session_ = std::max(session_ + 1, microseconds_now());
+    session_ = std::max(session_ + 1, static_cast<std::uint64_t>(host_now() / 1000));
+    ++attempts_;
     seq_ = 1;
     answer_.reset();
     stream_.restart();
@@ -40,7 +41,7 @@ void Client::connect() {
   const auto answer = exchange(datagram);
   const std::lock_guard<std::mutex> lock(mutex_);
   up_ = answer && !answer->error;
-  if (!up_) why_down_ = answer ? answer->error->text : "does not answer";
+  if (!up_) why_down_ = answer ? answer->error->text.c_str() : "does not answer";
 }
 
 void Client::lose(const std::string& reason) {
@@ -49,6 +50,7 @@ void Client::lose(const std::string& reason) {
     up_ = false;
     why_down_ = reason;
     ++losses_;
+    attempts_ = 0;
     goal_.end(Goal::Outcome::LinkLost, name_ + " " + reason);
   }
   changed_.notify_all();
@@ -56,7 +58,7 @@ void Client::lose(const std::string& reason) {
 
 void Client::keep() {
   while (true) {
-    if (link().up) {
+    if (up()) {
       poll();
     } else {
       connect();
@@ -84,6 +86,21 @@ void Client::poll() {
     stale = poses_.stale(Clock::now());
   }
   if (stale) lose("sends no fresh poses");
+}
+
+void Client::start_receiving() {
+  receiver_ = std::thread([this] { receive(); });
+  if (options_.realtime_priority == 0) return;
+  sched_param priority{};
+  priority.sched_priority = options_.realtime_priority;
+  const int error = pthread_setschedparam(receiver_.native_handle(), SCHED_FIFO, &priority);
+  if (error == 0) return;
+  deaf_ = true;
+  receiver_.join();
+  throw scan_cell_common::InvalidParameter(
+      "realtime_priority",
+      std::to_string(options_.realtime_priority) + " (" + std::strerror(error) + ")",
+      "allow it (rtprio in /etc/security/limits.d), or set 0");
 }
 
 void Client::receive() {
@@ -146,10 +163,14 @@ void Client::take(std::uint64_t session, const RobotState& robot, Nanoseconds ar
     verdict = poses_.take(robot, arrival, source, Clock::now());
     if (verdict == PoseFeed::Verdict::Overtaken) return;
     measured = *poses_.latest();
+    if (source == PoseFeed::Source::Stream) late_.add(arrival - measured.time);
     goal_.update(robot);
   }
   changed_.notify_all();
-  if (verdict == PoseFeed::Verdict::HandOn && listener_) listener_(measured);
+  if (verdict != PoseFeed::Verdict::HandOn || !listener_) return;
+  listener_(measured);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  hand_on_.add(host_now() - arrival);
 }
 
 }  // namespace c4g_driver

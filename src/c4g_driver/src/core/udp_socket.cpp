@@ -44,7 +44,7 @@ Nanoseconds arrival(const msghdr& message) {
 }  // namespace
 
 UdpSocket::UdpSocket(const std::string& address, std::uint16_t port, std::size_t most_bytes)
-    : most_bytes_(most_bytes) {
+    : bytes_(most_bytes) {
   peer_.sin_family = AF_INET;
   peer_.sin_port = htons(port);
   if (inet_pton(AF_INET, address.c_str(), &peer_.sin_addr) != 1) {
@@ -84,10 +84,9 @@ std::optional<UdpSocket::Received> UdpSocket::receive(double timeout) {
 }
 
 std::optional<UdpSocket::Received> UdpSocket::take() {
-  std::string bytes(most_bytes_, '\0');
   while (true) {
     sockaddr_in from{};
-    iovec buffer{bytes.data(), bytes.size()};
+    iovec buffer{bytes_.data(), bytes_.size()};
     alignas(cmsghdr) std::array<char, 128> control{};
     msghdr message{};
     message.msg_name = &from;
@@ -103,7 +102,7 @@ std::optional<UdpSocket::Received> UdpSocket::take() {
     } else if ((message.msg_flags & MSG_TRUNC) != 0) {
       ++overlong_;
     } else {
-      return Received{bytes.substr(0, static_cast<std::size_t>(length)), arrival(message)};
+      return Received{{bytes_.data(), static_cast<std::size_t>(length)}, arrival(message)};
     }
   }
 }

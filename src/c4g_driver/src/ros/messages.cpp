@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "c4g_driver/ros/messages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scan_cell_common/errors.h"
@@ -28,15 +29,30 @@ using scan_cell_common::Refused;
 using scan_cell_common::to_ros;
 using scan_cell_msgs::RobotStatus;
 
-geometry_msgs::TransformStamped to_transform(const MeasuredState& state,
-                                             const std::string& base_frame,
-                                             const std::string& flange_frame) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = to_ros(state.time);
-  message.header.frame_id = base_frame;
-  message.child_frame_id = flange_frame;
-  message.transform = scan_cell_common::to_ros_transform(state.robot.flange);
+tf2_msgs::TFMessage transform_message(const std::string& base_frame,
+                                      const std::string& flange_frame) {
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(1);
+  message.transforms.front().header.frame_id = base_frame;
+  message.transforms.front().child_frame_id = flange_frame;
   return message;
+}
+
+sensor_msgs::JointState joint_message(const std::array<std::string, 6>& names) {
+  sensor_msgs::JointState message;
+  message.name.assign(names.begin(), names.end());
+  message.position.resize(names.size());
+  return message;
+}
+
+void update(geometry_msgs::TransformStamped& message, const MeasuredState& state) {
+  message.header.stamp = to_ros(state.time);
+  message.transform = scan_cell_common::to_ros_transform(state.robot.flange);
+}
+
+void update(sensor_msgs::JointState& message, const MeasuredState& state) {
+  message.header.stamp = to_ros(state.time);
+  std::copy(state.robot.joints.begin(), state.robot.joints.end(), message.position.begin());
 }
 
 geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string& base_frame) {
@@ -44,15 +60,6 @@ geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string
   message.header.stamp = to_ros(state.time);
   message.header.frame_id = base_frame;
   message.pose = scan_cell_common::to_ros_pose(state.robot.flange);
-  return message;
-}
-
-sensor_msgs::JointState to_joint_state(const MeasuredState& state,
-                                       const std::array<std::string, 6>& names) {
-  sensor_msgs::JointState message;
-  message.header.stamp = to_ros(state.time);
-  message.name.assign(names.begin(), names.end());
-  message.position.assign(state.robot.joints.begin(), state.robot.joints.end());
   return message;
 }
 
@@ -77,7 +84,7 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   message.in_motion = said(robot.status == MotionStatus::Moving);
   for (const ControllerError& alarm : robot.alarms) {
     message.alarm_codes.push_back(alarm.code);
-    message.alarm_texts.push_back(alarm.text);
+    message.alarm_texts.emplace_back(alarm.text.c_str());
   }
   const ControllerError* const first = !robot.alarms.empty() ? &robot.alarms.front()
                                        : robot.error         ? &*robot.error
@@ -86,7 +93,7 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   message.error_code = first != nullptr ? first->code : 0;
   message.override = robot.override;
   message.linear_speed = robot.linear_speed;
-  if (first != nullptr) message.message = first->text;
+  if (first != nullptr) message.message = first->text.c_str();
   return message;
 }
 
