@@ -21,12 +21,15 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <mutex>
 #include <set>
 
 #include "closed_form.h"
+#include "scan_cell_common/child_process.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_sim/controller/controller.h"
 
@@ -468,6 +471,39 @@ TEST(OtherDriver, SpeaksWithAControllerProcessOverABadWire) {
   EXPECT_LT(distance(from_ros(move.getResult()->pose.pose), looking_down(0.80, 0.05, 0.60)), 1e-4);
 }
 
+TEST(KilledDriver, LeavesNothingThatMovesTheRobotWhenItIsStartedAgain) {
+  scan_cell_sim::ControllerOptions options;
+  options.port = 35413;
+  scan_cell_sim::Controller controller(options);
+  const auto node_beside_this_test =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "c4g_driver_node";
+  const std::vector<std::string> command = {node_beside_this_test, "__name:=mortal",
+                                            "_address:=127.0.0.1", "_port:=35413"};
+  scan_cell_common::ChildProcess first(command);
+  MoveClient move("/mortal/move", true);
+  ASSERT_TRUE(move.waitForServer(kPatience));
+  ros::NodeHandle node;
+  const Latest<RobotStatus> status(node, "/mortal/status");
+  const auto connected = [&] {
+    return status.is([](const RobotStatus& now) { return now.connected; });
+  };
+  ASSERT_TRUE(eventually(connected));
+  move.sendGoal(to_pose(looking_down(0.80, 0.35, 0.60)));
+  ASSERT_TRUE(eventually([&] { return controller.state().flange.translation().y() > 0.03; }));
+  kill(first.id(), SIGKILL);
+  first.wait();
+  ASSERT_TRUE(eventually(
+      [&] { return controller.state().status == scan_cell_sim::MotionStatus::Stopped; }));
+  const Eigen::Isometry3d stopped = controller.state().flange;
+  EXPECT_LT(stopped.translation().y(), 0.349);
+
+  const std::size_t before = status.all().size();
+  const scan_cell_common::ChildProcess second(command);
+  ASSERT_TRUE(eventually([&] { return status.all().size() > before + 10 && connected(); }));
+  EXPECT_EQ(distance(controller.state().flange, stopped), 0);
+  EXPECT_EQ(controller.motions_begun(), 1u);
+}
+
 TEST(DriverStart, RefusesBadParametersByName) {
   const std::string address = "_address:=127.0.0.1 ";
   const std::vector<std::pair<std::string, std::string>> bad = {
@@ -476,7 +512,9 @@ TEST(DriverStart, RefusesBadParametersByName) {
       {address + "_port:=0", "/refused/port: 0"},
       {address + "_port:=5410.5", "/refused/port: not of type"},
       {address + "_port:=35412 _adress:=127.0.0.1", "/refused/adress: no such parameter"},
-      {address + "_most_linear_speed:=fast", "/refused/most_linear_speed: not of type"}};
+      {address + "_most_linear_speed:=fast", "/refused/most_linear_speed: not of type"},
+      {address + "_operation:=fast", "/refused/operation: 'fast'"},
+      {address + "_flange_link:=hand", "robot description: no chain from 'base_link' to 'hand'"}};
   for (const auto& [parameters, complaint] : bad) {
     const auto [code, said] =
         run_command("rosrun c4g_driver c4g_driver_node __name:=refused " + parameters);

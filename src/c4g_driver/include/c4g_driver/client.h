@@ -32,6 +32,7 @@ struct ClientOptions {
   double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
   double reconnect_period = 0.5;  //!< [s] between attempts to connect
   double clock_window = 2.0;      //!< [s] over which the least delay of the wire is sought
+  int realtime_priority = 0;      //!< of the receiving thread, SCHED_FIFO; 0: the usual scheduling
   std::shared_ptr<const RobotModel> robot;  //!< required
   RobotLimits limits;
   ArrivalTolerance arrival;
@@ -68,7 +69,7 @@ class Client {
   /// Called from the client's own thread; must not call the client's requests.
   using Listener = std::function<void(const MeasuredState&)>;
 
-  /// @throw scan_cell_common::InvalidParameter if an option makes no sense
+  /// @throw scan_cell_common::InvalidParameter if an option makes no sense, or is not allowed
   Client(const ClientOptions& options, const Listener& listener);
 
   /// Stops the robot if a goal is under way, and closes the session.
@@ -106,6 +107,7 @@ class Client {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void start_receiving();
   void receive();
   void handle(const UdpSocket::Received& received);
   void handle(const StreamedState& streamed, scan_cell_common::Nanoseconds arrival);

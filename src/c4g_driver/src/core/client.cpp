@@ -47,7 +47,7 @@ Client::Client(const ClientOptions& options, const Listener& listener)
       listener_(listener),
       socket_(options.address, options.port, kMostDatagramBytes),
       poses_(options.clock_window, options.link_timeout) {
-  receiver_ = std::thread([this] { receive(); });
+  start_receiving();
   keeper_ = std::thread([this] { keep(); });
 }
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The client's own threads: what comes, and keeping the link.
+#include <pthread.h>
+
 #include <algorithm>
+#include <cstring>
 
 #include "c4g_driver/client.h"
 #include "scan_cell_common/errors.h"
@@ -83,6 +86,21 @@ void Client::poll() {
     stale = poses_.stale(Clock::now());
   }
   if (stale) lose("sends no fresh poses");
+}
+
+void Client::start_receiving() {
+  receiver_ = std::thread([this] { receive(); });
+  if (options_.realtime_priority == 0) return;
+  sched_param priority{};
+  priority.sched_priority = options_.realtime_priority;
+  const int error = pthread_setschedparam(receiver_.native_handle(), SCHED_FIFO, &priority);
+  if (error == 0) return;
+  deaf_ = true;
+  receiver_.join();
+  throw scan_cell_common::InvalidParameter(
+      "realtime_priority",
+      std::to_string(options_.realtime_priority) + " (" + std::strerror(error) + ")",
+      "allow it (rtprio in /etc/security/limits.d), or set 0");
 }
 
 void Client::receive() {

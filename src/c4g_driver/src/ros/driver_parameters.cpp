@@ -87,6 +87,7 @@ DriverParameters DriverParameters::load(const ros::NodeHandle& node) {
   reader.read("poll_period", client.poll_period, {0.01, 0.5});
   reader.read("reconnect_period", client.reconnect_period, {0.05, 60});
   reader.read("clock_window", client.clock_window, {0.1, 600});
+  reader.read("realtime_priority", client.realtime_priority, {0, 99});
   reader.read("arrival_position_tolerance", client.arrival.position, {1e-6, 0.1});
   reader.read("arrival_angle_tolerance", client.arrival.angle, {1e-6, 0.5});
   reader.read("feedback_rate", parameters.feedback_rate, {1, 1000});
