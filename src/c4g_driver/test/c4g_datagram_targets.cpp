@@ -86,7 +86,7 @@ void ask_controller(const std::string& datagram) {
   }
   if (!acknowledgement.error) return;
   promise(motion.motions_begun() == 0, "a motion that was refused, and begun");
-  throw ProtocolError("request", acknowledgement.error->text, "as it says");
+  throw ProtocolError("request", acknowledgement.error->text.c_str(), "as it says");
 }
 
 /// What the driver writes is what it was given, and fits.
