@@ -79,6 +79,7 @@ int run(const Options& options) {
   const StartedCell started("trials", {LAUNCH_FILE, "folder:=" + clouds.string()}, folder);
   const LaserTap tap(kTapPort, kCircuitPort);
   RunningCell cell{ros::NodeHandle()};
+  cell.wait_until_well();  // or no trial would say anything
   TrialBench bench(cell, tap, clouds, options.most_on);
   std::map<std::string, Tally> tallies;
   int broken = 0, number = 0;
