@@ -47,10 +47,38 @@ void check_state(const c4g_driver::RobotState& robot) {
           "a setting that is no number");
 }
 
+bool stands_once(const std::string& datagram, const std::string& key) {
+  const std::size_t first = datagram.find(key);
+  return first != std::string::npos && datagram.find(key, first + 1) == std::string::npos;
+}
+
+/// What another JSON library reads. Of keys that come twice each takes its own; there is nothing to
+/// compare then.
+void compare(const c4g_driver::StreamedState& state, const std::string& datagram) {
+  const auto packet = nlohmann::json::parse(datagram);
+  const auto same = [&](const char* key, double read, double unit) {
+    if (!stands_once(datagram, "\"" + std::string(key) + "\"")) return;
+    const double expected = packet[key].get<double>() * unit;
+    promise(std::abs(read - expected) <= 1e-12 * std::abs(expected), key);
+  };
+  same("n", static_cast<double>(state.number), 1);
+  same("t", static_cast<double>(state.robot.controller_time), 1e3);
+  same("progress", state.robot.progress, 1);
+  same("override", state.robot.override, 1);
+  same("linear_speed", state.robot.linear_speed, 1e-3);
+  if (!stands_once(datagram, "\"pose\"")) return;
+  for (int i = 0; i < 3; ++i) {
+    const double expected = packet["pose"][static_cast<std::size_t>(i)].get<double>() * 1e-3;
+    promise(std::abs(state.robot.flange.translation()[i] - expected) < 1e-9, "pose");
+  }
+}
+
 void read_as_driver(const std::string& datagram) {
   const c4g_driver::Reply reply = c4g_driver::parse(datagram);
+  promise(nlohmann::json::accept(datagram), "what was taken is no JSON");
   if (const auto* streamed = std::get_if<c4g_driver::StreamedState>(&reply)) {
     check_state(streamed->robot);
+    compare(*streamed, datagram);
   } else if (const auto& robot = std::get<c4g_driver::Acknowledgement>(reply).robot) {
     check_state(*robot);
   }
@@ -86,7 +114,7 @@ void ask_controller(const std::string& datagram) {
   }
   if (!acknowledgement.error) return;
   promise(motion.motions_begun() == 0, "a motion that was refused, and begun");
-  throw ProtocolError("request", acknowledgement.error->text, "as it says");
+  throw ProtocolError("request", acknowledgement.error->text.c_str(), "as it says");
 }
 
 /// What the driver writes is what it was given, and fits.

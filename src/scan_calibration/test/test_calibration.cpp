@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <random>
 
+#include "example_sessions.h"
 #include "laser_triangulation/triangulator.h"
 #include "scan_calibration/calibration.h"
 #include "scan_calibration/camera_calibration.h"
 #include "scan_calibration/sequential.h"
 #include "scan_cell_common/errors.h"
-#include "synthetic_session.h"
-#include "truth_comparison.h"
 
 using Eigen::Isometry3d;
 using Eigen::Vector2d;
@@ -23,38 +21,10 @@ using scan_calibration::Calibration;
 using scan_calibration::CalibrationOptions;
 using scan_calibration::Figures;
 using scan_calibration::Observations;
-using scan_calibration::RejectedView;
-
-namespace {
-
-const synthetic::Noise kNoise = {0.1, 0.1, 5e-5, 5e-5};
-
-std::vector<Isometry3d> some_poses(const synthetic::Cell& cell, int count, unsigned seed = 1) {
-  synthetic::Poses poses;
-  poses.count = count;
-  poses.seed = seed;
-  return flange_poses(cell, poses);
-}
-
-Observations some_views(int count, unsigned seed = 1) {
-  const synthetic::Cell cell;
-  return observe(cell, some_poses(cell, count, seed), kNoise, seed);
-}
-
-std::string reason_of(const Calibration& calibration, const std::string& view,
-                      const std::string& laser) {
-  for (const RejectedView& one : calibration.rejected)
-    if (one.name == view && one.laser == laser) return one.reason;
-  return "not rejected";
-}
-
-void expect_true(const synthetic::Cell& cell, const Calibration& calibration) {
-  constexpr double kDeviations = 4.5;  // of 29 parameters, of which one in 5000 sessions would
-  const auto [miss, name] = worst_miss(cell, calibration);
-  EXPECT_LT(miss, kDeviations) << name;
-}
-
-}  // namespace
+using synthetic::expect_true;
+using synthetic::kNoise;
+using synthetic::some_poses;
+using synthetic::some_views;
 
 TEST(Calibration, FindsTheTruthExactlyWithoutNoise) {
   const synthetic::Cell cell;
@@ -187,78 +157,6 @@ TEST(Calibration, JudgesFiguresByTheNoiseThatIsThere) {
   EXPECT_EQ(found.views[0].corner_residuals.size(), 375u);
 }
 
-TEST(Calibration, LeavesOutAViewWhosePoseIsWrongAndSaysByHowMuch) {
-  const synthetic::Cell cell;
-  Observations observations = some_views(25);
-  observations.views[7].base_to_flange.pretranslate(Vector3d(0.002, 0, 0));
-  observations.views[11].base_to_flange.rotate(Eigen::AngleAxisd(0.2, Vector3d::UnitX()));
-  const Calibration found = calibrate(observations, {});
-  double said_mm = 0;
-  EXPECT_EQ(std::sscanf(reason_of(found, "view7", "").c_str(), "its pose is %lf mm", &said_mm), 1)
-      << reason_of(found, "view7", "");
-  EXPECT_NEAR(said_mm, 2, 0.3);
-  EXPECT_NE(reason_of(found, "view11", "").find("from where the other views have it"),
-            std::string::npos)
-      << reason_of(found, "view11", "");
-  EXPECT_EQ(found.rejected.size(), 2u);
-  EXPECT_EQ(found.views.size(), 23u);
-  expect_true(cell, found);
-}
-
-TEST(Calibration, LeavesOutAViewWhoseCornersAreWrong) {
-  const synthetic::Cell cell;
-  Observations observations = some_views(25);
-  std::mt19937 generator(1);
-  std::normal_distribution<double> blur(0, 1);
-  for (scan_calibration::SeenCorner& corner : observations.views[3].corners)
-    corner.pixel += Vector2d(blur(generator), blur(generator));
-  const Calibration found = calibrate(observations, {});
-  EXPECT_NE(reason_of(found, "view3", "").find("its corners miss"), std::string::npos);
-  EXPECT_EQ(found.rejected.size(), 1u);
-  expect_true(cell, found);
-}
-
-TEST(Calibration, LeavesOutSingleCornersAndSaysSo) {
-  const synthetic::Cell cell;
-  Observations observations = some_views(25);
-  observations.views[3].corners[10].pixel.x() += 3;
-  const Calibration found = calibrate(observations, {});
-  ASSERT_EQ(found.views.size(), 25u);
-  EXPECT_EQ(found.views[3].left_out_corners, std::vector<std::size_t>{10});
-  EXPECT_NE(found.notes.back().find("1 corners and 0 points of lines"), std::string::npos);
-  EXPECT_EQ(used_views(observations, found).views[3].corners.size(), 374u);
-  expect_true(cell, found);
-}
-
-TEST(Calibration, LeavesOutALineThatIsAReflection) {
-  const synthetic::Cell cell;
-  Observations observations = some_views(25);
-  for (Vector2d& point : observations.views[5].lines[1])
-    point.x() += 25;
-  const Calibration found = calibrate(observations, {});
-  EXPECT_NE(reason_of(found, "view5", "laser_1").find("miss the laser's plane"), std::string::npos);
-  EXPECT_EQ(found.rejected.size(), 1u);
-  EXPECT_TRUE(used_views(observations, found).views[5].lines[1].empty());
-  expect_true(cell, found);
-}
-
-TEST(Calibration, LeavesNothingOutOfGoodSessions) {
-  for (unsigned seed = 1; seed <= 10; ++seed) {
-    const Calibration found = calibrate(some_views(15, seed), {});
-    EXPECT_TRUE(found.rejected.empty()) << found.rejected.front().reason;
-  }
-}
-
-TEST(Calibration, NamesAViewThatRepeatsAnother) {
-  Observations observations = some_views(15);
-  scan_calibration::ViewObservation again = observations.views[4];
-  again.name = "again";
-  observations.views.push_back(again);
-  const Calibration found = calibrate(observations, {});
-  EXPECT_EQ(reason_of(found, "again", ""), "repeats the pose of view4: it shows nothing new");
-  EXPECT_EQ(found.views.size(), 15u);
-}
-
 TEST(Calibration, PutsRightWhatWasCountedFromTheBoardsOtherEnd) {
   const synthetic::Cell cell;
   Observations observations = some_views(25);
@@ -270,55 +168,6 @@ TEST(Calibration, PutsRightWhatWasCountedFromTheBoardsOtherEnd) {
   const Calibration found = calibrate(observations, {});
   EXPECT_EQ(found.views.size(), 25u);
   expect_true(cell, found);
-}
-
-TEST(Calibration, FindsABentBoard) {
-  synthetic::Cell cell;
-  cell.bend = Vector3d(8e-4, -3e-4, 4e-4);
-  const Observations observations = observe(cell, some_poses(cell, 30), kNoise, 1);
-  CalibrationOptions options;
-  options.board_flatness = false;
-  const Calibration flat = calibrate(observations, options);
-  options.board_flatness = true;
-  const Calibration bent = calibrate(observations, options);
-  EXPECT_LT((bent.board_bend - cell.bend).norm(), 2e-5);
-  EXPECT_LT(bent.held_out.reprojection_rms_px, 0.9 * flat.held_out.reprojection_rms_px);
-  expect_true(cell, bent);
-}
-
-TEST(Calibration, DoesNotBlameTheRobotForASmallBoardThatIsBent) {
-  synthetic::Cell cell;
-  cell.board = {7, 6, 0.01};
-  cell.bend = Vector3d(-3e-5, -3.5e-4, -2.4e-4);
-  for (unsigned seed = 1; seed <= 4; ++seed) {
-    synthetic::Poses poses;
-    poses.count = 16;
-    poses.nearest = 0.15;
-    poses.farthest = 0.25;
-    poses.aside = 0.03;
-    poses.seed = seed;
-    Observations observations = observe(cell, flange_poses(cell, poses), kNoise, seed);
-    observations.lasers.clear();  // their lines miss so small a board
-    for (scan_calibration::ViewObservation& view : observations.views)
-      view.lines.clear();
-    for (const bool bent : {false, true}) {
-      CalibrationOptions options;
-      options.board_flatness = bent;
-      const Calibration found = calibrate(observations, options);
-      EXPECT_LT(found.noise.robot_m, 3e-4) << seed;
-      EXPECT_LT(found.noise.robot_rad, 1e-3) << seed;
-    }
-  }
-}
-
-TEST(Calibration, TakesAFlatBoardAsFlat) {
-  CalibrationOptions options;
-  options.board_flatness = true;
-  const Calibration found = calibrate(some_views(20), options);
-  EXPECT_TRUE(found.board_bend.isZero(0));
-  EXPECT_TRUE(std::any_of(found.notes.begin(), found.notes.end(), [](const std::string& note) {
-    return note.find("it is taken as flat") != std::string::npos;
-  }));
 }
 
 TEST(Calibration, SaysWhereTheLensWasNotSeen) {

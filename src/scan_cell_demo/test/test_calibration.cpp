@@ -217,7 +217,8 @@ void expect_within_stated_bounds(const std::string& report, const ScannerModel& 
     expected[std::string("flange_to_camera.rotation_vector.") + axes[i]] = rotation[i];
   }
   std::ifstream file(report);
-  for (const auto& parameter : nlohmann::json::parse(file).at("parameters")) {
+  const nlohmann::json judged = nlohmann::json::parse(file);
+  for (const auto& parameter : judged.at("parameters")) {
     const auto found = expected.find(parameter.at("name").get<std::string>());
     if (found == expected.end()) continue;
     const double deviation = parameter.at("deviation");

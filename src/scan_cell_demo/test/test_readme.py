@@ -4,84 +4,24 @@
 """The commands of the README, as they stand there, on a simulated cell of their own."""
 import json
 import os
-import re
 import shutil
-import signal
-import socket
-import subprocess
 import tempfile
 import unittest
 
 import numpy
-import rospkg
 import rostest
 
-ROOT = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../..'))
-OBJECT_WORLD = os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config/object_frame.yaml')
-TIMEOUT = 180  # [s] of one command, on a busy computer
+from readme_user import SIMULATOR, User, readme_command
+
+OBJECT_WORLD = os.path.join(SIMULATOR, 'object_frame.yaml')
 MOST_CLOUD_RMS = 0.3  # [mm]
 MOST_PATH_RMS = 1.0  # [mm]
-
-
-def readme_command(start):
-    """The first command of the README that begins so."""
-    with open(os.path.join(ROOT, 'README.md')) as readme:
-        text = re.sub(r'\\\n\s*', '', readme.read())
-    return next(line.strip() for line in text.splitlines() if line.startswith('    ' + start))
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
 
 
 def positions(path):
     """Waypoints of a CSV path [mm]."""
     table = numpy.genfromtxt(path, delimiter=',', names=True, dtype=None, encoding='utf-8')
     return numpy.stack([table['x'], table['y'], table['z']], axis=1) * 1e3
-
-
-class User:
-    """Types commands in a folder where launch/ and out/ are what they are in the repository."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        os.symlink(os.path.join(ROOT, 'launch'), self.path('launch'))
-        os.mkdir(self.path('out'))
-        self.environment = dict(os.environ, ROS_HOME=self.path('ros'), ROS_IP='127.0.0.1',
-                                ROS_MASTER_URI='http://127.0.0.1:%d' % free_port())
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def start(self, command, log):
-        with open(self.path(log), 'w') as output:
-            return subprocess.Popen(['bash', '-c', 'exec ' + command], cwd=self.folder, env=self.environment,
-                                    stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
-
-    def end(self, process):
-        """Ctrl-C."""
-        process.send_signal(signal.SIGINT)
-        return self.wait(process)
-
-    def wait(self, process):
-        try:
-            return process.wait(TIMEOUT)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            raise
-
-    def run(self, command, log):
-        return self.wait(self.start(command, log))
-
-    def text(self, name):
-        with open(self.path(name), 'rb') as file:
-            return file.read()
-
-    def log(self, name):
-        return self.text(name).decode(errors='replace')[-3000:]
 
 
 class Readme(unittest.TestCase):

@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
     const auto robot = std::make_shared<const RobotModel>(scan_cell_common::read_file(URDF_FILE),
                                                           "base_link", "flange");
     const bool streamed = stream(robot, seconds);
+    std::fflush(stdout);
     const bool commanded = commands(robot, number);
     return streamed && commanded ? 0 : scan_cell_common::kUnusable;
   });

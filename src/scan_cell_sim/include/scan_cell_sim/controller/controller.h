@@ -72,6 +72,7 @@ class Controller : public FlangeMotion {
   /// Switched off and on again: for `dark` seconds it neither hears nor speaks. The robot brakes,
   /// the session is lost, settings and alarms are as at the start, the clock begins anew. The mode
   /// selector and the emergency stop stay where they are; somebody switches the drives on.
+  /// @throw scan_cell_common::InvalidParameter if `dark` is negative
   void restart(double dark);
 
   // What somebody at the controller's panel does. After an emergency stop or an alarm: release the

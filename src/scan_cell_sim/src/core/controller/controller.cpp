@@ -145,6 +145,9 @@ ControllerFaults Controller::faults() const {
 }
 
 void Controller::restart(double dark) {
+  if (!(dark >= 0)) {
+    throw InvalidParameter("restart", std::to_string(dark) + " s", "give 0 s or more");
+  }
   const Nanoseconds now = host_now();
   const std::lock_guard<std::mutex> lock(mutex_);
   motion_.power_off(now);
