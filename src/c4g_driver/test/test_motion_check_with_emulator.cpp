@@ -6,7 +6,9 @@
 #include <random>
 
 #include "c4g_driver/motion_check.h"
+#include "scan_cell_common/csv_reader.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
 #include "scan_cell_sim/controller/controller.h"
 #include "scan_cell_sim/controller/path.h"
 #include "smart5_six.h"
@@ -66,4 +68,30 @@ TEST(MotionCheck, LetsPassWhatTheControllerCarriesOutAtTheSpeedItWasTold) {
   }
   EXPECT_GT(passed, 40);
   EXPECT_GT(refused, 25);
+}
+
+TEST(MotionCheck, LetsPassTheTaughtPosesOfTheSimulatedCalibration) {
+  const std::string text = scan_cell_common::read_file(CALIBRATION_POSES);
+  scan_cell_common::CsvReader poses(text, CALIBRATION_POSES);
+  ASSERT_TRUE(poses.next());  // the columns' names
+  c4g_driver::RobotState from;
+  from.mode = c4g_driver::ControllerMode::Remote;
+  from.joints = scan_cell_sim::Controller::start_posture();
+  from.flange = scan_cell_sim::flange_of(from.joints);
+  c4g_driver::RobotLimits limits;
+  limits.operation = c4g_driver::Operation::Automatic;
+  limits = narrowed(limits, smart5_six());
+  c4g_driver::MotionSettings settings;
+  settings.linear_speed = 0.4;
+  settings.rotational_speed = M_PI / 3;
+  int passed = 0;
+  while (poses.next()) {
+    const Eigen::Isometry3d target = poses.pose(0);
+    EXPECT_NO_THROW(c4g_driver::MotionCheck(smart5_six(), limits, from, settings).to_pose(target))
+        << "pose " << passed;
+    from.joints = scan_cell_sim::reach(target, from.joints);
+    from.flange = target;
+    ++passed;
+  }
+  EXPECT_GT(passed, 20);
 }

@@ -168,4 +168,4 @@ class Videe(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('scan_cell_demo', 'videe', Videe)
+    rostest.rosrun('scan_cell_demo', 'videe_session', Videe)

@@ -25,7 +25,8 @@
 namespace c4g_driver {
 
 struct ClientOptions {
-  std::string address = "127.0.0.1";  //!< IPv4 of the controller
+  std::string local_address = "0.0.0.0";  //!< IPv4 of this machine's interface to it; 0.0.0.0: any
+  std::string address = "127.0.0.1";      //!< IPv4 of the controller
   std::uint16_t port = 5410;
   double link_timeout = 0.5;  //!< [s] no answer, or no fresh pose, for so long is a lost link
   int tries = 10;             //!< how often a request is sent within link_timeout

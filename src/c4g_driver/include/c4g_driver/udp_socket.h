@@ -24,9 +24,13 @@ class UdpSocket {
     scan_cell_common::Nanoseconds time;  //!< host time at which the kernel got it
   };
 
-  /// @throw scan_cell_common::InvalidParameter if `address` is no IPv4 address
+  /// @param local_address of this machine's interface to the peer; 0.0.0.0: any
+  /// @param address, port the peer's
+  /// @throw scan_cell_common::InvalidParameter if an address is no IPv4 address, or the local one
+  /// is not of this machine
   /// @throw scan_cell_common::ConnectionError if there are no sockets left
-  UdpSocket(const std::string& address, std::uint16_t port, std::size_t most_bytes);
+  UdpSocket(const std::string& local_address, const std::string& address, std::uint16_t port,
+            std::size_t most_bytes);
   ~UdpSocket();
 
   UdpSocket(const UdpSocket&) = delete;

@@ -45,7 +45,7 @@ Client::Client(const ClientOptions& options, const Listener& listener)
     : options_(checked(options)),
       name_("controller " + options.address + ":" + std::to_string(options.port)),
       listener_(listener),
-      socket_(options.address, options.port, kMostDatagramBytes),
+      socket_(options.local_address, options.address, options.port, kMostDatagramBytes),
       poses_(options.clock_window, options.link_timeout) {
   start_receiving();
   keeper_ = std::thread([this] { keep(); });

@@ -76,6 +76,7 @@ DriverParameters DriverParameters::load(const ros::NodeHandle& node) {
   ClientOptions& client = parameters.client;
   ParameterReader reader(node);
   int port = client.port;
+  reader.read("local_address", client.local_address);
   reader.require("address", client.address);
   reader.read("port", port, {1, kLastPort});
   client.port = static_cast<std::uint16_t>(port);

@@ -10,7 +10,8 @@
 
 namespace scan_cell {
 
-/// The service ~grab_image: has the cell while it takes the image, so that no scan begins meanwhile.
+/// The service ~grab_image: has the cell while it takes the image, so that no scan begins
+/// meanwhile.
 class GrabImage {
  public:
   GrabImage(ros::NodeHandle node, const Parameters& parameters, CellInUse& cell);

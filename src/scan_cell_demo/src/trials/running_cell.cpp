@@ -88,7 +88,7 @@ void RunningCell::wait_for_step(int step, double share) {
   wait_for("step " + std::to_string(step), [&] {
     const auto state = scan_.getState();  // not under our lock: its callbacks take that
     if (state.isDone())
-      throw Refused("the scan", "ended before anything was done to it", state.getText());
+      throw EndedBefore("the scan", "ended before anything was done to it", state.getText());
     const std::lock_guard<std::mutex> lock(mutex_);
     return step_ == step && progress_ >= wanted;
   });

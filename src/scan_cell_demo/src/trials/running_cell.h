@@ -14,8 +14,15 @@
 #include <string>
 
 #include "scan_cell/scan_program.h"
+#include "scan_cell_common/errors.h"
 
 namespace scan_cell_demo {
+
+/// A scan ended by itself before it came as far as was wanted.
+class EndedBefore : public scan_cell_common::Refused {
+ public:
+  using Refused::Refused;
+};
 
 /// A running simulated cell as a client uses it, and the simulator's truth of where the robot is.
 /// Callbacks must be served by another thread (ros::AsyncSpinner).
@@ -31,7 +38,7 @@ class RunningCell {
   void start_scan(const std::string& scan_id);
 
   /// Waits for a step of the scan under way (1 .. 8) to be a share of it further.
-  /// @throw scan_cell_common::Refused if it does not come that far
+  /// @throw EndedBefore if it ends before
   void wait_for_step(int step, double share);
 
   /// Waits for the end of the scan.

@@ -45,7 +45,8 @@ class TrialBench {
   TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, double most_on);
 
   /// Waits for a cell that is well, makes the trial, and leaves the cell without a fault.
-  /// @throw scan_cell_common::Error if the cell does not come to be well, or does not begin
+  /// @throw EndedBefore if the scan ends by itself before the blow
+  /// @throw scan_cell_common::Error if the cell does not come to be well
   TrialResult make(const Trial& trial, const std::string& name);
 
   /// Files that are gone or changed since they were first seen whole, and those that are not.
