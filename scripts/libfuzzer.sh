@@ -30,6 +30,7 @@ folder=build/libfuzzer/$reader
 rm -rf "$folder/objects"
 mkdir -p "$folder/objects" "$folder/corpus"
 flags=(-std=c++17 -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+  -fsanitize-ignorelist=scripts/sanitizers/libfuzzer.txt
   -I "$common/include" -I "$stretcher/include" -I "$stretcher/src/core" -I "$driver/include"
   -I "$simulator/include" -I "$cell/include" -isystem /usr/include/kdl -isystem /usr/include/eigen3 -isystem "$(echo /usr/include/pcl-*)")
 printf '%s\n' "${sources[@]}" | xargs -P "$(nproc)" -I{} bash -c \
