@@ -29,7 +29,8 @@ class Trials : public testing::TestWithParam<Blow> {
   static void SetUpTestSuite() {
     fs::create_directories(clouds());
     started_ = std::make_unique<StartedCell>(
-        "test_trials", std::vector<std::string>{LAUNCH_FILE, kUnseenAfter, "folder:=" + clouds()}, folder());
+        "test_trials", std::vector<std::string>{LAUNCH_FILE, kUnseenAfter, "folder:=" + clouds()},
+        folder());
     tap_ = std::make_unique<LaserTap>(kTapPort, kCircuitPort);
     cell_ = std::make_unique<RunningCell>(ros::NodeHandle());
     bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kMostOn);

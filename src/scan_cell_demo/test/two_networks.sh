@@ -29,6 +29,7 @@ on_hardware ip link set lan mtu 9000 up
 
 cat >"$folder/settings.yaml" <<SETTINGS
 laser_trigger: {port: loopback, loopback_host: $there}
+scan_cell: {unseen_after: 0.5}
 camera: {packet_size: 9000, region_x: 336, region_y: 599, region_width: 1024, region_height: 512,
   device_clock: host, exposure: 0.001}
 SETTINGS
