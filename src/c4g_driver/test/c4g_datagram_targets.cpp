@@ -25,7 +25,7 @@ const char* const kAcknowledged =
     R"({"c4g": 1, "session": 1790000000000000, "type": "ack", "seq": 18,
 "error": {"code": 12, "text": "J3 5 deg is outside -170 .. 0"}, "value": [0, 1, 2, 3, 4, 5],
 "state": {"t": 1, "pose": [-800.123, 1e2, 600, 33, 44, -55], "joints": [0, 0, -90, 0, 90, 0],
-"status": "stopped", "motion": 0, "progress": 0, "camera_fps": 0, "e_stop": true,
+"status": "stopped", "motion": 0, "progress": 0E42, "camera_fps": 0, "e_stop": true,
 "drives": false, "mode": "programming", "override": 0.01, "linear_speed": 1500,
 "error": {"code": 11, "text": "emergency stop"}, "alarms": [{"code": 11, "text": "emergency stop"},
 {"code": 15, "text": "following error of J2"}]}})";

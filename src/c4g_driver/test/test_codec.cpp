@@ -217,6 +217,21 @@ TEST(Parse, NamesTheKeyThatMakesNoSense) {
   EXPECT_NE(complaint(pose.dump()).find("pose"), std::string::npos);
 }
 
+TEST(Parse, ReadsNumbersInEveryWayThatJsonWritesThem) {
+  const auto progress = [](const std::string& number) {
+    std::string text = kState;
+    text.replace(text.find("0.42"), 4, number);
+    return std::get<StreamedState>(c4g_driver::parse(c4g_driver::seal(text))).robot.progress;
+  };
+  EXPECT_EQ(progress("0E42"), 0);  // undefined in RapidJSON's full precision: found by the fuzzer
+  EXPECT_EQ(progress("0.000e-400"), 0);
+  EXPECT_EQ(progress("-0"), 0);
+  EXPECT_EQ(progress("1e-999"), 0);
+  for (const std::string number : {"0.1", "0.12345678901234567890123456789", "1e-1", "123.456e-3",
+                                   "1234567890123456789012e-22", "2.5e-300"})
+    EXPECT_NEAR(progress(number), std::stod(number), 1e-15 * std::stod(number)) << number;
+}
+
 TEST(Parse, RefusesNumbersThatOverflow) {
   std::string text = kState;
   text.replace(text.find("800"), 3, "1e999");

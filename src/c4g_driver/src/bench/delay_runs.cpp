@@ -101,7 +101,8 @@ BareRun DelayRuns::bare(double seconds) const {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   wait_until("listener", [&] { return transforms.getNumSubscribers() > 0; });
-  UdpSocket socket("127.0.0.1", static_cast<std::uint16_t>(std::stoi(port)), kMostDatagramBytes);
+  UdpSocket socket("0.0.0.0", "127.0.0.1", static_cast<std::uint16_t>(std::stoi(port)),
+                   kMostDatagramBytes);
   wait_until("source", [&] { return socket.send("hello") && socket.receive(0.1); });
   BareRun run;
   const std::uint64_t before = allocations_of_this_thread();

@@ -4,6 +4,8 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
+#include <cmath>
+
 namespace c4g_driver {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -18,12 +20,14 @@ bool got_worse(const LinkReport& before, const LinkReport& link) {
          link.foreign > before.foreign || link.overlong > before.overlong;
 }
 
+/// NaN where nothing was timed.
 void add(DiagnosticStatusWrapper& status, const std::string& what, const Durations& durations) {
-  constexpr double kMilliseconds = 1e-6;
-  status.addf(what + ", half within [ms]", "%.3f",
-              kMilliseconds * static_cast<double>(durations.quantile(0.5)));
-  status.addf(what + ", 99 % within [ms]", "%.3f",
-              kMilliseconds * static_cast<double>(durations.quantile(0.99)));
+  const auto milliseconds = [&](double share) {
+    return durations.count() > 0 ? 1e-6 * static_cast<double>(durations.quantile(share))
+                                 : std::nan("");
+  };
+  status.addf(what + ", half within [ms]", "%.3f", milliseconds(0.5));
+  status.addf(what + ", 99 % within [ms]", "%.3f", milliseconds(0.99));
 }
 
 }  // namespace
