@@ -31,7 +31,7 @@ addresses() {
   export UBSAN_OPTIONS="$common"
   export LSAN_OPTIONS="suppressions=$PWD/scripts/sanitizers/leaks.txt:print_suppressions=0"
   make test BUILD=$tree DEVEL=$tree/devel \
-    FLAGS='-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined'
+    FLAGS='-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined -Wno-maybe-uninitialized'
 }
 
 # One after another, each to its end: a test that fails must not hide what is found in the others.
@@ -39,7 +39,7 @@ threads() {
   export TSAN_OPTIONS="log_path=$reports/report:second_deadlock_stack=1"
   TSAN_OPTIONS+=":suppressions=$PWD/scripts/sanitizers/races.txt"
   make configure BUILD=$tree DEVEL=$tree/devel WHITELIST="$threaded_packages" \
-    FLAGS='-O1 -g1 -fno-omit-frame-pointer -fsanitize=thread'
+    FLAGS='-O1 -g1 -fno-omit-frame-pointer -fsanitize=thread -Wno-tsan'
   local failed=() test target
   for test in "${threaded_tests[@]}"; do
     target=test_${test/\//_}
