@@ -77,13 +77,26 @@ std::string name_of(Moment moment) {
 TrialBench::TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, double most_on)
     : cell_(cell), tap_(tap), folder_(std::move(folder)), most_on_(most_on) {}
 
-TrialResult TrialBench::make(const Trial& trial, const std::string& name) {
-  cell_.wait_until_well();
-  cell_.wait_until_standing();
-  cell_.start_scan(name);
-  const bool scanning = trial.moment == Moment::MidScan;
-  cell_.wait_for_step(scanning ? kStepOfCapture : kStepOfMove, trial.share);
+void TrialBench::begin(const Trial& trial, const std::string& name) {
+  constexpr int kMostTries = 3;
+  for (int tries = 1;; ++tries) {
+    cell_.wait_until_well();
+    cell_.wait_until_standing();
+    cell_.start_scan(name);
+    try {
+      cell_.wait_for_step(trial.moment == Moment::MidScan ? kStepOfCapture : kStepOfMove,
+                          trial.share);
+      return;
+    } catch (const EndedBefore&) {
+      ++begun_anew_;
+      if (tries == kMostTries) throw;
+    }
+  }
+}
 
+TrialResult TrialBench::make(const Trial& trial, const std::string& name) {
+  begin(trial, name);
+  const bool scanning = trial.moment == Moment::MidScan;
   TrialResult result;
   if (scanning && !tap_.wait_until_on(kPatience)) result.failures.push_back("no laser in the scan");
   const std::uint64_t switched_on = tap_.switched_on();

@@ -44,15 +44,20 @@ class TrialBench {
   /// @param most_on [s] that lasers may be on after a blow
   TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, double most_on);
 
-  /// Waits for a cell that is well, makes the trial, and leaves the cell without a fault.
-  /// @throw EndedBefore if the scan ends by itself before the blow
+  /// Waits for a cell that is well, makes the trial, and leaves the cell without a fault. Begins
+  /// anew where the scan ends by itself before the blow, as on a machine that is too busy.
+  /// @throw EndedBefore if it does so three times
   /// @throw scan_cell_common::Error if the cell does not come to be well
   TrialResult make(const Trial& trial, const std::string& name);
+
+  int begun_anew() const { return begun_anew_; }
 
   /// Files that are gone or changed since they were first seen whole, and those that are not.
   std::vector<std::string> broken_files();
 
  private:
+  void begin(const Trial& trial, const std::string& name);
+
   /// @return host time just before it falls
   scan_cell_common::Nanoseconds strike(Blow blow);
   void make_well(const Trial& trial);
@@ -65,6 +70,7 @@ class TrialBench {
   const double most_on_;
   std::string killed_node_;
   pid_t killed_ = -1;
+  int begun_anew_ = 0;
   std::map<std::string, std::uintmax_t> files_;  // whole clouds and their sizes [bytes]
 };
 

@@ -51,21 +51,11 @@ struct Tally {
   int broken = 0;
 };
 
-/// Begins anew where a scan ends by itself before the blow, as on a machine that is too busy.
-/// @param ended counts these
-TrialResult make_safely(TrialBench& bench, const Trial& trial, const std::string& name,
-                        int& ended) {
-  constexpr int kMostTries = 3;
-  for (int tries = 1;; ++tries) {
-    try {
-      return bench.make(trial, name);
-    } catch (const EndedBefore& error) {
-      ++ended;
-      std::printf("  begun anew: %s\n", error.what());
-      if (tries == kMostTries) return {0, "", {error.what()}};
-    } catch (const scan_cell_common::Error& error) {
-      return {0, "", {error.what()}};
-    }
+TrialResult make_safely(TrialBench& bench, const Trial& trial, const std::string& name) {
+  try {
+    return bench.make(trial, name);
+  } catch (const scan_cell_common::Error& error) {
+    return {0, "", {error.what()}};
   }
 }
 
@@ -92,10 +82,9 @@ int run(const Options& options) {
   cell.wait_until_well();  // or no trial would say anything
   TrialBench bench(cell, tap, clouds, options.most_on);
   std::map<std::string, Tally> tallies;
-  int broken = 0, ended = 0, number = 0;
+  int broken = 0, number = 0;
   for (const Trial& trial : mix(options)) {
-    const TrialResult result =
-        make_safely(bench, trial, "trial_" + std::to_string(++number), ended);
+    const TrialResult result = make_safely(bench, trial, "trial_" + std::to_string(++number));
     const std::string kind = name_of(trial.blow) + ", " + name_of(trial.moment);
     Tally& tally = tallies[kind];
     tally.lasers_on.push_back(result.lasers_on);
@@ -109,7 +98,7 @@ int run(const Options& options) {
   }
   print(tallies, options.most_on);
   std::printf("%d of %d trials broke a promise; %d scans ended by themselves before the blow\n",
-              broken, options.count, ended);
+              broken, options.count, bench.begun_anew());
   return broken == 0 ? 0 : 1;
 }
 
