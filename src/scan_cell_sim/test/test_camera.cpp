@@ -565,9 +565,8 @@ TEST(Cell, ThreeHundredPulsesAtAHundredHertzGiveThreeHundredFramesOfTheirPoses) 
   const GigeCamera::Counts before = cell.camera().counts();
 
   std::thread pulses([&] {
-    auto next = std::chrono::steady_clock::now();
-    for (int i = 0; i < kPulses; ++i) {
-      std::this_thread::sleep_until(next += std::chrono::milliseconds(10));
+    for (int i = 0; i < kPulses; ++i) {  // no deadlines: what is late must not be made up for
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
       driver.pulse();
     }
   });
