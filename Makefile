@@ -7,9 +7,15 @@ export ROS_LANG_DISABLE := genlisp:geneus:gennodejs
 JOBS ?= $(shell nproc)
 # of each reader of files, in make fuzz
 RUNS ?= 2000000
-IN_WORKSPACE = source devel/setup.bash &&
+# where it is built, and how; make sanitize has trees and flags of its own
+BUILD ?= build
+DEVEL ?= devel
+FLAGS ?= -O2 -g1 -DNDEBUG
+# packages, with ; between them; empty: all
+WHITELIST ?=
+IN_WORKSPACE = source $(DEVEL)/setup.bash &&
 
-.PHONY: all build demo test bench fuzz install lint format clean dependencies configure
+.PHONY: all build demo test bench fuzz trials soak sanitize install lint format clean dependencies configure
 
 all: build
 
@@ -22,39 +28,51 @@ src/CMakeLists.txt:
 # -g1: lines in stack traces, a quarter of the compile time less than -g.
 # catkin keeps the environment of the first configure for the tests, and leaves out directories that are not there yet.
 configure: dependencies src/CMakeLists.txt
-	@mkdir -p devel/lib/pkgconfig devel/lib/python3/dist-packages
-	@cmake -S src -B build -DCATKIN_DEVEL_PREFIX=$(CURDIR)/devel -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
-	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O2 -g1 -DNDEBUG' \
-	  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
-	  -DCMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache) > build-configure.log 2>&1 \
-	  || { cat build-configure.log; exit 1; }
-	@mkdir -p build && mv build-configure.log build/configure.log
+	@mkdir -p $(BUILD) $(DEVEL)/lib/pkgconfig $(DEVEL)/lib/python3/dist-packages
+	@cmake -S src -B $(BUILD) -DCATKIN_DEVEL_PREFIX=$(abspath $(DEVEL)) -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
+	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='$(FLAGS)' \
+	  -DCATKIN_WHITELIST_PACKAGES='$(WHITELIST)' -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
+	  -DCMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache) > $(BUILD)/configure.log 2>&1 \
+	  || { cat $(BUILD)/configure.log; exit 1; }
 
 build: configure
-	@cmake --build build --parallel $(JOBS)
+	@cmake --build $(BUILD) --parallel $(JOBS)
 
 demo: build
 	@scripts/demo.sh
 
 bench: build
-	@cmake --build build --parallel $(JOBS) --target benchmarks
-	@$(IN_WORKSPACE) for bench in devel/lib/*/bench_*; do echo "== $$(basename $$bench)"; $$bench || exit 1; done
+	@cmake --build $(BUILD) --parallel $(JOBS) --target benchmarks
+	@$(IN_WORKSPACE) for bench in $(DEVEL)/lib/*/bench_*; do echo "== $$(basename $$bench)"; $$bench || exit 1; done
 
 fuzz: build
-	@cmake --build build --parallel $(JOBS) --target fuzzers
-	@$(IN_WORKSPACE) for fuzzer in devel/lib/*/fuzz_*; do $$fuzzer --runs $(RUNS) || exit 1; done
+	@cmake --build $(BUILD) --parallel $(JOBS) --target fuzzers
+	@$(IN_WORKSPACE) for fuzzer in $(DEVEL)/lib/*/fuzz_*; do $$fuzzer --runs $(RUNS) || exit 1; done
 
 test: build
-	@cmake --build build --parallel $(JOBS) --target tests
-	@rm -rf build/test_results
-	@$(IN_WORKSPACE) cmake --build build --parallel 1 --target run_tests
+	@cmake --build $(BUILD) --parallel $(JOBS) --target tests
+	@rm -rf $(BUILD)/test_results
+	@$(IN_WORKSPACE) cmake --build $(BUILD) --parallel 1 --target run_tests
 	@[ -n "$$SCAN_CELL_DATA" ] || echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"
-	@$(IN_WORKSPACE) set -o pipefail && catkin_test_results --all build/test_results | awk '{ print } \
+	@$(IN_WORKSPACE) set -o pipefail && catkin_test_results --all $(BUILD)/test_results | awk '{ print } \
 	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }' \
-	  || { scripts/failed_tests.py build/test_results; exit 1; }
+	  || { scripts/failed_tests.py $(BUILD)/test_results; exit 1; }
+
+# COUNT times emergency stop, cable pulled, controller, driver or cell killed, in mid move and in mid scan
+trials: build
+	@$(IN_WORKSPACE) rosrun scan_cell_demo trials --count $(or $(COUNT),200)
+
+# HOURS of scanning with faults on the wires: does any node hold more and more?
+soak: build
+	@$(IN_WORKSPACE) rosrun scan_cell_demo soak --hours $(or $(HOURS),1)
+
+# Every test under the address and undefined-behaviour sanitizers; the cores that have threads under the thread sanitizer.
+sanitize: dependencies
+	@scripts/sanitize.sh threads
+	@scripts/sanitize.sh addresses
 
 install: build
-	@cmake --install build
+	@cmake --install $(BUILD)
 
 lint: dependencies
 	@catkin_lint --offline -W2 --strict src
@@ -64,4 +82,4 @@ format: dependencies
 	@git ls-files '*.cpp' '*.h' | xargs -r clang-format -i
 
 clean:
-	@rm -rf build devel install src/CMakeLists.txt
+	@rm -rf build build-asan build-tsan devel install src/CMakeLists.txt

@@ -12,6 +12,7 @@
 
 #include "c4g_driver/client.h"
 #include "fake_controller.h"
+#include "smart5_six.h"
 
 /// The client against a scripted controller on real sockets.
 namespace c4g_driver {
@@ -32,13 +33,6 @@ inline Nanoseconds host_now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::system_clock::now().time_since_epoch())
       .count();
-}
-
-inline Eigen::Isometry3d looking_down(double x, double y, double z) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() << x, y, z;
-  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  return pose;
 }
 
 /// All poses the client handed on.
@@ -65,6 +59,8 @@ class ClientTest : public testing::Test {
     result.port = port;
     result.reconnect_period = 0.05;
     result.link_timeout = link_timeout_;
+    result.robot = robot_;
+    result.limits.operation = Operation::Automatic;
     return result;
   }
 
@@ -92,6 +88,7 @@ class ClientTest : public testing::Test {
   std::atomic<bool> held_{false};
   Heard heard_;
   double link_timeout_ = 0.5;
+  std::shared_ptr<const RobotModel> robot_ = std::make_shared<RobotModel>(smart5_six());
   std::unique_ptr<FakeController> controller_ = std::make_unique<FakeController>();
   std::unique_ptr<Client> client_;
 };

@@ -8,20 +8,23 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "c4g_driver/seal.h"
+
 FakeController::FakeController(std::uint16_t port)
     : socket_(socket(AF_INET, SOCK_DGRAM, 0)),
       state_({{"pose", {800, 0, 600, 0, 180, 180}},
-              {"joints", {0, 0, -90, 0, 90, 0}},
+              {"joints", {0, 8.1589, -124.1102, 0, 47.7310, 0}},
               {"status", "idle"},
               {"motion", 0},
               {"progress", 0},
               {"camera_fps", 0},
               {"e_stop", false},
               {"drives", true},
-              {"mode", "auto"},
+              {"mode", "remote"},
               {"override", 100},
               {"linear_speed", 250},
-              {"error", nullptr}}) {
+              {"error", nullptr},
+              {"alarms", nlohmann::json::array()}}) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
@@ -70,9 +73,13 @@ FakeController::Json FakeController::state_at(std::int64_t microseconds) const {
 
 FakeController::Json FakeController::acknowledge(const Json& request) {
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
-  return {{"c4g", 1},         {"session", request["session"]},
-          {"type", "ack"},    {"seq", request["seq"]},
-          {"error", nullptr}, {"state", state_at(clock())}};
+  Json answer = {{"c4g", 1},         {"session", request["session"]},
+                 {"type", "ack"},    {"seq", request["seq"]},
+                 {"error", nullptr}, {"state", state_at(clock())}};
+  const std::string name = request.value("name", "");
+  if (name == "rotational_speed") answer["value"] = 60;
+  if (name == "motion_type" || name == "interpolation") answer["value"] = "linear";
+  return answer;
 }
 
 void FakeController::stream(std::uint64_t number, std::int64_t microseconds, const Json& entries) {
@@ -81,7 +88,7 @@ void FakeController::stream(std::uint64_t number, std::int64_t microseconds, con
   state.update({{"c4g", 1}, {"type", "state"}, {"n", number}});
   state["session"] = requests_.back()["session"];
   if (entries.is_object()) state.update(entries);
-  send(state.dump());
+  send(c4g_driver::seal(state.dump()));
 }
 
 void FakeController::send(const std::string& text) {
@@ -130,6 +137,6 @@ void FakeController::serve() {
     }
     const auto answers = script_ ? script_(request) : std::nullopt;
     for (const Json& answer : answers.value_or(std::vector<Json>{acknowledge(request)}))
-      send(answer.dump());
+      send(c4g_driver::seal(answer.dump()));
   }
 }

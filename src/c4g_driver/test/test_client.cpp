@@ -6,12 +6,25 @@
 #include <limits>
 #include <set>
 
+#include "c4g_driver/inverse_kinematics.h"
+#include "c4g_driver/wire_units.h"
 #include "client_test.h"
 #include "scan_cell_common/errors.h"
 
 using namespace c4g_driver;  // NOLINT
 using nlohmann::json;
 using scan_cell_common::Refused;
+
+namespace {
+
+/// What the controller says when the flange is there, looking down.
+json standing_at(double x, double y, double z) {
+  const auto flange = looking_down(x, y, z);
+  const auto joints = step_to(smart5_six(), flange, degrees(0, 8, -124, 0, 48, 0));
+  return {{"pose", to_wire(flange)}, {"joints", to_wire(joints.value())}};
+}
+
+}  // namespace
 
 TEST_F(ClientTest, HandsOnEveryPoseOnceInTheOrderOfTime) {
   link_timeout_ = kPatient;
@@ -127,10 +140,12 @@ TEST_F(ClientTest, EndsTheGoalAsTheControllerSays) {
   connect();
   const auto move = [this] { client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100); };
   move();
-  controller_->set_state({{"status", "arrived"}, {"pose", {800, 200, 600, 0, 180, 180}}});
+  controller_->set_state(standing_at(0.8, 0.2, 0.6));
+  controller_->set_state({{"status", "arrived"}});
   EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::Reached);
   move();
-  controller_->set_state({{"status", "arrived"}, {"pose", {800, 150, 600, 0, 180, 180}}});
+  controller_->set_state(standing_at(0.8, 0.15, 0.6));
+  controller_->set_state({{"status", "arrived"}});
   EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::Failed);
   move();
   controller_->set_state({{"status", "stopped"}});
@@ -158,11 +173,62 @@ TEST_F(ClientTest, CarriesSettingsAndParametersInWireUnits) {
   EXPECT_EQ(controller_->requests("SET_PARAMETER").back()["value"], "euler");
 }
 
+TEST_F(ClientTest, ChecksALineWithTheSettingsThatAreInForceWhoeverMadeThem) {
+  connect();
+  double rotational_speed = 60;
+  controller_->play([&](const json& request) -> std::optional<std::vector<json>> {
+    json answer = controller_->acknowledge(request);
+    if (request.value("name", "") == "rotational_speed") answer["value"] = rotational_speed;
+    return std::vector<json>{answer};
+  });
+  Eigen::Isometry3d rolled = looking_down(0.8, 0, 0.6);
+  rolled.rotate(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ()));
+  rotational_speed = 1100;  // J6 does 550 degrees a second
+  EXPECT_THROW(client_->move_to_pose(rolled, 0), Refused);
+  controller_->set_state({{"override", 40}});
+  ASSERT_TRUE(eventually([this] { return client_->latest()->robot.override == 40; }));
+  EXPECT_TRUE(controller_->requests("MOVE_CARTESIAN").empty());
+  EXPECT_NO_THROW(client_->move_to_pose(rolled, 0));
+  EXPECT_THROW(client_->set_override(51), Refused) << "while it lasts";
+  EXPECT_NO_THROW(client_->set_override(49));
+  rotational_speed = 0;
+  EXPECT_THROW(client_->move_to_pose(rolled, 0), scan_cell_common::Error);
+}
+
+TEST_F(ClientTest, KeepsTo250MillimetresASecondInManualOperation) {
+  ClientOptions manual = options(controller_->port());
+  manual.limits.operation = Operation::Manual;
+  client_ = std::make_unique<Client>(manual, nullptr);
+  ASSERT_TRUE(eventually([this] { return client_->link().up; }));
+  EXPECT_THROW(client_->set_linear_speed(0.26), Refused);
+  EXPECT_THROW(client_->set_parameter("linear_speed", "260"), Refused);
+  EXPECT_NO_THROW(client_->set_linear_speed(0.25));
+  EXPECT_THROW(client_->move_to_joints({1, 0.1424, -2.1661, 0, 0.8331, 0}, 0), Refused);
+  EXPECT_TRUE(controller_->requests("MOVE_JOINT").empty());
+  controller_->set_state({{"override", 10}});
+  ASSERT_TRUE(eventually([this] { return client_->latest()->robot.override == 10; }));
+  EXPECT_NO_THROW(client_->move_to_joints({1, 0.1424, -2.1661, 0, 0.8331, 0}, 0));
+  EXPECT_THROW(client_->set_override(20), Refused) << "that would make it faster on its way";
+}
+
+TEST_F(ClientTest, SendsNoMotionToARobotItsModelDoesNotDescribe) {
+  connect();
+  controller_->set_state({{"pose", {800, 0, 850, 0, 180, 180}}});
+  ASSERT_TRUE(
+      eventually([this] { return client_->latest()->robot.flange.translation().z() > 0.84; }));
+  EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0.1, 0.8), 0), Refused);
+  EXPECT_THROW(client_->move_to_joints({0, 0.1, -2.1, 0, 0.8, 0}, 0), Refused);
+  EXPECT_TRUE(controller_->requests("MOVE_CARTESIAN").empty());
+  EXPECT_TRUE(controller_->requests("MOVE_JOINT").empty());
+}
+
 TEST(ClientOptions, AreChecked) {
   ClientOptions options;
+  EXPECT_THROW(Client(options, nullptr), scan_cell_common::InvalidParameter) << "no robot";
+  options.robot = std::make_shared<RobotModel>(smart5_six());
   options.address = "the robot";
   EXPECT_THROW(Client(options, nullptr), scan_cell_common::InvalidParameter);
-  options = ClientOptions();
+  options.address = "127.0.0.1";
   options.link_timeout = 0;
   EXPECT_THROW(Client(options, nullptr), scan_cell_common::InvalidParameter);
 }

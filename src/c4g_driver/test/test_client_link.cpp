@@ -208,7 +208,7 @@ TEST_F(ClientTest, StopsTheRobotAndClosesTheSessionAtItsEnd) {
 TEST(UdpSocket, TakesNothingFromAnybodyButItsPeer) {
   FakeController peer;
   FakeController stranger;
-  c4g_driver::UdpSocket udp("127.0.0.1", peer.port(), 100);
+  c4g_driver::UdpSocket udp("0.0.0.0", "127.0.0.1", peer.port(), 100);
   const json hello = {{"cmd", "HELLO"}, {"seq", 1}, {"session", 1}};
   peer.play([&](const json&) -> std::optional<std::vector<json>> { return std::vector<json>{}; });
   ASSERT_TRUE(udp.send(hello.dump()));

@@ -6,12 +6,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <random>
 
 #include "c4g_driver/client.h"
 #include "closed_form.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_sim/controller/controller.h"
+#include "smart5_six.h"
 
 using c4g_driver::Client;
 using c4g_driver::Goal;
@@ -19,13 +21,6 @@ using c4g_driver::MeasuredState;
 using scan_cell_sim::Controller;
 
 namespace {
-
-Eigen::Isometry3d looking_down(double x, double y, double z) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() << x, y, z;
-  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  return pose;
-}
 
 scan_cell_sim::ControllerOptions any_port() {
   scan_cell_sim::ControllerOptions options;
@@ -35,19 +30,61 @@ scan_cell_sim::ControllerOptions any_port() {
 
 class Together : public testing::Test {
  protected:
-  void SetUp() override {
+  void SetUp() override { connect(); }
+
+  void connect() {
     c4g_driver::ClientOptions options;
     options.port = controller_.port();
     options.link_timeout = 2;  // patience for a busy machine
     options.tries = 40;
+    options.robot = std::make_shared<c4g_driver::RobotModel>(smart5_six());
+    options.limits.operation = c4g_driver::Operation::Automatic;
     client_ = std::make_unique<Client>(options, [this](const MeasuredState& state) {
       const Eigen::Isometry3d truth = controller_.flange_at(state.time);
       const std::lock_guard<std::mutex> lock(mutex_);
       errors_.push_back((state.robot.flange.translation() - truth.translation()).norm());
     });
-    for (int i = 0; i < 1000 && !client_->link().up; ++i)
+    ASSERT_TRUE(eventually([this] { return client_->link().up; }));
+  }
+
+  static bool eventually(const std::function<bool()>& condition) {
+    for (int i = 0; i < 2000 && !condition(); ++i)
       usleep(10'000);
-    ASSERT_TRUE(client_->link().up);
+    return condition();
+  }
+
+  void start_long_move() {
+    client_->move_to_pose(looking_down(0.8, 0.35, 0.6), 100);
+    ASSERT_TRUE(eventually([this] { return truth().translation().y() > 0.03; }));
+  }
+
+  Eigen::Isometry3d truth() const { return controller_.state().flange; }
+
+  /// Connected, and standing as long as ten polls take.
+  void expect_rest() {
+    ASSERT_TRUE(eventually([this] {
+      const auto state = client_->latest();
+      return client_->link().up && state &&
+             state->robot.status != c4g_driver::MotionStatus::Moving &&
+             controller_.state().status != scan_cell_sim::MotionStatus::Moving;
+    }));
+    const Eigen::Isometry3d resting = truth();
+    EXPECT_LT(resting.translation().y(), 0.349);
+    const std::size_t before = heard();
+    ASSERT_TRUE(eventually([&] { return heard() >= before + 10; }));
+    EXPECT_EQ((truth().translation() - resting.translation()).norm(), 0);
+    EXPECT_EQ(controller_.motions_begun(), 1u);
+  }
+
+  void expect_a_new_goal_moves_it() {
+    client_->move_to_pose(looking_down(0.8, 0, 0.6), 100);
+    EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::Reached);
+    EXPECT_EQ(controller_.motions_begun(), 2u);
+  }
+
+  std::size_t heard() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return errors_.size();
   }
 
   void expect_at(const Eigen::Isometry3d& target) {
@@ -81,7 +118,7 @@ TEST_F(Together, ReachPosesInWhateverOrientation) {
   std::uniform_real_distribution<double> tilt(-0.4, 0.4);
   std::uniform_real_distribution<double> turn(-1.0, 1.0);
   client_->set_linear_speed(1.0);
-  client_->set_parameter("rotational_speed", "180");
+  client_->set_parameter("rotational_speed", "90");
   for (int i = 0; i < 6; ++i) {
     Eigen::Isometry3d target = looking_down(0.8, 0.1 * turn(random), 0.6 + 0.1 * turn(random));
     if (i > 0) {  // the first looks straight down, where the Euler angles are degenerate
@@ -112,7 +149,7 @@ TEST_F(Together, MoveJointsToWhereDenavitAndHartenbergSay) {
 TEST_F(Together, CarryOutEveryMotionOnceOverABadWire) {
   scan_cell_sim::ControllerFaults faults;
   for (auto* wire : {&faults.to_client, &faults.from_client})
-    *wire = {0.2, 0.2, 0.2, 0.01, false};
+    wire->lost = wire->repeated = wire->delayed = 0.2;
   controller_.set_faults(faults);
   for (int i = 1; i <= 8; ++i) {
     const Eigen::Isometry3d target = looking_down(0.8, i % 2 == 0 ? 0.0 : 0.05, 0.6);
@@ -139,15 +176,47 @@ TEST_F(Together, KeepTheInstantsOfADriftingClock) {
   EXPECT_LT(median_error(), 0.25e-3);  // a millisecond at 0.25 m/s; usually 10 um
 }
 
-TEST_F(Together, EndTheGoalAtAnEmergencyStopForGood) {
-  client_->move_to_pose(looking_down(0.8, 0.35, 0.6), 100);
+TEST_F(Together, NeverMoveAgainWhenTheEmergencyStopIsReleased) {
+  start_long_move();
   controller_.press_e_stop();
   const Goal goal = client_->wait_for_goal(20);
   EXPECT_EQ(goal.outcome(), Goal::Outcome::Stopped);
   EXPECT_EQ(goal.message(), "emergency stop");
   EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0, 0.6), 100), scan_cell_common::Refused);
   controller_.release_e_stop();
-  usleep(300'000);
-  EXPECT_EQ(controller_.state().status, scan_cell_sim::MotionStatus::Stopped);
-  EXPECT_EQ(controller_.motions_begun(), 1u);
+  expect_rest();
+  client_->reset_alarms();
+  expect_rest();
+  client_->set_drives(true);
+  expect_rest();
+  expect_a_new_goal_moves_it();
+}
+
+TEST_F(Together, NeverMoveAgainWhenTheLinkIsBack) {
+  start_long_move();
+  scan_cell_sim::ControllerFaults cut;
+  cut.to_client.link_down = cut.from_client.link_down = true;
+  controller_.set_faults(cut);
+  EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::LinkLost);
+  controller_.set_faults({});
+  expect_rest();
+  expect_a_new_goal_moves_it();
+}
+
+TEST_F(Together, NeverMoveAgainWhenTheControllerWasRestarted) {
+  start_long_move();
+  controller_.restart(0.3);
+  EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::LinkLost);
+  expect_rest();
+  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::LinkLost);
+  expect_a_new_goal_moves_it();
+}
+
+TEST_F(Together, NeverMoveAgainForTheNextClient) {
+  start_long_move();
+  client_.reset();
+  connect();
+  expect_rest();
+  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::None);
+  expect_a_new_goal_moves_it();
 }

@@ -14,17 +14,22 @@
 #include <scan_cell_msgs/SetLinearSpeed.h>
 #include <scan_cell_msgs/SetOverride.h>
 #include <sensor_msgs/JointState.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 #include <sys/wait.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <mutex>
 #include <set>
 
 #include "closed_form.h"
+#include "scan_cell_common/child_process.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_sim/controller/controller.h"
 
@@ -378,6 +383,15 @@ TEST_F(Driver, EndsTheGoalAtAnEmergencyStop) {
   }));
   EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REFUSED);
   controller_->release_e_stop();
+  EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REFUSED) << "an alarm";
+  EXPECT_FALSE(call<std_srvs::SetBool>("set_drives",
+                                       with(&std_srvs::SetBool::Request::data, std::uint8_t{1}))
+                   .success);
+  EXPECT_TRUE(call<std_srvs::Trigger>("reset_alarms", {}).success);
+  EXPECT_TRUE(call<std_srvs::SetBool>("set_drives",
+                                      with(&std_srvs::SetBool::Request::data, std::uint8_t{1}))
+                  .success);
+  EXPECT_EQ(controller_->motions_begun(), 1u);
   EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REACHED);
 }
 
@@ -409,6 +423,29 @@ TEST_F(Driver, ReadsAndWritesParametersAndTheStaticPose) {
   EXPECT_FALSE(call<scan_cell_msgs::GetStaticPose>("get_static_pose", {}).success);
 }
 
+TEST_F(Driver, DiagnosesTheStreamTheClockAndTheRoundTrip) {
+  const Latest<diagnostic_msgs::DiagnosticArray> diagnostics(node_, "/diagnostics");
+  const auto most = [&](const std::string& key) {
+    double result = -1;
+    for (const auto& array : diagnostics.all()) {
+      for (const auto& status : array.status) {
+        if (status.name != "c4g_driver: link") continue;
+        for (const auto& entry : status.values) {
+          if (entry.key == key) result = std::max(result, std::stod(entry.value));
+        }
+      }
+    }
+    return result;
+  };
+  start_long_move();
+  EXPECT_TRUE(eventually([&] { return most("positions a second") > 50; }));
+  EXPECT_LT(most("positions a second"), 300);
+  EXPECT_GT(most("round trip of a request, half within [ms]"), 0);
+  EXPECT_GT(most("from datagram to tf, 99 % within [ms]"), 0);
+  EXPECT_TRUE(eventually([&] { return most("controller's clock, watched for [s]") > 2; }));
+  EXPECT_GT(most("controller's clock, residual [us]"), -1);
+}
+
 TEST_F(Driver, DiagnosesLinkAndRobot) {
   const Latest<diagnostic_msgs::DiagnosticArray> diagnostics(node_, "/diagnostics");
   std::set<std::string> names;
@@ -434,6 +471,39 @@ TEST(OtherDriver, SpeaksWithAControllerProcessOverABadWire) {
   EXPECT_LT(distance(from_ros(move.getResult()->pose.pose), looking_down(0.80, 0.05, 0.60)), 1e-4);
 }
 
+TEST(KilledDriver, LeavesNothingThatMovesTheRobotWhenItIsStartedAgain) {
+  scan_cell_sim::ControllerOptions options;
+  options.port = 35413;
+  scan_cell_sim::Controller controller(options);
+  const auto node_beside_this_test =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "c4g_driver_node";
+  const std::vector<std::string> command = {node_beside_this_test, "__name:=mortal",
+                                            "_address:=127.0.0.1", "_port:=35413"};
+  scan_cell_common::ChildProcess first(command);
+  MoveClient move("/mortal/move", true);
+  ASSERT_TRUE(move.waitForServer(kPatience));
+  ros::NodeHandle node;
+  const Latest<RobotStatus> status(node, "/mortal/status");
+  const auto connected = [&] {
+    return status.is([](const RobotStatus& now) { return now.connected; });
+  };
+  ASSERT_TRUE(eventually(connected));
+  move.sendGoal(to_pose(looking_down(0.80, 0.35, 0.60)));
+  ASSERT_TRUE(eventually([&] { return controller.state().flange.translation().y() > 0.03; }));
+  kill(first.id(), SIGKILL);
+  first.wait();
+  ASSERT_TRUE(eventually(
+      [&] { return controller.state().status == scan_cell_sim::MotionStatus::Stopped; }));
+  const Eigen::Isometry3d stopped = controller.state().flange;
+  EXPECT_LT(stopped.translation().y(), 0.349);
+
+  const std::size_t before = status.all().size();
+  const scan_cell_common::ChildProcess second(command);
+  ASSERT_TRUE(eventually([&] { return status.all().size() > before + 10 && connected(); }));
+  EXPECT_EQ(distance(controller.state().flange, stopped), 0);
+  EXPECT_EQ(controller.motions_begun(), 1u);
+}
+
 TEST(DriverStart, RefusesBadParametersByName) {
   const std::string address = "_address:=127.0.0.1 ";
   const std::vector<std::pair<std::string, std::string>> bad = {
@@ -442,7 +512,9 @@ TEST(DriverStart, RefusesBadParametersByName) {
       {address + "_port:=0", "/refused/port: 0"},
       {address + "_port:=5410.5", "/refused/port: not of type"},
       {address + "_port:=35412 _adress:=127.0.0.1", "/refused/adress: no such parameter"},
-      {address + "_most_linear_speed:=fast", "/refused/most_linear_speed: not of type"}};
+      {address + "_most_linear_speed:=fast", "/refused/most_linear_speed: not of type"},
+      {address + "_operation:=fast", "/refused/operation: 'fast'"},
+      {address + "_flange_link:=hand", "robot description: no chain from 'base_link' to 'hand'"}};
   for (const auto& [parameters, complaint] : bad) {
     const auto [code, said] =
         run_command("rosrun c4g_driver c4g_driver_node __name:=refused " + parameters);

@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 #include <urdf/model.h>
 
-#include <array>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl_parser/kdl_parser.hpp>
 #include <random>
 
-#include "c4g_driver/limits.h"
 #include "closed_form.h"
 
 namespace {
@@ -60,18 +58,6 @@ TEST_F(Urdf, PutsTheFlangeWhereTheDataSheetPutsIt) {
     for (double& joint : joints)
       joint = angle(random);
     EXPECT_TRUE(solve(chain_, joints).isApprox(flange_by_denavit_hartenberg(joints), 1e-12));
-  }
-}
-
-TEST_F(Urdf, HasTheRangesThatTheDriverKeepsAndTheSpeedsOfTheDataSheet) {
-  const c4g_driver::RobotLimits limits;
-  const std::array<double, 6> speeds = {140, 160, 170, 450, 375, 550};
-  for (int i = 0; i < 6; ++i) {
-    const auto joint = model_.getJoint("joint_" + std::to_string(i + 1));
-    ASSERT_TRUE(joint);
-    EXPECT_NEAR(joint->limits->lower, limits.joint_lower[i], 1e-12);
-    EXPECT_NEAR(joint->limits->upper, limits.joint_upper[i], 1e-12);
-    EXPECT_NEAR(joint->limits->velocity, speeds[static_cast<std::size_t>(i)] * M_PI / 180, 1e-12);
   }
 }
 

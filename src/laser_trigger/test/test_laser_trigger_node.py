@@ -20,6 +20,17 @@ from scan_cell_msgs.srv import ArmTrigger, DisarmTrigger
 from std_msgs.msg import Empty
 
 PULSE = 1
+CLIENT = '''
+import rospy
+from scan_cell_msgs.msg import TriggerState
+from scan_cell_msgs.srv import ArmTrigger
+rospy.init_node("client_to_kill")
+rospy.Subscriber("/laser_trigger/state", TriggerState, lambda state: None)
+rospy.wait_for_message("/laser_trigger/state", TriggerState, 30)
+arm = rospy.ServiceProxy("/laser_trigger/arm", ArmTrigger)
+assert arm(rate=100, lasers=3).success
+rospy.spin()
+'''
 
 
 class Circuit(threading.Thread):
@@ -141,6 +152,28 @@ class LaserTriggerNode(unittest.TestCase):
         self.wait(lambda: not self.states[-1].armed, 'the state says so')
         self.assertIn('keep-alive', self.states[-1].message)
         self.assertEqual(self.states[-1].lasers, 0)
+
+    def test_4b_disarms_when_the_client_that_armed_it_is_killed_though_others_keep_it_alive(self):
+        client = subprocess.Popen(['/usr/bin/python3', '-c', CLIENT])
+        try:
+            self.wait(lambda: self.circuit.data() not in (None, b'\x00'), 'the client has armed it')
+        finally:
+            client.kill()
+            client.wait()
+        self.lines_go_low()
+        self.wait(lambda: not self.states[-1].armed, 'the state says so')
+        self.assertEqual(self.states[-1].message, 'its client /client_to_kill is gone')
+
+    def test_4c_stays_armed_when_another_listener_is_killed(self):
+        listener = subprocess.Popen(['/usr/bin/python3', '-c', CLIENT.split('arm = ')[0] +
+                                     'print("listens", flush=True)\nrospy.spin()'], stdout=subprocess.PIPE)
+        self.assertEqual(listener.stdout.readline(), b'listens\n')
+        self.arm_and_wait(3)
+        listener.kill()
+        listener.wait()
+        before = len(self.circuit.rising_edges())
+        self.wait(lambda: len(self.circuit.rising_edges()) > before + 50, 'pulses go on')
+        self.assertTrue(self.disarm().success)
 
     def test_5_refuses_to_start_with_a_bad_parameter(self):
         for argument, name in (('_pulse_width:=-1', 'pulse_width'), ('_portt:=loopback', 'portt'),

@@ -60,19 +60,22 @@ TEST(PulseGenerator, HasTheLinesLowBeforeItSaysThatItIsDisarmed) {
   } port;
   PulseGenerator::Settings settings;
   settings.keep_alive_timeout = 0.1;
-  std::vector<int> at_change;
-  std::atomic<int> changes{0};
+  std::mutex mutex;
+  std::vector<int> at_change;  // by the thread that arms, and by that of the pulses
   PulseGenerator generator(port, nullptr, settings,
                            {[](const Pulse&) {},
                             [&] {
+                              const std::lock_guard<std::mutex> lock(mutex);
                               at_change.push_back(port.data);
-                              ++changes;
                             }});
   generator.arm({100, kBoth, 0});
   generator.disarm("enough");
   EXPECT_EQ(port.data, 0);
   generator.arm({100, kBoth, 0});
-  ASSERT_TRUE(wait_for([&] { return changes == 4; }));  // by itself, without a keep-alive
+  ASSERT_TRUE(wait_for([&] {  // by itself, without a keep-alive
+    const std::lock_guard<std::mutex> lock(mutex);
+    return at_change.size() == 4;
+  }));
   EXPECT_EQ(at_change[1], 0);
   EXPECT_EQ(at_change[3], 0);
 }

@@ -57,12 +57,19 @@ struct FakeRobot : scan_cell::Robot {
     if (cell.looks >= 10) return {Motion::State::Reached, 1, ""};
     return {Motion::State::Moving, std::max(0, cell.looks - 2) / 10.0, ""};
   }
+  std::string unseen() const override {
+    const bool is = unseen_from <= looks_for_it && looks_for_it < unseen_until;
+    ++looks_for_it;
+    return is ? "robot: no pose" : "";
+  }
   std::string hindrance() const override { return ""; }
   Eigen::Isometry3d static_pose() override { return Eigen::Isometry3d::Identity(); }
   void stop() noexcept override { cell.log.emplace_back("stop robot"); }
   FakeCell& cell;
   bool fails = false;
   bool stuck = false;
+  int unseen_from = 0, unseen_until = 0;  // in looks for it
+  mutable int looks_for_it = 0;
   std::optional<Motion::State> ends_at_once;
 };
 
@@ -214,6 +221,21 @@ TEST_F(ScanSequence, EndsSafelyWithTheReasonWhenADeviceIsLost) {
     EXPECT_EQ(end.message, device + " is lost");
     expect_safe();
   }
+}
+
+TEST_F(ScanSequence, EndsSafelyWhereTheRobotIsNotSeenAtTwoLooksInARow) {
+  robot_.unseen_from = 2;
+  robot_.unseen_until = 4;
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::RobotLost);
+  EXPECT_EQ(end.message, "robot: no pose");
+  expect_safe();
+}
+
+TEST_F(ScanSequence, GoesOnWhereTheRobotIsNotSeenAtOneLookOnly) {
+  robot_.unseen_from = 2;
+  robot_.unseen_until = 3;
+  EXPECT_EQ(run().outcome, Outcome::Finished) << "this process may have been held up itself";
 }
 
 TEST_F(ScanSequence, StopsTheRobotAndKeepsTheDataWhenCancelled) {

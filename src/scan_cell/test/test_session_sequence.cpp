@@ -50,6 +50,7 @@ struct FakeRobot : scan_cell::Robot {
     if (++looks < 3) return {Motion::State::Moving, 0.1 * looks, ""};
     return end == ends.end() ? Motion{Motion::State::Reached, 1, ""} : end->second;
   }
+  std::string unseen() const override { return ""; }
   std::string hindrance() const override { return hindered; }
   Eigen::Isometry3d static_pose() override {
     cell.note("pose");

@@ -26,9 +26,18 @@ std::string nothing(const scan_cell::VideeCommand&, const ClientThere&) {
   return "";
 }
 
+scan_cell::VideeServer::Options at_any_port() {
+  scan_cell::VideeServer::Options options;
+  options.port = 0;
+  return options;
+}
+
 class Client {
  public:
-  explicit Client(std::uint16_t port) {
+  /// @param from the client's own address
+  explicit Client(std::uint16_t port, const std::string& from = "127.0.0.1") {
+    socket_.open(tcp::v4());
+    socket_.bind({boost::asio::ip::make_address(from), 0});
     socket_.connect({boost::asio::ip::make_address("127.0.0.1"), port});
   }
   void send(const std::string& text) { boost::asio::write(socket_, boost::asio::buffer(text)); }
@@ -38,6 +47,13 @@ class Client {
     std::string line;
     std::getline(stream, line);
     return line;
+  }
+  /// Whether the server hung up, once it has, after any lines that receive() did not take.
+  bool hung_up() {
+    boost::system::error_code error;
+    while (!error)
+      boost::asio::read(socket_, buffer_, boost::asio::transfer_at_least(1), error);
+    return error == boost::asio::error::eof || error == boost::asio::error::connection_reset;
   }
 
  private:
@@ -105,7 +121,7 @@ TEST(VideeCommand, NeverCrashesOnNoise) {
 
 TEST(VideeServer, AnswersEachCommandInTurn) {
   scan_cell::VideeServer server(
-      "127.0.0.1", 0,
+      at_any_port(),
       [](const scan_cell::VideeCommand& command, const auto&) -> std::string {
         if (command.kind == VideeCommandKind::StartScan) {
           throw scan_cell_common::Refused("START_SCAN", "no positions", "send SET_POSITION first");
@@ -123,7 +139,7 @@ TEST(VideeServer, AnswersEachCommandInTurn) {
 
 TEST(VideeServer, TakesTheNextClientAfterOneIsLostAndSaysSo) {
   std::atomic<int> lost{0};
-  scan_cell::VideeServer server("127.0.0.1", 0, nothing, [&lost] { ++lost; });
+  scan_cell::VideeServer server(at_any_port(), nothing, [&lost] { ++lost; });
   { Client client(server.port()); }
   Client next(server.port());
   next.send("RESET\n");
@@ -131,12 +147,91 @@ TEST(VideeServer, TakesTheNextClientAfterOneIsLostAndSaysSo) {
   EXPECT_EQ(lost, 1);
 }
 
+TEST(VideeServer, TellsASecondClientThatThereIsOneAndServesTheFirstOn) {
+  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
+  Client first(server.port());
+  first.send("RESET\n");
+  EXPECT_EQ(first.receive(), "OK");
+  Client second(server.port());
+  EXPECT_EQ(second.receive(), "ERROR another client is connected, from 127.0.0.1; try again later");
+  EXPECT_TRUE(second.hung_up());
+  first.send("RESET\n");
+  EXPECT_EQ(first.receive(), "OK");
+}
+
+TEST(VideeServer, TellsASecondClientAlsoWhileACommandIsUnderWay) {
+  std::promise<void> begun, end;
+  scan_cell::VideeServer server(
+      at_any_port(),
+      [&](const scan_cell::VideeCommand&, const ClientThere&) {
+        begun.set_value();
+        end.get_future().wait();
+        return "";
+      },
+      [] {});
+  Client first(server.port());
+  first.send("STOP_SCAN\n");
+  begun.get_future().wait();
+  EXPECT_EQ(Client(server.port()).receive().find("ERROR another client"), 0U);
+  end.set_value();
+  EXPECT_EQ(first.receive(), "OK");
+}
+
+TEST(VideeServer, HangsUpOnAClientThatIsIdleForTooLongAndSaysSo) {
+  auto options = at_any_port();
+  options.idle_time = 0.2;
+  std::atomic<int> lost{0};
+  scan_cell::VideeServer server(options, nothing, [&lost] { ++lost; });
+  Client client(server.port());
+  client.send("RES");  // half a command is none
+  EXPECT_EQ(client.receive(), "ERROR no command for 0 s; connect again");
+  EXPECT_TRUE(client.hung_up());
+  Client next(server.port());
+  next.send("RESET\n");
+  EXPECT_EQ(next.receive(), "OK");
+  EXPECT_GE(lost, 1) << "what the idle one had under way must be cancelled";
+}
+
+TEST(VideeServer, HasNoIdleTimeLimitForACommandUnderWay) {
+  auto options = at_any_port();
+  options.idle_time = 0.2;
+  scan_cell::VideeServer server(
+      options,
+      [](const scan_cell::VideeCommand&, const ClientThere&) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        return "late";
+      },
+      [] {});
+  Client client(server.port());
+  client.send("STOP_SCAN\n");
+  EXPECT_EQ(client.receive(), "OK late");
+}
+
+TEST(VideeServer, AnswersNobodyButTheClientItIsSetTo) {
+  auto options = at_any_port();
+  options.client = "127.0.0.9";
+  std::atomic<int> commands{0};
+  scan_cell::VideeServer server(
+      options,
+      [&commands](const scan_cell::VideeCommand&, const ClientThere&) {
+        ++commands;
+        return "";
+      },
+      [] {});
+  Client stranger(server.port(), "127.0.0.2");
+  EXPECT_TRUE(stranger.hung_up());
+  EXPECT_EQ(commands, 0);
+  Client ours(server.port(), "127.0.0.9");
+  ours.send("RESET\n");
+  EXPECT_EQ(ours.receive(), "OK");
+}
+
 TEST(VideeServer, NoticesALostClientWhileItsCommandIsUnderWay) {
   std::promise<void> begun;
   std::promise<void> lost;
   bool noticed = false;
   scan_cell::VideeServer server(
-      "127.0.0.1", 0,
+      at_any_port(),
       [&](const scan_cell::VideeCommand&, const ClientThere& client_there) {
         EXPECT_TRUE(client_there());
         begun.set_value();
@@ -157,7 +252,7 @@ TEST(VideeServer, NoticesALostClientWhileItsCommandIsUnderWay) {
 }
 
 TEST(VideeServer, ProbesALineThatIsSilentSoThatAPulledCableIsNoticed) {
-  scan_cell::VideeServer server("127.0.0.1", 0, nothing, [] {});
+  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
   Client client(server.port());
   client.send("RESET\n");
   EXPECT_EQ(client.receive(), "OK");
@@ -183,7 +278,7 @@ TEST(VideeServer, ProbesALineThatIsSilentSoThatAPulledCableIsNoticed) {
 
 TEST(VideeServer, AnswersInOneLineWhateverIsThrown) {
   scan_cell::VideeServer server(
-      "127.0.0.1", 0,
+      at_any_port(),
       [](const scan_cell::VideeCommand&, const auto&) -> std::string {
         throw std::runtime_error("two\nlines");
       },
@@ -195,14 +290,25 @@ TEST(VideeServer, AnswersInOneLineWhateverIsThrown) {
 }
 
 TEST(VideeServer, CutsOffALineWithoutEnd) {
-  scan_cell::VideeServer server("127.0.0.1", 0, nothing, [] {});
+  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
   Client client(server.port());
   client.send(std::string(5000, 'A'));
   EXPECT_EQ(client.receive(), "ERROR line too long");
 }
 
+TEST(VideeServer, CutsOffALineOneByteTooLongAndTakesOneThatIsNot) {
+  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
+  const std::string longest = "RESET" + std::string(1018, ' ');  // 1024 bytes with its end
+  Client client(server.port());
+  client.send(longest + "\n");
+  EXPECT_EQ(client.receive(), "OK");
+  client.send(longest + " \n");
+  EXPECT_EQ(client.receive(), "ERROR line too long");
+}
+
 TEST(VideeServer, RefusesAPortInUse) {
-  scan_cell::VideeServer server("127.0.0.1", 0, nothing, [] {});
-  EXPECT_THROW(scan_cell::VideeServer("127.0.0.1", server.port(), nothing, [] {}),
-               scan_cell_common::ConnectionError);
+  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
+  scan_cell::VideeServer::Options same;
+  same.port = server.port();
+  EXPECT_THROW(scan_cell::VideeServer(same, nothing, [] {}), scan_cell_common::ConnectionError);
 }

@@ -211,9 +211,11 @@ class LaunchFiles(unittest.TestCase):
         with self.assertRaises(Exception):
             load(self.cell, sim='true', settings='/no/such/settings.yaml')
 
-    def test_starts_the_trigger_again_only_where_asked(self):
-        self.assertFalse(self.nodes(sim='true')['laser_trigger'].respawn)
-        self.assertTrue(self.nodes(sim='true', respawn_trigger='true')['laser_trigger'].respawn)
+    def test_starts_what_died_again_only_where_asked(self):
+        names = ('c4g_driver', 'camera', 'laser_trigger', 'scan_cell', 'scan_cell_sim')
+        for asked in (False, True):
+            nodes = self.nodes(sim='true', respawn=str(asked).lower())
+            self.assertEqual({name: nodes[name].respawn for name in names}, dict.fromkeys(names, asked))
 
 
 if __name__ == '__main__':

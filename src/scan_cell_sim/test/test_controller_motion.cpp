@@ -17,11 +17,13 @@ using Eigen::Vector3d;
 using scan_cell_common::from_seconds;
 using scan_cell_common::Nanoseconds;
 using scan_cell_sim::ControllerErrorCode;
+using scan_cell_sim::ControllerMode;
 using scan_cell_sim::ControllerRefusal;
 using scan_cell_sim::Joints;
 using scan_cell_sim::MotionControl;
 using scan_cell_sim::MotionStatus;
 using scan_cell_sim::SpeedProfile;
+using Source = scan_cell_sim::Readiness::Source;
 
 namespace {
 
@@ -262,8 +264,83 @@ TEST_F(Motion, DoesNotGoOnAfterAnEmergencyStop) {
       refusal([this] { control_.move_to_joints(2, at(0).joints, 0, kStart + 1'000'000'000); }),
       ControllerErrorCode::EmergencyStop);
   control_.release_e_stop();
+  control_.reset_alarms(Source::Client);
+  control_.switch_drives(true, Source::Client, kStart + 2'000'000'000);
   expect_same(at(20).flange, stopped.flange, 1e-12);
   EXPECT_EQ(at(20).status, MotionStatus::Stopped);
+}
+
+TEST_F(Motion, StaysWithin250MillimetresASecondInModeProgramming) {
+  auto settings = control_.settings();
+  settings.line.speed = 1.5;
+  control_.set(settings, kStart);
+  control_.select(ControllerMode::Programming, kStart);
+  control_.switch_drives(true, Source::Panel, kStart);
+  const auto fastest = [this](double from) {
+    double speed = 0;
+    for (double time = from; at(time).status == MotionStatus::Moving; time += 0.01) {
+      const Vector3d way = at(time + 0.01).flange.translation() - at(time).flange.translation();
+      speed = std::max(speed, way.norm() / 0.01);
+    }
+    return speed;
+  };
+  control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
+  EXPECT_NEAR(fastest(0), 0.25, 1e-4);
+  Joints far = at(100).joints;
+  far[0] += 120 * kDegree;
+  far[1] -= 30 * kDegree;
+  control_.move_to_joints(2, far, 0, kStart + from_seconds(100));
+  EXPECT_NEAR(fastest(100), 0.25, 1e-4);
+}
+
+TEST_F(Motion, EndsForGoodWhenTheEnablingDeviceIsReleased) {
+  control_.select(ControllerMode::Programming, kStart);
+  EXPECT_EQ(refusal([this] { control_.move_to_joints(1, at(0).joints, 0, kStart); }),
+            ControllerErrorCode::EmergencyStop)
+      << "another mode switches the drives off";
+  control_.switch_drives(true, Source::Panel, kStart);
+  control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
+  control_.switch_drives(false, Source::Panel, kStart + from_seconds(0.5));
+  EXPECT_EQ(at(0.6).status, MotionStatus::Stopped);
+  EXPECT_EQ(at(0.6).why->code, ControllerErrorCode::EmergencyStop);
+  control_.switch_drives(true, Source::Panel, kStart + from_seconds(1));
+  expect_same(at(20).flange, at(0.6).flange, 1e-12);
+}
+
+TEST_F(Motion, EndsWhenAnotherModeIsSelected) {
+  control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
+  control_.select(ControllerMode::Automatic, kStart + from_seconds(0.5));
+  EXPECT_EQ(at(0.6).status, MotionStatus::Stopped);
+  EXPECT_EQ(at(0.6).why->code, ControllerErrorCode::Mode);
+  control_.switch_drives(true, Source::Panel, kStart + from_seconds(1));
+  EXPECT_EQ(refusal([this] { control_.move_to_joints(2, at(0).joints, 0, kStart + 2000000000); }),
+            ControllerErrorCode::Mode);
+}
+
+TEST_F(Motion, EndsWithAnAlarmThatStandsUntilItIsReset) {
+  control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
+  control_.fail("following error of J2", kStart + from_seconds(0.5));
+  EXPECT_EQ(at(0.6).status, MotionStatus::Error);
+  ASSERT_EQ(at(0.6).readiness.alarms().size(), 1u);
+  EXPECT_EQ(at(0.6).readiness.alarms().front().text, "following error of J2");
+  EXPECT_FALSE(at(0.6).readiness.drives());
+  const auto move = [this] { control_.move_to_joints(2, at(0).joints, 0, kStart + 1000000000); };
+  EXPECT_EQ(refusal(move), ControllerErrorCode::Alarm);
+  EXPECT_EQ(refusal([this] { control_.switch_drives(true, Source::Client, kStart); }),
+            ControllerErrorCode::Alarm);
+  control_.reset_alarms(Source::Client);
+  EXPECT_EQ(refusal(move), ControllerErrorCode::EmergencyStop) << "the drives are off still";
+  control_.switch_drives(true, Source::Client, kStart);
+  EXPECT_NO_THROW(move());
+}
+
+TEST(Readiness, KeepsTheFirstAlarmAndTheNewest) {
+  scan_cell_sim::Readiness readiness;
+  for (int i = 0; i < 20; ++i)
+    readiness.raise({ControllerErrorCode::MotionFailed, std::to_string(i)});
+  ASSERT_EQ(readiness.alarms().size(), 4u);
+  EXPECT_EQ(readiness.alarms().front().text, "0");
+  EXPECT_EQ(readiness.alarms().back().text, "19");
 }
 
 TEST_F(Motion, RefusesWhatTheRobotCannotDo) {

@@ -2,97 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// The controller on its real wire, asked with packets written out by hand.
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "bare_client.h"
 #include "scan_cell_common/errors.h"
-#include "scan_cell_sim/controller/controller.h"
 
 using nlohmann::json;
 using scan_cell_common::Nanoseconds;
 using scan_cell_sim::Controller;
 using scan_cell_sim::ControllerFaults;
+using scan_cell_sim::ControllerMode;
 using scan_cell_sim::ControllerOptions;
 using scan_cell_sim::MotionStatus;
 
 namespace {
-
-Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
-ControllerOptions any_port() {
-  ControllerOptions options;
-  options.port = 0;
-  return options;
-}
-
-/// A client that says exactly what it is told to.
-class BareClient {
- public:
-  explicit BareClient(std::uint16_t port) : socket_(socket(AF_INET, SOCK_DGRAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-  }
-  ~BareClient() { close(socket_); }
-
-  void send(const std::string& text) { ::send(socket_, text.data(), text.size(), 0); }
-
-  /// The next datagram, or null.
-  json receive(int milliseconds = 2000) {
-    pollfd readable{socket_, POLLIN, 0};
-    if (poll(&readable, 1, milliseconds) != 1) return nullptr;
-    std::string text(65536, '\0');
-    const ssize_t length = recv(socket_, text.data(), text.size(), 0);
-    if (length < 0) return nullptr;
-    text.resize(static_cast<std::size_t>(length));
-    return json::parse(text);
-  }
-
-  json receive(const std::string& type, int milliseconds = 2000) {
-    json datagram = receive(milliseconds);
-    while (!datagram.is_null() && datagram["type"] != type)
-      datagram = receive(milliseconds);
-    return datagram;
-  }
-
-  /// Drops what has come: a full receive buffer takes no answer any more.
-  void drain() {
-    while (!receive(0).is_null()) {
-    }
-  }
-
-  json ask(std::uint64_t seq, json request, std::uint64_t session = 100) {
-    request.update({{"c4g", 1}, {"session", session}, {"seq", seq}});
-    send(request.dump());
-    return receive("ack");
-  }
-
-  json open(std::uint64_t session = 100) { return ask(1, {{"cmd", "OPEN"}}, session); }
-
- private:
-  int socket_;
-};
-
-json move_to(double x, double y, double z) {
-  return {{"cmd", "MOVE_CARTESIAN"}, {"pose", {x, y, z, 0, 180, 180}}, {"camera_fps", 100}};
-}
-
-int code(const json& ack) {
-  return ack["error"].is_null() ? 0 : ack["error"]["code"].get<int>();
-}
 
 class Wire : public testing::Test {
  protected:
@@ -122,7 +48,8 @@ TEST_F(Wire, TellsItsStartPosture) {
   EXPECT_NEAR(state["pose"][1].get<double>(), 0, 1e-9);
   EXPECT_NEAR(state["pose"][2].get<double>(), 600, 1e-9);
   EXPECT_NEAR(state["pose"][4].get<double>(), 180, 1e-9);
-  EXPECT_EQ(state["mode"], "auto");
+  EXPECT_EQ(state["mode"], "remote");
+  EXPECT_EQ(state["alarms"], json::array());
   EXPECT_EQ(state["drives"], true);
 }
 
@@ -218,6 +145,61 @@ TEST_F(Wire, AnswersEveryMistakeWithItsCode) {
   EXPECT_EQ(asked(move_to(800, 0, 600)), 11);
 }
 
+TEST_F(Wire, TakesMotionsAsItsModeAllows) {
+  client_.open();
+  const json short_way = move_to(800, 5, 600);
+  controller_.select(ControllerMode::Automatic);
+  controller_.switch_drives(true);
+  EXPECT_EQ(client_.ask(2, {{"cmd", "GET_STATIC_POSE"}})["state"]["mode"], "automatic");
+  EXPECT_EQ(code(client_.ask(3, short_way)), 16);
+  controller_.select(ControllerMode::Programming);
+  EXPECT_EQ(code(client_.ask(4, short_way)), 11) << "nobody holds the enabling device";
+  EXPECT_EQ(code(client_.ask(5, {{"cmd", "SET_DRIVES"}, {"drives", true}})), 16);
+  controller_.switch_drives(true);
+  EXPECT_EQ(client_.ask(6, {{"cmd", "GET_STATIC_POSE"}})["state"]["mode"], "programming");
+  EXPECT_EQ(code(client_.ask(7, short_way)), 0);
+}
+
+TEST_F(Wire, LetsAClientInModeRemoteResetAlarmsAndSwitchTheDrives) {
+  client_.open();
+  const json reset = {{"cmd", "RESET_ALARMS"}};
+  const auto drives = [](bool on) { return json{{"cmd", "SET_DRIVES"}, {"drives", on}}; };
+  controller_.press_e_stop();
+  EXPECT_EQ(code(client_.ask(2, reset)), 11);
+  EXPECT_EQ(code(client_.ask(3, drives(true))), 11);
+  controller_.release_e_stop();
+  const json released = client_.ask(4, move_to(800, 5, 600));
+  EXPECT_EQ(code(released), 17);
+  EXPECT_EQ(released["state"]["e_stop"], false);
+  EXPECT_EQ(released["state"]["drives"], false);
+  EXPECT_EQ(released["state"]["alarms"],
+            json::array({json{{"code", 11}, {"text", "emergency stop"}}}));
+  EXPECT_EQ(code(client_.ask(5, drives(true))), 17);
+  EXPECT_EQ(code(client_.ask(6, reset)), 0);
+  EXPECT_EQ(code(client_.ask(7, move_to(800, 5, 600))), 11);
+  EXPECT_EQ(code(client_.ask(8, drives(true))), 0);
+  EXPECT_EQ(code(client_.ask(9, move_to(800, 5, 600))), 0);
+  stream_until_still(client_);
+  EXPECT_EQ(code(client_.ask(10, {{"cmd", "SET_DRIVES"}, {"drives", 1}})), 1);
+  EXPECT_EQ(client_.ask(11, drives(false))["state"]["drives"], false);
+}
+
+TEST_F(Wire, FitsTheLongestAnswerIntoADatagram) {
+  client_.open(18446744073709551600u);
+  const std::string text(1000, '\x01');
+  for (int i = 0; i < 9; ++i)
+    controller_.fail_motion(text);
+  const json request = {{"cmd", std::string(600, '"')},
+                        {"c4g", 1},
+                        {"session", 18446744073709551600u},
+                        {"seq", 18446744073709551615u}};
+  client_.send(request);
+  const json answer = client_.receive("ack");
+  ASSERT_FALSE(answer.is_null());
+  EXPECT_EQ(code(answer), 6);
+  EXPECT_LE(answer.dump().size(), 1400u);
+}
+
 TEST_F(Wire, KeepsItsParameters) {
   client_.open();
   const json frame = {1, 2, 3, 4, 5, 6};
@@ -240,12 +222,28 @@ TEST_F(Wire, SurvivesRubbish) {
         std::string("{\"seq\":-2,\"session\":\"a\",\"c4g\":1,\"cmd\":\"STOP\"}"),
         std::string("{\"seq\":2,\"session\":100,\"c4g\":1,\"cmd\":\"\\ud800\"}")}) {
     client_.send(rubbish);
+    const json packet = json::parse(rubbish, nullptr, false);
+    if (packet.is_object()) client_.send(packet);
   }
   json ack = client_.ask(9, {{"cmd", "GET_STATIC_POSE"}});
   while (!ack.is_null() && ack["seq"] != 9)  // some rubbish was answered, with an error
     ack = client_.receive("ack");
   ASSERT_FALSE(ack.is_null());
   EXPECT_EQ(code(ack), 0);
+}
+
+TEST_F(Wire, DoesNothingThatWasSpoiltOnTheWay) {
+  client_.open();
+  json move = move_to(800, 100, 600);
+  move.update({{"c4g", 1}, {"session", 100}, {"seq", 2}});
+  std::string datagram = scan_cell_sim::sealed(move);
+  datagram[datagram.find("800")] = '9';
+  client_.send(datagram);
+  client_.send(move.dump());  // not sealed
+  EXPECT_TRUE(client_.receive(200).is_null());
+  EXPECT_EQ(controller_.motions_begun(), 0u);
+  const std::string sealed = scan_cell_sim::sealed({{"a", 1}});
+  EXPECT_EQ(sealed, R"({"a":1,"crc":2801990766})");
 }
 
 TEST_F(Wire, LosesRepeatsAndReordersOnRequest) {
@@ -256,13 +254,12 @@ TEST_F(Wire, LosesRepeatsAndReordersOnRequest) {
   faults.to_client.delayed = 0.1;
   faults.to_client.delay = 0.02;
   controller_.set_faults(faults);
-  client_.send(json({{"c4g", 1},
-                     {"session", 100},
-                     {"seq", 2},
-                     {"cmd", "MOVE_CARTESIAN"},
-                     {"pose", {800, 200, 600, 0, 180, 180}},
-                     {"camera_fps", 0}})
-                   .dump());
+  client_.send(json{{"c4g", 1},
+                    {"session", 100},
+                    {"seq", 2},
+                    {"cmd", "MOVE_CARTESIAN"},
+                    {"pose", {800, 200, 600, 0, 180, 180}},
+                    {"camera_fps", 0}});
   std::set<std::uint64_t> numbers;
   std::uint64_t newest = 0;
   int repeated = 0;
@@ -288,7 +285,7 @@ TEST_F(Wire, IsSilentWhileTheLinkIsDown) {
   faults.to_client.link_down = true;
   faults.from_client.link_down = true;
   controller_.set_faults(faults);
-  client_.send(json({{"c4g", 1}, {"session", 100}, {"seq", 2}, {"cmd", "STOP"}}).dump());
+  client_.send(json{{"c4g", 1}, {"session", 100}, {"seq", 2}, {"cmd", "STOP"}});
   EXPECT_TRUE(client_.receive(300).is_null());
   controller_.set_faults({});
   EXPECT_EQ(code(client_.ask(3, {{"cmd", "STOP"}})), 0);

@@ -202,8 +202,10 @@ TEST(SimulatorNode, LoadsAnotherWorldAndShowsItsParts) {
 }
 
 TEST(SimulatorNode, RefusesToStartWithABadParameterAndNamesIt) {
-  for (const std::string name : {"camera/wire_rate", "trigger/port", "optics/shot_noise",
-                                 "controller/stream_period", "true_flange_rate", "misspelt"}) {
+  for (const std::string name :
+       {"camera/wire_rate", "trigger/port", "optics/shot_noise", "controller/stream_period",
+        "controller/mode", "controller/to_client/lost", "controller/from_client/delay",
+        "true_flange_rate", "misspelt"}) {
     const std::string command =
         "rosrun scan_cell_sim scan_cell_sim_node __name:=bad_simulator _" + name + ":=-5 2>&1";
     FILE* const pipe = popen(command.c_str(), "r");

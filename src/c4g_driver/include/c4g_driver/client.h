@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -13,8 +14,10 @@
 #include <vector>
 
 #include "c4g_driver/codec.h"
+#include "c4g_driver/durations.h"
 #include "c4g_driver/goal.h"
 #include "c4g_driver/limits.h"
+#include "c4g_driver/motion_check.h"
 #include "c4g_driver/pose_feed.h"
 #include "c4g_driver/sequence_monitor.h"
 #include "c4g_driver/udp_socket.h"
@@ -22,13 +25,16 @@
 namespace c4g_driver {
 
 struct ClientOptions {
-  std::string address = "127.0.0.1";  //!< IPv4 of the controller
+  std::string local_address = "0.0.0.0";  //!< IPv4 of this machine's interface to it; 0.0.0.0: any
+  std::string address = "127.0.0.1";      //!< IPv4 of the controller
   std::uint16_t port = 5410;
   double link_timeout = 0.5;  //!< [s] no answer, or no fresh pose, for so long is a lost link
   int tries = 10;             //!< how often a request is sent within link_timeout
   double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
   double reconnect_period = 0.5;  //!< [s] between attempts to connect
   double clock_window = 2.0;      //!< [s] over which the least delay of the wire is sought
+  int realtime_priority = 0;      //!< of the receiving thread, SCHED_FIFO; 0: the usual scheduling
+  std::shared_ptr<const RobotModel> robot;  //!< required
   RobotLimits limits;
   ArrivalTolerance arrival;
 };
@@ -38,8 +44,13 @@ struct LinkReport {
   bool up = false;
   std::string message;  //!< why it is down
   std::uint64_t losses = 0;
+  std::uint64_t attempts = 0;  //!< to connect, since the start or the last loss
   SequenceCounts stream;
   PoseFeed::Counts dropped;
+  scan_cell_common::ClockMap::Figures clock;
+  Durations late;        //!< what the stream's datagrams were delayed by beyond the wire's least
+  Durations round_trip;  //!< of requests that were answered at the first try
+  Durations hand_on;     //!< from the kernel's stamp of a datagram until its pose was handed on
   std::uint64_t malformed = 0;
   std::string last_malformed;
   std::uint64_t foreign = 0;
@@ -59,7 +70,7 @@ class Client {
   /// Called from the client's own thread; must not call the client's requests.
   using Listener = std::function<void(const MeasuredState&)>;
 
-  /// @throw scan_cell_common::InvalidParameter if an option makes no sense
+  /// @throw scan_cell_common::InvalidParameter if an option makes no sense, or is not allowed
   Client(const ClientOptions& options, const Listener& listener);
 
   /// Stops the robot if a goal is under way, and closes the session.
@@ -68,7 +79,8 @@ class Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// Starts a motion; it is sent to the controller once, however often the packet is.
+  /// Starts a motion that MotionCheck lets pass; it is sent to the controller once, however often
+  /// the packet is.
   void move_to_pose(const Eigen::Isometry3d& flange, double camera_rate);
   void move_to_joints(const std::vector<double>& joints, double camera_rate);
 
@@ -77,6 +89,8 @@ class Client {
 
   void set_override(double percent);
   void set_linear_speed(double speed);  //!< [m/s]
+  void set_drives(bool on);
+  void reset_alarms();
   std::string get_parameter(const std::string& name);
   void set_parameter(const std::string& name, const std::string& json);
 
@@ -94,21 +108,32 @@ class Client {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void start_receiving();
   void receive();
   void handle(const UdpSocket::Received& received);
   void handle(const StreamedState& streamed, scan_cell_common::Nanoseconds arrival);
   void handle(const Acknowledgement& acknowledgement, scan_cell_common::Nanoseconds arrival);
   void take(std::uint64_t session, const RobotState& robot, scan_cell_common::Nanoseconds arrival,
             PoseFeed::Source source);
+  bool up() const;
   bool awaited(const Acknowledgement& acknowledgement) const;
+
+  MotionCheck motion_check(bool along_line);
+  MotionSettings settings_in_force();
+  SpeedLimit speed_limit() const;
+  double most_override() const;
 
   void keep();
   void connect();
   void lose(const std::string& reason);
   void poll();
 
-  /// @param target of a motion; it becomes the goal before anything is sent
-  Acknowledgement request(const Request& request, const Goal::Target* target = nullptr);
+  /// A motion: its target becomes the goal before anything is sent.
+  struct Start {
+    Goal::Target target;
+    double most_override;  //!< [%] see MotionCheck
+  };
+  Acknowledgement request(const Request& request, const Start* start = nullptr);
   std::optional<Acknowledgement> exchange(const std::string& datagram);
 
   const ClientOptions options_;
@@ -116,19 +141,25 @@ class Client {
   const Listener listener_;
   UdpSocket socket_;
 
-  std::mutex request_mutex_;  // one request at a time; taken before mutex_
+  std::mutex settings_mutex_;  // what a motion was checked with stays so until it begins
+  std::mutex request_mutex_;   // one request at a time; taken after settings_mutex_, before mutex_
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   bool up_ = false;
   std::string why_down_ = "no answer yet";
   std::uint64_t losses_ = 0;
+  std::uint64_t attempts_ = 0;
   std::uint64_t session_ = 0;
   std::uint64_t seq_ = 0;
   std::optional<Acknowledgement> answer_;
   Goal goal_;
+  double most_override_ = 100;  // [%] of the goal
   SequenceMonitor stream_;
   PoseFeed poses_;
+  Durations late_;
+  Durations round_trip_;
+  Durations hand_on_;
   std::uint64_t malformed_ = 0;
   std::string last_malformed_;
   bool ending_ = false;

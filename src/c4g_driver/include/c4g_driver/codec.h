@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "c4g_driver/robot_state.h"
@@ -39,14 +40,14 @@ struct SetParameter {
   std::string name;
   std::string value;  //!< JSON
 };
+struct SetDrives {
+  bool on;
+};
+struct ResetAlarms {};
 
-using Request = std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride,
-                             SetLinearSpeed, GetStaticPose, GetParameter, SetParameter>;
-
-/// What a SET_PARAMETER asks for where it does the same as SET_OVERRIDE [%] or SET_LINSPEED [m/s].
-/// @throw scan_cell_common::Refused if its value is no number
-std::optional<double> override_of(const SetParameter& set);
-std::optional<double> linear_speed_of(const SetParameter& set);
+using Request =
+    std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride, SetLinearSpeed,
+                 GetStaticPose, GetParameter, SetParameter, SetDrives, ResetAlarms>;
 
 /// The command's name on the wire.
 std::string name_of(const Request& request);
@@ -72,6 +73,6 @@ struct Acknowledgement {
 using Reply = std::variant<StreamedState, Acknowledgement>;
 
 /// @throw scan_cell_common::ProtocolError for anything else than such a datagram
-Reply parse(const std::string& datagram);
+Reply parse(std::string_view datagram);
 
 }  // namespace c4g_driver

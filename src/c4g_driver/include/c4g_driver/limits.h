@@ -2,24 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+#include <string>
 #include <vector>
 
+#include "c4g_driver/robot_model.h"
 #include "c4g_driver/robot_state.h"
 
 namespace c4g_driver {
 
-/// What may be asked of the robot.
-struct RobotLimits {
-  /// A Comau Smart5 SiX on the floor, with the bracket clear of it.
-  RobotLimits();
+/// Who may be near the robot: in manual operation people, so the flange goes slowly.
+enum class Operation { Manual, Automatic };
 
-  Joints joint_lower;                 //!< [rad]
-  Joints joint_upper;                 //!< [rad]
-  Eigen::Vector3d workspace_min;      //!< [m] box in base_link that targets of the flange lie in
-  Eigen::Vector3d workspace_max;      //!< [m]
-  double most_linear_speed = 1.5;     //!< [m/s]
-  double most_camera_rate = 10000.0;  //!< [Hz]
+/// What may be asked of the robot, beside what its model says.
+struct RobotLimits {
+  Operation operation = Operation::Manual;
+  Joints joint_lower = Joints::Constant(-std::numeric_limits<double>::infinity());  //!< [rad]
+  Joints joint_upper = Joints::Constant(std::numeric_limits<double>::infinity());   //!< [rad]
+  /// [m] box in base_link that the flange stays in; clear of the floor with the bracket
+  Eigen::Vector3d workspace_min{-1.4, -1.4, 0.15};
+  Eigen::Vector3d workspace_max{1.4, 1.4, 1.9};  //!< [m]
+  double most_linear_speed = 1.5;                //!< [m/s] along lines in automatic operation
+  double most_camera_rate = 10000.0;             //!< [Hz]
 };
+
+/// The same with the ranges of the joints narrowed to those of the robot.
+/// @throw scan_cell_common::InvalidParameter if a joint has no range left
+RobotLimits narrowed(const RobotLimits& limits, const RobotModel& robot);
+
+/// How fast the flange may go now.
+struct SpeedLimit {
+  double most = 0;       //!< [m/s]
+  bool reduced = false;  //!< for people near the robot: binds every motion, not only lines
+  std::string reason;
+};
+
+/// 250 mm/s (ISO 10218-1, reduced speed) unless both this cell and the controller are in automatic.
+/// @param state the controller's latest, if there is one
+SpeedLimit speed_limit(const RobotLimits& limits, const RobotState* state);
 
 // Each throws scan_cell_common::Refused, naming what is wrong.
 
@@ -30,9 +50,10 @@ void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits)
 /// Six, finite, each within its range.
 Joints check_joints(const std::vector<double>& joints, const RobotLimits& limits);
 void check_camera_rate(double rate, const RobotLimits& limits);
-void check_linear_speed(double speed, const RobotLimits& limits);
+void check_linear_speed(double speed, const SpeedLimit& limit);
 /// The speed that is set on the controller, by whomever.
-void check_speed_in_force(double speed, const RobotLimits& limits);
-void check_override(double percent);
+void check_speed_in_force(double speed, const SpeedLimit& limit);
+/// @param most [%] that the motion under way allows
+void check_override(double percent, double most = 100);
 
 }  // namespace c4g_driver

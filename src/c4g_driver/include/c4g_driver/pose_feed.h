@@ -47,6 +47,7 @@ class PoseFeed {
   /// True when the timeout is over since the latest fresh pose, or the restart.
   bool stale(Clock::time_point now) const;
 
+  scan_cell_common::ClockMap::Figures clock() const { return clock_.figures(); }
   const Counts& counts() const { return counts_; }
 
  private:

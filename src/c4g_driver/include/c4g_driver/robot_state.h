@@ -3,9 +3,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <boost/container/static_vector.hpp>
+#include <boost/static_string/static_string.hpp>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "scan_cell_common/timed_pose.h"
 
@@ -17,11 +18,18 @@ using Joints = Eigen::Matrix<double, 6, 1>;
 /// How the latest motion stands.
 enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
 
+/// Where the mode selector stands; docs/c4g_protocol.md says what each mode allows.
+enum class ControllerMode { Programming, Automatic, Remote };
+
 /// What the controller complains of; codes in docs/c4g_protocol.md.
 struct ControllerError {
   int code = 0;
-  std::string text;
+  boost::static_string<80> text;
 };
+
+/// Those that stand until they are reset. States come hundreds of times a second: nothing in them
+/// takes memory of its own.
+using Alarms = boost::container::static_vector<ControllerError, 4>;
 
 /// What the controller tells about the robot at one instant.
 struct RobotState {
@@ -34,15 +42,23 @@ struct RobotState {
   double camera_rate = 0;    //!< [Hz]
   bool e_stop = false;
   bool drives = false;
-  bool automatic = false;   //!< mode: automatic, or manual
-  double override = 0;      //!< [%]
-  double linear_speed = 0;  //!< [m/s]
-  std::optional<ControllerError> error;
+  ControllerMode mode = ControllerMode::Programming;
+  double override = 0;                   //!< [%]
+  double linear_speed = 0;               //!< [m/s]
+  std::optional<ControllerError> error;  //!< why the latest motion did not arrive
+  Alarms alarms;
 };
+
+/// Whether the controller would begin a motion that this client asks for.
+inline bool takes_motions(const RobotState& robot) {
+  return robot.drives && !robot.e_stop && robot.alarms.empty() &&
+         robot.mode != ControllerMode::Automatic;
+}
 
 /// A state, and its instant on the host's clock.
 struct MeasuredState {
   scan_cell_common::Nanoseconds time = 0;
+  scan_cell_common::Nanoseconds arrival = 0;  //!< when the kernel got the datagram
   RobotState robot;
 };
 

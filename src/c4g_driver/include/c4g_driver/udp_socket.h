@@ -8,23 +8,29 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "scan_cell_common/timed_pose.h"
 
 namespace c4g_driver {
 
 /// UDP to one peer: what comes from any other address or port is dropped and counted, and so are
-/// datagrams longer than allowed. Sending and receiving may happen in different threads.
+/// datagrams longer than allowed. One thread sends and one receives; receiving allocates nothing.
 class UdpSocket {
  public:
   struct Received {
-    std::string datagram;
+    std::string_view datagram;           //!< good until the next one is received
     scan_cell_common::Nanoseconds time;  //!< host time at which the kernel got it
   };
 
-  /// @throw scan_cell_common::InvalidParameter if `address` is no IPv4 address
+  /// @param local_address of this machine's interface to the peer; 0.0.0.0: any
+  /// @param address, port the peer's
+  /// @throw scan_cell_common::InvalidParameter if an address is no IPv4 address, or the local one
+  /// is not of this machine
   /// @throw scan_cell_common::ConnectionError if there are no sockets left
-  UdpSocket(const std::string& address, std::uint16_t port, std::size_t most_bytes);
+  UdpSocket(const std::string& local_address, const std::string& address, std::uint16_t port,
+            std::size_t most_bytes);
   ~UdpSocket();
 
   UdpSocket(const UdpSocket&) = delete;
@@ -42,9 +48,9 @@ class UdpSocket {
  private:
   std::optional<Received> take();
 
+  std::vector<char> bytes_;  // of the datagram received last
   int socket_ = -1;
   sockaddr_in peer_{};
-  std::size_t most_bytes_;
   std::atomic<std::uint64_t> foreign_{0};
   std::atomic<std::uint64_t> overlong_{0};
 };

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "c4g_driver/codec.h"
+#include "c4g_driver/seal.h"
 #include "c4g_driver/wire_units.h"
 #include "scan_cell_common/errors.h"
 
@@ -24,15 +25,6 @@ json value_of(const SetParameter& set) {
   return value;
 }
 
-std::optional<double> number_of(const SetParameter& set, const std::string& name) {
-  if (set.name != name) return std::nullopt;
-  const json value = value_of(set);
-  if (!value.is_number()) {
-    throw Refused("value of " + set.name, "'" + set.value + "'", "give a number");
-  }
-  return value.get<double>();
-}
-
 struct Name {
   const char* operator()(const Open&) const { return "OPEN"; }
   const char* operator()(const Close&) const { return "CLOSE"; }
@@ -44,6 +36,8 @@ struct Name {
   const char* operator()(const GetStaticPose&) const { return "GET_STATIC_POSE"; }
   const char* operator()(const GetParameter&) const { return "GET_PARAMETER"; }
   const char* operator()(const SetParameter&) const { return "SET_PARAMETER"; }
+  const char* operator()(const SetDrives&) const { return "SET_DRIVES"; }
+  const char* operator()(const ResetAlarms&) const { return "RESET_ALARMS"; }
 };
 
 struct Arguments {
@@ -61,6 +55,7 @@ struct Arguments {
   json operator()(const SetParameter& set) const {
     return {{"name", set.name}, {"value", value_of(set)}};
   }
+  json operator()(const SetDrives& set) const { return {{"drives", set.on}}; }
   template <class Other>
   json operator()(const Other&) const {
     return json::object();
@@ -68,17 +63,6 @@ struct Arguments {
 };
 
 }  // namespace
-
-std::optional<double> override_of(const SetParameter& set) {
-  return number_of(set, "override");
-}
-
-std::optional<double> linear_speed_of(const SetParameter& set) {
-  const auto speed = number_of(set, "linear_speed");
-  if (!speed) return std::nullopt;
-  constexpr double kMillimetresAMetre = 1e3;  // divided by, 700 mm/s is 0.7 m/s to the last digit
-  return *speed / kMillimetresAMetre;
-}
 
 std::string name_of(const Request& request) {
   return std::visit(Name(), request);
@@ -90,7 +74,7 @@ std::string build(const Request& request, std::uint64_t session, std::uint64_t s
   packet["session"] = session;
   packet["seq"] = seq;
   packet["cmd"] = name_of(request);
-  std::string text = packet.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string text = seal(packet.dump(-1, ' ', false, json::error_handler_t::replace));
   if (text.size() > kMostDatagramBytes) {
     throw Refused(name_of(request) + " packet", std::to_string(text.size()) + " bytes",
                   "give a value of fewer than " + std::to_string(kMostDatagramBytes) + " bytes");

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "c4g_driver/kinematics.h"
+#include "c4g_driver/parameter_values.h"
 #include "scan_cell_common/errors.h"
 
 namespace c4g_driver {
@@ -13,13 +13,15 @@ namespace {
 using scan_cell_common::ConnectionError;
 using scan_cell_common::Error;
 using scan_cell_common::InvalidParameter;
-using scan_cell_common::Nanoseconds;
-using scan_cell_common::ProtocolError;
 using scan_cell_common::Refused;
 
 constexpr const char* kCheckLink = "check the cable, the address and the controller's program";
 
-const ClientOptions& checked(const ClientOptions& options) {
+ClientOptions checked(ClientOptions options) {
+  if (!options.robot) {
+    throw InvalidParameter("robot description", "none", "give the model of the robot");
+  }
+  options.limits = narrowed(options.limits, *options.robot);
   const double shortest = std::min(
       {options.link_timeout, options.poll_period, options.reconnect_period, options.clock_window});
   if (!(shortest > 0) || options.tries < 1) {
@@ -37,22 +39,15 @@ bool ends_the_session(const ControllerError& error) {
          error.code == kAnotherClient;
 }
 
-std::uint64_t microseconds_now() {
-  using std::chrono::system_clock;
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::microseconds>(system_clock::now().time_since_epoch())
-          .count());
-}
-
 }  // namespace
 
 Client::Client(const ClientOptions& options, const Listener& listener)
     : options_(checked(options)),
       name_("controller " + options.address + ":" + std::to_string(options.port)),
       listener_(listener),
-      socket_(options.address, options.port, kMostDatagramBytes),
+      socket_(options.local_address, options.address, options.port, kMostDatagramBytes),
       poses_(options.clock_window, options.link_timeout) {
-  receiver_ = std::thread([this] { receive(); });
+  start_receiving();
   keeper_ = std::thread([this] { keep(); });
 }
 
@@ -65,7 +60,7 @@ Client::~Client() {
   keeper_.join();
   try {
     if (goal().underway()) request(Stop{});
-    if (link().up) request(Close{});
+    if (up()) request(Close{});
   } catch (const Error&) {
     // the controller stops the motion of a silent client
   }
@@ -76,18 +71,51 @@ Client::~Client() {
 void Client::move_to_pose(const Eigen::Isometry3d& flange, double camera_rate) {
   check_flange(flange, options_.limits);
   check_camera_rate(camera_rate, options_.limits);
-  const auto state = latest();
-  if (state) check_speed_in_force(state->robot.linear_speed, options_.limits);
-  const Goal::Target target = flange;
-  request(MoveCartesian{flange, camera_rate}, &target);
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  const Start start{flange, motion_check(true).to_pose(flange)};
+  request(MoveCartesian{flange, camera_rate}, &start);
 }
 
 void Client::move_to_joints(const std::vector<double>& joints, double camera_rate) {
-  const Joints checked_joints = check_joints(joints, options_.limits);
-  check_workspace(flange_at(checked_joints), options_.limits);
+  const Joints target = check_joints(joints, options_.limits);
+  check_workspace(options_.robot->flange_at(target), options_.limits);
   check_camera_rate(camera_rate, options_.limits);
-  const Goal::Target target = checked_joints;
-  request(MoveJoint{checked_joints, camera_rate}, &target);
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  const Start start{target, motion_check(false).to_joints(target)};
+  request(MoveJoint{target, camera_rate}, &start);
+}
+
+/// From where the robot stands, with what is set on the controller.
+MotionCheck Client::motion_check(bool along_line) {
+  if (goal().underway()) throw Refused("motion", "another is under way", "stop it first");
+  MotionSettings settings;
+  if (along_line) settings = settings_in_force();
+  const auto state = latest();
+  if (!link().up || !state) throw ConnectionError(name_, link().message, kCheckLink);
+  if (state->robot.status == MotionStatus::Moving) {
+    throw Refused("motion", "the robot moves", "wait until it stands");
+  }
+  settings.linear_speed = state->robot.linear_speed;
+  settings.override = state->robot.override;
+  return {*options_.robot, options_.limits, state->robot, settings};
+}
+
+MotionSettings Client::settings_in_force() {
+  MotionSettings settings;
+  settings.in_joints = word_of("motion_type", get_parameter("motion_type")) == "joint";
+  settings.euler = word_of("interpolation", get_parameter("interpolation")) == "euler";
+  settings.rotational_speed = rotational_speed_of(get_parameter("rotational_speed"));
+  return settings;
+}
+
+SpeedLimit Client::speed_limit() const {
+  const auto state = latest();
+  return c4g_driver::speed_limit(options_.limits, state ? &state->robot : nullptr);
+}
+
+double Client::most_override() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return goal_.underway() ? most_override_ : 100;
 }
 
 void Client::stop() {
@@ -95,13 +123,23 @@ void Client::stop() {
 }
 
 void Client::set_override(double percent) {
-  check_override(percent);
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  check_override(percent, most_override());
   request(SetOverride{percent});
 }
 
 void Client::set_linear_speed(double speed) {
-  check_linear_speed(speed, options_.limits);
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  check_linear_speed(speed, speed_limit());
   request(SetLinearSpeed{speed});
+}
+
+void Client::set_drives(bool on) {
+  request(SetDrives{on});
+}
+
+void Client::reset_alarms() {
+  request(ResetAlarms{});
 }
 
 std::string Client::get_parameter(const std::string& name) {
@@ -110,8 +148,9 @@ std::string Client::get_parameter(const std::string& name) {
 
 void Client::set_parameter(const std::string& name, const std::string& json) {
   const SetParameter set{name, json};
-  if (const auto percent = override_of(set)) check_override(*percent);
-  if (const auto speed = linear_speed_of(set)) check_linear_speed(*speed, options_.limits);
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  if (const auto percent = override_of(set)) check_override(*percent, most_override());
+  if (const auto speed = linear_speed_of(set)) check_linear_speed(*speed, speed_limit());
   request(set);
 }
 
@@ -142,6 +181,11 @@ std::optional<MeasuredState> Client::latest() const {
   return poses_.latest();
 }
 
+bool Client::up() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return up_;
+}
+
 LinkReport Client::link() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   LinkReport report;
@@ -149,7 +193,12 @@ LinkReport Client::link() const {
   report.message = up_ ? "" : why_down_;
   report.losses = losses_;
   report.stream = stream_.counts();
+  report.attempts = attempts_;
   report.dropped = poses_.counts();
+  report.clock = poses_.clock();
+  report.late = late_;
+  report.round_trip = round_trip_;
+  report.hand_on = hand_on_;
   report.malformed = malformed_;
   report.last_malformed = last_malformed_;
   report.foreign = socket_.foreign();
@@ -157,30 +206,35 @@ LinkReport Client::link() const {
   return report;
 }
 
-Acknowledgement Client::request(const Request& request, const Goal::Target* target) {
+Acknowledgement Client::request(const Request& request, const Start* start) {
   const std::lock_guard<std::mutex> serial(request_mutex_);
   std::string datagram;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!up_) throw ConnectionError(name_, why_down_, kCheckLink);
-    if (target != nullptr && goal_.underway()) {
-      throw Refused(name_of(request), "a motion is under way", "stop it first");
+    if (start != nullptr && goal_.underway()) {
+      throw Refused(name_of(request), "another motion is under way", "stop it first");
     }
     datagram = build(request, session_, ++seq_);
     answer_.reset();
-    if (target != nullptr) goal_ = Goal(seq_, *target, options_.arrival);
+    if (start != nullptr) {
+      goal_ = Goal(seq_, start->target, options_.arrival);
+      most_override_ = start->most_override;
+    }
   }
   const auto answer = exchange(datagram);
   if (!answer || (answer->error && ends_the_session(*answer->error))) {
-    const std::string reason = answer ? "dropped the session: " + answer->error->text
-                                      : "does not answer " + name_of(request);
+    const std::string reason =
+        answer ? std::string("dropped the session: ") + answer->error->text.c_str()
+               : "does not answer " + name_of(request);
     lose(reason);
     throw ConnectionError(name_, reason, kCheckLink);
   }
   if (answer->error) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (target != nullptr) goal_ = Goal();
-    throw Refused(name_of(request), "refused by the controller, " + answer->error->text,
+    if (start != nullptr) goal_ = Goal();
+    throw Refused(name_of(request),
+                  std::string("refused by the controller, ") + answer->error->text.c_str(),
                   "see error " + std::to_string(answer->error->code) + " in docs/c4g_protocol.md");
   }
   return *answer;
@@ -189,138 +243,15 @@ Acknowledgement Client::request(const Request& request, const Goal::Target* targ
 std::optional<Acknowledgement> Client::exchange(const std::string& datagram) {
   const std::chrono::duration<double> patience(options_.link_timeout / options_.tries);
   for (int i = 0; i < options_.tries; ++i) {
+    const Clock::time_point sent = Clock::now();
     socket_.send(datagram);
     std::unique_lock<std::mutex> lock(mutex_);
-    if (changed_.wait_for(lock, patience, [this] { return answer_.has_value(); })) return answer_;
+    if (!changed_.wait_for(lock, patience, [this] { return answer_.has_value(); })) continue;
+    // Karn's rule (1987): the answer to a retry may be that to an earlier try
+    if (i == 0) round_trip_.add(std::chrono::nanoseconds(Clock::now() - sent).count());
+    return answer_;
   }
   return std::nullopt;
-}
-
-void Client::connect() {
-  const std::lock_guard<std::mutex> serial(request_mutex_);
-  std::string datagram;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    session_ = std::max(session_ + 1, microseconds_now());
-    seq_ = 1;
-    answer_.reset();
-    stream_.restart();
-    poses_.restart(Clock::now());
-    datagram = build(Open{}, session_, seq_);
-  }
-  const auto answer = exchange(datagram);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  up_ = answer && !answer->error;
-  if (!up_) why_down_ = answer ? answer->error->text : "does not answer";
-}
-
-void Client::lose(const std::string& reason) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    up_ = false;
-    why_down_ = reason;
-    ++losses_;
-    goal_.end(Goal::Outcome::LinkLost, name_ + " " + reason);
-  }
-  changed_.notify_all();
-}
-
-void Client::keep() {
-  while (true) {
-    if (link().up) {
-      poll();
-    } else {
-      connect();
-    }
-    std::unique_lock<std::mutex> lock(mutex_);
-    const std::chrono::duration<double> pause(up_ ? options_.poll_period
-                                                  : options_.reconnect_period);
-    if (changed_.wait_for(lock, pause, [this] { return ending_; })) return;
-  }
-}
-
-void Client::poll() {
-  try {
-    request(GetStaticPose{});
-  } catch (const ConnectionError&) {
-    return;  // a lost link is seen in the next round
-  } catch (const Error&) {
-    // what the controller complains of is in its state
-  }
-  // All that came before the answer is taken in by now, so a delay of this process is not blamed on
-  // the controller.
-  bool stale = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stale = poses_.stale(Clock::now());
-  }
-  if (stale) lose("sends no fresh poses");
-}
-
-void Client::receive() {
-  constexpr double kGlance = 0.05;  // [s]
-  while (!deaf_) {
-    const auto received = socket_.receive(kGlance);
-    if (!received) continue;
-    try {
-      handle(*received);
-    } catch (const ProtocolError& error) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      ++malformed_;
-      last_malformed_ = error.what();
-    }
-  }
-}
-
-void Client::handle(const UdpSocket::Received& received) {
-  const Reply reply = parse(received.datagram);
-  std::visit([&](const auto& kind) { handle(kind, received.time); }, reply);
-}
-
-void Client::handle(const StreamedState& streamed, Nanoseconds arrival) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (streamed.session != session_) return;
-    if (stream_.take(streamed.number) != SequenceMonitor::Verdict::Next) return;
-  }
-  take(streamed.session, streamed.robot, arrival, PoseFeed::Source::Stream);
-}
-
-void Client::handle(const Acknowledgement& acknowledgement, Nanoseconds arrival) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!awaited(acknowledgement)) return;
-  }
-  if (acknowledgement.robot) {
-    take(acknowledgement.session, *acknowledgement.robot, arrival,
-         PoseFeed::Source::Acknowledgement);
-  }
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!awaited(acknowledgement)) return;  // another session began meanwhile
-    answer_ = acknowledgement;
-  }
-  changed_.notify_all();
-}
-
-bool Client::awaited(const Acknowledgement& acknowledgement) const {
-  return acknowledgement.session == session_ && acknowledgement.seq == seq_ && !answer_;
-}
-
-void Client::take(std::uint64_t session, const RobotState& robot, Nanoseconds arrival,
-                  PoseFeed::Source source) {
-  MeasuredState measured;
-  PoseFeed::Verdict verdict = PoseFeed::Verdict::Overtaken;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (session != session_) return;
-    verdict = poses_.take(robot, arrival, source, Clock::now());
-    if (verdict == PoseFeed::Verdict::Overtaken) return;
-    measured = *poses_.latest();
-    goal_.update(robot);
-  }
-  changed_.notify_all();
-  if (verdict == PoseFeed::Verdict::HandOn && listener_) listener_(measured);
 }
 
 }  // namespace c4g_driver

@@ -6,13 +6,20 @@
 
 namespace c4g_driver {
 
+namespace {
+
+std::string reason_of(const RobotState& state, const char* otherwise) {
+  return state.error && !state.error->text.empty() ? state.error->text.c_str() : otherwise;
+}
+
+}  // namespace
+
 Goal::Goal(std::uint64_t motion, const Target& target, const ArrivalTolerance& tolerance)
     : motion_(motion), target_(target), tolerance_(tolerance), outcome_(Outcome::Underway) {}
 
 void Goal::update(const RobotState& state) {
   if (!underway() || state.motion != motion_) return;
   progress_ = state.progress;
-  const std::string reason = state.error ? state.error->text : "";
   switch (state.status) {
     case MotionStatus::Idle:
     case MotionStatus::Moving:
@@ -23,10 +30,10 @@ void Goal::update(const RobotState& state) {
       return;
     }
     case MotionStatus::Stopped:
-      end(Outcome::Stopped, reason.empty() ? "stopped" : reason);
+      end(Outcome::Stopped, reason_of(state, "stopped"));
       return;
     case MotionStatus::Error:
-      end(Outcome::Failed, reason.empty() ? "the controller gives no reason" : reason);
+      end(Outcome::Failed, reason_of(state, "the controller gives no reason"));
       return;
   }
 }

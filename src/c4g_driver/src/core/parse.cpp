@@ -1,16 +1,26 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nlohmann/json.hpp>
+#include <rapidjson/document.h>
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 
 #include "c4g_driver/codec.h"
+#include "c4g_driver/seal.h"
 #include "c4g_driver/wire_units.h"
 #include "scan_cell_common/errors.h"
 
 namespace c4g_driver {
 namespace {
 
-using nlohmann::json;
 using scan_cell_common::ProtocolError;
+using Pool = rapidjson::MemoryPoolAllocator<>;
+using Document = rapidjson::GenericDocument<rapidjson::UTF8<>, Pool, Pool>;
+using Json = Document::ValueType;
 
 constexpr int kVersion = 1;
 constexpr double kMillimetre = 1e-3;
@@ -20,50 +30,49 @@ constexpr double kMostMagnitude = 1e5;  // mm, deg, %, frames/s: beyond it is no
   throw ProtocolError("C4G packet: " + key, value, "see docs/c4g_protocol.md");
 }
 
-const json& entry(const json& packet, const char* key) {
-  const auto found = packet.find(key);
-  if (found == packet.end()) refuse(key, "missing");
-  return *found;
+const Json& entry(const Json& packet, const char* key) {
+  const auto found = packet.FindMember(key);
+  if (found == packet.MemberEnd()) refuse(key, "missing");
+  return found->value;
 }
 
-double number(const json& value, const char* key) {
-  if (!value.is_number()) refuse(key, "not a number");
-  const auto result = value.get<double>();
+double number(const Json& value, const char* key) {
+  if (!value.IsNumber()) refuse(key, "not a number");
+  const double result = value.GetDouble();
   if (!(std::abs(result) <= kMostMagnitude)) refuse(key, "out of range");
   return result;
 }
 
-std::uint64_t whole(const json& packet, const char* key, std::uint64_t most) {
-  const json& value = entry(packet, key);
-  if (!value.is_number_unsigned()) refuse(key, "not a whole number");
-  const auto result = value.get<std::uint64_t>();
-  if (result > most) refuse(key, "out of range");
-  return result;
+std::uint64_t whole(const Json& packet, const char* key, std::uint64_t most) {
+  const Json& value = entry(packet, key);
+  if (!value.IsUint64()) refuse(key, "not a whole number");
+  if (value.GetUint64() > most) refuse(key, "out of range");
+  return value.GetUint64();
 }
 
-bool truth(const json& packet, const char* key) {
-  const json& value = entry(packet, key);
-  if (!value.is_boolean()) refuse(key, "not true or false");
-  return value.get<bool>();
+bool truth(const Json& packet, const char* key) {
+  const Json& value = entry(packet, key);
+  if (!value.IsBool()) refuse(key, "not true or false");
+  return value.GetBool();
 }
 
-std::string text(const json& packet, const char* key) {
-  const json& value = entry(packet, key);
-  if (!value.is_string()) refuse(key, "not a text");
-  return value.get<std::string>();
+std::string_view text(const Json& packet, const char* key) {
+  const Json& value = entry(packet, key);
+  if (!value.IsString()) refuse(key, "not a text");
+  return {value.GetString(), value.GetStringLength()};
 }
 
-WireSix six(const json& packet, const char* key) {
-  const json& value = entry(packet, key);
-  if (!value.is_array() || value.size() != 6) refuse(key, "not six numbers");
+WireSix six(const Json& packet, const char* key) {
+  const Json& value = entry(packet, key);
+  if (!value.IsArray() || value.Size() != 6) refuse(key, "not six numbers");
   WireSix result{};
-  for (std::size_t i = 0; i < 6; ++i)
+  for (unsigned i = 0; i < 6; ++i)
     result[i] = number(value[i], key);
   return result;
 }
 
-MotionStatus status(const json& packet) {
-  const std::string word = text(packet, "status");
+MotionStatus status(const Json& packet) {
+  const std::string_view word = text(packet, "status");
   if (word == "idle") return MotionStatus::Idle;
   if (word == "moving") return MotionStatus::Moving;
   if (word == "arrived") return MotionStatus::Arrived;
@@ -72,21 +81,41 @@ MotionStatus status(const json& packet) {
   refuse("status", "none of idle, moving, arrived, stopped, error");
 }
 
-bool automatic(const json& packet) {
-  const std::string word = text(packet, "mode");
-  if (word != "auto" && word != "manual") refuse("mode", "neither auto nor manual");
-  return word == "auto";
+ControllerMode mode(const Json& packet) {
+  const std::string_view word = text(packet, "mode");
+  if (word == "programming") return ControllerMode::Programming;
+  if (word == "automatic") return ControllerMode::Automatic;
+  if (word == "remote") return ControllerMode::Remote;
+  refuse("mode", "none of programming, automatic, remote");
 }
 
-std::optional<ControllerError> error(const json& packet) {
+ControllerError complaint(const Json& value) {
   constexpr std::uint64_t kMostCode = 1'000'000;
-  const json& value = entry(packet, "error");
-  if (value.is_null()) return std::nullopt;
-  if (!value.is_object()) refuse("error", "neither null nor an object");
-  return ControllerError{static_cast<int>(whole(value, "code", kMostCode)), text(value, "text")};
+  ControllerError result;
+  result.code = static_cast<int>(whole(value, "code", kMostCode));
+  const std::string_view said = text(value, "text").substr(0, result.text.max_size());
+  result.text.assign(said.data(), said.size());
+  return result;
 }
 
-RobotState robot_state(const json& packet) {
+std::optional<ControllerError> error(const Json& packet) {
+  const Json& value = entry(packet, "error");
+  if (value.IsNull()) return std::nullopt;
+  if (!value.IsObject()) refuse("error", "neither null nor an object");
+  return complaint(value);
+}
+
+void read_alarms(const Json& packet, Alarms& alarms) {
+  const Json& list = entry(packet, "alarms");
+  if (!list.IsArray()) refuse("alarms", "not a list");
+  if (list.Size() > Alarms::static_capacity) refuse("alarms", "more than four");
+  for (const Json& alarm : list.GetArray()) {
+    if (!alarm.IsObject()) refuse("alarms", "one is not an object");
+    alarms.push_back(complaint(alarm));
+  }
+}
+
+RobotState robot_state(const Json& packet) {
   constexpr std::uint64_t kMostMicroseconds = 1ull << 52;  // 142 years; whole in a double
   RobotState state;
   state.controller_time =
@@ -100,46 +129,72 @@ RobotState robot_state(const json& packet) {
   state.camera_rate = number(entry(packet, "camera_fps"), "camera_fps");
   state.e_stop = truth(packet, "e_stop");
   state.drives = truth(packet, "drives");
-  state.automatic = automatic(packet);
+  state.mode = mode(packet);
   state.override = number(entry(packet, "override"), "override");
   state.linear_speed = number(entry(packet, "linear_speed"), "linear_speed") * kMillimetre;
   state.error = error(packet);
+  read_alarms(packet, state.alarms);
   return state;
 }
 
-Acknowledgement acknowledgement(const json& packet) {
+Acknowledgement acknowledgement(const Json& packet) {
   Acknowledgement result;
   result.session = whole(packet, "session", UINT64_MAX);
   result.seq = whole(packet, "seq", UINT64_MAX);
   result.error = error(packet);
-  const auto state = packet.find("state");
-  if (state != packet.end()) {
-    if (!state->is_object()) refuse("state", "not an object");
-    result.robot = robot_state(*state);
+  const auto state = packet.FindMember("state");
+  if (state != packet.MemberEnd()) {
+    if (!state->value.IsObject()) refuse("state", "not an object");
+    result.robot = robot_state(state->value);
   }
-  const auto value = packet.find("value");
-  if (value != packet.end()) result.value = value->dump();
+  const auto value = packet.FindMember("value");
+  if (value != packet.MemberEnd()) {
+    rapidjson::StringBuffer buffer;
+    rapidjson::Writer<rapidjson::StringBuffer> writer(buffer);
+    value->value.Accept(writer);
+    result.value = buffer.GetString();
+  }
   return result;
 }
 
-}  // namespace
-
-Reply parse(const std::string& datagram) {
-  if (datagram.size() > kMostDatagramBytes) {
-    refuse("length", std::to_string(datagram.size()) + " bytes");
-  }
-  const json packet = json::parse(datagram, nullptr, false);
-  if (!packet.is_object()) refuse("datagram", "not a JSON object");
+Reply reply(const Json& packet) {
+  if (!packet.IsObject()) refuse("datagram", "not a JSON object");
   const std::uint64_t version = whole(packet, "c4g", UINT64_MAX);
   if (version != kVersion) {
     throw ProtocolError("C4G version", std::to_string(version),
                         "use a controller program that speaks version 1");
   }
-  const std::string type = text(packet, "type");
+  const std::string_view type = text(packet, "type");
   if (type == "ack") return acknowledgement(packet);
   if (type != "state") refuse("type", "neither ack nor state");
   return StreamedState{whole(packet, "session", UINT64_MAX), whole(packet, "n", UINT64_MAX),
                        robot_state(packet)};
+}
+
+}  // namespace
+
+// All that the parser needs lies on the stack: a datagram has no more values than bytes. Numbers
+// are good to a few units in the last place; RapidJSON's full precision is undefined for 0E42.
+Reply parse(std::string_view datagram) {
+  constexpr std::size_t kValues = (kMostDatagramBytes + 1) * sizeof(Json);
+  constexpr unsigned kFlags = rapidjson::kParseInsituFlag | rapidjson::kParseIterativeFlag |
+                              rapidjson::kParseValidateEncodingFlag;
+  if (datagram.size() > kMostDatagramBytes) {
+    refuse("length", std::to_string(datagram.size()) + " bytes");
+  }
+  check_seal(datagram);
+  std::array<char, kMostDatagramBytes + 1> text;
+  *std::copy(datagram.begin(), datagram.end(), text.begin()) = '\0';
+  if (std::strlen(text.data()) != datagram.size()) refuse("datagram", "not a JSON object");
+  alignas(Json) std::array<char, 2 * kValues> values;
+  alignas(Json) std::array<char, 4 * kValues> open_values;
+  Pool pool(values.data(), values.size());
+  Pool stack_pool(open_values.data(), open_values.size());
+  Document packet(&pool, kValues, &stack_pool);
+  if (packet.ParseInsitu<kFlags>(text.data()).HasParseError()) {
+    refuse("datagram", "not a JSON object");
+  }
+  return reply(packet);
 }
 
 }  // namespace c4g_driver

@@ -30,7 +30,7 @@ PoseFeed::Verdict PoseFeed::take(const RobotState& robot, Nanoseconds arrival, S
   }
   newest_ = robot.controller_time;
   clock_.add(robot.controller_time, arrival);
-  latest_ = {clock_.to_host(robot.controller_time), robot};
+  latest_ = {clock_.to_host(robot.controller_time), arrival, robot};
   const bool was_moving = moving_;
   moving_ = robot.status == MotionStatus::Moving;
   // A better estimate of the wire's delay may put it before one that was handed on already; so does

@@ -41,22 +41,36 @@ Nanoseconds arrival(const msghdr& message) {
   return to_nanoseconds(time);
 }
 
+/// @throw InvalidParameter naming what is no address
+sockaddr_in socket_address(const std::string& what, const std::string& address,
+                           std::uint16_t port) {
+  sockaddr_in result{};
+  result.sin_family = AF_INET;
+  result.sin_port = htons(port);
+  if (inet_pton(AF_INET, address.c_str(), &result.sin_addr) != 1) {
+    throw InvalidParameter(what, "'" + address + "'", "give an IPv4 address such as 192.168.0.10");
+  }
+  return result;
+}
+
 }  // namespace
 
-UdpSocket::UdpSocket(const std::string& address, std::uint16_t port, std::size_t most_bytes)
-    : most_bytes_(most_bytes) {
-  peer_.sin_family = AF_INET;
-  peer_.sin_port = htons(port);
-  if (inet_pton(AF_INET, address.c_str(), &peer_.sin_addr) != 1) {
-    throw InvalidParameter("controller address", "'" + address + "'",
-                           "give an IPv4 address such as 192.168.0.10");
-  }
+UdpSocket::UdpSocket(const std::string& local_address, const std::string& address,
+                     std::uint16_t port, std::size_t most_bytes)
+    : bytes_(most_bytes), peer_(socket_address("controller address", address, port)) {
+  const sockaddr_in local = socket_address("local address", local_address, 0);
   socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const int on = 1;
   if (socket_ < 0 || setsockopt(socket_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on) != 0) {
     const std::string reason = std::strerror(errno);
     if (socket_ >= 0) close(socket_);
     throw ConnectionError("UDP socket", reason, "close programs that hold too many sockets");
+  }
+  if (bind(socket_, reinterpret_cast<const sockaddr*>(&local), sizeof local) != 0) {
+    const std::string reason = std::strerror(errno);
+    close(socket_);
+    throw InvalidParameter("local address", "'" + local_address + "' (" + reason + ")",
+                           "give one of this machine's (ip address), or 0.0.0.0 for any");
   }
 }
 
@@ -84,10 +98,9 @@ std::optional<UdpSocket::Received> UdpSocket::receive(double timeout) {
 }
 
 std::optional<UdpSocket::Received> UdpSocket::take() {
-  std::string bytes(most_bytes_, '\0');
   while (true) {
     sockaddr_in from{};
-    iovec buffer{bytes.data(), bytes.size()};
+    iovec buffer{bytes_.data(), bytes_.size()};
     alignas(cmsghdr) std::array<char, 128> control{};
     msghdr message{};
     message.msg_name = &from;
@@ -103,7 +116,7 @@ std::optional<UdpSocket::Received> UdpSocket::take() {
     } else if ((message.msg_flags & MSG_TRUNC) != 0) {
       ++overlong_;
     } else {
-      return Received{bytes.substr(0, static_cast<std::size_t>(length)), arrival(message)};
+      return Received{{bytes_.data(), static_cast<std::size_t>(length)}, arrival(message)};
     }
   }
 }

@@ -16,18 +16,25 @@ using scan_cell_msgs::MoveResult;
 DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
                        const DriverParameters& parameters)
     : parameters_(parameters),
+      transforms_(node.advertise<tf2_msgs::TFMessage>("/tf", 100)),
       joint_states_(node.advertise<sensor_msgs::JointState>("joint_states", 100)),
       status_(private_node.advertise<scan_cell_msgs::RobotStatus>("status", 10)),
+      transform_(transform_message(parameters.base_frame, parameters.flange_frame)),
+      joints_(joint_message(parameters.client.robot->joint_names())),
       client_(parameters.client, [this](const MeasuredState& state) { publish(state); }),
       server_(
           private_node, "move", [this](const auto& goal) { move(goal); }, false),
       diagnostics_(node, private_node) {
   diagnostics_.setHardwareID(parameters.client.address);
-  diagnostics_.add("link", this, &DriverNode::diagnose_link);
-  diagnostics_.add("robot", this, &DriverNode::diagnose_robot);
+  diagnostics_.add("link", [this](auto& status) { diagnosis_.report(client_.link(), status); });
+  diagnostics_.add("robot", [this](auto& status) {
+    report(client_.link().up ? client_.latest() : std::nullopt, status);
+  });
   advertise<scan_cell_msgs::SetOverride>(private_node, "set_override", &DriverNode::set_override);
   advertise<scan_cell_msgs::SetLinearSpeed>(private_node, "set_linear_speed",
                                             &DriverNode::set_linear_speed);
+  advertise<std_srvs::SetBool>(private_node, "set_drives", &DriverNode::set_drives);
+  advertise<std_srvs::Trigger>(private_node, "reset_alarms", &DriverNode::reset_alarms);
   advertise<scan_cell_msgs::GetStaticPose>(private_node, "get_static_pose",
                                            &DriverNode::get_static_pose);
   advertise<scan_cell_msgs::GetControllerParameter>(private_node, "get_parameter",
@@ -40,8 +47,10 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
 }
 
 void DriverNode::publish(const MeasuredState& state) {
-  transforms_.sendTransform(to_transform(state, parameters_.base_frame, parameters_.flange_frame));
-  joint_states_.publish(to_joint_state(state));
+  update(transform_.transforms.front(), state);
+  update(joints_, state);
+  transforms_.publish(transform_);
+  joint_states_.publish(joints_);
 }
 
 void DriverNode::publish_status() {
@@ -56,57 +65,6 @@ void DriverNode::publish_status() {
   }
   was_up_ = link.up;
   diagnostics_.update();  // once a second, however often it is called
-}
-
-void DriverNode::diagnose_link(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using diagnostic_msgs::DiagnosticStatus;
-  const LinkReport link = client_.link();
-  const bool faulty = link.stream.lost > diagnosed_.stream.lost ||
-                      link.stream.reordered > diagnosed_.stream.reordered ||
-                      link.stream.repeated > diagnosed_.stream.repeated ||
-                      link.dropped.backward > diagnosed_.dropped.backward ||
-                      link.malformed > diagnosed_.malformed || link.foreign > diagnosed_.foreign ||
-                      link.overlong > diagnosed_.overlong;
-  diagnosed_ = link;
-  if (!link.up) {
-    status.summary(DiagnosticStatus::ERROR, "controller " + link.message);
-  } else if (faulty) {
-    status.summary(DiagnosticStatus::WARN, "datagrams were lost, repeated, late or bad");
-  } else {
-    status.summary(DiagnosticStatus::OK, "connected");
-  }
-  status.add("times the link was lost", link.losses);
-  status.add("positions received", link.stream.received);
-  status.add("positions lost", link.stream.lost);
-  status.add("positions repeated", link.stream.repeated);
-  status.add("positions out of order", link.stream.reordered);
-  status.add("positions dropped, overtaken by a later one", link.dropped.overtaken);
-  status.add("positions dropped, stamp not after the one before", link.dropped.backward);
-  status.add("datagrams malformed", link.malformed);
-  status.add("latest malformed", link.last_malformed);
-  status.add("datagrams from others", link.foreign);
-  status.add("datagrams too long", link.overlong);
-}
-
-void DriverNode::diagnose_robot(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using diagnostic_msgs::DiagnosticStatus;
-  const auto state = client_.latest();
-  if (!client_.link().up || !state) {
-    status.summary(DiagnosticStatus::STALE, "not known without a link");
-    return;
-  }
-  const RobotState& robot = state->robot;
-  if (robot.e_stop) {
-    status.summary(DiagnosticStatus::ERROR, "emergency stop");
-  } else if (robot.error) {
-    status.summary(DiagnosticStatus::ERROR, robot.error->text);
-  } else if (!robot.drives || !robot.automatic) {
-    status.summary(DiagnosticStatus::WARN, robot.drives ? "manual mode" : "drives off");
-  } else {
-    status.summary(DiagnosticStatus::OK, robot.status == MotionStatus::Moving ? "moving" : "ready");
-  }
-  status.add("override [%]", robot.override);
-  status.add("linear speed [m/s]", robot.linear_speed);
 }
 
 void DriverNode::move(const scan_cell_msgs::MoveGoalConstPtr& goal) {
@@ -216,11 +174,21 @@ void DriverNode::set_linear_speed(const scan_cell_msgs::SetLinearSpeed::Request&
   client_.set_linear_speed(request.speed);
 }
 
+void DriverNode::set_drives(const std_srvs::SetBool::Request& request,
+                            std_srvs::SetBool::Response&) {
+  client_.set_drives(request.data);
+}
+
+void DriverNode::reset_alarms(const std_srvs::Trigger::Request&, std_srvs::Trigger::Response&) {
+  client_.reset_alarms();
+}
+
 void DriverNode::get_static_pose(const scan_cell_msgs::GetStaticPose::Request&,
                                  scan_cell_msgs::GetStaticPose::Response& response) {
   const MeasuredState state = client_.static_pose();
   response.pose = to_pose(state, parameters_.base_frame);
-  response.joints = to_joint_state(state);
+  response.joints = joint_message(parameters_.client.robot->joint_names());
+  update(response.joints, state);
 }
 
 void DriverNode::get_parameter(const scan_cell_msgs::GetControllerParameter::Request& request,

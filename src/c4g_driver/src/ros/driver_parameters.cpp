@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "c4g_driver/ros/driver_parameters.h"
 
+#include <ros/package.h>
+
 #include <limits>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
 #include "scan_cell_common/ros/parameter_reader.h"
 
 namespace c4g_driver {
@@ -35,9 +38,26 @@ void check_order(const ros::NodeHandle& node, const std::string& least, const st
                          "give each element below that of " + most);
 }
 
-void read_limits(ParameterReader& reader, const ros::NodeHandle& node, RobotLimits& limits) {
+/// The URDF of the cell's robot_description, or the robot that the suite is made for.
+std::string robot_description(const ros::NodeHandle& node) {
+  std::string name, urdf;
+  if (!node.searchParam("robot_description", name)) {
+    return scan_cell_common::read_file(ros::package::getPath("c4g_driver") +
+                                       "/urdf/smart5_six.urdf");
+  }
+  if (!node.getParam(name, urdf)) throw InvalidParameter(name, "no text", "give the URDF");
+  return urdf;
+}
+
+void read_limits(ParameterReader& reader, const ros::NodeHandle& node, const RobotModel& robot,
+                 RobotLimits& limits) {
   const Range metres{-10, 10};
   const Range radians{-100, 100};
+  std::string operation = "manual";
+  reader.read_choice("operation", operation, {"manual", "automatic"});
+  limits.operation = operation == "automatic" ? Operation::Automatic : Operation::Manual;
+  limits.joint_lower = robot.lower();
+  limits.joint_upper = robot.upper();
   read_vector(reader, node, "workspace_min", limits.workspace_min, metres);
   read_vector(reader, node, "workspace_max", limits.workspace_max, metres);
   read_vector(reader, node, "joint_lower", limits.joint_lower, radians);
@@ -56,22 +76,28 @@ DriverParameters DriverParameters::load(const ros::NodeHandle& node) {
   ClientOptions& client = parameters.client;
   ParameterReader reader(node);
   int port = client.port;
+  reader.read("local_address", client.local_address);
   reader.require("address", client.address);
   reader.read("port", port, {1, kLastPort});
   client.port = static_cast<std::uint16_t>(port);
   reader.read("base_frame", parameters.base_frame);
   reader.read("flange_frame", parameters.flange_frame);
+  reader.read("flange_link", parameters.flange_link);
   reader.read("link_timeout", client.link_timeout, {0.05, 5});
   reader.read("tries", client.tries, {1, 100});
   reader.read("poll_period", client.poll_period, {0.01, 0.5});
   reader.read("reconnect_period", client.reconnect_period, {0.05, 60});
   reader.read("clock_window", client.clock_window, {0.1, 600});
+  reader.read("realtime_priority", client.realtime_priority, {0, 99});
   reader.read("arrival_position_tolerance", client.arrival.position, {1e-6, 0.1});
   reader.read("arrival_angle_tolerance", client.arrival.angle, {1e-6, 0.5});
   reader.read("feedback_rate", parameters.feedback_rate, {1, 1000});
   reader.read("status_rate", parameters.status_rate, {1, 1000});
-  read_limits(reader, node, client.limits);
+  client.robot = std::make_shared<RobotModel>(robot_description(node), parameters.base_frame,
+                                              parameters.flange_link);
+  read_limits(reader, node, *client.robot, client.limits);
   reader.refuse_unknown();
+  client.limits = narrowed(client.limits, *client.robot);
   return parameters;
 }
 

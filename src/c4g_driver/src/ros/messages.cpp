@@ -2,26 +2,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "c4g_driver/ros/messages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace c4g_driver {
+namespace {
+
+const char* name_of(ControllerMode mode) {
+  switch (mode) {
+    case ControllerMode::Programming:
+      return "programming";
+    case ControllerMode::Automatic:
+      return "automatic";
+    case ControllerMode::Remote:
+      return "remote";
+  }
+  return "";
+}
+
+}  // namespace
 
 using scan_cell_common::Refused;
 using scan_cell_common::to_ros;
 using scan_cell_msgs::RobotStatus;
 
-geometry_msgs::TransformStamped to_transform(const MeasuredState& state,
-                                             const std::string& base_frame,
-                                             const std::string& flange_frame) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = to_ros(state.time);
-  message.header.frame_id = base_frame;
-  message.child_frame_id = flange_frame;
-  message.transform = scan_cell_common::to_ros_transform(state.robot.flange);
+tf2_msgs::TFMessage transform_message(const std::string& base_frame,
+                                      const std::string& flange_frame) {
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(1);
+  message.transforms.front().header.frame_id = base_frame;
+  message.transforms.front().child_frame_id = flange_frame;
   return message;
+}
+
+sensor_msgs::JointState joint_message(const std::array<std::string, 6>& names) {
+  sensor_msgs::JointState message;
+  message.name.assign(names.begin(), names.end());
+  message.position.resize(names.size());
+  return message;
+}
+
+void update(geometry_msgs::TransformStamped& message, const MeasuredState& state) {
+  message.header.stamp = to_ros(state.time);
+  message.transform = scan_cell_common::to_ros_transform(state.robot.flange);
+}
+
+void update(sensor_msgs::JointState& message, const MeasuredState& state) {
+  message.header.stamp = to_ros(state.time);
+  std::copy(state.robot.joints.begin(), state.robot.joints.end(), message.position.begin());
 }
 
 geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string& base_frame) {
@@ -29,16 +60,6 @@ geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string
   message.header.stamp = to_ros(state.time);
   message.header.frame_id = base_frame;
   message.pose = scan_cell_common::to_ros_pose(state.robot.flange);
-  return message;
-}
-
-sensor_msgs::JointState to_joint_state(const MeasuredState& state) {
-  sensor_msgs::JointState message;
-  message.header.stamp = to_ros(state.time);
-  for (int i = 0; i < 6; ++i) {
-    message.name.push_back("joint_" + std::to_string(i + 1));
-    message.position.push_back(state.robot.joints[i]);
-  }
   return message;
 }
 
@@ -54,16 +75,25 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   message.override = message.linear_speed = std::nan("");
   if (!link.up || !state) return message;
   const RobotState& robot = state->robot;
-  message.mode = robot.automatic ? RobotStatus::MODE_AUTO : RobotStatus::MODE_MANUAL;
+  message.mode =
+      robot.mode == ControllerMode::Programming ? RobotStatus::MODE_MANUAL : RobotStatus::MODE_AUTO;
+  message.controller_mode = name_of(robot.mode);
   message.e_stopped = said(robot.e_stop);
   message.drives_powered = said(robot.drives);
-  message.motion_possible = said(robot.drives && !robot.e_stop && robot.automatic);
+  message.motion_possible = said(takes_motions(robot));
   message.in_motion = said(robot.status == MotionStatus::Moving);
-  message.in_error = said(robot.error.has_value());
-  message.error_code = robot.error ? robot.error->code : 0;
+  for (const ControllerError& alarm : robot.alarms) {
+    message.alarm_codes.push_back(alarm.code);
+    message.alarm_texts.emplace_back(alarm.text.c_str());
+  }
+  const ControllerError* const first = !robot.alarms.empty() ? &robot.alarms.front()
+                                       : robot.error         ? &*robot.error
+                                                             : nullptr;
+  message.in_error = said(first != nullptr);
+  message.error_code = first != nullptr ? first->code : 0;
   message.override = robot.override;
   message.linear_speed = robot.linear_speed;
-  if (robot.error) message.message = robot.error->text;
+  if (first != nullptr) message.message = first->text.c_str();
   return message;
 }
 

@@ -24,6 +24,7 @@ struct Pulse {
   std::uint32_t arming = 0;  //!< the first is 1
   std::uint64_t count = 0;   //!< since this arming; the first is 1
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
+  Nanoseconds late = 0;      //!< behind its deadline
 };
 
 struct TriggerStatus {
@@ -31,6 +32,7 @@ struct TriggerStatus {
   std::uint32_t arming = 0;  //!< the present or latest
   std::uint64_t pulses = 0;  //!< sent in it
   std::uint64_t missed = 0;  //!< deadlines of it that were missed
+  double latest = 0;         //!< [s] the greatest delay of one of its pulses
   double rate = 0;           //!< [Hz]
   std::uint8_t lasers = 0;   //!< on now
   std::string message;       //!< why it was disarmed
@@ -51,7 +53,7 @@ class PulseGenerator {
     double most_rate = 1000;          //!< [Hz]
     double keep_alive_timeout = 0.5;  //!< [s]
     double longest_on = 300;          //!< [s] the longest an arming lasts, whatever was asked for
-    int realtime_priority = 0;        //!< of SCHED_FIFO; 0: the usual scheduling
+    int realtime_priority = 50;       //!< of SCHED_FIFO, where the rights allow it; 0: never
   };
   struct Arming {
     double rate = 0;          //!< [Hz] 0.1 or more
@@ -64,7 +66,6 @@ class PulseGenerator {
   };
 
   /// @param guardian none only in tests that do not kill the process
-  /// @throw scan_cell_common::InvalidParameter if the real-time priority is not permitted
   PulseGenerator(TriggerPort& port, Guardian* guardian, const Settings& settings,
                  const Observer& observer);
   ~PulseGenerator();
@@ -82,14 +83,17 @@ class PulseGenerator {
   void keep_alive();
   TriggerStatus status() const;
 
+  /// Why the pulses come from a thread with the usual scheduling; empty: it is a real-time one.
+  const std::string& why_not_realtime() const { return why_not_realtime_; }
+
  private:
   using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
 
   void check(const Arming& arming) const;
-  void set_realtime_priority();
+  std::string set_realtime_priority();
   void run();
   void generate();
-  void send_pulse();
+  void send_pulse(Clock::time_point deadline);
   bool wait_until(Clock::time_point time, std::uint32_t arming);
   bool still_armed(std::uint32_t arming);
   std::string reason_to_disarm(Clock::time_point now) const;
@@ -111,6 +115,7 @@ class PulseGenerator {
   Clock::time_point guardian_told_at_;
   Nanoseconds shortest_write_ = std::numeric_limits<Nanoseconds>::max();  // of a pulse
   std::thread thread_;
+  std::string why_not_realtime_;
 };
 
 }  // namespace laser_trigger

@@ -3,6 +3,7 @@
 #include "laser_trigger/pulse_generator.h"
 
 #include <pthread.h>
+#include <sys/prctl.h>
 #include <time.h>
 
 #include <algorithm>
@@ -47,14 +48,7 @@ PulseGenerator::PulseGenerator(TriggerPort& port, Guardian* guardian, const Sett
     : port_(port), guardian_(guardian), settings_(settings), observer_(observer) {
   write_low();
   thread_ = std::thread(&PulseGenerator::run, this);
-  try {
-    set_realtime_priority();
-  } catch (...) {
-    ending_ = true;
-    changed_.notify_all();
-    thread_.join();
-    throw;
-  }
+  why_not_realtime_ = set_realtime_priority();
 }
 
 PulseGenerator::~PulseGenerator() {
@@ -68,16 +62,14 @@ PulseGenerator::~PulseGenerator() {
   write_low();
 }
 
-void PulseGenerator::set_realtime_priority() {
-  if (settings_.realtime_priority == 0) return;
+std::string PulseGenerator::set_realtime_priority() {
+  if (settings_.realtime_priority == 0) return "realtime_priority is 0";
   sched_param priority = {};
   priority.sched_priority = settings_.realtime_priority;
   const int error = pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &priority);
-  if (error == 0) return;
-  throw scan_cell_common::InvalidParameter(
-      "realtime_priority",
-      std::to_string(settings_.realtime_priority) + " (" + std::strerror(error) + ")",
-      "allow it (rtprio in /etc/security/limits.d), or set 0");
+  if (error == 0) return "";
+  return "realtime_priority: " + std::to_string(settings_.realtime_priority) + " (" +
+         std::strerror(error) + "); allow it (rtprio in /etc/security/limits.d), or set 0";
 }
 
 void PulseGenerator::check(const Arming& arming) const {
@@ -120,7 +112,7 @@ std::uint32_t PulseGenerator::arm(const Arming& arming) {
     }
     armed_at_ = kept_alive_at_ = guardian_told_at_ = Clock::now();
     number = status_.arming + 1;
-    status_ = {true, number, 0, 0, arming.rate, arming.lasers, ""};
+    status_ = {true, number, 0, 0, 0, arming.rate, arming.lasers, ""};
   }
   changed_.notify_all();
   observer_.on_change();
@@ -177,6 +169,7 @@ TriggerStatus PulseGenerator::status() const {
 }
 
 void PulseGenerator::run() {
+  prctl(PR_SET_TIMERSLACK, 1);  // or the kernel may wake it 50 us late, to save power
   while (true) {
     {
       std::unique_lock<std::mutex> lock(mutex_);
@@ -237,7 +230,7 @@ void PulseGenerator::generate() {
   while (wait_until(deadline, begin.arming)) {
     const auto late = Clock::now() - deadline;
     if (late * 2 < period) {
-      send_pulse();
+      send_pulse(deadline);
       deadline += period;
     } else {
       const auto missed = (late + period / 2) / period;
@@ -248,7 +241,7 @@ void PulseGenerator::generate() {
   }
 }
 
-void PulseGenerator::send_pulse() {
+void PulseGenerator::send_pulse(Clock::time_point deadline) {
   Pulse pulse;
   std::string failure;
   const auto write = [this, &failure](std::uint8_t data) {
@@ -262,13 +255,16 @@ void PulseGenerator::send_pulse() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!status_.armed) return;
+    const Nanoseconds late = duration_cast<nanoseconds>(Clock::now() - deadline).count();
     const Nanoseconds before = host_time();
     write(laser_bits(status_.lasers) | kCameraPulse);
     const Nanoseconds after = host_time();
     if (failure.empty()) {
       // Where a write is held up it is behind the edge, as the call returns.
       shortest_write_ = std::clamp<Nanoseconds>(after - before, 0, shortest_write_);
-      pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, status_.lasers};
+      pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, status_.lasers,
+               late};
+      status_.latest = std::max(status_.latest, scan_cell_common::to_seconds(late));
     }
   }
   if (failure.empty()) {

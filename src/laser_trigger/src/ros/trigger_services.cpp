@@ -16,7 +16,13 @@ TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& paramet
                                  TriggerPort& port, Guardian& guardian) {
   constexpr std::uint32_t kEvents = 100000;
   events_ = node.advertise<scan_cell_msgs::TriggerEvent>("events", kEvents);
-  state_ = node.advertise<scan_cell_msgs::TriggerState>("state", 10, true);
+  state_ = node.advertise<scan_cell_msgs::TriggerState>(
+      "state", 10,
+      [this](const ros::SingleSubscriberPublisher& peer) { on_listener(peer.getSubscriberName()); },
+      [this](const ros::SingleSubscriberPublisher& peer) {
+        on_listener_gone(peer.getSubscriberName());
+      },
+      ros::VoidConstPtr(), true);
   generator_ = std::make_unique<PulseGenerator>(
       port, &guardian, parameters.pulses,
       PulseGenerator::Observer{[this](const Pulse& pulse) { on_pulse(pulse); },
@@ -31,16 +37,36 @@ TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& paramet
   diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
                                         [this](const ros::TimerEvent&) { diagnostics_.update(); });
   publish_state();
+  if (parameters.pulses.realtime_priority > 0 && !generator_->why_not_realtime().empty())
+    ROS_WARN("pulses without real-time scheduling: %s", generator_->why_not_realtime().c_str());
 }
 
 void TriggerServices::shut_down(const std::string& reason) {
   generator_->disarm(reason);
 }
 
-bool TriggerServices::arm(ArmTrigger::Request& request, ArmTrigger::Response& response) {
+void TriggerServices::on_listener(const std::string& node) {
+  const std::lock_guard<std::mutex> lock(client_mutex_);
+  listeners_.insert(node);
+}
+
+void TriggerServices::on_listener_gone(const std::string& node) {
+  const std::lock_guard<std::mutex> lock(client_mutex_);
+  if (const auto gone = listeners_.find(node); gone != listeners_.end()) listeners_.erase(gone);
+  if (node != client_ || listeners_.count(node) > 0) return;
+  client_.clear();
+  generator_->disarm("its client " + node + " is gone");
+}
+
+bool TriggerServices::arm(ArmEvent& event) {
+  const ArmTrigger::Request& request = event.getRequest();
+  ArmTrigger::Response& response = event.getResponse();
+  const std::lock_guard<std::mutex> lock(client_mutex_);
   try {
     response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec()});
     response.success = true;
+    const std::string& caller = event.getCallerName();
+    client_ = listeners_.count(caller) > 0 ? caller : "";
   } catch (const scan_cell_common::Error& error) {
     response.success = false;
     response.message = error.what();
@@ -90,6 +116,8 @@ void TriggerServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("lasers", static_cast<int>(now.lasers));
   status.add("pulses", now.pulses);
   status.add("missed deadlines", now.missed);
+  status.add("not real-time because", generator_->why_not_realtime());
+  status.add("latest pulse [ms]", now.latest * 1e3);
   status.add("disarmed because", now.message);
 }
 

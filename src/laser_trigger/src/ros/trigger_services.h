@@ -10,6 +10,8 @@
 
 #include <memory>
 #include <mutex>
+#include <set>
+#include <string>
 
 #include "laser_trigger/pulse_generator.h"
 #include "parameters.h"
@@ -26,17 +28,24 @@ class TriggerServices {
   void shut_down(const std::string& reason);
 
  private:
-  bool arm(scan_cell_msgs::ArmTrigger::Request& request,
-           scan_cell_msgs::ArmTrigger::Response& response);
+  using ArmEvent =
+      ros::ServiceEvent<scan_cell_msgs::ArmTrigger::Request, scan_cell_msgs::ArmTrigger::Response>;
+
+  bool arm(ArmEvent& event);
   bool disarm(scan_cell_msgs::DisarmTrigger::Request& request,
               scan_cell_msgs::DisarmTrigger::Response& response);
+  void on_listener(const std::string& node);
+  void on_listener_gone(const std::string& node);
   void on_pulse(const Pulse& pulse);
   void publish_state();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::Publisher events_;
   ros::Publisher state_;
-  std::mutex state_mutex_;  // the state published last is the latest
+  std::mutex state_mutex_;                // the state published last is the latest
+  std::mutex client_mutex_;               // of the next two, and while it is armed
+  std::multiset<std::string> listeners_;  // nodes that are connected to the state
+  std::string client_;                    // the one of them that armed it; empty: none did
   std::unique_ptr<PulseGenerator> generator_;
   ros::Subscriber keep_alive_;
   ros::ServiceServer arm_;

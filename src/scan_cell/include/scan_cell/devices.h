@@ -49,6 +49,10 @@ class Robot : public Device {
 
   virtual Motion motion() const = 0;
 
+  /// Why nobody knows where it is in the motion under way; empty while its poses come. Asked only
+  /// while it moves with a laser on, when trouble() would tell too late.
+  virtual std::string unseen() const = 0;
+
   /// Why it could not move now, such as a pressed emergency stop; empty while it could.
   virtual std::string hindrance() const = 0;
 

@@ -21,7 +21,7 @@ double monotonic_now();
 class Supervisor {
  public:
   struct Timing {
-    double poll = 0.01;       //!< [s] between two looks at the devices
+    double poll = 0.005;      //!< [s] between two looks at the devices
     double keep_alive = 0.1;  //!< [s] between two signs of life to the trigger
     double readiness = 1.0;   //!< [s] to hear of the robot, before anything moves
     double stall = 5.0;       //!< [s] without progress after which a motion has failed
@@ -64,6 +64,7 @@ class Supervisor {
  private:
   static void end_if_failed(const Motion& motion);
   void end_if_stalled(double deadline) const;
+  void end_if_unseen();
 
   Robot& robot_;
   Trigger& trigger_;
@@ -72,6 +73,7 @@ class Supervisor {
   const std::atomic<bool>* cancel_ = nullptr;
   bool moving_ = false;
   bool armed_ = false;
+  bool unseen_before_ = false;  // the robot, at the last look
   double last_keep_alive_ = 0;
 };
 

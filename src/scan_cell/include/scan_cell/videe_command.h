@@ -31,7 +31,7 @@ struct VideeCommand {
 VideeCommand parse_videe(const std::string& line);
 
 /// Pose from "x,y,z,rx,ry,rz": millimetres, and degrees about the fixed axes x, then y, then z.
-/// @throw scan_cell_common::ProtocolError if it is not six finite numbers
+/// @throw scan_cell_common::ProtocolError if it is not six numbers within a million
 Eigen::Isometry3d pose_from_wire(const std::string& text);
 
 /// The other way. ry lies from -90 to 90 degrees; at its ends rx is 0.

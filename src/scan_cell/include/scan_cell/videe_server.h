@@ -12,7 +12,8 @@
 namespace scan_cell {
 
 /// Serves ViDeE over TCP: a line with a command in, a line with its result out, one command at a
-/// time and one client at a time (others wait). "OK ..." or "ERROR reason".
+/// time. "OK ..." or "ERROR reason". One client at a time: another one is told who is there and
+/// hung up on.
 class VideeServer {
  public:
   /// Whether the client is still there. A handler that waits for long asks it now and then.
@@ -21,15 +22,19 @@ class VideeServer {
   /// Carries out a command and returns what follows "OK"; an exception becomes "ERROR".
   using Handler = std::function<std::string(const VideeCommand&, const ClientThere&)>;
 
+  struct Options {
+    std::string address = "127.0.0.1";  //!< of the interface to listen on
+    std::uint16_t port = 5000;          //!< 0: any free one
+    std::string client;                 //!< the only address that is answered; empty: any
+    double idle_time = 600;  //!< [s] without a command, after which a client is hung up on
+  };
+
   /// Starts to listen.
-  /// @param address of the interface, such as 127.0.0.1
-  /// @param port 0: any free one
   /// @param on_client_lost called when a client has gone, whatever it had under way
   /// @throw scan_cell_common::ConnectionError if the port cannot be opened
-  VideeServer(const std::string& address, std::uint16_t port, Handler handler,
-              std::function<void()> on_client_lost);
+  VideeServer(const Options& options, Handler handler, std::function<void()> on_client_lost);
 
-  /// Ends the connection and the thread; waits for the command under way.
+  /// Ends the connection and the threads; waits for the command under way.
   ~VideeServer();
 
   VideeServer(const VideeServer&) = delete;

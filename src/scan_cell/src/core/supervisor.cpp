@@ -23,7 +23,7 @@ Supervisor::Supervisor(Robot& robot, Trigger& trigger, std::vector<Watched> othe
 
 void Supervisor::begin(const std::atomic<bool>& cancel) {
   cancel_ = &cancel;
-  moving_ = armed_ = false;
+  moving_ = armed_ = unseen_before_ = false;
   last_keep_alive_ = 0;
 }
 
@@ -105,6 +105,13 @@ void Supervisor::end_if_stalled(double deadline) const {
                                             " s; check drives, override and obstacles"};
 }
 
+void Supervisor::end_if_unseen() {
+  const std::string unseen = armed_ && moving_ ? robot_.unseen() : "";
+  // At two looks in a row: where this process was held up, the poses that wait for it come between.
+  if (!unseen.empty() && unseen_before_) throw EndEarly{Outcome::RobotLost, unseen};
+  unseen_before_ = !unseen.empty();
+}
+
 void Supervisor::sleep_and_watch() {
   std::this_thread::sleep_for(std::chrono::duration<double>(timing_.poll));
   watch();
@@ -126,6 +133,7 @@ void Supervisor::watch() {
     const std::string trouble = watched.device->trouble();
     if (!trouble.empty()) throw EndEarly{watched.outcome, trouble};
   }
+  end_if_unseen();
   if (armed_ && monotonic_now() - last_keep_alive_ >= timing_.keep_alive) {
     trigger_.keep_alive();
     last_keep_alive_ = monotonic_now();

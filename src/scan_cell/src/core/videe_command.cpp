@@ -3,16 +3,20 @@
 #include "scan_cell/videe_command.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <sstream>
+#include <string_view>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/text.h"
 
 namespace scan_cell {
 namespace {
 
+using scan_cell_common::excerpt;
 using scan_cell_common::ProtocolError;
 
 constexpr double kMillimetres = 1e3;
@@ -31,21 +35,27 @@ const std::map<std::string, VideeCommandKind>& kinds() {
   return kinds;
 }
 
-std::vector<double> numbers(const std::string& text) {
-  std::vector<double> result;
-  std::istringstream fields(text);
-  std::string field;
-  while (std::getline(fields, field, ',')) {
-    std::size_t used = 0;
-    try {
-      result.push_back(std::stod(field, &used));
-    } catch (const std::exception&) {
-      used = 0;
+/// Six numbers between commas.
+std::array<double, 6> six_numbers(std::string_view text) {
+  constexpr double kMost = 1e6;  // a kilometre, some thousand turns: beyond it is nonsense
+  constexpr const char* kCure = "send x,y,z,rx,ry,rz in millimetres and degrees";
+  std::array<double, 6> result{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const bool last = i + 1 == result.size();
+    const std::size_t comma = last ? rest.size() : rest.find(',');
+    if (comma == std::string_view::npos) {
+      throw ProtocolError("pose '" + excerpt(text) + "'", std::to_string(i + 1) + " numbers",
+                          kCure);
     }
-    if (used == 0 || used != field.size() || !std::isfinite(result.back())) {
-      throw ProtocolError("pose '" + text + "'", "'" + field + "' is no finite number",
-                          "send x,y,z,rx,ry,rz");
+    const std::string_view field = rest.substr(0, comma);
+    const auto value = scan_cell_common::parse_number(field);
+    if (!value || !(std::abs(*value) <= kMost)) {
+      throw ProtocolError("pose '" + excerpt(text) + "'",
+                          "'" + excerpt(field) + "' is no number within 1000000", kCure);
     }
+    result[i] = *value;
+    rest.remove_prefix(last ? comma : comma + 1);
   }
   return result;
 }
@@ -58,7 +68,7 @@ VideeCommand parse_videe(const std::string& line) {
   words >> name;
   const auto kind = kinds().find(name);
   if (kind == kinds().end()) {
-    throw ProtocolError("command '" + name.substr(0, 40) + "'", "unknown",
+    throw ProtocolError("command '" + excerpt(name) + "'", "unknown",
                         "send one of the ViDeE commands in capital letters");
   }
   VideeCommand command;
@@ -75,11 +85,7 @@ VideeCommand parse_videe(const std::string& line) {
 }
 
 Eigen::Isometry3d pose_from_wire(const std::string& text) {
-  const std::vector<double> values = numbers(text);
-  if (values.size() != 6) {
-    throw ProtocolError("pose '" + text + "'", std::to_string(values.size()) + " numbers",
-                        "send six: x,y,z,rx,ry,rz");
-  }
+  const std::array<double, 6> values = six_numbers(text);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() << values[0] / kMillimetres, values[1] / kMillimetres,
       values[2] / kMillimetres;

@@ -2,141 +2,136 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell/videe_server.h"
 
-#include <netinet/tcp.h>
-#include <poll.h>
-
-#include <algorithm>
 #include <atomic>
 #include <boost/asio.hpp>
+#include <condition_variable>
 #include <mutex>
 #include <thread>
 
 #include "scan_cell_common/errors.h"
+#include "videe_connection.h"
 
 namespace scan_cell {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
-
-namespace {
-
-void set_option(int socket, int level, int name, int value) {
-  ::setsockopt(socket, level, name, &value, sizeof(value));
-}
-
-/// Lets a client whose cable was pulled be noticed within five seconds.
-void watch_line(int socket) {
-  set_option(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
-  set_option(socket, IPPROTO_TCP, TCP_KEEPIDLE, 2);         // [s] of silence before the first probe
-  set_option(socket, IPPROTO_TCP, TCP_KEEPINTVL, 1);        // [s]
-  set_option(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);          // probes without answer
-  set_option(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, 5000);  // [ms] for what was sent
-}
-
-/// Also where commands that were not read yet hide the end of the connection.
-bool is_there(int socket) {
-  pollfd look{socket, POLLRDHUP, 0};
-  return ::poll(&look, 1, 0) == 0;
-}
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text + "\n";
-}
-
-}  // namespace
+using scan_cell_common::ConnectionError;
 
 struct VideeServer::Implementation {
-  Implementation(const std::string& address, std::uint16_t port, Handler h,
-                 std::function<void()> lost)
-      : handler(std::move(h)), on_client_lost(std::move(lost)) {
+  Implementation(const Options& o, Handler h, std::function<void()> lost)
+      : options(o), handler(std::move(h)), on_client_lost(std::move(lost)) {
+    const std::string name = options.address + ":" + std::to_string(options.port);
     try {
-      const tcp::endpoint endpoint(asio::ip::make_address(address), port);
+      if (!options.client.empty()) only_client = asio::ip::make_address(options.client);
+      const tcp::endpoint endpoint(asio::ip::make_address(options.address), options.port);
       acceptor.open(endpoint.protocol());
       acceptor.set_option(tcp::acceptor::reuse_address(true));
       acceptor.bind(endpoint);
       acceptor.listen();
     } catch (const boost::system::system_error& error) {
-      throw scan_cell_common::ConnectionError("ViDeE on " + address + ":" + std::to_string(port),
-                                              error.what(), "choose a free port");
+      throw ConnectionError("ViDeE on " + name + " for '" + options.client + "'", error.what(),
+                            "give addresses such as 127.0.0.1, and a free port");
     }
-    thread = std::thread([this] { accept(); });
+    acceptor_thread = std::thread([this] { accept(); });
+    server_thread = std::thread([this] { serve(); });
   }
 
   ~Implementation() {
-    stopping = true;
     {
       // shutdown() wakes a thread blocked in accept or read; closing alone would not.
       const std::lock_guard<std::mutex> lock(mutex);
+      stopping = true;
       boost::system::error_code ignored;
       ::shutdown(acceptor.native_handle(), SHUT_RDWR);
       if (socket.is_open()) socket.shutdown(tcp::socket::shutdown_both, ignored);
     }
-    thread.join();
+    changed.notify_all();
+    acceptor_thread.join();
+    server_thread.join();
   }
 
   void accept() {
     while (!stopping) {
       boost::system::error_code error;
+      tcp::endpoint peer;
       tcp::socket client(context);
-      acceptor.accept(client, error);
-      if (error) continue;
-      watch_line(client.native_handle());
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        socket = std::move(client);
-        if (stopping) return;
+      acceptor.accept(client, peer, error);
+      if (error) {
+        constexpr std::chrono::milliseconds kPause(100);  // out of files: it would spin
+        if (!stopping) std::this_thread::sleep_for(kPause);
+      } else if (!only_client || peer.address() == *only_client) {
+        take(std::move(client));
       }
-      serve();
-      on_client_lost();
-      const std::lock_guard<std::mutex> lock(mutex);
-      socket.close(error);
     }
+  }
+
+  /// Hands a client over to the server, as soon as the one before, if gone, is done with.
+  void take(tcp::socket client) {
+    std::unique_lock<std::mutex> lock(mutex);
+    if (socket.is_open() && VideeConnection(socket.native_handle(), 0).is_there()) {
+      boost::system::error_code unknown;
+      const std::string other = socket.remote_endpoint(unknown).address().to_string();
+      VideeConnection(client.native_handle(), 0)
+          .send_line("ERROR another client is connected, from " + other + "; try again later");
+      return;
+    }
+    changed.wait(lock, [this] { return stopping || !socket.is_open(); });
+    if (stopping) return;
+    socket = std::move(client);
+    changed.notify_all();
   }
 
   void serve() {
-    constexpr std::size_t kLongestLine = 1024;
-    asio::streambuf buffer(kLongestLine);
-    while (!stopping) {
-      boost::system::error_code error;
-      asio::read_until(socket, buffer, '\n', error);
-      if (error == asio::error::not_found) {
-        asio::write(socket, asio::buffer(std::string("ERROR line too long\n")), error);
-        return;
+    while (true) {
+      {
+        std::unique_lock<std::mutex> lock(mutex);
+        changed.wait(lock, [this] { return stopping || socket.is_open(); });
+        if (stopping) return;
       }
-      if (error) return;
-      std::istream stream(&buffer);
-      std::string line;
-      std::getline(stream, line);
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      asio::write(socket, asio::buffer(answer(line)), error);
-      if (error) return;
+      converse();
+      on_client_lost();
+      boost::system::error_code ignored;
+      const std::lock_guard<std::mutex> lock(mutex);
+      socket.close(ignored);
+      changed.notify_all();
     }
   }
 
-  std::string answer(const std::string& line) {
-    const auto client_there = [this] { return is_there(socket.native_handle()); };
+  void converse() {
+    VideeConnection connection(socket.native_handle(), options.idle_time);
+    while (!stopping) {
+      const auto line = connection.next_line();
+      if (!line || !connection.send_line(answer(*line, connection))) return;
+    }
+  }
+
+  std::string answer(const std::string& line, const VideeConnection& connection) const {
     try {
-      const std::string result = handler(parse_videe(line), client_there);
-      return one_line(result.empty() ? "OK" : "OK " + result);
+      const std::string result =
+          handler(parse_videe(line), [&connection] { return connection.is_there(); });
+      return result.empty() ? "OK" : "OK " + result;
     } catch (const std::exception& error) {  // of OpenCV, too: a command must not end the node
-      return one_line("ERROR " + std::string(error.what()));
+      return "ERROR " + std::string(error.what());
     }
   }
 
-  Handler handler;
-  std::function<void()> on_client_lost;
+  const Options options;
+  const Handler handler;
+  const std::function<void()> on_client_lost;
+  std::optional<asio::ip::address> only_client;
   asio::io_context context;
   tcp::acceptor acceptor{context};
-  std::mutex mutex;  // of socket, between serving and stopping
+  std::mutex mutex;  // of the socket: opened by the acceptor, closed by the server
+  std::condition_variable changed;
   tcp::socket socket{context};
   std::atomic<bool> stopping{false};
-  std::thread thread;
+  std::thread acceptor_thread;
+  std::thread server_thread;
 };
 
-VideeServer::VideeServer(const std::string& address, std::uint16_t port, Handler handler,
+VideeServer::VideeServer(const Options& options, Handler handler,
                          std::function<void()> on_client_lost)
-    : implementation_(std::make_unique<Implementation>(address, port, std::move(handler),
+    : implementation_(std::make_unique<Implementation>(options, std::move(handler),
                                                        std::move(on_client_lost))) {}
 
 VideeServer::~VideeServer() = default;

@@ -42,12 +42,14 @@ Parameters Parameters::load(const ros::NodeHandle& node) {
   scan_cell_common::ParameterReader reader(node);
   Parameters parameters;
   reader.read("base_frame", parameters.base_frame);
+  reader.read("flange_frame", parameters.flange_frame);
   reader.read("robot", parameters.robot);
   reader.read("camera", parameters.camera);
   reader.read("trigger", parameters.trigger);
   reader.read("binder", parameters.binder);
   reader.read("triangulation", parameters.triangulation);
   reader.read("lost_after", parameters.lost_after, {0.1, 1.0});
+  reader.read("unseen_after", parameters.unseen_after, {0.01, 1.0});
   reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
   reader.read("most_speed", parameters.limits.most_speed, {0.001, 1.5});
   reader.read("most_rate", parameters.limits.most_rate, {0.1, 10000});

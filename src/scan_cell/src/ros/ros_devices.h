@@ -9,6 +9,7 @@
 #include <scan_cell_msgs/RobotStatus.h>
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <scan_cell_msgs/TriggerState.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
 #include <mutex>
@@ -29,21 +30,30 @@ class RosRobot : public Robot {
   void set_linear_motion(double speed) override;
   void start_move(const Eigen::Isometry3d& flange, double camera_rate) override;
   Motion motion() const override;
+  std::string unseen() const override;
   std::string hindrance() const override;
   Eigen::Isometry3d static_pose() override;
   void stop() noexcept override;
+
+  /// Drops what the robot was told before this object was made, by an earlier life of this node:
+  /// nobody watches over that.
+  /// @return false where the driver is not there yet: ask again
+  bool drop_earlier_goals();
 
  private:
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::MoveAction>;
 
   void on_status(const scan_cell_msgs::RobotStatus& status);
+  void on_transforms(const tf2_msgs::TFMessage& transforms);
   void on_done(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
                const scan_cell_msgs::MoveResultConstPtr& result);
   void on_feedback(std::uint64_t move, const scan_cell_msgs::MoveFeedbackConstPtr& feedback);
 
   const Parameters parameters_;
+  const ros::Time made_ = ros::Time::now();
   LastHeard status_;
-  LastHeard pose_;  // status with a pose that is newer than the one before
+  LastHeard pose_;       // status with a pose that is newer than the one before
+  LastHeard transform_;  // of the flange
   mutable std::mutex mutex_;
   scan_cell_msgs::RobotStatus last_status_;
   Motion motion_;
@@ -51,6 +61,7 @@ class RosRobot : public Robot {
       0;           // number of the motion that counts; late news of earlier ones is ignored
   Client client_;  // last, as the subscriber: their callbacks use all the rest
   ros::Subscriber status_subscriber_;
+  ros::Subscriber transform_subscriber_;
 };
 
 /// The camera behind a node with tecnogamma_camera's interface.

@@ -32,6 +32,8 @@ Motion::State state_of(std::uint8_t outcome) {
 RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
     : parameters_(parameters), client_(node, parameters.robot + "/move", false) {
   status_subscriber_ = node.subscribe(parameters.robot + "/status", 10, &RosRobot::on_status, this);
+  transform_subscriber_ = node.subscribe("/tf", 100, &RosRobot::on_transforms, this,
+                                         ros::TransportHints().tcpNoDelay());
 }
 
 void RosRobot::on_status(const scan_cell_msgs::RobotStatus& status) {
@@ -39,6 +41,19 @@ void RosRobot::on_status(const scan_cell_msgs::RobotStatus& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (status.header.stamp != last_status_.header.stamp) pose_.now();
   last_status_ = status;
+}
+
+void RosRobot::on_transforms(const tf2_msgs::TFMessage& transforms) {
+  for (const auto& transform : transforms.transforms) {
+    if (transform.child_frame_id == parameters_.flange_frame) transform_.now();
+  }
+}
+
+std::string RosRobot::unseen() const {
+  const double age = transform_.age();
+  if (!transform_.ever() || age <= parameters_.unseen_after) return "";
+  return "robot: no pose for " + std::to_string(age) +
+         " s in mid motion; check the controller, its cable and its driver";
 }
 
 std::string RosRobot::trouble() const {
@@ -122,8 +137,11 @@ std::string RosRobot::hindrance() const {
   using scan_cell_msgs::RobotStatus;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (last_status_.e_stopped == RobotStatus::YES) return "the emergency stop is pressed";
+  if (!last_status_.alarm_texts.empty()) return "alarm: " + last_status_.alarm_texts.front();
   if (last_status_.drives_powered == RobotStatus::NO) return "the drives are off";
-  if (last_status_.motion_possible == RobotStatus::NO) return "it is not in automatic mode";
+  if (last_status_.motion_possible == RobotStatus::NO) {
+    return "the controller takes no motion in mode " + last_status_.controller_mode;
+  }
   return "";
 }
 
@@ -135,6 +153,12 @@ Eigen::Isometry3d RosRobot::static_pose() {
                                     "set base_frame to the driver's");
   }
   return scan_cell_common::from_ros(answer.pose.pose);
+}
+
+bool RosRobot::drop_earlier_goals() {
+  if (!client_.isServerConnected()) return false;
+  client_.cancelGoalsAtAndBeforeTime(made_);
+  return true;
 }
 
 void RosRobot::stop() noexcept {

@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "calibrate_action.h"
+#include "grab_image.h"
 #include "scan_action.h"
 #include "scan_cell_common/ros/node_main.h"
 
@@ -42,11 +43,15 @@ int main(int argc, char** argv) {
     scan_cell::CellInUse cell;
     scan_cell::ScanAction scan(node, parameters, devices, cell);
     scan_cell::CalibrateAction calibrate(node, parameters, devices, cell);
+    const scan_cell::GrabImage grab_image(node, parameters, cell);
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     take_over_shutdown();
     spinner.start();
-    while (!interrupted && ros::ok())
+    bool dropped = false;
+    while (!interrupted && ros::ok()) {
+      dropped = dropped || devices.robot.drop_earlier_goals();
       ros::WallDuration(0.02).sleep();
+    }
   });
 }

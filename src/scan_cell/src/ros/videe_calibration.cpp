@@ -106,6 +106,10 @@ std::string VideeCalibration::perform(const VideeServer::ClientThere& client_the
   return result->model.empty() ? counts : counts + figures(*result);
 }
 
+void VideeCalibration::cancel_all() {
+  if (client_.isServerConnected()) client_.cancelAllGoals();
+}
+
 void VideeCalibration::reset() {
   ready_ = false;
   if (!running_) return;

@@ -49,6 +49,9 @@ class VideeCalibration {
   /// Ends what is under way; INIT_CALIBRATION is needed again.
   void reset();
 
+  /// Has every calibration cancelled, whoever asked for it.
+  void cancel_all();
+
  private:
   scan_cell_msgs::CalibrateGoal goal() const;
 

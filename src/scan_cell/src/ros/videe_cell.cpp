@@ -3,10 +3,10 @@
 #include "videe_cell.h"
 
 #include <cv_bridge/cv_bridge.h>
-#include <ros/topic.h>
-#include <scan_cell_msgs/SetAcquisition.h>
-#include <sensor_msgs/Image.h>
+#include <scan_cell_msgs/GrabImage.h>
+#include <sensor_msgs/image_encodings.h>
 
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
 #include "scan_cell/ros/service_call.h"
@@ -16,19 +16,27 @@
 
 namespace scan_cell {
 
-using scan_cell_common::ConnectionError;
 using scan_cell_common::Refused;
-using scan_cell_msgs::SetAcquisition;
+
+namespace {
+
+constexpr double kCallsInside = 4;  // timeouts: three calls inside of grab_image, and its own
+
+}  // namespace
 
 VideeParameters VideeParameters::load(const ros::NodeHandle& node) {
   scan_cell_common::ParameterReader reader(node);
   VideeParameters parameters;
-  reader.read("address", parameters.address);
-  reader.read("port", parameters.port, {1, 65535});
+  int port = parameters.server.port;
+  reader.read("address", parameters.server.address);
+  reader.read("port", port, {1, 65535});
+  parameters.server.port = static_cast<std::uint16_t>(port);
+  reader.read("client", parameters.server.client);
+  reader.read("idle_time", parameters.server.idle_time, {1, 86400});
   reader.require("program", parameters.program);
   reader.read("image_folder", parameters.image_folder);
   reader.read("scan", parameters.scan);
-  reader.read("camera", parameters.camera);
+  reader.read("grab_image", parameters.grab_image);
   reader.read("calibrate", parameters.calibrate);
   parameters.calibration = VideeCalibrationParameters::load(reader);
   reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
@@ -47,8 +55,10 @@ std::string VideeCell::carry_out(const VideeCommand& command,
                                  const VideeServer::ClientThere& client_there) {
   switch (command.kind) {
     case VideeCommandKind::InitCycle:
+      end_own();
+      return "";
     case VideeCommandKind::Reset:
-      reset();
+      end_all();
       return "";
     case VideeCommandKind::InitCalibration:
       return calibration_.init();
@@ -57,8 +67,7 @@ std::string VideeCell::carry_out(const VideeCommand& command,
     case VideeCommandKind::GrabImage:
       return grab_image();
     case VideeCommandKind::SetPosition:
-      positions_ = command.poses;
-      return "";
+      return set_position(command);
     case VideeCommandKind::StartScan:
       return start_scan();
     case VideeCommandKind::StopScan:
@@ -67,13 +76,27 @@ std::string VideeCell::carry_out(const VideeCommand& command,
   throw Refused("command", "unknown", "send a ViDeE command");
 }
 
-void VideeCell::reset() {
+void VideeCell::end_own() {
   positions_.clear();
   calibration_.reset();
   if (!running_) return;
   client_.cancelGoal();
   client_.waitForResult(ros::Duration(parameters_.call_timeout));
   running_ = false;
+}
+
+void VideeCell::end_all() {
+  if (client_.isServerConnected()) client_.cancelAllGoals();
+  calibration_.cancel_all();
+  end_own();
+}
+
+std::string VideeCell::set_position(const VideeCommand& command) {
+  if (running_) {
+    throw Refused("SET_POSITION", "a scan is running", "send STOP_SCAN or RESET first");
+  }
+  positions_ = command.poses;
+  return "";
 }
 
 std::string VideeCell::start_scan() {
@@ -90,6 +113,7 @@ std::string VideeCell::start_scan() {
   goal.rate = program_.request.rate;
   goal.lasers = program_.request.lasers;
   client_.sendGoal(goal);
+  wait_until_taken(client_, parameters_.scan, parameters_.call_timeout);
   running_ = true;
   return "";
 }
@@ -105,21 +129,14 @@ std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
 }
 
 std::string VideeCell::grab_image() {
-  if (running_) throw Refused("GRAB_IMAGE", "a scan is running", "send STOP_SCAN first");
-  SetAcquisition::Request request;
-  request.mode = SetAcquisition::Request::LIVE_ONLY;
-  request.trigger = SetAcquisition::Request::FREE_RUN;
-  call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, parameters_.call_timeout);
-  const auto image = ros::topic::waitForMessage<sensor_msgs::Image>(
-      parameters_.camera + "/image_raw", node_, ros::Duration(parameters_.call_timeout));
-  request.mode = SetAcquisition::Request::STOP;
-  call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, parameters_.call_timeout);
-  if (!image) {
-    throw ConnectionError("GRAB_IMAGE", "no image came", "check the camera's cable");
-  }
-  const std::string path =
-      parameters_.image_folder + "/image_" + std::to_string(++images_) + ".png";
-  if (!cv::imwrite(path, cv_bridge::toCvShare(image, "mono8")->image)) {
+  const auto answer = call<scan_cell_msgs::GrabImage>(parameters_.grab_image, {},
+                                                      kCallsInside * parameters_.call_timeout);
+  const auto image = cv_bridge::toCvCopy(answer.image, sensor_msgs::image_encodings::MONO8);
+  std::string path;
+  do {
+    path = parameters_.image_folder + "/image_" + std::to_string(++images_) + ".png";
+  } while (std::filesystem::exists(path));  // of an earlier run of this node
+  if (!cv::imwrite(path, image->image)) {
     throw scan_cell_common::FileError(path, "cannot be written", "check image_folder");
   }
   return path;
@@ -127,7 +144,7 @@ std::string VideeCell::grab_image() {
 
 void VideeCell::on_client_lost() {
   ROS_INFO("The ViDeE client is gone; what it had under way is cancelled");
-  reset();
+  end_own();
 }
 
 }  // namespace scan_cell

@@ -18,13 +18,12 @@ namespace scan_cell {
 
 /// Parameters of videe_node.
 struct VideeParameters {
-  std::string address = "127.0.0.1";     //!< interface to listen on
-  int port = 5000;                       //!< TCP
+  VideeServer::Options server;
   std::string program;                   //!< scan program: frame, speed, rate and laser are used
   std::string image_folder = "/tmp";     //!< where GRAB_IMAGE leaves its pictures
   std::string scan = "/scan_cell/scan";  //!< action
-  std::string camera = "/camera";        //!< node with ~set_acquisition and ~image_raw
-  std::string calibrate = "/scan_cell/calibrate";  //!< action
+  std::string grab_image = "/scan_cell/grab_image";  //!< service
+  std::string calibrate = "/scan_cell/calibrate";    //!< action
   VideeCalibrationParameters calibration;
   double call_timeout = 5.0;  //!< [s]
 
@@ -49,9 +48,11 @@ class VideeCell {
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
 
   std::string grab_image();
+  std::string set_position(const VideeCommand& command);
   std::string start_scan();
   std::string stop_scan(const VideeServer::ClientThere& client_there);
-  void reset();
+  void end_own();
+  void end_all();
 
   ros::NodeHandle node_;
   const VideeParameters parameters_;

@@ -14,12 +14,12 @@ int main(int argc, char** argv) {
     spinner.start();
     scan_cell::VideeCell cell(node, parameters);
     const scan_cell::VideeServer server(
-        parameters.address, static_cast<std::uint16_t>(parameters.port),
+        parameters.server,
         [&cell](const auto& command, const auto& client_there) {
           return cell.carry_out(command, client_there);
         },
         [&cell] { cell.on_client_lost(); });
-    ROS_INFO("ViDeE is served on %s:%u", parameters.address.c_str(), server.port());
+    ROS_INFO("ViDeE is served on %s:%u", parameters.server.address.c_str(), server.port());
     ros::waitForShutdown();
   });
 }

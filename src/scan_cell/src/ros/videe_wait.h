@@ -19,6 +19,24 @@ void wait_for_server(Client& client, const std::string& name, double timeout) {
   throw scan_cell_common::ConnectionError(name, "no action server", "is scan_cell_node running?");
 }
 
+/// Waits until the server has taken a goal that was sent to it.
+/// @throw Refused with the server's own message where it rejects it
+/// @throw ConnectionError if it says nothing within `timeout` [s]
+template <class Client>
+void wait_until_taken(Client& client, const std::string& name, double timeout) {
+  using State = actionlib::SimpleClientGoalState;
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (client.getState() == State::PENDING) {
+    if (ros::WallTime::now() > deadline) {
+      client.cancelGoal();
+      throw scan_cell_common::ConnectionError(name, "does not take the goal", "look at its log");
+    }
+    ros::WallDuration(0.01).sleep();
+  }
+  if (client.getState() != State::REJECTED) return;
+  throw scan_cell_common::Refused(name, "refused", client.getResult()->message);
+}
+
 /// Waits for a goal's end on behalf of a ViDeE client.
 /// @param running whether the goal is under way; true on return only where the client went away
 /// @throw ConnectionError if that client, or the action's server, goes away

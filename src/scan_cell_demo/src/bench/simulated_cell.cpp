@@ -36,14 +36,6 @@ namespace {
 constexpr double kPatience = 60;  // [s]
 constexpr std::uint32_t kUnbounded = 0;
 
-/// @return command that starts the cell, whose master this process then has too
-std::vector<std::string> command(const std::string& launch_file) {
-  const std::string port = std::to_string(scan_cell_common::free_port());
-  setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
-  setenv("ROS_IP", "127.0.0.1", 1);
-  return {"roslaunch", "-p", port, launch_file};
-}
-
 void wait_until_true(const std::string& what, const std::function<bool()>& met) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (!met()) {
@@ -55,18 +47,10 @@ void wait_until_true(const std::string& what, const std::function<bool()>& met) 
   }
 }
 
-ros::NodeHandle join_master() {
-  ros::M_string no_remappings;
-  ros::init(no_remappings, "bench_cloud_error", ros::init_options::NoRosout);
-  wait_until_true("ROS master", [] { return ros::master::check(); });
-  return {};
-}
-
 }  // namespace
 
 SimulatedCell::SimulatedCell(const std::string& launch_file)
-    : cell_(command(launch_file), true),
-      node_(join_master()),
+    : started_("bench_cloud_error", {launch_file}, ""),
       base_link_(scan_cell_sim::load_base_link_in_world(ros::package::getPath("scan_cell_sim") +
                                                         "/config/cell.yaml")) {
   for (const auto& [binder, bound] : {std::pair("/pose_frame_binder", &Scan::interpolated),
@@ -90,7 +74,6 @@ SimulatedCell::SimulatedCell(const std::string& launch_file)
   keeper_ = node_.createWallTimer(
       ros::WallDuration(kKeepAlive),
       [this](const ros::WallTimerEvent&) { keep_alive_.publish(std_msgs::Empty()); });
-  spinner_.start();
   wait_until_up();
 }
 

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/child_process.h"
 #include "scan_cell_common/timed_pose.h"
+#include "started_cell.h"
 
 namespace scan_cell_demo {
 
@@ -80,7 +80,7 @@ class SimulatedCell {
   void finish_stages(std::uint64_t pulses);
   static void acquire(std::uint8_t mode);
 
-  scan_cell_common::ChildProcess cell_;
+  StartedCell started_;
   ros::NodeHandle node_;
   Eigen::Isometry3d base_link_;  // in world
   std::mutex mutex_;             // of the next two
@@ -90,7 +90,6 @@ class SimulatedCell {
   ros::Publisher keep_alive_;
   ros::WallTimer keeper_;
   actionlib::SimpleActionClient<scan_cell_msgs::MoveAction> robot_{"/c4g_driver/move", false};
-  ros::AsyncSpinner spinner_{1};
 };
 
 }  // namespace scan_cell_demo

@@ -47,6 +47,18 @@ void read_controller(ParameterReader& reader, ControllerOptions& controller) {
   reader.read("controller/address", controller.address);
   read_port(reader, "controller/port", controller.port);
   reader.read("controller/stream_period", controller.stream_period, {0.002, 0.010});
+  reader.read("controller/position_noise", controller.noise.position, {0, 0.1});
+  reader.read("controller/orientation_noise", controller.noise.orientation, {0, 0.1});
+  std::string mode = name_of(controller.mode);
+  reader.read_choice("controller/mode", mode, {"programming", "automatic", "remote"});
+  controller.mode = controller_mode_of(mode);
+  for (const WireFault& fault : kWireFaults) {
+    const std::string name = fault.name;
+    reader.read("controller/to_client/" + name, controller.faults.to_client.*fault.value,
+                {0, fault.most});
+    reader.read("controller/from_client/" + name, controller.faults.from_client.*fault.value,
+                {0, fault.most});
+  }
 }
 
 }  // namespace

@@ -27,32 +27,58 @@ void check_share(const std::string& name, double share) {
   throw InvalidParameter(name, std::to_string(share), "give 0 .. 1");
 }
 
-void check(const scan_cell_msgs::SetFaults::Request& faults) {
-  check_share("camera_lost_frames", faults.camera_lost_frames);
-  check_share("camera_lost_packets", faults.camera_lost_packets);
-  check_share("robot_lost_packets", faults.robot_lost_packets);
-  check_share("robot_repeated_packets", faults.robot_repeated_packets);
-  check_share("robot_delayed_packets", faults.robot_delayed_packets);
-  constexpr double kMostDelay = 10, kMostDrift = 0.1;
-  if (!(faults.robot_delay >= 0 && faults.robot_delay <= kMostDelay)) {
-    throw InvalidParameter("robot_delay", std::to_string(faults.robot_delay) + " s",
-                           "give 0 .. 10 s");
-  }
-  if (!(std::abs(faults.robot_clock_drift) <= kMostDrift)) {
-    throw InvalidParameter("robot_clock_drift", std::to_string(faults.robot_clock_drift),
-                           "give -0.1 .. 0.1");
+ControllerMode mode_of(const scan_cell_msgs::SetFaults::Request& faults) {
+  if (faults.robot_mode.empty()) return ControllerMode::Remote;
+  try {
+    return controller_mode_of(faults.robot_mode);
+  } catch (const ControllerRefusal&) {
+    throw InvalidParameter("robot_mode", "'" + faults.robot_mode + "'",
+                           "give programming, automatic, remote, or nothing");
   }
 }
 
 ControllerFaults controller_faults(const scan_cell_msgs::SetFaults::Request& request) {
   ControllerFaults faults;
-  faults.to_client.lost = request.robot_lost_packets;
-  faults.to_client.repeated = request.robot_repeated_packets;
-  faults.to_client.delayed = request.robot_delayed_packets;
-  if (request.robot_delay > 0) faults.to_client.delay = request.robot_delay;
-  faults.to_client.link_down = faults.from_client.link_down = request.robot_link_down;
+  WireFaults& answers = faults.to_client;
+  answers.lost = request.robot_lost_packets;
+  answers.repeated = request.robot_repeated_packets;
+  answers.delayed = request.robot_delayed_packets;
+  if (request.robot_delay != 0) answers.delay = request.robot_delay;
+  answers.jitter = request.robot_jitter;
+  answers.held = request.robot_held;
+  if (request.robot_hold != 0) answers.hold = request.robot_hold;
+  answers.flipped = request.robot_flipped;
+  answers.truncated = request.robot_truncated;
+  if (request.robot_requests_too) faults.from_client = answers;
+  answers.silence = request.robot_silence;
+  faults.from_client.silence = request.robot_deafness;
+  answers.link_down = faults.from_client.link_down = request.robot_link_down;
   faults.clock_drift = request.robot_clock_drift;
+  faults.seed = request.seed;
   return faults;
+}
+
+void check(const scan_cell_msgs::SetFaults::Request& faults) {
+  constexpr double kMostDrift = 0.1, kLongestRestart = 3600;
+  check_share("camera_lost_frames", faults.camera_lost_frames);
+  check_share("camera_lost_packets", faults.camera_lost_packets);
+  check_share("robot_lost_packets", faults.robot_lost_packets);
+  check_share("robot_repeated_packets", faults.robot_repeated_packets);
+  check_share("robot_delayed_packets", faults.robot_delayed_packets);
+  const ControllerFaults controller = controller_faults(faults);
+  check(controller.to_client, "robot_");
+  if (!(controller.from_client.silence >= 0)) {
+    throw InvalidParameter("robot_deafness", std::to_string(faults.robot_deafness) + " s",
+                           "give 0 s or more");
+  }
+  if (!(std::abs(faults.robot_clock_drift) <= kMostDrift)) {
+    throw InvalidParameter("robot_clock_drift", std::to_string(faults.robot_clock_drift),
+                           "give -0.1 .. 0.1");
+  }
+  mode_of(faults);
+  if (faults.robot_restart >= 0 && faults.robot_restart <= kLongestRestart) return;
+  throw InvalidParameter("robot_restart", std::to_string(faults.robot_restart) + " s",
+                         "give 0 .. 3600 s");
 }
 
 geometry_msgs::PoseStamped to_message(const Eigen::Isometry3d& flange, const ros::Time& stamp) {
@@ -148,11 +174,20 @@ void SimulatorServices::apply(const scan_cell_msgs::SetFaults::Request& request)
   camera.seed = request.seed;
   cell_.camera().set_faults(camera);
   controller_.set_faults(controller_faults(request));
-  if (request.robot_e_stop != e_stop_) {
-    request.robot_e_stop ? controller_.press_e_stop() : controller_.release_e_stop();
-    e_stop_ = request.robot_e_stop;
+  attend(request);
+}
+
+void SimulatorServices::attend(const scan_cell_msgs::SetFaults::Request& request) {
+  controller_.select(mode_of(request));
+  if (request.robot_e_stop) {
+    controller_.press_e_stop();
+    return;
   }
+  controller_.release_e_stop();
+  controller_.reset_alarms();
+  controller_.switch_drives(!request.robot_drives_off);
   if (!request.robot_motion_error.empty()) controller_.fail_motion(request.robot_motion_error);
+  if (request.robot_restart > 0) controller_.restart(request.robot_restart);
 }
 
 void SimulatorServices::publish_parts(const World& world) {

@@ -25,13 +25,14 @@ class SimulatorServices {
   bool set(scan_cell_msgs::SetFaults::Request& request,
            scan_cell_msgs::SetFaults::Response& response);
   void apply(const scan_cell_msgs::SetFaults::Request& request);
+  /// Does what somebody at the controller's panel would.
+  void attend(const scan_cell_msgs::SetFaults::Request& request);
   void publish_parts(const World& world);
   void publish_flange(const ros::WallTimerEvent& event);
   void publish_exposure(const Cell::TrueExposure& exposure);
 
   Controller controller_;
   Cell cell_;
-  bool e_stop_ = false;
   ros::Publisher parts_;
   ros::Publisher flange_;
   ros::Publisher exposures_;

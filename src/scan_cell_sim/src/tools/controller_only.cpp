@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// The emulated robot controller alone, for people who want to try the driver without a camera.
+#include <poll.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -9,14 +13,40 @@
 #include <iostream>
 #include <vector>
 
-#include "scan_cell_sim/controller/controller.h"
+#include "panel.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace {
 
-/// Waits until somebody ends the program, without a handler that could do too much.
-void wait_for_end(const sigset_t& signals) {
-  int signal = 0;
-  sigwait(&signals, &signal);
+using scan_cell_sim::ControllerOptions;
+using scan_cell_sim::Panel;
+
+/// SIGINT and SIGTERM as something to read, in whatever thread.
+int ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signalfd(-1, &signals, SFD_CLOEXEC);
+}
+
+/// Carries out what is typed until a signal ends the program; the end of the input does not.
+void attend(Panel& panel, int signals) {
+  std::string typed;
+  pollfd sources[] = {{signals, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
+  while (poll(sources, 2, -1) < 0 || sources[0].revents == 0) {
+    if (sources[1].revents == 0) continue;
+    char bytes[256];
+    const ssize_t length = read(STDIN_FILENO, bytes, sizeof bytes);
+    if (length <= 0) sources[1].fd = -1;
+    typed.append(bytes, static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
+    for (std::size_t end = typed.find('\n'); end != std::string::npos; end = typed.find('\n')) {
+      const std::string said = panel.carry_out(typed.substr(0, end));
+      if (!said.empty()) std::cout << said << std::endl;
+      typed.erase(0, end + 1);
+    }
+  }
 }
 
 /// roslaunch adds names for ROS (__name:=...), which mean nothing here.
@@ -28,55 +58,67 @@ std::vector<char*> without_ros_names(int argc, char** argv) {
   return rest;
 }
 
+/// Options in a person's units.
+struct Typed {
+  double stream_period = 4;      // [ms]
+  double position_noise = 0;     // [mm]
+  double orientation_noise = 0;  // [deg]
+  std::string mode = "remote";
+};
+
+void add_options(CLI::App& app, ControllerOptions& options, Typed& typed) {
+  app.add_option("--address", options.address, "IPv4 address to listen on")->capture_default_str();
+  app.add_option("--port", options.port, "UDP port")->capture_default_str();
+  app.add_option("--stream-period", typed.stream_period, "[ms] between positions while moving")
+      ->capture_default_str();
+  app.add_option("--mode", typed.mode, "mode selector: programming, automatic, remote")
+      ->check(CLI::IsMember({"programming", "automatic", "remote"}))
+      ->capture_default_str();
+  app.add_option("--position-noise", typed.position_noise, "[mm] standard deviation")
+      ->capture_default_str();
+  app.add_option("--orientation-noise", typed.orientation_noise, "[deg] standard deviation")
+      ->capture_default_str();
+  app.add_option("--seed", options.noise.seed, "of noise and faults")->capture_default_str();
+  app.add_option("--clock-drift", options.faults.clock_drift,
+                 "1e-6: one microsecond a second too fast")
+      ->capture_default_str();
+  for (const scan_cell_sim::WireFault& fault : scan_cell_sim::kWireFaults) {
+    app.add_option_function<double>(
+           std::string("--") + fault.name,
+           [&options, &fault](const double& value) {
+             set_fault(options.faults.to_client, fault.name, value);
+             set_fault(options.faults.from_client, fault.name, value);
+           },
+           (fault.time ? "[ms] " : "probability that a datagram ") + std::string(fault.effect))
+        ->group("Faults of the wire, either way");
+  }
+}
+
+int serve(ControllerOptions options, const Typed& typed) {
+  options.stream_period = typed.stream_period * 1e-3;
+  options.mode = scan_cell_sim::controller_mode_of(typed.mode);
+  options.noise.position = typed.position_noise * 1e-3;
+  options.noise.orientation = typed.orientation_noise * M_PI / 180;
+  options.faults.seed = options.noise.seed;
+  const int signals = ending_signals();  // before the controller's thread begins
+  scan_cell_sim::Controller controller(options);
+  Panel panel(controller, options.faults);
+  std::cout << "listening on " << options.address << ":" << controller.port() << std::endl;
+  attend(panel, signals);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  scan_cell_sim::ControllerOptions options;
-  scan_cell_sim::ControllerFaults faults;
-  double stream_period_ms = 4;
-  double noise_mm = 0;
-  double noise_deg = 0;
-  double delay_ms = 10;
-  CLI::App app{"Emulator of a robot controller that serves C4G over UDP (docs/c4g_protocol.md)"};
-  app.add_option("--address", options.address, "IPv4 address to listen on")->capture_default_str();
-  app.add_option("--port", options.port, "UDP port")->capture_default_str();
-  app.add_option("--stream-period", stream_period_ms, "[ms] between positions while moving")
-      ->capture_default_str();
-  app.add_option("--position-noise", noise_mm, "[mm] standard deviation")->capture_default_str();
-  app.add_option("--orientation-noise", noise_deg, "[deg] standard deviation")
-      ->capture_default_str();
-  app.add_option("--seed", options.noise.seed, "of noise and faults")->capture_default_str();
-  app.add_option("--clock-drift", faults.clock_drift, "1e-6: one microsecond a second too fast")
-      ->capture_default_str();
-  app.add_option("--lost", faults.to_client.lost, "probability that a datagram is lost")
-      ->capture_default_str();
-  app.add_option("--repeated", faults.to_client.repeated, "probability that it comes twice")
-      ->capture_default_str();
-  app.add_option("--delayed", faults.to_client.delayed, "probability that it is overtaken")
-      ->capture_default_str();
-  app.add_option("--delay", delay_ms, "[ms] of a delayed datagram")->capture_default_str();
-  const std::vector<char*> words = without_ros_names(argc, argv);
-  CLI11_PARSE(app, static_cast<int>(words.size()), words.data());
-  options.stream_period = stream_period_ms * 1e-3;
-  options.noise.position = noise_mm * 1e-3;
-  options.noise.orientation = noise_deg * M_PI / 180;
-  options.fault_seed = options.noise.seed;
-  faults.to_client.delay = delay_ms * 1e-3;
-  faults.from_client = faults.to_client;
-
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  try {
-    scan_cell_sim::Controller controller(options);
-    controller.set_faults(faults);
-    std::cout << "listening on " << options.address << ":" << controller.port() << std::endl;
-    wait_for_end(signals);
-  } catch (const std::exception& error) {
-    std::cerr << "controller_only: " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  ControllerOptions options;
+  Typed typed;
+  CLI::App app{
+      "Emulator of a robot controller that serves C4G over UDP (docs/c4g_protocol.md). Lines on "
+      "the "
+      "standard input do what somebody at its panel and its cable does: type help"};
+  add_options(app, options, typed);
+  std::vector<char*> words = without_ros_names(argc, argv);
+  return scan_cell_common::tool_main("controller_only", app, static_cast<int>(words.size()),
+                                     words.data(), [&] { return serve(options, typed); });
 }

@@ -11,11 +11,14 @@
 #include <scan_cell_msgs/SetControllerParameter.h>
 #include <scan_cell_msgs/SetLinearSpeed.h>
 #include <scan_cell_msgs/SetOverride.h>
-#include <tf2_ros/transform_broadcaster.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <vector>
 
 #include "c4g_driver/client.h"
+#include "c4g_driver/ros/driver_diagnostics.h"
 #include "c4g_driver/ros/driver_parameters.h"
 
 namespace c4g_driver {
@@ -26,13 +29,13 @@ class DriverNode {
   DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
              const DriverParameters& parameters);
 
+  const Client& client() const { return client_; }
+
  private:
   using MoveServer = actionlib::SimpleActionServer<scan_cell_msgs::MoveAction>;
 
   void publish(const MeasuredState& state);
   void publish_status();
-  void diagnose_link(diagnostic_updater::DiagnosticStatusWrapper& status);
-  void diagnose_robot(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   void move(const scan_cell_msgs::MoveGoalConstPtr& goal);
   void start(const scan_cell_msgs::MoveGoal& goal);
@@ -47,6 +50,9 @@ class DriverNode {
                     scan_cell_msgs::SetOverride::Response& response);
   void set_linear_speed(const scan_cell_msgs::SetLinearSpeed::Request& request,
                         scan_cell_msgs::SetLinearSpeed::Response& response);
+  void set_drives(const std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  void reset_alarms(const std_srvs::Trigger::Request& request,
+                    std_srvs::Trigger::Response& response);
   void get_static_pose(const scan_cell_msgs::GetStaticPose::Request& request,
                        scan_cell_msgs::GetStaticPose::Response& response);
   void get_parameter(const scan_cell_msgs::GetControllerParameter::Request& request,
@@ -55,11 +61,15 @@ class DriverNode {
                      scan_cell_msgs::SetControllerParameter::Response& response);
 
   const DriverParameters parameters_;
-  tf2_ros::TransformBroadcaster transforms_;
+  ros::Publisher transforms_;
   ros::Publisher joint_states_;
   ros::Publisher status_;
   bool was_up_ = false;
-  LinkReport diagnosed_;  // at the last diagnosis
+  LinkDiagnosis diagnosis_;
+
+  // Filled and published for each pose by the client's thread: nothing is made anew.
+  tf2_msgs::TFMessage transform_;
+  sensor_msgs::JointState joints_;
 
   // The later ones use the earlier ones from their own threads.
   Client client_;

@@ -15,8 +15,9 @@ struct DriverParameters {
   ClientOptions client;
   std::string base_frame = "base_link";
   std::string flange_frame = "tool0";
-  double feedback_rate = 20;  //!< [Hz] of the move action
-  double status_rate = 10;    //!< [Hz]
+  std::string flange_link = "flange";  //!< of the URDF; lies where flange_frame is measured
+  double feedback_rate = 20;           //!< [Hz] of the move action
+  double status_rate = 10;             //!< [Hz]
 
   /// @throw scan_cell_common::InvalidParameter naming the parameter that is missing, bad or unknown
   static DriverParameters load(const ros::NodeHandle& node);

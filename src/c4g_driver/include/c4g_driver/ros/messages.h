@@ -7,23 +7,27 @@
 #include <scan_cell_msgs/MoveGoal.h>
 #include <scan_cell_msgs/RobotStatus.h>
 #include <sensor_msgs/JointState.h>
+#include <tf2_msgs/TFMessage.h>
 
+#include <array>
 #include <string>
-#include <vector>
 
 #include "c4g_driver/client.h"
 
 /// The driver's states as messages.
 namespace c4g_driver {
 
-geometry_msgs::TransformStamped to_transform(const MeasuredState& state,
-                                             const std::string& base_frame,
-                                             const std::string& flange_frame);
+/// The messages of a pose, to be updated with each.
+tf2_msgs::TFMessage transform_message(const std::string& base_frame,
+                                      const std::string& flange_frame);
+/// @param names of the joints in the URDF
+sensor_msgs::JointState joint_message(const std::array<std::string, 6>& names);
+
+/// Sets stamp and numbers, without taking memory.
+void update(geometry_msgs::TransformStamped& message, const MeasuredState& state);
+void update(sensor_msgs::JointState& message, const MeasuredState& state);
 
 geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string& base_frame);
-
-/// Names as in the URDF: joint_1 .. joint_6.
-sensor_msgs::JointState to_joint_state(const MeasuredState& state);
 
 /// @param state the latest, of any age; none if there never was one
 scan_cell_msgs::RobotStatus to_status(const LinkReport& link,

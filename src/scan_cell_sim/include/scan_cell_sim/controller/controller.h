@@ -16,18 +16,24 @@
 
 namespace scan_cell_sim {
 
+struct ControllerFaults {
+  WireFaults to_client;
+  WireFaults from_client;
+  double clock_drift = 0;  //!< the controller's clock runs 1 + drift times as fast as the host's
+  unsigned seed = 1;       //!< another one draws other datagrams
+
+  /// @throw scan_cell_common::InvalidParameter
+  void check() const;
+};
+
 struct ControllerOptions {
   std::string address = "127.0.0.1";  //!< IPv4 to listen on
   std::uint16_t port = 5410;          //!< 0: any free one, see Controller::port()
   double stream_period = 0.004;       //!< [s] 0.002 .. 0.010
   MeasurementNoise noise;
-  unsigned fault_seed = 1;
-};
-
-struct ControllerFaults {
-  WireFaults to_client;
-  WireFaults from_client;
-  double clock_drift = 0;  //!< the controller's clock runs 1 + drift times as fast as the host's
+  ControllerMode mode = ControllerMode::Remote;  //!< at the start, with the drives on
+  ControllerFaults faults;                       //!< at the start
+  ProtocolServer::Witness witness;               //!< called from the controller's own thread
 };
 
 /// Emulator of a robot controller that serves C4G (docs/c4g_protocol.md) over UDP, with a Comau
@@ -37,8 +43,8 @@ class Controller : public FlangeMotion {
  public:
   /// Stands in the start posture: flange at (0.80, 0, 0.60) m in base_link, looking straight down
   /// with its x along the base's x.
-  /// @throw scan_cell_common::InvalidParameter if the address is no IPv4 address or the stream
-  /// period is out of range
+  /// @throw scan_cell_common::InvalidParameter if the address is no IPv4 address, or the stream
+  /// period or a fault is out of range
   /// @throw scan_cell_common::ConnectionError if the port is taken
   explicit Controller(const ControllerOptions& options);
   ~Controller() override;
@@ -56,31 +62,65 @@ class Controller : public FlangeMotion {
   MotionState state() const;
   std::uint64_t motions_begun() const { return motion_.motions_begun(); }
 
+  /// The instant on the host's clock at which the controller's showed `t` [us], since its start.
+  scan_cell_common::Nanoseconds host_time(std::int64_t t) const { return clock_.host(t); }
+
+  /// They replace those before.
+  /// @throw scan_cell_common::InvalidParameter
   void set_faults(const ControllerFaults& faults);
+
+  /// Switched off and on again: for `dark` seconds it neither hears nor speaks. The robot brakes,
+  /// the session is lost, settings and alarms are as at the start, the clock begins anew. The mode
+  /// selector and the emergency stop stay where they are; somebody switches the drives on.
+  /// @throw scan_cell_common::InvalidParameter if `dark` is negative
+  void restart(double dark);
+
+  // What somebody at the controller's panel does. After an emergency stop or an alarm: release the
+  // button, reset the alarms, switch the drives on. The motion does not come back.
+
   void press_e_stop();
   void release_e_stop();
-  /// The motion under way ends in an error.
+  /// Another mode switches the drives off.
+  void select(ControllerMode mode);
+  /// In mode programming, drives are on as long as somebody holds the enabling device.
+  /// @throw ControllerRefusal while the emergency stop is pressed or an alarm stands
+  void switch_drives(bool on);
+  /// @throw ControllerRefusal while the emergency stop is pressed
+  void reset_alarms();
+
+  /// An alarm, as of a collision or a following error, that ends the motion under way in an error.
   void fail_motion(const std::string& text);
 
   static Joints start_posture();
 
  private:
+  using Nanoseconds = scan_cell_common::Nanoseconds;
+
+  std::unique_ptr<ProtocolServer> make_server();
   void serve();
-  void wait(scan_cell_common::Nanoseconds until) const;
+  void wait(Nanoseconds until) const;
+  void adopt(const ControllerFaults& faults);
+  bool is_on(Nanoseconds now);
   void receive(const WireFaults& faults);
   void answer_received(const WireFaults& faults);
+  void stream(const WireFaults& faults);
   void send_due();
   ControllerFaults faults() const;
 
+  const ControllerOptions options_;
   std::uint16_t port_ = 0;
   int socket_ = -1;
   MotionControl motion_;
-  ProtocolServer server_;
+  DriftingClock clock_;
+  std::unique_ptr<ProtocolServer> server_;
   FaultyWire incoming_;
   FaultyWire outgoing_;
+  ControllerFaults adopted_;
 
   mutable std::mutex mutex_;
   ControllerFaults faults_;
+  Nanoseconds faults_since_ = 0;
+  std::optional<Nanoseconds> dark_until_;
   std::atomic<bool> ending_{false};
   std::thread thread_;
 };

@@ -3,48 +3,50 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <random>
 
 #include "scan_cell_common/timed_pose.h"
 #include "scan_cell_sim/controller/datagram.h"
+#include "scan_cell_sim/controller/wire_faults.h"
 
 namespace scan_cell_sim {
 
-/// What happens to datagrams on the wire, each by its own draw.
-struct WireFaults {
-  double lost = 0;         //!< probability
-  double repeated = 0;     //!< probability
-  double delayed = 0;      //!< probability; what is delayed is overtaken by what comes after it
-  double delay = 0.01;     //!< [s]
-  bool link_down = false;  //!< nothing passes
-};
-
-/// One direction of a wire that loses, repeats and reorders datagrams, the same ones for the same
-/// seed. Not safe for use from several threads.
+/// One direction of a wire that does to datagrams what WireFaults say, the same for the same seed.
+/// Not safe for use from several threads.
 class FaultyWire {
  public:
+  using Nanoseconds = scan_cell_common::Nanoseconds;
+
   explicit FaultyWire(unsigned seed) : random_(seed) {}
 
-  void put(const Datagram& datagram, const WireFaults& faults, scan_cell_common::Nanoseconds now);
+  /// Draws anew; what is on its way stays so.
+  void seed(unsigned seed) { random_.seed(seed); }
+
+  void put(const Datagram& datagram, const WireFaults& faults, Nanoseconds now);
 
   /// A datagram that is due, in the order of their due times.
-  std::optional<Datagram> take(scan_cell_common::Nanoseconds now);
+  std::optional<Datagram> take(Nanoseconds now);
 
   /// When the next one is due; none where nothing is on its way.
-  std::optional<scan_cell_common::Nanoseconds> next_due() const;
+  std::optional<Nanoseconds> next_due() const;
 
  private:
   struct Item {
-    scan_cell_common::Nanoseconds due;
+    Nanoseconds due;
     Datagram datagram;
   };
 
   bool drawn(double probability);
-  void insert(const Item& item);
+  std::size_t below(std::size_t end);
+  void send(Datagram datagram, const WireFaults& faults, Nanoseconds now);
+  void spoil(std::string& text, const WireFaults& faults);
+  Nanoseconds due(const WireFaults& faults, Nanoseconds now);
 
   std::mt19937 random_;
   std::deque<Item> items_;  // ascending by due time
+  Nanoseconds held_until_ = std::numeric_limits<Nanoseconds>::min();
 };
 
 }  // namespace scan_cell_sim

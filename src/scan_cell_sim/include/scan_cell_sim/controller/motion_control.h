@@ -3,21 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 
 #include "scan_cell_sim/controller/motion_log.h"
+#include "scan_cell_sim/controller/readiness.h"
 
 namespace scan_cell_sim {
 
 enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
 
-/// Why a motion did not arrive.
-struct StopReason {
-  ControllerErrorCode code;
-  std::string text;
-};
+const char* name_of(MotionStatus status);
 
 /// What may be set; as the parameters of docs/c4g_protocol.md.
 struct MotionSettings {
@@ -32,14 +30,17 @@ struct MotionState {
   std::uint64_t motion = 0;  //!< number of the motion that the status is about
   double progress = 0;       //!< 0 .. 1
   double camera_rate = 0;    //!< [Hz]
-  bool e_stop = false;
-  std::optional<StopReason> why;  //!< of Stopped and Error; none for a stop by request
+  Readiness readiness;
+  std::optional<Complaint> why;  //!< of Stopped and Error; none for a stop by request
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
   Joints joints = Joints::Zero();
   MotionSettings settings;
 };
 
-/// Plans and runs motions, one at a time. Safe for use from several threads; `now` is host time.
+/// Plans and runs motions, one at a time. Whatever takes the robot its readiness (emergency stop,
+/// drives off, another mode, an alarm) ends the motion under way, and nothing brings it back. In
+/// mode programming the flange is never faster than 250 mm/s, on a line or not. Safe for use from
+/// several threads; `now` is host time.
 class MotionControl {
  public:
   using Nanoseconds = scan_cell_common::Nanoseconds;
@@ -53,17 +54,26 @@ class MotionControl {
                       Nanoseconds now);
 
   /// Brakes along the path, as hard as the motion was planned. Does nothing where it stands.
-  void stop(const std::optional<StopReason>& why, Nanoseconds now);
+  void stop(const std::optional<Complaint>& why, Nanoseconds now);
 
-  /// The motion ends in an error, as after a collision or a following error.
+  /// An alarm that ends the motion under way in an error, as a collision or a following error.
   void fail(const std::string& text, Nanoseconds now);
 
   /// Stops, and forgets what the motion was for.
   void forget(Nanoseconds now);
 
+  /// The drives lose their power with everything else; then all is as at the start, but for the
+  /// mode selector and the emergency stop.
+  void power_off(Nanoseconds now);
+  void power_on(Nanoseconds now);
+
   void press_e_stop(Nanoseconds now);
-  /// Drives come back; the robot stands.
+  /// The alarm stands, the drives are off.
   void release_e_stop();
+  void select(ControllerMode mode, Nanoseconds now);
+  /// @throw ControllerRefusal as Readiness
+  void switch_drives(bool on, Readiness::Source source, Nanoseconds now);
+  void reset_alarms(Readiness::Source source);
 
   MotionSettings settings() const;
   /// The override acts at once, the rest from the next motion on.
@@ -78,20 +88,24 @@ class MotionControl {
  private:
   void refuse_unless_ready(Nanoseconds now) const;
   void begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate, Nanoseconds now);
-  void brake(double harder, MotionStatus ending, const std::optional<StopReason>& why,
+  void brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
              Nanoseconds now);
+  /// Brakes hard where a change of the readiness takes the drives their power.
+  void cut_power(MotionStatus ending, const Complaint& why, Nanoseconds now,
+                 const std::function<void()>& change);
   double cruise() const;
 
   mutable std::mutex mutex_;
   MotionLog log_;
   MotionSettings settings_;
   PlannedPath plan_;
+  double reduced_ = 1;  // [1/s] the plan's speed at which the flange moves at 250 mm/s at most
   MotionStatus ending_ = MotionStatus::Idle;  // status once the run is over
   std::uint64_t motion_ = 0;
   std::uint64_t begun_ = 0;
   double camera_rate_ = 0;
-  bool e_stop_ = false;
-  std::optional<StopReason> why_;
+  Readiness readiness_;
+  std::optional<Complaint> why_;
 };
 
 }  // namespace scan_cell_sim

@@ -44,6 +44,10 @@ PlannedPath plan_joint_path(const Joints& from, const Joints& to);
 PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
                       const LineSettings& settings);
 
+/// [m] The most that the flange moves on this path for each way: its speed [m/s] at one way a
+/// second.
+double flange_travel(const Path& path);
+
 /// Joints for a pose that is far away, in the posture nearest to `near`.
 /// @throw ControllerRefusal if it is out of reach or outside the ranges
 Joints reach(const Eigen::Isometry3d& flange, const Joints& near);

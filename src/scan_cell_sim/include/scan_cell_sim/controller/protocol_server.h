@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <random>
@@ -10,24 +11,10 @@
 
 #include "scan_cell_sim/controller/controller_parameters.h"
 #include "scan_cell_sim/controller/datagram.h"
+#include "scan_cell_sim/controller/drifting_clock.h"
 #include "scan_cell_sim/controller/motion_control.h"
 
 namespace scan_cell_sim {
-
-/// The controller's own clock: microseconds since its start, at a rate that may drift.
-class DriftingClock {
- public:
-  explicit DriftingClock(scan_cell_common::Nanoseconds start) : host_(start) {}
-
-  std::int64_t microseconds(scan_cell_common::Nanoseconds host) const;
-  /// From `host` on it runs 1 + drift times as fast as the host's.
-  void set_drift(double drift, scan_cell_common::Nanoseconds host);
-
- private:
-  scan_cell_common::Nanoseconds host_;
-  double device_ = 0;  // [ns] at host_
-  double drift_ = 0;
-};
 
 /// How badly the controller measures.
 struct MeasurementNoise {
@@ -36,14 +23,26 @@ struct MeasurementNoise {
   unsigned seed = 1;
 };
 
+/// A request that the controller took up: once, however often its datagram came.
+struct TakenUp {
+  std::uint64_t session = 0;
+  std::uint64_t seq = 0;
+  std::string datagram;
+  std::optional<ControllerErrorCode> refused;  //!< why nothing was done; none: it was done
+};
+
 /// The controller's side of docs/c4g_protocol.md, without sockets: requests in, answers out.
 /// Times are host times. Not safe for use from several threads.
 class ProtocolServer {
  public:
   using Nanoseconds = scan_cell_common::Nanoseconds;
 
-  ProtocolServer(MotionControl& motion, double stream_period, const MeasurementNoise& noise,
-                 Nanoseconds start);
+  using Witness = std::function<void(const TakenUp&)>;
+
+  /// @param stream_period [s]
+  /// @param witness sees every request that is taken up; may be none
+  ProtocolServer(MotionControl& motion, const DriftingClock& clock, double stream_period,
+                 const MeasurementNoise& noise, const Witness& witness = {});
 
   /// The answer to a datagram; none where it cannot be told what was asked.
   std::optional<std::string> answer(const Datagram& request, Nanoseconds now);
@@ -56,22 +55,23 @@ class ProtocolServer {
 
   const std::optional<Peer>& client() const { return client_; }
   double stream_period() const { return parameters_.stream_period(); }
-  DriftingClock& clock() { return clock_; }
 
  private:
   using Json = nlohmann::json;
 
-  Json reply(const Json& request, const Peer& from, Nanoseconds now);
+  Json reply(const Json& request, const Datagram& datagram, Nanoseconds now);
   void open(const Json& request, const Peer& from, Nanoseconds now);
+  Json take_up(const Json& request, const std::string& datagram, Nanoseconds now);
   Json perform(const Json& request, Nanoseconds now);
   Json state(const MotionState& truth, Nanoseconds now);
   Eigen::Isometry3d measured(const Eigen::Isometry3d& flange);
 
   MotionControl& motion_;
+  const DriftingClock& clock_;
   ControllerParameters parameters_;
   MeasurementNoise noise_;
   std::mt19937 random_;
-  DriftingClock clock_;
+  Witness witness_;
 
   std::optional<Peer> client_;
   std::uint64_t session_ = 0;

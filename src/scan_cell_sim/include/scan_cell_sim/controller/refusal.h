@@ -24,6 +24,14 @@ enum class ControllerErrorCode {
   OutOfReach = 13,
   Singular = 14,
   MotionFailed = 15,
+  Mode = 16,
+  Alarm = 17,
+};
+
+/// What the controller complains of: why a motion did not arrive, or an alarm.
+struct Complaint {
+  ControllerErrorCode code;
+  std::string text;
 };
 
 class ControllerRefusal : public std::runtime_error {

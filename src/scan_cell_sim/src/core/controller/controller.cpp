@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 
 #include "scan_cell_common/errors.h"
@@ -66,8 +67,8 @@ std::uint16_t port_of(int opened) {
   return ntohs(address.sin_port);
 }
 
-double checked_stream_period(double period) {
-  if (period >= 0.002 && period <= 0.010) return period;
+void check_stream_period(double period) {
+  if (period >= 0.002 && period <= 0.010) return;
   throw InvalidParameter("stream period", std::to_string(period) + " s",
                          "give one from 0.002 to 0.010 s");
 }
@@ -82,14 +83,34 @@ Joints Controller::start_posture() {
   return posture;
 }
 
+void ControllerFaults::check() const {
+  constexpr double kMostDrift = 0.5;
+  scan_cell_sim::check(to_client, "to_client/");
+  scan_cell_sim::check(from_client, "from_client/");
+  if (std::abs(clock_drift) <= kMostDrift) return;
+  throw InvalidParameter("clock_drift", std::to_string(clock_drift), "give -0.5 .. 0.5");
+}
+
 Controller::Controller(const ControllerOptions& options)
-    : motion_(start_posture()),
-      server_(motion_, checked_stream_period(options.stream_period), options.noise, host_now()),
-      incoming_(options.fault_seed),
-      outgoing_(options.fault_seed + 1) {
+    : options_(options),
+      motion_(start_posture()),
+      clock_(host_now()),
+      server_(make_server()),
+      incoming_(options.faults.seed),
+      outgoing_(options.faults.seed + 1) {
+  check_stream_period(options.stream_period);
+  set_faults(options.faults);
+  adopted_.seed = options.faults.seed;
+  select(options.mode);
+  switch_drives(true);
   socket_ = open_socket(options);
   port_ = port_of(socket_);
   thread_ = std::thread([this] { serve(); });
+}
+
+std::unique_ptr<ProtocolServer> Controller::make_server() {
+  return std::make_unique<ProtocolServer>(motion_, clock_, options_.stream_period, options_.noise,
+                                          options_.witness);
 }
 
 Controller::~Controller() {
@@ -108,13 +129,41 @@ MotionState Controller::state() const {
 }
 
 void Controller::set_faults(const ControllerFaults& faults) {
+  faults.check();
   const std::lock_guard<std::mutex> lock(mutex_);
   faults_ = faults;
+  faults_since_ = host_now();
 }
 
 ControllerFaults Controller::faults() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return faults_;
+  ControllerFaults present = faults_;
+  const Nanoseconds passed = host_now() - faults_since_;
+  for (WireFaults* const wire : {&present.to_client, &present.from_client})
+    wire->link_down = wire->link_down || passed < from_seconds(wire->silence);
+  return present;
+}
+
+void Controller::restart(double dark) {
+  if (!(dark >= 0)) {
+    throw InvalidParameter("restart", std::to_string(dark) + " s", "give 0 s or more");
+  }
+  const Nanoseconds now = host_now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  motion_.power_off(now);
+  dark_until_ = now + from_seconds(dark);
+}
+
+/// Begins anew where a restart is over.
+bool Controller::is_on(Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!dark_until_) return true;
+  if (now < *dark_until_) return false;
+  dark_until_.reset();
+  clock_.restart(now);
+  motion_.power_on(now);
+  server_ = make_server();
+  return true;
 }
 
 void Controller::press_e_stop() {
@@ -125,35 +174,57 @@ void Controller::release_e_stop() {
   motion_.release_e_stop();
 }
 
+void Controller::select(ControllerMode mode) {
+  motion_.select(mode, host_now());
+}
+
+void Controller::switch_drives(bool on) {
+  motion_.switch_drives(on, Readiness::Source::Panel, host_now());
+}
+
+void Controller::reset_alarms() {
+  motion_.reset_alarms(Readiness::Source::Panel);
+}
+
 void Controller::fail_motion(const std::string& text) {
   motion_.fail(text, host_now());
 }
 
 void Controller::serve() {
   Nanoseconds tick = host_now();
-  double drift = 0;
   while (!ending_) {
     const Nanoseconds next =
         std::min({tick, incoming_.next_due().value_or(tick), outgoing_.next_due().value_or(tick)});
     wait(next);
     const ControllerFaults present = faults();
-    if (present.clock_drift != drift) {
-      drift = present.clock_drift;
-      server_.clock().set_drift(drift, host_now());
-    }
+    adopt(present);
     receive(present.from_client);
     answer_received(present.to_client);
     const Nanoseconds now = host_now();
     if (now >= tick) {
-      server_.watch(now);
-      const auto datagram = server_.stream(now);
-      if (datagram) outgoing_.put({*server_.client(), *datagram}, present.to_client, now);
-      const Nanoseconds period = from_seconds(server_.stream_period());
+      if (is_on(now)) stream(present.to_client);
+      const Nanoseconds period = from_seconds(server_->stream_period());
       tick += period;
       if (tick < now || tick > now + period) tick = now + period;  // late, or the clock was set
     }
     send_due();
   }
+}
+
+void Controller::adopt(const ControllerFaults& faults) {
+  if (faults.clock_drift != adopted_.clock_drift) clock_.set_drift(faults.clock_drift, host_now());
+  if (faults.seed != adopted_.seed) {
+    incoming_.seed(faults.seed);
+    outgoing_.seed(faults.seed + 1);
+  }
+  adopted_ = faults;
+}
+
+void Controller::stream(const WireFaults& faults) {
+  const Nanoseconds now = host_now();
+  server_->watch(now);
+  const auto datagram = server_->stream(now);
+  if (datagram) outgoing_.put({*server_->client(), *datagram}, faults, now);
 }
 
 void Controller::wait(Nanoseconds until) const {
@@ -182,7 +253,8 @@ void Controller::receive(const WireFaults& faults) {
 void Controller::answer_received(const WireFaults& faults) {
   while (const auto request = incoming_.take(host_now())) {
     const Nanoseconds now = host_now();
-    const auto answer = server_.answer(*request, now);
+    if (!is_on(now)) continue;
+    const auto answer = server_->answer(*request, now);
     if (answer) outgoing_.put({request->peer, *answer}, faults, now);
   }
 }

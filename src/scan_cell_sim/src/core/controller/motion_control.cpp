@@ -7,14 +7,30 @@
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kHardBrake = 4;  // times as hard as a programmed stop
+constexpr double kHardBrake = 4;   // times as hard as a programmed stop
+constexpr double kReduced = 0.25;  // [m/s] of the flange in mode programming, as ISO 10218-1 has it
+constexpr double kNoTravel = 1e-9;  // [m]
 
 }  // namespace
 
-void MotionControl::refuse_unless_ready(Nanoseconds now) const {
-  if (e_stop_) {
-    throw ControllerRefusal(ControllerErrorCode::EmergencyStop, "the emergency stop is pressed");
+const char* name_of(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::Idle:
+      return "idle";
+    case MotionStatus::Moving:
+      return "moving";
+    case MotionStatus::Arrived:
+      return "arrived";
+    case MotionStatus::Stopped:
+      return "stopped";
+    case MotionStatus::Error:
+      return "error";
   }
+  return "error";
+}
+
+void MotionControl::refuse_unless_ready(Nanoseconds now) const {
+  readiness_.require_motion();
   if (!log_.at(now).over(now)) {
     throw ControllerRefusal(ControllerErrorCode::Moving, "the robot moves: STOP first");
   }
@@ -39,12 +55,15 @@ void MotionControl::move_to_joints(std::uint64_t motion, const Joints& joints, d
 }
 
 double MotionControl::cruise() const {
-  return std::min(plan_.speed * settings_.override, plan_.most_speed);
+  const double programmed = std::min(plan_.speed * settings_.override, plan_.most_speed);
+  return readiness_.mode() == ControllerMode::Programming ? std::min(programmed, reduced_)
+                                                          : programmed;
 }
 
 void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate,
                           Nanoseconds now) {
   plan_ = plan;
+  reduced_ = kReduced / std::max(flange_travel(*plan.path), kNoTravel);
   motion_ = motion;
   camera_rate_ = camera_rate;
   ending_ = MotionStatus::Arrived;
@@ -53,7 +72,7 @@ void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double 
   log_.begin({now, plan.path, SpeedProfile::trapezoid(0, 1, 0, cruise(), plan.acceleration)});
 }
 
-void MotionControl::brake(double harder, MotionStatus ending, const std::optional<StopReason>& why,
+void MotionControl::brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
                           Nanoseconds now) {
   const Run run = log_.at(now);
   if (run.over(now)) return;
@@ -63,7 +82,7 @@ void MotionControl::brake(double harder, MotionStatus ending, const std::optiona
               SpeedProfile::brake(run.way(now), run.speed(now), harder * plan_.acceleration)});
 }
 
-void MotionControl::stop(const std::optional<StopReason>& why, Nanoseconds now) {
+void MotionControl::stop(const std::optional<Complaint>& why, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (ending_ == MotionStatus::Arrived) brake(1, MotionStatus::Stopped, why, now);
 }
@@ -76,22 +95,60 @@ void MotionControl::forget(Nanoseconds now) {
   camera_rate_ = 0;
 }
 
+void MotionControl::cut_power(MotionStatus ending, const Complaint& why, Nanoseconds now,
+                              const std::function<void()>& change) {
+  const bool powered = readiness_.drives();
+  change();
+  if (powered && !readiness_.drives()) brake(kHardBrake, ending, why, now);
+}
+
 void MotionControl::fail(const std::string& text, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  brake(kHardBrake, MotionStatus::Error, StopReason{ControllerErrorCode::MotionFailed, text}, now);
+  const Complaint alarm{ControllerErrorCode::MotionFailed, text};
+  cut_power(MotionStatus::Error, alarm, now, [&] { readiness_.raise(alarm); });
+}
+
+void MotionControl::power_off(Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Complaint off{ControllerErrorCode::EmergencyStop, "the controller was switched off"};
+  cut_power(MotionStatus::Stopped, off, now,
+            [this] { readiness_.switch_drives(false, Readiness::Source::Panel); });
+}
+
+void MotionControl::power_on(Nanoseconds now) {
+  forget(now);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  settings_ = {};
+  readiness_.restart();
 }
 
 void MotionControl::press_e_stop(Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (e_stop_) return;
-  e_stop_ = true;
-  brake(kHardBrake, MotionStatus::Stopped,
-        StopReason{ControllerErrorCode::EmergencyStop, "emergency stop"}, now);
+  const Complaint pressed{ControllerErrorCode::EmergencyStop, "emergency stop"};
+  cut_power(MotionStatus::Stopped, pressed, now, [this] { readiness_.press_e_stop(); });
 }
 
 void MotionControl::release_e_stop() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  e_stop_ = false;
+  readiness_.release_e_stop();
+}
+
+void MotionControl::select(ControllerMode mode, Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string text = std::string("mode ") + name_of(mode) + " was selected";
+  cut_power(MotionStatus::Stopped, {ControllerErrorCode::Mode, text}, now,
+            [this, mode] { readiness_.select(mode); });
+}
+
+void MotionControl::switch_drives(bool on, Readiness::Source source, Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  cut_power(MotionStatus::Stopped, {ControllerErrorCode::EmergencyStop, "the drives went off"}, now,
+            [&] { readiness_.switch_drives(on, source); });
+}
+
+void MotionControl::reset_alarms(Readiness::Source source) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  readiness_.reset_alarms(source);
 }
 
 MotionSettings MotionControl::settings() const {
@@ -117,7 +174,7 @@ MotionState MotionControl::state(Nanoseconds now) const {
   state.motion = motion_;
   state.progress = motion_ == 0 ? 0 : run.way(now);
   state.camera_rate = camera_rate_;
-  state.e_stop = e_stop_;
+  state.readiness = readiness_;
   if (state.status == MotionStatus::Stopped || state.status == MotionStatus::Error)
     state.why = why_;
   state.flange = run.path->flange(run.way(now));

@@ -135,6 +135,18 @@ PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
   return plan;
 }
 
+double flange_travel(const Path& path) {
+  constexpr int kSteps = 256;  // the flange's speed is smooth over a path
+  double longest = 0;
+  Eigen::Vector3d before = path.flange(0).translation();
+  for (int step = 1; step <= kSteps; ++step) {
+    const Eigen::Vector3d here = path.flange(static_cast<double>(step) / kSteps).translation();
+    longest = std::max(longest, kSteps * (here - before).norm());
+    before = here;
+  }
+  return longest;
+}
+
 Joints reach(const Eigen::Isometry3d& flange, const Joints& near) {
   constexpr double kDegree = M_PI / 180;
   const Joints upright = kDegree * (Joints() << 0, 0, -90, 0, 60, 0).finished();

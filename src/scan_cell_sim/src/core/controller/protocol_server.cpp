@@ -36,58 +36,50 @@ WireSix rounded(WireSix values, double linear, double angular, int first_angle) 
   return values;
 }
 
-const char* name_of(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::Idle:
-      return "idle";
-    case MotionStatus::Moving:
-      return "moving";
-    case MotionStatus::Arrived:
-      return "arrived";
-    case MotionStatus::Stopped:
-      return "stopped";
-    case MotionStatus::Error:
-      return "error";
-  }
-  return "error";
+/// @param what may repeat what a client sent: it is cut so that any answer fits into a datagram
+json error_json(Code code, std::string what) {
+  constexpr std::size_t kLongest = 80;
+  what.resize(std::min(what.size(), kLongest));
+  const auto odd = [](char byte) { return byte < ' ' || byte > '~'; };
+  std::replace_if(what.begin(), what.end(), odd, '?');
+  return {{"code", static_cast<int>(code)}, {"text", what}};
 }
 
-json error_json(Code code, const std::string& what) {
-  return {{"code", static_cast<int>(code)}, {"text", what}};
+json alarms_json(const std::vector<Complaint>& alarms) {
+  json list = json::array();
+  for (const Complaint& alarm : alarms)
+    list.push_back(error_json(alarm.code, alarm.text));
+  return list;
 }
 
 }  // namespace
 
-std::int64_t DriftingClock::microseconds(Nanoseconds host) const {
-  const double device = device_ + static_cast<double>(host - host_) * (1 + drift_);
-  return std::max<std::int64_t>(0, static_cast<std::int64_t>(device / 1000));
-}
-
-void DriftingClock::set_drift(double drift, Nanoseconds host) {
-  device_ += static_cast<double>(host - host_) * (1 + drift_);
-  host_ = host;
-  drift_ = drift;
-}
-
-ProtocolServer::ProtocolServer(MotionControl& motion, double stream_period,
-                               const MeasurementNoise& noise, Nanoseconds start)
+ProtocolServer::ProtocolServer(MotionControl& motion, const DriftingClock& clock,
+                               double stream_period, const MeasurementNoise& noise,
+                               const Witness& witness)
     : motion_(motion),
+      clock_(clock),
       parameters_(motion, stream_period),
       noise_(noise),
       random_(noise.seed),
-      clock_(start) {}
+      witness_(witness) {}
 
 std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nanoseconds now) {
   const Peer& from = datagram.peer;
-  const json request = json::parse(datagram.text, nullptr, false);
-  if (!request.is_object() || !request.contains("seq") || !request.contains("session")) return {};
+  const std::optional<json> packet = unsealed(datagram.text);
+  if (!packet) return {};
+  const json& request = *packet;
+  const auto numbered = [&request](const char* key) {
+    return request.contains(key) && request[key].is_number_unsigned();
+  };
+  if (!numbered("seq") || !numbered("session")) return {};
   json head = {{"c4g", kVersion},
                {"session", request["session"]},
                {"type", "ack"},
                {"seq", request["seq"]},
                {"error", nullptr}};
   try {
-    const json result = reply(request, from, now);
+    const json result = reply(request, datagram, now);
     if (result.is_string()) return result.get<std::string>();  // a retry: the same answer again
     head.update(result);
   } catch (const ControllerRefusal& refusal) {
@@ -95,12 +87,13 @@ std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nano
   }
   const bool ours = client_ && from == *client_ && head["session"] == session_;
   if (ours) head["state"] = state(motion_.state(now), now);
-  const std::string sent = head.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string sent = sealed(head);
   if (ours && head["seq"] == last_seq_ && last_answer_.empty()) last_answer_ = sent;
   return sent;
 }
 
-json ProtocolServer::reply(const json& request, const Peer& from, Nanoseconds now) {
+json ProtocolServer::reply(const json& request, const Datagram& datagram, Nanoseconds now) {
+  const Peer& from = datagram.peer;
   if (entry(request, "c4g") != kVersion) {
     throw ControllerRefusal(Code::Version, "this controller speaks version 1");
   }
@@ -121,7 +114,23 @@ json ProtocolServer::reply(const json& request, const Peer& from, Nanoseconds no
   }
   last_seq_ = seq;
   last_answer_.clear();
-  return perform(request, now);
+  return take_up(request, datagram.text, now);
+}
+
+json ProtocolServer::take_up(const json& request, const std::string& datagram, Nanoseconds now) {
+  TakenUp taken{session_, last_seq_, datagram, {}};
+  const auto tell = [&] {
+    if (witness_) witness_(taken);
+  };
+  try {
+    json result = perform(request, now);
+    tell();
+    return result;
+  } catch (const ControllerRefusal& refusal) {
+    taken.refused = refusal.code();
+    tell();
+    throw;
+  }
 }
 
 void ProtocolServer::open(const json& request, const Peer& from, Nanoseconds now) {
@@ -160,6 +169,11 @@ json ProtocolServer::perform(const json& request, Nanoseconds now) {
     return {{"value", parameters_.get(text(entry(request, "name"), "name"))}};
   } else if (command == "SET_PARAMETER") {
     parameters_.set(text(entry(request, "name"), "name"), entry(request, "value"), now);
+  } else if (command == "SET_DRIVES") {
+    motion_.switch_drives(truth(entry(request, "drives"), "drives"), Readiness::Source::Client,
+                          now);
+  } else if (command == "RESET_ALARMS") {
+    motion_.reset_alarms(Readiness::Source::Client);
   } else if (command == "CLOSE") {
     motion_.forget(now);
     client_.reset();
@@ -194,19 +208,20 @@ json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
                  {"motion", truth.motion},
                  {"progress", truth.progress},
                  {"camera_fps", truth.camera_rate},
-                 {"e_stop", truth.e_stop},
-                 {"drives", !truth.e_stop},
-                 {"mode", "auto"},
+                 {"e_stop", truth.readiness.e_stop()},
+                 {"drives", truth.readiness.drives()},
+                 {"mode", name_of(truth.readiness.mode())},
                  {"override", truth.settings.override / kPercent},
                  {"linear_speed", truth.settings.line.speed / kMillimetre},
-                 {"error", nullptr}};
+                 {"error", nullptr},
+                 {"alarms", alarms_json(truth.readiness.alarms())}};
   if (truth.why) result["error"] = error_json(truth.why->code, truth.why->text);
   return result;
 }
 
 void ProtocolServer::watch(Nanoseconds now) {
   if (!client_ || now - last_heard_ < kClientSilence) return;
-  motion_.stop(StopReason{Code::Session, "the client was silent for 1 s"}, now);
+  motion_.stop(Complaint{Code::Session, "the client was silent for 1 s"}, now);
   client_.reset();
 }
 
@@ -218,7 +233,7 @@ std::optional<std::string> ProtocolServer::stream(Nanoseconds now) {
   json datagram = state(truth, now);
   datagram.update(
       {{"c4g", kVersion}, {"session", session_}, {"type", "state"}, {"n", ++streamed_}});
-  return datagram.dump();
+  return sealed(datagram);
 }
 
 }  // namespace scan_cell_sim

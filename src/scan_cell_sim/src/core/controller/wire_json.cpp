@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/controller/wire_json.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <boost/crc.hpp>
 
 #include "scan_cell_sim/controller/refusal.h"
 
@@ -10,6 +11,31 @@ namespace scan_cell_sim {
 
 using nlohmann::json;
 using Code = ControllerErrorCode;
+
+namespace {
+
+/// The last entry of a datagram that begins with `text`, and its closing brace.
+std::string crc_entry(const std::string& text) {
+  boost::crc_32_type crc;
+  crc.process_bytes(text.data(), text.size());
+  return ",\"crc\":" + std::to_string(crc.checksum()) + "}";
+}
+
+}  // namespace
+
+std::string sealed(const json& packet) {
+  std::string text = packet.dump();
+  text.pop_back();
+  return text + crc_entry(text);
+}
+
+std::optional<json> unsealed(const std::string& datagram) {
+  const std::size_t comma = std::min(datagram.rfind(','), datagram.size());
+  if (datagram.substr(comma) != crc_entry(datagram.substr(0, comma))) return {};
+  json packet = json::parse(datagram, nullptr, false);
+  if (!packet.is_object()) return {};
+  return packet;
+}
 
 double number(const json& value, const std::string& name, double least, double most) {
   if (!value.is_number()) throw ControllerRefusal(Code::Malformed, name + " is not a number");
@@ -39,6 +65,11 @@ WireSix six(const json& value, const std::string& name) {
   for (std::size_t i = 0; i < 6; ++i)
     result[i] = number(value[i], name, -kMost, kMost);
   return result;
+}
+
+bool truth(const json& value, const std::string& name) {
+  if (!value.is_boolean()) throw ControllerRefusal(Code::Malformed, name + " is not true or false");
+  return value.get<bool>();
 }
 
 std::uint64_t whole(const json& value, const std::string& name) {

@@ -1,0 +1,56 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <kdl/chain.hpp>
+#include <kdl/frames.hpp>
+#include <kdl/jntarray.hpp>
+#include <string>
+
+#include "c4g_driver/robot_state.h"
+
+namespace c4g_driver {
+
+/// A six-axis arm as its URDF describes it: the chain from base to flange, with the ranges and
+/// speeds of its joints. Safe for use from several threads at once.
+class RobotModel {
+ public:
+  using Jacobian = Eigen::Matrix<double, 6, 6>;
+
+  /// @param urdf the text of the URDF
+  /// @param base, flange links between which the six moving joints lie
+  /// @throw scan_cell_common::InvalidParameter if it is no URDF, has no such chain, or a joint
+  /// lacks its range or speed
+  RobotModel(const std::string& urdf, const std::string& base, const std::string& flange);
+
+  /// Flange in the base.
+  /// @param joints [rad]
+  Eigen::Isometry3d flange_at(const Joints& joints) const;
+
+  /// Velocity of the flange's origin [m] and its rotation [rad] by those of the joints [rad], in
+  /// the base's directions.
+  Jacobian jacobian_at(const Joints& joints) const;
+
+  const Joints& lower() const { return lower_; }  //!< [rad]; -infinity for a joint without ends
+  const Joints& upper() const { return upper_; }  //!< [rad]
+  const Joints& speed() const { return speed_; }  //!< [rad/s]
+  const std::array<std::string, 6>& joint_names() const { return names_; }
+  const KDL::Chain& chain() const { return chain_; }
+
+ private:
+  KDL::Chain chain_;
+  std::array<std::string, 6> names_;
+  Joints lower_;
+  Joints upper_;
+  Joints speed_;
+};
+
+/// Small motion from one pose to the other: translation [m], then rotation vector [rad], in the
+/// directions of the frame both are given in.
+Eigen::Matrix<double, 6, 1> twist(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to);
+
+KDL::JntArray to_kdl(const Joints& joints);
+KDL::Frame to_kdl(const Eigen::Isometry3d& pose);
+
+}  // namespace c4g_driver

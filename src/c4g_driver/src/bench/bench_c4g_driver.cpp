@@ -1,0 +1,97 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The driver's own delay: from the kernel's stamp of a datagram until its pose is published on
+// /tf, 500 times a second, beside a loop that only receives and publishes.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "delay_runs.h"
+#include "scan_cell_common/child_process.h"
+#include "scan_cell_common/errors.h"
+
+using namespace c4g_driver;  // NOLINT
+using scan_cell_common::ChildProcess;
+
+namespace {
+
+void print(const char* what, const Durations& delays, double yardstick) {
+  constexpr double kMicroseconds = 1e-3;
+  const double most = kMicroseconds * static_cast<double>(delays.quantile(0.99));
+  std::printf("  %-28s %6.0f %6.0f %6.0f us", what,
+              kMicroseconds * static_cast<double>(delays.quantile(0.5)), most,
+              kMicroseconds * static_cast<double>(delays.quantile(0.999)));
+  if (yardstick > 0) std::printf("   %.1f times the bare loop; goal 1000 us", most / yardstick);
+  std::printf("\n");
+}
+
+int measure(const std::string& program, double seconds) {
+  const DelayRuns runs(program);
+  const BareRun bare = runs.bare(seconds);
+  const Durations driver = runs.driver(seconds, 0);
+  const double yardstick = 1e-3 * static_cast<double>(bare.delays.quantile(0.99));
+  print("receive and publish", bare.delays, 0);
+  print("driver", driver, yardstick);
+  try {
+    constexpr int kPriority = 50;
+    print("driver, realtime_priority 50", runs.driver(seconds, kPriority), yardstick);
+  } catch (const scan_cell_common::InvalidParameter& refused) {
+    std::printf("  driver, realtime_priority 50: not measured: %s\n", refused.what());
+  }
+  std::printf("  %lu and %lu poses; publishing takes %.1f allocations a pose, the driver none\n",
+              static_cast<unsigned long>(bare.delays.count()),
+              static_cast<unsigned long>(driver.count()), bare.allocations);
+  return 0;
+}
+
+/// Without and with every processor busy, each in a process of its own.
+int measure_all(const std::string& program, double seconds) {
+  const std::string port = std::to_string(scan_cell_common::free_port());
+  setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
+  setenv("ROS_IP", "127.0.0.1", 1);
+  const ChildProcess master({"rosmaster", "--core", "-p", port}, true);
+  const unsigned processors = std::thread::hardware_concurrency();
+  for (const unsigned busy : {0u, processors}) {
+    std::vector<std::unique_ptr<ChildProcess>> load;
+    for (unsigned i = 0; i < busy; ++i)
+      load.push_back(
+          std::make_unique<ChildProcess>(std::vector<std::string>{program, "--run", "load"}));
+    double before[1] = {0};
+    getloadavg(before, 1);
+    std::printf(
+        "datagram to tf, %u of %u processors kept busy, load before %.1f: half, 99 %%, "
+        "99.9 %% within\n",
+        busy, processors, before[0]);
+    std::fflush(stdout);
+    ChildProcess run({program, "--run", "measure", "--seconds", std::to_string(seconds)});
+    if (const int code = run.wait(); code != 0) return code;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe");
+  double seconds = 10;
+  std::string kind;
+  std::uint16_t port = 0;
+  CLI::App app("The driver's own delay.");
+  app.add_option("--seconds", seconds, "of each run")->check(CLI::Range(1.0, 15.0));
+  app.add_option("--run", kind, "for the program itself: measure, source, listener or load");
+  app.add_option("--port", port, "for the program itself: of the source");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (kind.empty()) return measure_all(program, seconds);
+    if (kind == "source") return send_to_whoever_asks(port);
+    if (kind == "listener") return listen();
+    if (kind == "measure") return measure(program, seconds);
+    for (volatile unsigned work = 0;; work = work + 1) {
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

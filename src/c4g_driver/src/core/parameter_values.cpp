@@ -1,0 +1,55 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "c4g_driver/parameter_values.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scan_cell_common/errors.h"
+
+namespace c4g_driver {
+namespace {
+
+using nlohmann::json;
+
+std::optional<double> number_of(const SetParameter& set, const std::string& name) {
+  if (set.name != name) return std::nullopt;
+  const json value = json::parse(set.value, nullptr, false);
+  if (!value.is_number()) {
+    throw scan_cell_common::Refused("value of " + set.name, "'" + set.value + "'", "give a number");
+  }
+  return value.get<double>();
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& value) {
+  throw scan_cell_common::ProtocolError("parameter " + name + " of the controller",
+                                        "'" + value + "'", "see docs/c4g_protocol.md");
+}
+
+}  // namespace
+
+std::optional<double> override_of(const SetParameter& set) {
+  return number_of(set, "override");
+}
+
+std::optional<double> linear_speed_of(const SetParameter& set) {
+  const auto speed = number_of(set, "linear_speed");
+  if (!speed) return std::nullopt;
+  constexpr double kMillimetresAMetre = 1e3;  // divided by, 700 mm/s is 0.7 m/s to the last digit
+  return *speed / kMillimetresAMetre;
+}
+
+std::string word_of(const std::string& name, const std::string& text) {
+  const json value = json::parse(text, nullptr, false);
+  if (!value.is_string()) refuse(name, text);
+  return value.get<std::string>();
+}
+
+double rotational_speed_of(const std::string& text) {
+  const json value = json::parse(text, nullptr, false);
+  const double speed = value.is_number() ? value.get<double>() : 0;
+  if (!(speed > 0)) refuse("rotational_speed", text);
+  return speed * M_PI / 180;
+}
+
+}  // namespace c4g_driver

@@ -1,0 +1,117 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "c4g_driver/robot_model.h"
+
+#include <urdf_parser/urdf_parser.h>
+
+#include <kdl/chainfksolverpos_recursive.hpp>
+#include <kdl/chainjnttojacsolver.hpp>
+#include <kdl_parser/kdl_parser.hpp>
+#include <limits>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/text.h"
+
+namespace c4g_driver {
+namespace {
+
+using scan_cell_common::InvalidParameter;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& cure) {
+  throw InvalidParameter("robot description", what, cure);
+}
+
+Eigen::Isometry3d from_kdl(const KDL::Frame& frame) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (int row = 0; row < 3; ++row) {
+    pose.translation()[row] = frame.p[row];
+    for (int column = 0; column < 3; ++column)
+      pose.linear()(row, column) = frame.M(row, column);
+  }
+  return pose;
+}
+
+KDL::Chain chain_of(const urdf::ModelInterface& model, const std::string& base,
+                    const std::string& flange) {
+  KDL::Tree tree;
+  KDL::Chain chain;
+  if (!kdl_parser::treeFromUrdfModel(model, tree) || !tree.getChain(base, flange, chain)) {
+    refuse("no chain from '" + base + "' to '" + flange + "'",
+           "set base_frame and flange_link to links of the URDF, the one before the other");
+  }
+  if (chain.getNrOfJoints() != 6) {
+    refuse(std::to_string(chain.getNrOfJoints()) + " moving joints from '" + base + "' to '" +
+               flange + "'",
+           "give an arm of six");
+  }
+  return chain;
+}
+
+}  // namespace
+
+RobotModel::RobotModel(const std::string& urdf, const std::string& base,
+                       const std::string& flange) {
+  const auto model = urdf::parseURDF(urdf);
+  if (!model) {
+    refuse("'" + scan_cell_common::excerpt(urdf) + "'", "give a URDF that check_urdf takes");
+  }
+  chain_ = chain_of(*model, base, flange);
+  std::size_t i = 0;
+  for (const KDL::Segment& segment : chain_.segments) {
+    if (segment.getJoint().getType() == KDL::Joint::None) continue;
+    names_[i] = segment.getJoint().getName();
+    const auto joint = model->getJoint(names_[i]);
+    const bool endless = joint->type == urdf::Joint::CONTINUOUS;
+    if (joint->type != urdf::Joint::REVOLUTE && !endless)
+      refuse(names_[i] + " does not turn", "give an arm of six that do");
+    if (!joint->limits || !(joint->limits->velocity > 0) ||
+        (!endless && !(joint->limits->lower < joint->limits->upper))) {
+      refuse(names_[i] + " has no range or no speed", "give its limit: lower, upper and velocity");
+    }
+    const auto k = static_cast<Eigen::Index>(i);
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
+    lower_[k] = endless ? -kEndless : joint->limits->lower;
+    upper_[k] = endless ? kEndless : joint->limits->upper;
+    speed_[k] = joint->limits->velocity;
+    ++i;
+  }
+}
+
+Eigen::Isometry3d RobotModel::flange_at(const Joints& joints) const {
+  KDL::ChainFkSolverPos_recursive solver(chain_);
+  KDL::Frame frame;
+  solver.JntToCart(to_kdl(joints), frame);
+  return from_kdl(frame);
+}
+
+RobotModel::Jacobian RobotModel::jacobian_at(const Joints& joints) const {
+  KDL::ChainJntToJacSolver solver(chain_);
+  KDL::Jacobian jacobian(6);
+  solver.JntToJac(to_kdl(joints), jacobian);
+  return jacobian.data;
+}
+
+Eigen::Matrix<double, 6, 1> twist(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  const Eigen::AngleAxisd turn(to.linear() * from.linear().transpose());
+  Eigen::Matrix<double, 6, 1> result;
+  result << to.translation() - from.translation(), turn.angle() * turn.axis();
+  return result;
+}
+
+KDL::JntArray to_kdl(const Joints& joints) {
+  KDL::JntArray result(6);
+  result.data = joints;
+  return result;
+}
+
+KDL::Frame to_kdl(const Eigen::Isometry3d& pose) {
+  KDL::Frame frame;
+  for (int row = 0; row < 3; ++row) {
+    frame.p[row] = pose.translation()[row];
+    for (int column = 0; column < 3; ++column)
+      frame.M(row, column) = pose.linear()(row, column);
+  }
+  return frame;
+}
+
+}  // namespace c4g_driver

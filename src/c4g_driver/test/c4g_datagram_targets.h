@@ -1,0 +1,10 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "scan_cell_common/fuzzing.h"
+
+/// Who reads C4G datagrams, the driver and the emulated controller, for the fuzzers.
+std::vector<scan_cell_common::FuzzTarget> c4g_datagram_targets();

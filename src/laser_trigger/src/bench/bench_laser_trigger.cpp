@@ -1,0 +1,205 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The pulses of the loopback port as their receiver sees them, by the kernel's time of receipt: how
+// late behind their deadlines, how far apart, and how true the stamps of their events are. Beside a
+// plain thread with absolute clock_nanosleep deadlines of the same rate and scheduling, in the same
+// seconds; with the usual and with real-time scheduling, on an idle and on a loaded machine.
+#include <pthread.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+#include "distribution.h"
+#include "edge_listener.h"
+#include "laser_trigger/pulse_generator.h"
+#include "scan_cell_common/errors.h"
+
+using namespace laser_trigger;  // NOLINT
+
+namespace {
+
+constexpr double kMicrosecond = 1e3;  // [ns]
+constexpr double kGoal = 50;          // [us] that a stamp may be off
+constexpr int kPriority = 80;
+
+struct Options {
+  double rate = 500;    //!< [Hz]
+  double seconds = 10;  //!< of each of the four runs
+};
+
+/// Keeps every processor busy, and one more thread waiting for it.
+class Load {
+ public:
+  Load() {
+    for (unsigned i = 0; i <= std::thread::hardware_concurrency(); ++i)
+      threads_.emplace_back([this] { work(); });
+  }
+  ~Load() {
+    ending_ = true;
+    for (std::thread& thread : threads_)
+      thread.join();
+  }
+
+ private:
+  void work() const {
+    std::vector<double> memory(1 << 20, 1.0);
+    while (!ending_) {
+      for (double& value : memory)
+        value = std::sqrt(value + 1);
+    }
+  }
+
+  std::atomic<bool> ending_{false};
+  std::vector<std::thread> threads_;
+};
+
+/// The plainest way to wake up at a steady rate: how late it wakes up.
+class PlainThread {
+ public:
+  PlainThread(double rate, int priority)
+      : period_(static_cast<std::int64_t>(1e9 / rate)), thread_([this] { run(); }) {
+    sched_param parameters{};
+    parameters.sched_priority = priority;
+    if (priority > 0) pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);
+  }
+  Distribution stop() {
+    ending_ = true;
+    thread_.join();
+    return late_;
+  }
+
+ private:
+  static std::int64_t now() {
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+  }
+  void run() {
+    for (std::int64_t deadline = now() + period_; !ending_; deadline += period_) {
+      const timespec until{deadline / 1'000'000'000, deadline % 1'000'000'000};
+      clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+      const std::int64_t late = now() - deadline;
+      late_.add(static_cast<double>(late) / kMicrosecond);
+      deadline += late / period_ * period_;  // as the trigger does: it leaves out what it missed
+    }
+  }
+
+  const std::int64_t period_;
+  std::atomic<bool> ending_{false};
+  Distribution late_;
+  std::thread thread_;
+};
+
+struct Measured {
+  Distribution late;     // edge at the receiver, behind its deadline
+  Distribution period;   // error of the distance of two edges
+  Distribution stamp;    // size of the error of an event's stamp
+  Distribution plain;    // of the yardstick: behind its deadline
+  TriggerStatus status;  // at the end
+};
+
+Measured compare(const std::vector<Pulse>& pulses, const std::vector<std::int64_t>& edges,
+                 double rate) {
+  if (pulses.size() != edges.size())
+    throw scan_cell_common::Refused(
+        "the wire",
+        std::to_string(edges.size()) + " edges of " + std::to_string(pulses.size()) + " pulses",
+        "run it again on a machine that is less busy");
+  Measured measured;
+  const double period = 1e9 / rate;
+  for (std::size_t i = 0; i < pulses.size(); ++i) {
+    const auto error = static_cast<double>(edges[i] - pulses[i].time);
+    measured.stamp.add(std::abs(error) / kMicrosecond);
+    measured.late.add((static_cast<double>(pulses[i].late) + error) / kMicrosecond);
+    if (i == 0) continue;
+    const auto distance = static_cast<double>(edges[i] - edges[i - 1]);
+    measured.period.add(std::abs(distance - std::round(distance / period) * period) / kMicrosecond);
+  }
+  return measured;
+}
+
+Measured measure(const Options& options, int priority, TriggerPort& port, Guardian& guardian,
+                 EdgeListener& listener) {
+  std::mutex mutex;
+  std::vector<Pulse> pulses;
+  PulseGenerator::Settings settings;
+  settings.realtime_priority = priority;
+  settings.keep_alive_timeout = 2 * options.seconds;
+  PulseGenerator generator(port, &guardian, settings,
+                           {[&](const Pulse& pulse) {
+                              const std::lock_guard<std::mutex> lock(mutex);
+                              pulses.push_back(pulse);
+                            },
+                            [] {}});
+  if (priority > 0 && !generator.why_not_realtime().empty())
+    throw scan_cell_common::Refused("SCHED_FIFO", "not allowed", generator.why_not_realtime());
+  listener.start();
+  PlainThread plain(options.rate, priority);
+  generator.arm({options.rate, 0, 2 * options.seconds});
+  std::this_thread::sleep_for(std::chrono::duration<double>(options.seconds));
+  const TriggerStatus ended = generator.disarm("measured");
+  Distribution yardstick = plain.stop();
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the listener looks now and then
+  const std::vector<std::int64_t> edges = listener.stop();
+  const std::lock_guard<std::mutex> lock(mutex);
+  Measured measured = compare(pulses, edges, options.rate);
+  measured.plain = std::move(yardstick);
+  measured.status = ended;
+  return measured;
+}
+
+void report(const Measured& measured) {
+  print_quantiles("edge behind its deadline", measured.late);
+  print_quantiles("  yardstick: plain thread", measured.plain);
+  print_quantiles("period, off by", measured.period);
+  print_quantiles("stamp, off by", measured.stamp);
+  std::printf(
+      "  stamps off by more than %.0f us (goal: none): %.3f %% of %zu; pulses left out: %lu\n",
+      kGoal, 100 * measured.stamp.share_above(kGoal), measured.stamp.size(),
+      measured.status.missed);
+  print_histogram("edges", measured.late, "plain thread", measured.plain);
+}
+
+void run(const Options& options, Guardian& guardian) {
+  EdgeListener listener;
+  guardian.watch(listener.address(), 10);
+  const std::unique_ptr<TriggerPort> port = open_port(listener.address());
+  std::printf("%g pulses/s for %g s each, goal: stamps true to %.0f us\n", options.rate,
+              options.seconds, kGoal);
+  for (const bool loaded : {false, true}) {
+    const auto load = loaded ? std::make_unique<Load>() : nullptr;
+    for (const int priority : {0, kPriority}) {
+      std::printf("%s machine, %s scheduling\n", loaded ? "loaded" : "idle",
+                  priority == 0 ? "usual" : "SCHED_FIFO");
+      try {
+        report(measure(options, priority, *port, guardian, listener));
+      } catch (const scan_cell_common::Refused& error) {
+        std::printf("  not measured: %s\n", error.what());
+      }
+      std::fflush(stdout);
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    Guardian guardian;  // before there are threads
+    Options options;
+    CLI::App app("Pulse timing and the truth of the stamps, on the loopback port");
+    app.add_option("--rate", options.rate, "pulses a second");
+    app.add_option("--seconds", options.seconds, "of each run");
+    CLI11_PARSE(app, argc, argv);
+    run(options, guardian);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_laser_trigger: %s\n", error.what());
+    return 1;
+  }
+}

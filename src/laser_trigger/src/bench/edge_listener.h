@@ -1,0 +1,45 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "laser_trigger/trigger_port.h"
+#include "scan_cell_common/timed_pose.h"
+
+namespace laser_trigger {
+
+/// A trigger circuit on a UDP port of its own that knows when the kernel received each rising edge
+/// of the camera's line. It looks only now and then, so that it does not disturb what it measures.
+class EdgeListener {
+ public:
+  /// @throw scan_cell_common::ConnectionError if there is no socket to be had
+  EdgeListener();
+  ~EdgeListener();
+  EdgeListener(const EdgeListener&) = delete;
+  EdgeListener& operator=(const EdgeListener&) = delete;
+
+  PortAddress address() const;
+
+  /// Listens from here on, in a thread of its own.
+  void start();
+
+  /// Ends listening.
+  /// @return host time of each rising edge [ns]
+  std::vector<scan_cell_common::Nanoseconds> stop();
+
+ private:
+  void listen();
+  bool take();
+
+  int socket_ = -1;
+  std::uint16_t port_ = 0;
+  std::uint8_t data_ = 0;
+  std::vector<scan_cell_common::Nanoseconds> edges_;
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+}  // namespace laser_trigger

@@ -1,0 +1,10 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "scan_cell_common/fuzzing.h"
+
+/// The reader of ViDeE's lines, for the fuzzers.
+std::vector<scan_cell_common::FuzzTarget> videe_line_targets();

@@ -1,0 +1,124 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "laser_tap.h"
+
+#include <arpa/inet.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_demo {
+
+using scan_cell_common::Nanoseconds;
+
+namespace {
+
+constexpr std::uint8_t kLaserBits = 6;  // of the circuit's register
+
+sockaddr_in on_loopback(std::uint16_t port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return address;
+}
+
+Nanoseconds receipt(msghdr& message) {
+  timespec time{};
+  clock_gettime(CLOCK_REALTIME, &time);
+  for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
+       part = CMSG_NXTHDR(&message, part)) {
+    if (part->cmsg_level == SOL_SOCKET && part->cmsg_type == SCM_TIMESTAMPNS)
+      std::memcpy(&time, CMSG_DATA(part), sizeof time);
+  }
+  return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+}  // namespace
+
+LaserTap::LaserTap(std::uint16_t listen, std::uint16_t circuit)
+    : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)),
+      circuit_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+  const sockaddr_in here = on_loopback(listen), there = on_loopback(circuit);
+  const int on = 1;
+  if (setsockopt(socket_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on) != 0 ||
+      bind(socket_, reinterpret_cast<const sockaddr*>(&here), sizeof here) != 0 ||
+      connect(circuit_, reinterpret_cast<const sockaddr*>(&there), sizeof there) != 0) {
+    const std::string reason = std::strerror(errno);
+    close(socket_);
+    close(circuit_);
+    throw scan_cell_common::ConnectionError("tap on 127.0.0.1:" + std::to_string(listen), reason,
+                                            "end the program that holds the port");
+  }
+  thread_ = std::thread(&LaserTap::listen, this);
+}
+
+LaserTap::~LaserTap() {
+  ending_ = true;
+  thread_.join();
+  close(socket_);
+  close(circuit_);
+}
+
+std::uint8_t LaserTap::lasers() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return lasers_;
+}
+
+std::uint64_t LaserTap::switched_on() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return switched_on_;
+}
+
+bool LaserTap::wait_until_on(double timeout) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  return changed_.wait_for(lock, std::chrono::duration<double>(timeout),
+                           [this] { return lasers_ != 0; });
+}
+
+std::optional<double> LaserTap::on_for(Nanoseconds since, double timeout) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (!changed_.wait_for(lock, std::chrono::duration<double>(timeout),
+                         [this] { return lasers_ == 0; })) {
+    return std::nullopt;
+  }
+  return scan_cell_common::to_seconds(std::max<Nanoseconds>(0, off_at_ - since));
+}
+
+void LaserTap::listen() {
+  constexpr int kLook = 50;  // [ms] between two looks at ending_
+  while (!ending_) {
+    pollfd readable{socket_, POLLIN, 0};
+    if (poll(&readable, 1, kLook) != 1) continue;
+    std::uint8_t data = 0;
+    iovec part{&data, 1};
+    alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
+    msghdr message{};
+    message.msg_iov = &part;
+    message.msg_iovlen = 1;
+    message.msg_control = control;
+    message.msg_controllen = sizeof control;
+    if (recvmsg(socket_, &message, MSG_DONTWAIT) != 1) continue;
+    send(circuit_, &data, 1, MSG_NOSIGNAL);  // a circuit that is not there does not matter here
+    take(data, receipt(message));
+  }
+}
+
+void LaserTap::take(std::uint8_t data, Nanoseconds time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto lasers = static_cast<std::uint8_t>((data & kLaserBits) >> 1);
+  if (lasers != 0 && lasers_ == 0) ++switched_on_;
+  if (lasers == 0 && lasers_ != 0) off_at_ = time;
+  lasers_ = lasers;
+  changed_.notify_all();
+}
+
+}  // namespace scan_cell_demo

@@ -1,0 +1,22 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+
+namespace scan_cell_demo {
+
+/// Process of a ROS node on this machine, as it says itself; none where it does not answer.
+std::optional<pid_t> process_of(const std::string& node);
+
+/// @throw scan_cell_common::ConnectionError where it does not answer
+pid_t checked_process_of(const std::string& node);
+
+/// Waits until roslaunch has started a node again.
+/// @throw scan_cell_common::ConnectionError if it does not come within `timeout` [s]
+void wait_for_successor(const std::string& node, pid_t killed, double timeout);
+
+}  // namespace scan_cell_demo

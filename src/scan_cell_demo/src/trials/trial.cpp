@@ -1,0 +1,190 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trial.h"
+
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "nodes.h"
+#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell_demo {
+
+namespace fs = std::filesystem;
+using scan_cell_common::Nanoseconds;
+
+namespace {
+
+constexpr double kPatience = 20;   // [s]
+constexpr double kWatch = 1.5;     // [s] for a motion that must not come
+constexpr double kMostWay = 1e-4;  // [m] of a robot that stands
+constexpr int kStepOfMove = 2;     // of a scan
+constexpr int kStepOfCapture = 6;
+constexpr double kMillisecond = 1e3;  // in a second
+
+/// Which node dies; empty: none.
+std::string victim(Blow blow) {
+  switch (blow) {
+    case Blow::ControllerKilled:
+      return "/scan_cell_sim";
+    case Blow::DriverKilled:
+      return "/c4g_driver";
+    case Blow::CellKilled:
+      return "/scan_cell";
+    case Blow::EmergencyStop:
+    case Blow::CablePulled:
+      break;
+  }
+  return "";
+}
+
+Nanoseconds host_now() {
+  return scan_cell_common::from_ros(ros::Time::now());
+}
+
+}  // namespace
+
+const std::vector<Blow>& every_blow() {
+  static const std::vector<Blow> blows = {Blow::EmergencyStop, Blow::CablePulled,
+                                          Blow::ControllerKilled, Blow::DriverKilled,
+                                          Blow::CellKilled};
+  return blows;
+}
+
+std::string name_of(Blow blow) {
+  switch (blow) {
+    case Blow::EmergencyStop:
+      return "emergency stop";
+    case Blow::CablePulled:
+      return "cable pulled";
+    case Blow::ControllerKilled:
+      return "controller killed";
+    case Blow::DriverKilled:
+      return "driver killed";
+    case Blow::CellKilled:
+      return "cell killed";
+  }
+  return "";
+}
+
+std::string name_of(Moment moment) {
+  return moment == Moment::MidMove ? "mid move" : "mid scan";
+}
+
+TrialBench::TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, double most_on)
+    : cell_(cell), tap_(tap), folder_(std::move(folder)), most_on_(most_on) {}
+
+void TrialBench::begin(const Trial& trial, const std::string& name) {
+  constexpr int kMostTries = 3;
+  for (int tries = 1;; ++tries) {
+    cell_.wait_until_well();
+    cell_.wait_until_standing();
+    cell_.start_scan(name);
+    try {
+      cell_.wait_for_step(trial.moment == Moment::MidScan ? kStepOfCapture : kStepOfMove,
+                          trial.share);
+      return;
+    } catch (const EndedBefore&) {
+      ++begun_anew_;
+      if (tries == kMostTries) throw;
+    }
+  }
+}
+
+TrialResult TrialBench::make(const Trial& trial, const std::string& name) {
+  begin(trial, name);
+  const bool scanning = trial.moment == Moment::MidScan;
+  TrialResult result;
+  if (scanning && !tap_.wait_until_on(kPatience)) result.failures.push_back("no laser in the scan");
+  const std::uint64_t switched_on = tap_.switched_on();
+  const Nanoseconds struck = strike(trial.blow);
+  const auto on = tap_.on_for(struck, kPatience);
+  result.lasers_on = on.value_or(kPatience);
+  if (result.lasers_on > most_on_)
+    result.failures.push_back("lasers on for " + std::to_string(kMillisecond * result.lasers_on) +
+                              " ms");
+  check_end(trial, result);
+  make_well(trial);
+  const double way = cell_.way_within(kWatch);
+  if (way > kMostWay) result.failures.push_back("moved by " + std::to_string(way) + " m");
+  if (tap_.switched_on() != switched_on) result.failures.push_back("lasers went on again");
+  for (std::string& file : broken_files())
+    result.failures.push_back(std::move(file));
+  return result;
+}
+
+Nanoseconds TrialBench::strike(Blow blow) {
+  killed_node_ = victim(blow);
+  if (!killed_node_.empty()) {
+    killed_ = checked_process_of(killed_node_);
+    const Nanoseconds struck = host_now();
+    kill(killed_, SIGKILL);
+    return struck;
+  }
+  scan_cell_msgs::SetFaults::Request faults;
+  faults.robot_e_stop = blow == Blow::EmergencyStop;
+  faults.robot_link_down = blow == Blow::CablePulled;
+  const Nanoseconds struck = host_now();
+  cell_.set_faults(faults);
+  return struck;
+}
+
+void TrialBench::check_end(const Trial& trial, TrialResult& result) {
+  const auto scan = cell_.end();
+  if (!scan) {
+    result.outcome = "no result";
+    if (trial.blow != Blow::CellKilled) result.failures.push_back("the cell went away");
+    return;
+  }
+  result.outcome = scan->message;
+  if (scan->outcome == scan_cell_msgs::ScanResult::FINISHED)
+    result.failures.push_back("the scan says that it is whole");
+  if (trial.moment == Moment::MidScan) check_cloud(*scan, result);
+}
+
+void TrialBench::check_cloud(const scan_cell_msgs::ScanResult& scan, TrialResult& result) {
+  if (scan.cloud_file.empty()) {
+    result.failures.push_back("no file of what was captured");
+    return;
+  }
+  const std::string path = fs::path(folder_) / fs::path(scan.cloud_file).filename();
+  const std::size_t points = scan_cell_common::load_cloud(path).size();
+  if (points != scan.statistics.points || points == 0)
+    result.failures.push_back(path + " has " + std::to_string(points) + " of " +
+                              std::to_string(scan.statistics.points) + " points");
+}
+
+void TrialBench::make_well(const Trial& trial) {
+  if (trial.blow == Blow::ControllerKilled) {
+    wait_for_successor(killed_node_, killed_, kPatience);
+  } else {
+    cell_.wait_until_standing();  // what was under way has run out; nothing may begin anew
+    std::this_thread::sleep_for(std::chrono::duration<double>(trial.pause));
+    if (!killed_node_.empty()) wait_for_successor(killed_node_, killed_, kPatience);
+  }
+  cell_.wait_until_well();
+}
+
+std::vector<std::string> TrialBench::broken_files() {
+  std::vector<std::string> broken;
+  for (const auto& [path, size] : files_) {
+    std::error_code error;
+    if (fs::file_size(path, error) != size || error) broken.push_back(path + " changed or gone");
+  }
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    const std::string path = entry.path();
+    if (files_.count(path) > 0) continue;
+    try {
+      scan_cell_common::load_cloud(path);
+      files_[path] = entry.file_size();
+    } catch (const scan_cell_common::Error& error) {
+      broken.emplace_back(error.what());
+    }
+  }
+  return broken;
+}
+
+}  // namespace scan_cell_demo

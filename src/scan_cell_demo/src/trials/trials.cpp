@@ -1,0 +1,115 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Strikes the simulated cell again and again, at random in mid move and in mid scan: emergency
+// stop, cable pulled, controller, driver or cell killed. Says how long the lasers stayed on, and
+// which promise was broken.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <random>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
+#include "started_cell.h"
+#include "trial.h"
+
+using namespace scan_cell_demo;  // NOLINT
+
+namespace {
+
+constexpr std::uint16_t kTapPort = 15420;  // trials.launch
+constexpr std::uint16_t kCircuitPort = 5420;
+constexpr double kMilliseconds = 1e3;
+
+struct Options {
+  int count = 200;
+  unsigned seed = 1;
+  double most_on = 0.1;  //!< [s]
+  std::string folder = "out/trials";
+};
+
+/// A random mix of equal parts, the same for the same seed.
+std::vector<Trial> mix(const Options& options) {
+  std::mt19937 random(options.seed);
+  std::uniform_real_distribution<double> share(0.1, 0.7), pause(0, 2);
+  std::vector<Trial> trials;
+  for (int i = 0; i < options.count; ++i) {
+    const auto blows = static_cast<int>(every_blow().size());
+    const Blow blow = every_blow()[static_cast<std::size_t>(i % blows)];
+    const Moment moment = i / blows % 2 == 0 ? Moment::MidScan : Moment::MidMove;
+    trials.push_back({blow, moment, share(random), pause(random)});
+  }
+  std::shuffle(trials.begin(), trials.end(), random);
+  return trials;
+}
+
+/// What came of all trials of one kind.
+struct Tally {
+  std::vector<double> lasers_on;  // [s]
+  int broken = 0;
+};
+
+TrialResult make_safely(TrialBench& bench, const Trial& trial, const std::string& name) {
+  try {
+    return bench.make(trial, name);
+  } catch (const scan_cell_common::Error& error) {
+    return {0, "", {error.what()}};
+  }
+}
+
+void print(const std::map<std::string, Tally>& tallies, double most_on) {
+  std::printf("\nlasers on after the blow [ms], goal: %.0f\n%-36s %6s %8s %8s %8s\n",
+              kMilliseconds * most_on, "", "trials", "median", "most", "broken");
+  for (const auto& [kind, tally] : tallies) {
+    std::vector<double> on = tally.lasers_on;
+    std::sort(on.begin(), on.end());
+    std::printf("%-36s %6zu %8.1f %8.1f %8d\n", kind.c_str(), on.size(),
+                kMilliseconds * on[on.size() / 2], kMilliseconds * on.back(), tally.broken);
+  }
+}
+
+int run(const Options& options) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(options.folder);
+  const fs::path clouds = folder / "clouds";
+  fs::remove_all(clouds);
+  fs::create_directories(clouds);
+  const StartedCell started("trials", {LAUNCH_FILE, "folder:=" + clouds.string()}, folder);
+  const LaserTap tap(kTapPort, kCircuitPort);
+  RunningCell cell{ros::NodeHandle()};
+  cell.wait_until_well();  // or no trial would say anything
+  TrialBench bench(cell, tap, clouds, options.most_on);
+  std::map<std::string, Tally> tallies;
+  int broken = 0, number = 0;
+  for (const Trial& trial : mix(options)) {
+    const TrialResult result = make_safely(bench, trial, "trial_" + std::to_string(++number));
+    const std::string kind = name_of(trial.blow) + ", " + name_of(trial.moment);
+    Tally& tally = tallies[kind];
+    tally.lasers_on.push_back(result.lasers_on);
+    if (!result.failures.empty()) ++tally.broken, ++broken;
+    std::printf("%d of %d: %s at %.0f %%: lasers on for %.1f ms; %s\n", number, options.count,
+                kind.c_str(), 100 * trial.share, kMilliseconds * result.lasers_on,
+                result.outcome.c_str());
+    for (const std::string& failure : result.failures)
+      std::printf("  BROKEN: %s\n", failure.c_str());
+    std::fflush(stdout);
+  }
+  print(tallies, options.most_on);
+  std::printf("%d of %d trials broke a promise; %d scans ended by themselves before the blow\n",
+              broken, options.count, bench.begun_anew());
+  return broken == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Strikes the simulated cell again and again, and holds it to its promises");
+  app.add_option("--count", options.count, "trials")->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "of their mix");
+  app.add_option("--most-on", options.most_on, "seconds that lasers may be on after a blow");
+  app.add_option("--folder", options.folder, "where clouds and logs are left");
+  return scan_cell_common::tool_main("trials", app, argc, argv, [&] { return run(options); });
+}

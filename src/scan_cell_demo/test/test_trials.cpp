@@ -1,0 +1,81 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Each blow once; `make trials` does the same some hundred times.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "started_cell.h"
+#include "trial.h"
+
+namespace fs = std::filesystem;
+
+using namespace scan_cell_demo;  // NOLINT
+
+namespace {
+
+constexpr std::uint16_t kTapPort = 15420;  // trials.launch
+constexpr std::uint16_t kCircuitPort = 5420;
+// With other programs beside it, that hold up the simulated controller; make trials has the cell's
+// own default and the goal. The driver alone would leave the lasers on for more than 0.5 s.
+const char* const kUnseenAfter = "unseen_after:=0.2";  // [s]
+constexpr double kMostOn = 0.4;                        // [s]
+
+class Trials : public testing::TestWithParam<Blow> {
+ protected:
+  static void SetUpTestSuite() {
+    fs::create_directories(clouds());
+    started_ = std::make_unique<StartedCell>(
+        "test_trials", std::vector<std::string>{LAUNCH_FILE, kUnseenAfter, "folder:=" + clouds()},
+        folder());
+    tap_ = std::make_unique<LaserTap>(kTapPort, kCircuitPort);
+    cell_ = std::make_unique<RunningCell>(ros::NodeHandle());
+    bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kMostOn);
+  }
+  static void TearDownTestSuite() {
+    bench_.reset();
+    cell_.reset();
+    tap_.reset();
+    started_.reset();
+    fs::remove_all(folder());
+  }
+  static std::string folder() {
+    return fs::temp_directory_path() / ("trials_" + std::to_string(getpid()));
+  }
+  static std::string clouds() { return folder() + "/clouds"; }
+
+  static void expect_promises_kept(const Trial& trial) {
+    const TrialResult result = bench_->make(trial, name_of(trial.moment));
+    for (const std::string& failure : result.failures)
+      ADD_FAILURE() << failure << "; the cell said: " << result.outcome;
+  }
+
+  static std::unique_ptr<StartedCell> started_;
+  static std::unique_ptr<LaserTap> tap_;
+  static std::unique_ptr<RunningCell> cell_;
+  static std::unique_ptr<TrialBench> bench_;
+};
+
+std::unique_ptr<StartedCell> Trials::started_;
+std::unique_ptr<LaserTap> Trials::tap_;
+std::unique_ptr<RunningCell> Trials::cell_;
+std::unique_ptr<TrialBench> Trials::bench_;
+
+}  // namespace
+
+TEST_P(Trials, LasersGoOffInMidScanAndNothingBeginsAnew) {
+  expect_promises_kept({GetParam(), Moment::MidScan, 0.3, 0});
+}
+
+TEST_P(Trials, RobotStaysWhereItStoppedInMidMove) {
+  expect_promises_kept({GetParam(), Moment::MidMove, 0.3, 0});
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEach, Trials, testing::ValuesIn(every_blow()), [](const auto& blow) {
+  std::string name = name_of(blow.param);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});

@@ -1,0 +1,64 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scan_cell_sim/controller/refusal.h"
+
+namespace scan_cell_sim {
+
+/// Where the mode selector stands; docs/c4g_protocol.md says what each mode allows.
+enum class ControllerMode { Programming, Automatic, Remote };
+
+/// @throw ControllerRefusal
+ControllerMode controller_mode_of(const std::string& name);
+const char* name_of(ControllerMode mode);
+
+/// Whether the controller would move, and why not: mode selector, drives, emergency stop, alarms.
+/// Nothing here moves or stops a robot. Not safe for use from several threads.
+class Readiness {
+ public:
+  /// Who wants something: somebody at the controller's panel, or a client on the network.
+  enum class Source { Panel, Client };
+
+  ControllerMode mode() const { return mode_; }
+  bool e_stop() const { return e_stop_; }
+  bool drives() const { return drives_; }
+  const std::vector<Complaint>& alarms() const { return alarms_; }  //!< oldest first
+
+  /// @throw ControllerRefusal unless a client may begin a motion
+  void require_motion() const;
+
+  /// Another mode than before switches the drives off.
+  void select(ControllerMode mode);
+
+  /// Forgets its alarms, but for the emergency stop if that is pressed; otherwise the drives are
+  /// on.
+  void restart();
+
+  void press_e_stop();
+  /// The alarm stands and the drives stay off.
+  void release_e_stop() { e_stop_ = false; }
+
+  /// Drives go off, and nothing moves until the alarm is reset.
+  void raise(const Complaint& alarm);
+
+  /// @throw ControllerRefusal while the emergency stop is pressed, or if a client must not
+  void reset_alarms(Source source);
+
+  /// Off is always granted.
+  /// @throw ControllerRefusal while something forbids the drives, or if a client must not
+  void switch_drives(bool on, Source source);
+
+ private:
+  void require_right(Source source, const std::string& what) const;
+
+  ControllerMode mode_ = ControllerMode::Remote;
+  bool e_stop_ = false;
+  bool drives_ = true;
+  std::vector<Complaint> alarms_;
+};
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/controller/drifting_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scan_cell_sim {
+
+using scan_cell_common::Nanoseconds;
+
+std::int64_t DriftingClock::microseconds(Nanoseconds host) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double device = device_ + static_cast<double>(host - host_) * (1 + drift_);
+  return std::max<std::int64_t>(0, static_cast<std::int64_t>(device / 1000));
+}
+
+Nanoseconds DriftingClock::host(std::int64_t microseconds) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double device = static_cast<double>(microseconds) * 1000;
+  return host_ + std::llround((device - device_) / (1 + drift_));
+}
+
+void DriftingClock::restart(Nanoseconds host) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  host_ = host;
+  device_ = 0;
+}
+
+void DriftingClock::set_drift(double drift, Nanoseconds host) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  device_ += static_cast<double>(host - host_) * (1 + drift_);
+  host_ = host;
+  drift_ = drift;
+}
+
+}  // namespace scan_cell_sim

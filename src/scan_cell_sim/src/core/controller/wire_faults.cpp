@@ -1,0 +1,32 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_sim/controller/wire_faults.h"
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_sim {
+
+const std::array<WireFault, 10> kWireFaults = {
+    {{"lost", &WireFaults::lost, 1, false, "is lost"},
+     {"repeated", &WireFaults::repeated, 1, false, "comes twice"},
+     {"delayed", &WireFaults::delayed, 1, false, "comes later than others sent after it"},
+     {"delay", &WireFaults::delay, 10, true, "of what is delayed"},
+     {"jitter", &WireFaults::jitter, 10, true, "most that each is later by"},
+     {"held", &WireFaults::held, 1, false, "begins a burst: it and all after it come at once"},
+     {"hold", &WireFaults::hold, 10, true, "until a burst comes"},
+     {"flipped", &WireFaults::flipped, 1, false, "has one to three bits flipped"},
+     {"truncated", &WireFaults::truncated, 1, false, "has no end"},
+     {"silence", &WireFaults::silence, 3600, true, "in which nothing passes, from now on"}}};
+
+void check(const WireFaults& faults, const std::string& prefix) {
+  for (const WireFault& fault : kWireFaults) {
+    const double value = faults.*fault.value;
+    if (value >= 0 && value <= fault.most) continue;  // not so for NaN
+    const std::string unit = fault.time ? " s" : "";
+    throw scan_cell_common::InvalidParameter(
+        prefix + fault.name, std::to_string(value) + unit,
+        "give 0 .. " + std::to_string(static_cast<int>(fault.most)) + unit);
+  }
+}
+
+}  // namespace scan_cell_sim

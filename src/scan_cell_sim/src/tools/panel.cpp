@@ -1,0 +1,125 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "panel.h"
+
+#include <sstream>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_sim {
+namespace {
+
+using scan_cell_common::InvalidParameter;
+
+const char* const kHelp =
+    "e_stop                press the emergency stop\n"
+    "release               release it: the alarm stands, the drives are off\n"
+    "reset                 reset the alarms\n"
+    "drives on | off       in mode programming: the enabling device\n"
+    "mode NAME             programming, automatic or remote; another one switches the drives off\n"
+    "fail TEXT             an alarm that ends the motion under way\n"
+    "restart MS            switched off for so long, and on again\n"
+    "fault NAME VALUE [to_client | from_client]   as the option --NAME; both ways where not said\n"
+    "link up | down        plug the cable in, pull it\n"
+    "well                  no faults\n"
+    "state                 where the robot is, and how it is";
+
+double number(const std::string& text) {
+  std::istringstream stream(text);
+  double value = 0;
+  if (stream >> value && stream.eof()) return value;
+  throw InvalidParameter("number", "'" + text + "'", "give one such as 0.3");
+}
+
+bool one_of(const std::string& word, const char* yes, const char* no) {
+  if (word == yes) return true;
+  if (word == no) return false;
+  throw InvalidParameter("word", "'" + word + "'", std::string("say ") + yes + " or " + no);
+}
+
+}  // namespace
+
+void set_fault(WireFaults& faults, const std::string& name, double value) {
+  constexpr double kMilliseconds = 1e-3;
+  for (const WireFault& fault : kWireFaults) {
+    if (name != fault.name) continue;
+    faults.*fault.value = fault.time ? value * kMilliseconds : value;
+    return;
+  }
+  throw InvalidParameter("fault", "'" + name + "'", "see the options in --help");
+}
+
+std::string Panel::carry_out(const std::string& line) {
+  std::istringstream stream(line);
+  Words words;
+  for (std::string word; stream >> word;)
+    words.push_back(word);
+  if (words.empty()) return "";
+  words.resize(std::max<std::size_t>(words.size(), 4));  // what is left out is empty
+  try {
+    return perform(words);
+  } catch (const std::runtime_error& error) {
+    return std::string("refused: ") + error.what();
+  }
+}
+
+std::string Panel::perform(const Words& words) {
+  constexpr double kMilliseconds = 1e-3;
+  const std::string& what = words[0];
+  if (what == "e_stop") {
+    controller_.press_e_stop();
+  } else if (what == "release") {
+    controller_.release_e_stop();
+  } else if (what == "reset") {
+    controller_.reset_alarms();
+  } else if (what == "drives") {
+    controller_.switch_drives(one_of(words[1], "on", "off"));
+  } else if (what == "mode") {
+    controller_.select(controller_mode_of(words[1]));
+  } else if (what == "fail") {
+    controller_.fail_motion(words[1].empty() ? "failed" : words[1]);
+  } else if (what == "restart") {
+    controller_.restart(number(words[1]) * kMilliseconds);
+  } else if (what == "state") {
+    return tell();
+  } else if (what == "fault" || what == "link" || what == "well") {
+    change_fault(words);
+  } else {
+    return kHelp;
+  }
+  return "ok";
+}
+
+void Panel::change_fault(const Words& words) {
+  ControllerFaults changed = faults_;
+  if (words[0] == "well") {
+    changed = {};
+  } else if (words[0] == "link") {
+    changed.to_client.link_down = changed.from_client.link_down = one_of(words[1], "down", "up");
+  } else {
+    const double value = number(words[2]);
+    const bool both = words[3].empty();
+    if (both || one_of(words[3], "to_client", "from_client"))
+      set_fault(changed.to_client, words[1], value);
+    if (both || words[3] == "from_client") set_fault(changed.from_client, words[1], value);
+  }
+  controller_.set_faults(changed);
+  faults_ = changed;
+}
+
+std::string Panel::tell() const {
+  const MotionState state = controller_.state();
+  const WireSix pose = to_wire(state.flange);
+  std::ostringstream text;
+  text << name_of(state.status) << ", mode " << name_of(state.readiness.mode()) << ", drives "
+       << (state.readiness.drives() ? "on" : "off")
+       << (state.readiness.e_stop() ? ", emergency stop" : "");
+  for (const Complaint& alarm : state.readiness.alarms())
+    text << ", alarm: " << alarm.text;
+  text << ", flange [mm, deg]";
+  for (const double value : pose)
+    text << ' ' << value;
+  return text.str();
+}
+
+}  // namespace scan_cell_sim

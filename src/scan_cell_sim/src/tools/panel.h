@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scan_cell_sim/controller/controller.h"
+
+namespace scan_cell_sim {
+
+/// The fault's number in WireFaults from what a person writes: milliseconds, or a share.
+/// @throw scan_cell_common::InvalidParameter if there is none of this name
+void set_fault(WireFaults& faults, const std::string& name, double value);
+
+/// What somebody at the controller's panel and at its cable does, as lines of text.
+class Panel {
+ public:
+  /// @param faults the controller's at the start
+  Panel(Controller& controller, const ControllerFaults& faults)
+      : controller_(controller), faults_(faults) {}
+
+  /// Carries out one line and says how it went, or what can be said where it makes no sense.
+  std::string carry_out(const std::string& line);
+
+ private:
+  using Words = std::vector<std::string>;
+
+  std::string perform(const Words& words);
+  void change_fault(const Words& words);
+  std::string tell() const;
+
+  Controller& controller_;
+  ControllerFaults faults_;
+};
+
+}  // namespace scan_cell_sim
