@@ -22,11 +22,13 @@ struct FakeCell {
   int moves = 0;  // motions started
   bool armed = false;
   std::string trouble_of;  // device that gets into trouble half way through the scan
-  std::string throws_at;   // call that throws
+  std::string throws_at;   // call that finds its device gone
+  std::string refused_at;  // call that the device refuses
 
   void note(const std::string& call) {
     log.push_back(call);
     if (call == throws_at) throw scan_cell_common::ConnectionError(call, "gone", "look for it");
+    if (call == refused_at) throw scan_cell_common::Refused(call, "refused", "ask for less");
   }
   bool noted(const std::string& call) const {
     return std::find(log.begin(), log.end(), call) != log.end();
@@ -250,6 +252,24 @@ TEST_F(ScanSequence, SaysWhyAMotionFailed) {
   EXPECT_EQ(end.outcome, Outcome::MotionFailed);
   EXPECT_EQ(end.message, "collision");
   expect_safe();
+}
+
+TEST_F(ScanSequence, TellsARobotThatRefusesFromOneThatIsLost) {
+  for (const std::string call : {"speed", "move 1", "move 2"}) {
+    SCOPED_TRACE(call);
+    cell_ = FakeCell();
+    cell_.refused_at = call;
+    observer_.last = 0;
+    scan_cell::SequenceEnd end = run();
+    EXPECT_EQ(end.outcome, Outcome::MotionFailed);
+    EXPECT_EQ(end.message, call + ": refused; ask for less");
+    cell_ = FakeCell();
+    cell_.throws_at = call;
+    observer_.last = 0;
+    end = run();
+    EXPECT_EQ(end.outcome, Outcome::RobotLost);
+    EXPECT_EQ(end.message, call + ": gone; look for it");
+  }
 }
 
 TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheRobotDoesNotMove) {

@@ -18,7 +18,7 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
     : parameters_(parameters),
       transforms_(node.advertise<tf2_msgs::TFMessage>("/tf", 100)),
       joint_states_(node.advertise<sensor_msgs::JointState>("joint_states", 100)),
-      status_(private_node.advertise<scan_cell_msgs::RobotStatus>("status", 10)),
+      status_(listeners_.advertise<scan_cell_msgs::RobotStatus>(private_node, "status", 10)),
       transform_(transform_message(parameters.base_frame, parameters.flange_frame)),
       joints_(joint_message(parameters.client.robot->joint_names())),
       client_(parameters.client, [this](const MeasuredState& state) { publish(state); }),
@@ -81,26 +81,14 @@ void DriverNode::move(const scan_cell_msgs::MoveGoalConstPtr& goal) {
     finish(MoveResult::REFUSED, error.what());
     return;
   }
-  const Goal end = follow();
-  switch (end.outcome()) {
-    case Goal::Outcome::Reached:
-      finish(MoveResult::REACHED, end.message());
-      return;
-    case Goal::Outcome::Stopped:
-      finish(MoveResult::STOPPED, end.message());
-      return;
-    case Goal::Outcome::LinkLost:
-      finish(MoveResult::LINK_LOST, end.message());
-      return;
-    case Goal::Outcome::Failed:
-    case Goal::Outcome::None:
-    case Goal::Outcome::Underway:
-      finish(MoveResult::CONTROLLER_ERROR, end.message());
-      return;
-  }
+  finish(follow(goal->watcher));
 }
 
 void DriverNode::start(const MoveGoal& goal) {
+  if (!goal.watcher.empty() && !listeners_.contains(goal.watcher)) {
+    throw Refused("watcher", "'" + goal.watcher + "', which does not listen to the status",
+                  "subscribe to " + status_.getTopic() + " first, or give none");
+  }
   if (goal.kind == MoveGoal::CARTESIAN) {
     client_.move_to_pose(to_target(goal.pose, parameters_.base_frame), goal.camera_rate);
   } else if (goal.kind == MoveGoal::JOINT) {
@@ -110,7 +98,14 @@ void DriverNode::start(const MoveGoal& goal) {
   }
 }
 
-Goal DriverNode::follow() {
+std::string DriverNode::why_to_stop(const std::string& watcher) {
+  if (!ros::ok()) return "the driver ends";
+  if (server_.isPreemptRequested()) return "cancelled";
+  if (!watcher.empty() && !listeners_.contains(watcher)) return watcher + " is gone";
+  return "";
+}
+
+Goal DriverNode::follow(const std::string& watcher) {
   bool stopping = false;
   while (true) {
     const Goal goal = client_.wait_for_goal(1 / parameters_.feedback_rate);
@@ -122,13 +117,30 @@ Goal DriverNode::follow() {
       feedback.pose = to_pose(*state, parameters_.base_frame);
       server_.publishFeedback(feedback);
     }
-    if (stopping || (ros::ok() && !server_.isPreemptRequested())) continue;
+    const std::string reason = stopping ? "" : why_to_stop(watcher);
+    if (reason.empty()) continue;
     try {
       client_.stop();
+      ROS_INFO("the robot was told to stop: %s", reason.c_str());
       stopping = true;
     } catch (const Error& error) {
       ROS_ERROR_THROTTLE(1, "%s", error.what());  // a lost link ends the goal, else again
     }
+  }
+}
+
+void DriverNode::finish(const Goal& end) {
+  switch (end.outcome()) {
+    case Goal::Outcome::Reached:
+      return finish(MoveResult::REACHED, end.message());
+    case Goal::Outcome::Stopped:
+      return finish(MoveResult::STOPPED, end.message());
+    case Goal::Outcome::LinkLost:
+      return finish(MoveResult::LINK_LOST, end.message());
+    case Goal::Outcome::Failed:
+    case Goal::Outcome::None:
+    case Goal::Outcome::Underway:
+      return finish(MoveResult::CONTROLLER_ERROR, end.message());
   }
 }
 

@@ -13,16 +13,11 @@ using scan_cell_msgs::ArmTrigger;
 using scan_cell_msgs::DisarmTrigger;
 
 TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& parameters,
-                                 TriggerPort& port, Guardian& guardian) {
+                                 TriggerPort& port, Guardian& guardian)
+    : listeners_([this](const std::string& gone) { on_listener_gone(gone); }) {
   constexpr std::uint32_t kEvents = 100000;
   events_ = node.advertise<scan_cell_msgs::TriggerEvent>("events", kEvents);
-  state_ = node.advertise<scan_cell_msgs::TriggerState>(
-      "state", 10,
-      [this](const ros::SingleSubscriberPublisher& peer) { on_listener(peer.getSubscriberName()); },
-      [this](const ros::SingleSubscriberPublisher& peer) {
-        on_listener_gone(peer.getSubscriberName());
-      },
-      ros::VoidConstPtr(), true);
+  state_ = listeners_.advertise<scan_cell_msgs::TriggerState>(node, "state", 10, true);
   generator_ = std::make_unique<PulseGenerator>(
       port, &guardian, parameters.pulses,
       PulseGenerator::Observer{[this](const Pulse& pulse) { on_pulse(pulse); },
@@ -45,15 +40,9 @@ void TriggerServices::shut_down(const std::string& reason) {
   generator_->disarm(reason);
 }
 
-void TriggerServices::on_listener(const std::string& node) {
-  const std::lock_guard<std::mutex> lock(client_mutex_);
-  listeners_.insert(node);
-}
-
 void TriggerServices::on_listener_gone(const std::string& node) {
   const std::lock_guard<std::mutex> lock(client_mutex_);
-  if (const auto gone = listeners_.find(node); gone != listeners_.end()) listeners_.erase(gone);
-  if (node != client_ || listeners_.count(node) > 0) return;
+  if (node != client_) return;
   client_.clear();
   generator_->disarm("its client " + node + " is gone");
 }
@@ -66,7 +55,7 @@ bool TriggerServices::arm(ArmEvent& event) {
     response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec()});
     response.success = true;
     const std::string& caller = event.getCallerName();
-    client_ = listeners_.count(caller) > 0 ? caller : "";
+    client_ = listeners_.contains(caller) ? caller : "";
   } catch (const scan_cell_common::Error& error) {
     response.success = false;
     response.message = error.what();

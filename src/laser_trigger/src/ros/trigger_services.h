@@ -10,11 +10,11 @@
 
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 
 #include "laser_trigger/pulse_generator.h"
 #include "parameters.h"
+#include "scan_cell_common/ros/listeners.h"
 
 namespace laser_trigger {
 
@@ -34,18 +34,17 @@ class TriggerServices {
   bool arm(ArmEvent& event);
   bool disarm(scan_cell_msgs::DisarmTrigger::Request& request,
               scan_cell_msgs::DisarmTrigger::Response& response);
-  void on_listener(const std::string& node);
   void on_listener_gone(const std::string& node);
   void on_pulse(const Pulse& pulse);
   void publish_state();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
+  scan_cell_common::Listeners listeners_;  // to the state
   ros::Publisher events_;
   ros::Publisher state_;
-  std::mutex state_mutex_;                // the state published last is the latest
-  std::mutex client_mutex_;               // of the next two, and while it is armed
-  std::multiset<std::string> listeners_;  // nodes that are connected to the state
-  std::string client_;                    // the one of them that armed it; empty: none did
+  std::mutex state_mutex_;   // the state published last is the latest
+  std::mutex client_mutex_;  // of the client, and while it is armed
+  std::string client_;       // the listener that armed it; empty: none did
   std::unique_ptr<PulseGenerator> generator_;
   ros::Subscriber keep_alive_;
   ros::ServiceServer arm_;

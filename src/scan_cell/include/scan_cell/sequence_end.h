@@ -43,6 +43,19 @@ auto on(Outcome outcome, const Call& call) {
   }
 }
 
+/// Carries out what the robot is asked for: where it refuses no motion comes, and any other error
+/// loses it.
+template <class Call>
+auto on_robot(const Call& call) {
+  try {
+    return call();
+  } catch (const scan_cell_common::Refused& refusal) {
+    throw EndEarly{Outcome::MotionFailed, refusal.what()};
+  } catch (const scan_cell_common::Error& error) {
+    throw EndEarly{Outcome::RobotLost, error.what()};
+  }
+}
+
 /// Adds what went wrong besides, or after all was well.
 inline void worsen(SequenceEnd& end, Outcome outcome, const std::string& why) {
   if (end.outcome == Outcome::Finished) {

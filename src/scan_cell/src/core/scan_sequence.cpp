@@ -43,11 +43,11 @@ void ScanSequence::prepare(const ScanRequest& request) {
   on(Outcome::Refused, [&] { check(request, limits_); });
   supervisor_.wait_until_well();
   step(2, "move to the start");
-  on(Outcome::RobotLost, [&] { robot_.set_linear_motion(timing_.approach_speed); });
+  on_robot([&] { robot_.set_linear_motion(timing_.approach_speed); });
   supervisor_.start_move(request.start, 0);
   wait_for_motion();
   step(3, "set speed and linear motion");
-  on(Outcome::RobotLost, [&] { robot_.set_linear_motion(request.speed); });
+  on_robot([&] { robot_.set_linear_motion(request.speed); });
   step(4, "prepare binder and triangulation");
   on(Outcome::StageFailed, [&] { stages_.start(request.scan_id); });
   stages_started_ = true;

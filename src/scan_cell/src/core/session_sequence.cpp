@@ -44,7 +44,7 @@ void SessionSequence::record(const SessionRequest& request, SessionEnd& result) 
   supervisor_.wait_until_well();
   prepared_ = true;
   on(Outcome::CameraLost, [&] { camera_.prepare(); });
-  on(Outcome::RobotLost, [&] { robot_.set_linear_motion(timing_.speed); });
+  on_robot([&] { robot_.set_linear_motion(timing_.speed); });
   int blind = 0;
   for (pose_ = 0; pose_ < poses_; ++pose_) {
     try {
@@ -113,9 +113,7 @@ void SessionSequence::skip_or_end(const EndEarly& failure) {
 Eigen::Isometry3d SessionSequence::rest() {
   supervisor_.wait_for(timing_.settle, [] { return false; });
   const double deadline = monotonic_now() + timing_.still_patience;
-  const auto measure = [this] {
-    return on(Outcome::RobotLost, [this] { return robot_.static_pose(); });
-  };
+  const auto measure = [this] { return on_robot([this] { return robot_.static_pose(); }); };
   Eigen::Isometry3d before = measure();
   while (true) {
     supervisor_.wait_for(timing_.still_interval, [] { return false; });

@@ -38,7 +38,7 @@ void Supervisor::wait_until_well() {
 void Supervisor::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
   watch();  // no motion begins after a cancel
   moving_ = true;
-  on(Outcome::RobotLost, [&] { robot_.start_move(flange, camera_rate); });
+  on_robot([&] { robot_.start_move(flange, camera_rate); });
 }
 
 void Supervisor::wait_until_moving() {

@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <ros/this_node.h>
 #include <scan_cell_msgs/GetStaticPose.h>
 #include <scan_cell_msgs/SetControllerParameter.h>
 #include <scan_cell_msgs/SetLinearSpeed.h>
@@ -96,6 +97,7 @@ void RosRobot::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
   goal.pose.header.stamp = ros::Time::now();
   goal.pose.pose = scan_cell_common::to_ros_pose(flange);
   goal.camera_rate = camera_rate;
+  goal.watcher = ros::this_node::getName();
   std::uint64_t move = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -20,6 +20,7 @@
 #include "c4g_driver/client.h"
 #include "c4g_driver/ros/driver_diagnostics.h"
 #include "c4g_driver/ros/driver_parameters.h"
+#include "scan_cell_common/ros/listeners.h"
 
 namespace c4g_driver {
 
@@ -39,8 +40,10 @@ class DriverNode {
 
   void move(const scan_cell_msgs::MoveGoalConstPtr& goal);
   void start(const scan_cell_msgs::MoveGoal& goal);
-  Goal follow();
+  Goal follow(const std::string& watcher);
+  std::string why_to_stop(const std::string& watcher);
   void finish(std::uint8_t outcome, const std::string& message);
+  void finish(const Goal& end);
 
   template <class Service>
   void advertise(ros::NodeHandle& node, const std::string& name,
@@ -63,6 +66,7 @@ class DriverNode {
   const DriverParameters parameters_;
   ros::Publisher transforms_;
   ros::Publisher joint_states_;
+  scan_cell_common::Listeners listeners_;  // to the status
   ros::Publisher status_;
   bool was_up_ = false;
   LinkDiagnosis diagnosis_;

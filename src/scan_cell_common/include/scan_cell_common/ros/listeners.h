@@ -1,0 +1,44 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+
+namespace scan_cell_common {
+
+/// The nodes that are connected to a topic of ours. The kernel closes the connections of a node
+/// that ends, however it does: milliseconds later it is no listener any more.
+class Listeners {
+ public:
+  /// Told of a node whose last connection ended, after contains() knows.
+  using OnGone = std::function<void(const std::string& node)>;
+
+  explicit Listeners(OnGone on_gone = nullptr);
+
+  /// As ros::NodeHandle's own. What it gives must not outlive these.
+  template <class Message>
+  ros::Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue,
+                           bool latch = false) {
+    using Peer = ros::SingleSubscriberPublisher;
+    return node.advertise<Message>(
+        topic, queue, [this](const Peer& peer) { come(peer.getSubscriberName()); },
+        [this](const Peer& peer) { go(peer.getSubscriberName()); }, ros::VoidConstPtr(), latch);
+  }
+
+  bool contains(const std::string& node) const;
+
+ private:
+  void come(const std::string& node);
+  void go(const std::string& node);
+
+  const OnGone on_gone_;
+  mutable std::mutex mutex_;
+  std::multiset<std::string> nodes_;
+};
+
+}  // namespace scan_cell_common
