@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Lets the simulated cell scan in a loop with faults on its wires, and watches what each node
-// holds: memory, threads, files and sockets.
+// Lets the simulated cell scan in a loop with faults on its wires, the controller switched off in
+// every tenth scan, and watches what each node holds: memory, threads, files and sockets.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -19,6 +19,9 @@ using namespace scan_cell_demo;  // NOLINT
 namespace {
 
 constexpr double kHour = 3600;  // [s]
+constexpr int kStepOfCapture = 6;
+constexpr int kRestarts = 10;  // of so many scans one finds the controller switched off and on
+constexpr double kOff = 0.5;   // [s]
 
 struct Options {
   double hours = 1;
@@ -31,6 +34,10 @@ scan_cell_msgs::SetFaults::Request wire_faults(unsigned seed) {
   faults.robot_lost_packets = 0.1;
   faults.robot_repeated_packets = 0.1;
   faults.robot_delayed_packets = 0.1;
+  faults.robot_held = 0.002;
+  faults.robot_flipped = 0.02;
+  faults.robot_truncated = 0.02;
+  faults.robot_requests_too = 1;
   faults.camera_lost_frames = 0.01;
   faults.camera_lost_packets = 0.001;
   faults.seed = seed;
@@ -59,11 +66,23 @@ class Soak {
     cell_.wait_until_well();
     cell_.set_faults(wire_faults(static_cast<unsigned>(++scans_)));
     cell_.start_scan("soak_" + std::to_string(scans_));
+    if (scans_ % kRestarts == 0) restart_controller();
     const auto result = cell_.end();
     if (result && result->outcome == scan_cell_msgs::ScanResult::FINISHED) return;
     std::printf("scan %d ended early: %s\n", scans_,
                 result ? result->message.c_str() : "no result");
     ++early_;
+  }
+
+  void restart_controller() {
+    try {
+      cell_.wait_for_step(kStepOfCapture, 0.5);
+    } catch (const EndedBefore&) {
+      return;
+    }
+    scan_cell_msgs::SetFaults::Request faults = wire_faults(static_cast<unsigned>(scans_));
+    faults.robot_restart = kOff;
+    cell_.set_faults(faults);
   }
 
   void sample() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <ros/single_subscriber_publisher.h>
 
 #include <functional>
 #include <mutex>
