@@ -113,6 +113,7 @@ TEST_F(Driver, StopsWhereTheWatcherOfTheGoalDies) {
 
   scan_cell_common::ChildProcess watcher({own_program(), kListen, "__name:=watcher"});
   ASSERT_TRUE(eventually([&] {
+    ros::WallDuration(0.1).sleep();  // goals without end would keep the watcher from starting
     move_.sendGoal(goal);
     return !move_.waitForResult(ros::Duration(0.3));
   })) << move_.getResult()->message;

@@ -2,51 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <string_view>
 
+#include "scan_cell_common/csv_reader.h"
+#include "scan_cell_common/errors.h"
 #include "scan_cell_common/text.h"
 #include "tecnogamma_camera/folder_recording.h"
 
 namespace tecnogamma_camera {
 namespace {
 
+using scan_cell_common::CsvReader;
 using scan_cell_common::excerpt;
-using scan_cell_common::UnusableInput;
 
 constexpr std::array<const char*, 9> kColumns = {"file",      "frame",          "device_time",
                                                  "time",      "packets_lost",   "first_column",
                                                  "first_row", "sensor_columns", "sensor_rows"};
 constexpr std::uint64_t kMostPixels = 65535;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr const char* kBlank = " \t\r";
-  const std::size_t begin = text.find_first_not_of(kBlank);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 /// Fields of a line by the names of its columns.
 class Line {
  public:
-  Line(const std::vector<std::string>& columns, const std::vector<std::string_view>& fields,
-       const std::string& where)
-      : columns_(columns), fields_(fields), where_(where) {}
+  Line(const std::vector<std::string>& columns, const CsvReader& reader)
+      : columns_(columns), reader_(reader) {
+    reader.expect_fields(columns.size());
+  }
 
   std::string_view text(const char* column) const {
     const auto at = std::find(columns_.begin(), columns_.end(), column);
     return at == columns_.end() ? std::string_view()
-                                : fields_[static_cast<std::size_t>(at - columns_.begin())];
+                                : reader_.field(static_cast<std::size_t>(at - columns_.begin()));
   }
 
   /// 0 where it is empty or has no such column.
@@ -62,27 +49,26 @@ class Line {
   }
 
   [[noreturn]] void refuse(const std::string& value, const std::string& cure) const {
-    throw UnusableInput(where_, value, cure);
+    reader_.refuse(value, cure);
   }
 
  private:
   const std::vector<std::string>& columns_;
-  const std::vector<std::string_view>& fields_;
-  const std::string& where_;
+  const CsvReader& reader_;
 };
 
-std::vector<std::string> read_header(std::string_view line, const std::string& where) {
+std::vector<std::string> read_header(const CsvReader& reader) {
   std::vector<std::string> columns;
-  for (const std::string_view name : split(line, ',')) {
+  for (const std::string_view name : reader.fields()) {
     if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
-      throw UnusableInput(where, "column '" + excerpt(name) + "'", "it is none of an index");
+      reader.refuse("column '" + excerpt(name) + "'", "it is none of an index");
     if (std::find(columns.begin(), columns.end(), name) != columns.end())
-      throw UnusableInput(where, "column '" + excerpt(name) + "' twice", "name it once");
+      reader.refuse("column '" + excerpt(name) + "' twice", "name it once");
     columns.emplace_back(name);
   }
   for (const char* needed : {"file", "frame"}) {
     if (std::find(columns.begin(), columns.end(), needed) == columns.end())
-      throw UnusableInput(where, std::string("no column '") + needed + "'", "add it");
+      reader.refuse(std::string("no column '") + needed + "'", "add it");
   }
   return columns;
 }
@@ -90,10 +76,11 @@ std::vector<std::string> read_header(std::string_view line, const std::string& w
 /// A file of the folder itself or of one below.
 std::string read_file_name(const Line& line) {
   const std::string name(line.text("file"));
-  const auto parts = split(name, '/');
-  const bool inside = std::none_of(parts.begin(), parts.end(), [](std::string_view part) {
-    return part.empty() || part == "." || part == "..";
-  });
+  const std::filesystem::path path(name);
+  const bool inside = !name.empty() && path.is_relative() &&
+                      std::none_of(path.begin(), path.end(), [](const auto& part) {
+                        return part.empty() || part == "." || part == "..";
+                      });
   if (!inside || name.find('\0') != std::string::npos) {
     line.refuse("file '" + excerpt(name) + "'", "name one in the index's folder, or below");
   }
@@ -134,27 +121,21 @@ void read_place(const Line& line, bool first, FolderIndex& index) {
 
 FolderIndex parse_folder_index(const std::string& text, const std::string& source) {
   FolderIndex index;
+  CsvReader reader(text, source);
   std::vector<std::string> columns;
-  std::size_t number = 0;
-  for (const std::string_view line : split(scan_cell_common::without_byte_order_mark(text), '\n')) {
-    ++number;
-    if (line.empty()) continue;
-    const std::string where = source + ":" + std::to_string(number);
+  while (reader.next()) {
     if (columns.empty()) {
-      columns = read_header(line, where);
+      columns = read_header(reader);
       continue;
     }
-    const auto fields = split(line, ',');
-    if (fields.size() != columns.size()) {
-      throw UnusableInput(where, std::to_string(fields.size()) + " fields",
-                          "give " + std::to_string(columns.size()) + ", as the header has");
-    }
-    const Line entry(columns, fields, where);
+    const Line entry(columns, reader);
     index.files.push_back(read_file_of(entry));
     read_place(entry, index.files.size() == 1, index);
   }
-  if (index.files.empty())
-    throw UnusableInput(source, "names no files", "list them after a line file,frame");
+  if (index.files.empty()) {
+    throw scan_cell_common::UnusableInput(source, "names no files",
+                                          "list them after a line file,frame");
+  }
   return index;
 }
 
