@@ -109,11 +109,11 @@ TEST_F(FolderRecording, NamesTheLineOfTheIndexThatIsBad) {
   };
   says("", "names no files");
   says("file,frame\n", "names no files");
-  says("file,number\na.png,1\n", "index.csv:1: column 'number'");
+  says("file,number\na.png,1\n", "index.csv: line 1: column 'number'");
   says("frame,packets_lost\n1,0\n", "no column 'file'");
   says("file,frame,file\na.png,1,a.png\n", "twice");
-  says("file,frame\na.png\n", "index.csv:2: 1 values");
-  says("file,frame\na.png,1\na.png,-2\n", "index.csv:3: frame '-2'");
+  says("file,frame\na.png\n", "index.csv: line 2: 1 values");
+  says("file,frame\na.png,1\na.png,-2\n", "index.csv: line 3: frame '-2'");
   says("file,frame\na.png,\n", "no frame number");
   says("file,frame,packets_lost\na.png,1,4294967296\n", "packets_lost '4294967296'");
   says("file,frame,time\na.png,1,1e9\n", "time '1e9'");
