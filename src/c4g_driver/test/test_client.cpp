@@ -173,6 +173,15 @@ TEST_F(ClientTest, CarriesSettingsAndParametersInWireUnits) {
   EXPECT_EQ(controller_->requests("SET_PARAMETER").back()["value"], "euler");
 }
 
+TEST_F(ClientTest, RefusesAValueThatIsTooLongBeforeItReadsIt) {
+  connect();
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  EXPECT_THROW(client_->set_parameter("interpolation", deep), scan_cell_common::Refused);
+  EXPECT_TRUE(controller_->requests("SET_PARAMETER").empty());
+  client_->set_parameter("interpolation", "\"euler\"");
+  EXPECT_TRUE(client_->link().up);
+}
+
 TEST_F(ClientTest, ChecksALineWithTheSettingsThatAreInForceWhoeverMadeThem) {
   connect();
   double rotational_speed = 60;

@@ -25,6 +25,18 @@ TEST_F(ClientTest, TakesAMotionWithoutAStreamForALostLink) {
   EXPECT_NE(goal.message().find("sends no fresh poses"), std::string::npos) << goal.message();
 }
 
+TEST_F(ClientTest, EndsTheSessionOfALostLinkAtOnceHoweverRarelyItTriesToConnect) {
+  ClientOptions rarely = options(controller_->port());
+  rarely.reconnect_period = 1;
+  client_ = std::make_unique<Client>(rarely, [](const MeasuredState&) {});
+  ASSERT_TRUE(eventually([this] { return client_->link().up; }));
+  client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100);
+  usleep(1'100'000);  // until an attempt may follow that one
+  controller_->stop_streaming();
+  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::LinkLost);
+  EXPECT_TRUE(eventually([this] { return controller_->requests("OPEN").size() == 2; }, 0.5));
+}
+
 TEST_F(ClientTest, TakesAControllerThatRefusesToTellPosesForALostLink) {
   connect();
   controller_->play([this](const json& request) -> std::optional<std::vector<json>> {

@@ -80,6 +80,22 @@ TEST(PulseGenerator, HasTheLinesLowBeforeItSaysThatItIsDisarmed) {
   EXPECT_EQ(at_change[3], 0);
 }
 
+TEST(PulseGenerator, SaysWhereTheLinesCouldNotBeWrittenLow) {
+  struct : TriggerPort {
+    std::atomic<bool> lost{false};
+    void write(std::uint8_t) override {
+      if (lost) throw scan_cell_common::ConnectionError("circuit", "gone", "look for it");
+    }
+  } port;
+  PulseGenerator generator(port, nullptr, {}, {[](const Pulse&) {}, [] {}});
+  generator.arm({0.1, kBoth, 0});  // no pulse comes in between
+  EXPECT_EQ(generator.disarm("enough").failure, "");
+  generator.arm({0.1, kBoth, 0});
+  port.lost = true;
+  EXPECT_EQ(generator.disarm("enough").failure, "circuit: gone; look for it");
+  EXPECT_EQ(generator.disarm("again").failure, "circuit: gone; look for it");
+}
+
 TEST(PulseGenerator, AWriteThatIsHeldUpDoesNotShiftItsEvent) {
   struct : TriggerPort {
     std::mutex mutex;

@@ -193,4 +193,6 @@ TEST_F(SessionFolder, IsNeverRecordedOverAndStaysWholeWhereAViewCannotBeWritten)
                 .size(),
             1U);
   EXPECT_THROW(SessionRecorder(folder_.string(), board, {"laser_0"}), scan_cell_common::Refused);
+  const std::string too_long = path(std::string(300, 'x'));  // longer than a file system's names
+  EXPECT_THROW(SessionRecorder(too_long, board, {"laser_0"}), scan_cell_common::FileError);
 }

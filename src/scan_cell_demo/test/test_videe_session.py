@@ -5,6 +5,7 @@
 import os
 import re
 import socket
+import subprocess
 import threading
 import time
 import unittest
@@ -12,7 +13,7 @@ import unittest
 import actionlib
 import rospy
 import rostest
-from scan_cell_msgs.msg import CellState, ScanAction, ScanGoal, TriggerState
+from scan_cell_msgs.msg import CellState, ScanAction, ScanGoal, ScanResult, TriggerState
 from scan_cell_msgs.srv import GrabImage
 
 PAGE = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../docs/videe_protocol.md')
@@ -168,7 +169,7 @@ class Videe(unittest.TestCase):
             for command in ('START_SCAN', 'GRAB_IMAGE'):
                 self.assertIn("'of a ROS client' is running", client.ask(command))
         self.assertTrue(self.scan.wait_for_result(rospy.Duration(TIMEOUT)))
-        self.assertEqual(self.scan.get_result().outcome, 0, 'it was not disturbed')
+        self.assertEqual(self.scan.get_result().outcome, ScanResult.FINISHED, 'it was not disturbed')
 
     def test_reset_ends_a_scan_of_a_ros_client_too(self):
         self.start_ros_scan()
@@ -185,6 +186,14 @@ class Videe(unittest.TestCase):
             self.wait_for(lambda: self.lasers, 'a laser is on')
         self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
         self.wait_for(lambda: not self.scanning(), 'the scan has ended')
+
+    def test_when_the_node_ends_what_its_client_has_under_way_ends_too(self):  # the last by its name
+        with self.prepared() as client:
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            subprocess.check_call(['rosnode', 'kill', '/videe'])
+            self.wait_for(lambda: not self.scanning(), 'the scan has ended')
+        self.assertIn('cancelled', self.states[-1].message)
 
 
 if __name__ == '__main__':

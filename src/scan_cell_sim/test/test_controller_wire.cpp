@@ -100,6 +100,15 @@ TEST_F(Wire, StopsAndForgetsTheMotionOfAnOldSession) {
   EXPECT_LT(controller_.state().flange.translation().y(), 0.25);
 }
 
+TEST_F(Wire, OpensNoSessionOfAClientAgainThatEnded) {
+  client_.open(100);
+  EXPECT_EQ(code(client_.ask(2, {{"cmd", "CLOSE"}})), 0);
+  EXPECT_EQ(code(client_.open(100)), 3) << "late on the wire";
+  EXPECT_EQ(code(client_.ask(2, move_to(800, 100, 600), 100)), 3);
+  EXPECT_EQ(controller_.motions_begun(), 0u);
+  EXPECT_EQ(code(client_.open(101)), 0);
+}
+
 TEST_F(Wire, ServesOneClientAtATime) {
   BareClient other(controller_.port());
   client_.open(100);

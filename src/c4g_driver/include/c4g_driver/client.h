@@ -31,9 +31,10 @@ struct ClientOptions {
   double link_timeout = 0.5;  //!< [s] no answer, or no fresh pose, for so long is a lost link
   int tries = 10;             //!< how often a request is sent within link_timeout
   double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
-  double reconnect_period = 0.5;  //!< [s] between attempts to connect
-  double clock_window = 2.0;      //!< [s] over which the least delay of the wire is sought
-  int realtime_priority = 0;      //!< of the receiving thread, SCHED_FIFO; 0: the usual scheduling
+  double reconnect_period =
+      0.5;                    //!< [s] between attempts to connect; the first follows a loss at once
+  double clock_window = 2.0;  //!< [s] over which the least delay of the wire is sought
+  int realtime_priority = 0;  //!< of the receiving thread, SCHED_FIFO; 0: the usual scheduling
   std::shared_ptr<const RobotModel> robot;  //!< required
   RobotLimits limits;
   ArrivalTolerance arrival;
@@ -150,6 +151,7 @@ class Client {
   std::string why_down_ = "no answer yet";
   std::uint64_t losses_ = 0;
   std::uint64_t attempts_ = 0;
+  Clock::time_point next_attempt_;  // not before: so a controller is not flooded
   std::uint64_t session_ = 0;
   std::uint64_t seq_ = 0;
   std::optional<Acknowledgement> answer_;

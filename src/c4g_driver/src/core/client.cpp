@@ -147,6 +147,10 @@ std::string Client::get_parameter(const std::string& name) {
 }
 
 void Client::set_parameter(const std::string& name, const std::string& json) {
+  if (name.size() + json.size() > kMostDatagramBytes) {  // before it is parsed, however deep
+    throw Refused("SET_PARAMETER", std::to_string(name.size() + json.size()) + " bytes",
+                  "give a value of fewer than " + std::to_string(kMostDatagramBytes) + " bytes");
+  }
   const SetParameter set{name, json};
   const std::lock_guard<std::mutex> settled(settings_mutex_);
   if (const auto percent = override_of(set)) check_override(*percent, most_override());
@@ -215,7 +219,8 @@ Acknowledgement Client::request(const Request& request, const Start* start) {
     if (start != nullptr && goal_.underway()) {
       throw Refused(name_of(request), "another motion is under way", "stop it first");
     }
-    datagram = build(request, session_, ++seq_);
+    datagram = build(request, session_, seq_ + 1);
+    ++seq_;
     answer_.reset();
     if (start != nullptr) {
       goal_ = Goal(seq_, start->target, options_.arrival);

@@ -32,6 +32,8 @@ void Client::connect() {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = std::max(session_ + 1, static_cast<std::uint64_t>(host_now() / 1000));
     ++attempts_;
+    next_attempt_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                       std::chrono::duration<double>(options_.reconnect_period));
     seq_ = 1;
     answer_.reset();
     stream_.restart();
@@ -64,9 +66,11 @@ void Client::keep() {
       connect();
     }
     std::unique_lock<std::mutex> lock(mutex_);
-    const std::chrono::duration<double> pause(up_ ? options_.poll_period
-                                                  : options_.reconnect_period);
-    if (changed_.wait_for(lock, pause, [this] { return ending_; })) return;
+    changed_.wait_for(lock, std::chrono::duration<double>(up_ ? options_.poll_period : 0),
+                      [this] { return ending_ || !up_; });
+    // After a loss at once: OPEN ends what may still be on its way to the controller.
+    if (!up_) changed_.wait_until(lock, next_attempt_, [this] { return ending_; });
+    if (ending_) return;
   }
 }
 

@@ -8,7 +8,6 @@ int main(int argc, char** argv) {
     const ros::NodeHandle private_node("~");
     const c4g_driver::DriverNode driver(ros::NodeHandle(), private_node,
                                         c4g_driver::DriverParameters::load(private_node));
-    constexpr int kThreads = 2;  // a service that waits for the controller holds up one
-    ros::MultiThreadedSpinner(kThreads).spin();
+    ros::spin();
   });
 }

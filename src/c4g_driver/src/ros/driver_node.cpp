@@ -30,20 +30,23 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
   diagnostics_.add("robot", [this](auto& status) {
     report(client_.link().up ? client_.latest() : std::nullopt, status);
   });
-  advertise<scan_cell_msgs::SetOverride>(private_node, "set_override", &DriverNode::set_override);
-  advertise<scan_cell_msgs::SetLinearSpeed>(private_node, "set_linear_speed",
+  ros::NodeHandle services(private_node);
+  services.setCallbackQueue(&service_queue_);
+  advertise<scan_cell_msgs::SetOverride>(services, "set_override", &DriverNode::set_override);
+  advertise<scan_cell_msgs::SetLinearSpeed>(services, "set_linear_speed",
                                             &DriverNode::set_linear_speed);
-  advertise<std_srvs::SetBool>(private_node, "set_drives", &DriverNode::set_drives);
-  advertise<std_srvs::Trigger>(private_node, "reset_alarms", &DriverNode::reset_alarms);
-  advertise<scan_cell_msgs::GetStaticPose>(private_node, "get_static_pose",
+  advertise<std_srvs::SetBool>(services, "set_drives", &DriverNode::set_drives);
+  advertise<std_srvs::Trigger>(services, "reset_alarms", &DriverNode::reset_alarms);
+  advertise<scan_cell_msgs::GetStaticPose>(services, "get_static_pose",
                                            &DriverNode::get_static_pose);
-  advertise<scan_cell_msgs::GetControllerParameter>(private_node, "get_parameter",
+  advertise<scan_cell_msgs::GetControllerParameter>(services, "get_parameter",
                                                     &DriverNode::get_parameter);
-  advertise<scan_cell_msgs::SetControllerParameter>(private_node, "set_parameter",
+  advertise<scan_cell_msgs::SetControllerParameter>(services, "set_parameter",
                                                     &DriverNode::set_parameter);
   status_timer_ = node.createTimer(ros::Duration(1 / parameters.status_rate),
                                    [this](const ros::TimerEvent&) { publish_status(); });
   server_.start();
+  service_spinner_.start();
 }
 
 void DriverNode::publish(const MeasuredState& state) {
@@ -99,7 +102,7 @@ void DriverNode::start(const MoveGoal& goal) {
 }
 
 std::string DriverNode::why_to_stop(const std::string& watcher) {
-  if (!ros::ok()) return "the driver ends";
+  if (ros::isShuttingDown() || !ros::ok()) return "the driver ends";
   if (server_.isPreemptRequested()) return "cancelled";
   if (!watcher.empty() && !listeners_.contains(watcher)) return watcher + " is gone";
   return "";

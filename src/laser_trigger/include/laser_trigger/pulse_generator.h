@@ -36,6 +36,7 @@ struct TriggerStatus {
   double rate = 0;           //!< [Hz]
   std::uint8_t lasers = 0;   //!< on now
   std::string message;       //!< why it was disarmed
+  std::string failure;       //!< why the lines could not be written low then
 };
 
 /// Pulses the camera at a steady rate with the lasers on, and sees to it that they go off.
@@ -93,12 +94,12 @@ class PulseGenerator {
   std::string set_realtime_priority();
   void run();
   void generate();
-  void send_pulse(Clock::time_point deadline);
+  void send_pulse(Clock::time_point deadline, std::uint32_t arming);
   bool wait_until(Clock::time_point time, std::uint32_t arming);
   bool still_armed(std::uint32_t arming);
   std::string reason_to_disarm(Clock::time_point now) const;
   void disarm_locked(const std::string& reason);
-  void write_low() noexcept;
+  std::string write_low() noexcept;
 
   TriggerPort& port_;
   Guardian* guardian_;

@@ -93,6 +93,14 @@ class Watch {
   std::optional<PortAddress> address_;
 };
 
+/// The same file under a number that detach() leaves alone: a node may be started without streams.
+int above_streams(int file) {
+  if (file < 0) return file;
+  const int moved = fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  close(file);
+  return moved;
+}
+
 /// Leaves terminal, process group and all that was inherited.
 void detach(int keep_a, int keep_b) {
   setsid();
@@ -113,7 +121,7 @@ void detach(int keep_a, int keep_b) {
 
 Guardian::Guardian() {
   int ends[2];
-  const int parent = pidfd_open(getpid(), 0);
+  const int parent = above_streams(pidfd_open(getpid(), 0));
   if (parent < 0 || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     throw scan_cell_common::ConnectionError("guardian", std::strerror(errno),
                                             "free file descriptors");
@@ -123,8 +131,9 @@ Guardian::Guardian() {
     throw scan_cell_common::ConnectionError("guardian", std::strerror(errno), "free processes");
   }
   if (process_ == 0) {
-    detach(ends[1], parent);
-    Watch(ends[1], parent).run();
+    const int end = above_streams(ends[1]);
+    detach(end, parent);
+    Watch(end, parent).run();
     _exit(0);
   }
   close(ends[1]);

@@ -112,7 +112,7 @@ std::uint32_t PulseGenerator::arm(const Arming& arming) {
     }
     armed_at_ = kept_alive_at_ = guardian_told_at_ = Clock::now();
     number = status_.arming + 1;
-    status_ = {true, number, 0, 0, 0, arming.rate, arming.lasers, ""};
+    status_ = {true, number, 0, 0, 0, arming.rate, arming.lasers, "", ""};
   }
   changed_.notify_all();
   observer_.on_change();
@@ -124,7 +124,7 @@ TriggerStatus PulseGenerator::disarm(const std::string& reason) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!status_.armed) {
-      write_low();
+      ended.failure = write_low();
       return ended;
     }
     disarm_locked(reason);
@@ -139,15 +139,15 @@ void PulseGenerator::disarm_locked(const std::string& reason) {
   status_.armed = false;
   status_.lasers = 0;
   status_.message = reason;
-  write_low();
+  status_.failure = write_low();
 }
 
-void PulseGenerator::write_low() noexcept {
+std::string PulseGenerator::write_low() noexcept {
+  std::string failure;
   try {
     port_.write(0);
-  } catch (const std::exception&) {
-    // A circuit that cannot be reached is written to again every second, and at arming the
-    // error is said.
+  } catch (const std::exception& error) {
+    failure = error.what();  // a circuit that cannot be reached is written to again every second
   }
   // Whatever became of the write: a guardian that still expects signs of life kills a node that
   // has none to give.
@@ -156,6 +156,7 @@ void PulseGenerator::write_low() noexcept {
   } catch (const std::exception&) {
     // Without its guardian nothing is armed again, and at arming the error is said.
   }
+  return failure;
 }
 
 void PulseGenerator::keep_alive() {
@@ -174,7 +175,8 @@ void PulseGenerator::run() {
     {
       std::unique_lock<std::mutex> lock(mutex_);
       while (!ending_ && !status_.armed) {
-        if (changed_.wait_for(lock, kIdlePeriod) == std::cv_status::timeout) write_low();
+        const auto woken = changed_.wait_for(lock, kIdlePeriod);
+        if (woken == std::cv_status::timeout && !status_.armed) write_low();
       }
       if (ending_) return;
     }
@@ -230,7 +232,7 @@ void PulseGenerator::generate() {
   while (wait_until(deadline, begin.arming)) {
     const auto late = Clock::now() - deadline;
     if (late * 2 < period) {
-      send_pulse(deadline);
+      send_pulse(deadline, begin.arming);
       deadline += period;
     } else {
       const auto missed = (late + period / 2) / period;
@@ -241,7 +243,7 @@ void PulseGenerator::generate() {
   }
 }
 
-void PulseGenerator::send_pulse(Clock::time_point deadline) {
+void PulseGenerator::send_pulse(Clock::time_point deadline, std::uint32_t arming) {
   Pulse pulse;
   std::string failure;
   const auto write = [this, &failure](std::uint8_t data) {
@@ -254,7 +256,7 @@ void PulseGenerator::send_pulse(Clock::time_point deadline) {
   };
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!status_.armed) return;
+    if (!status_.armed || status_.arming != arming) return;
     const Nanoseconds late = duration_cast<nanoseconds>(Clock::now() - deadline).count();
     const Nanoseconds before = host_time();
     write(laser_bits(status_.lasers) | kCameraPulse);
@@ -270,7 +272,7 @@ void PulseGenerator::send_pulse(Clock::time_point deadline) {
   if (failure.empty()) {
     sleep_until(Clock::now() + seconds(settings_.pulse_width));
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (status_.armed && status_.arming == pulse.arming) write(laser_bits(status_.lasers));
+    if (status_.armed && status_.arming == arming) write(laser_bits(status_.lasers));
   }
   if (pulse.count > 0) observer_.on_pulse(pulse);
   if (!failure.empty()) observer_.on_change();

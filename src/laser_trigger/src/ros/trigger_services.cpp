@@ -42,20 +42,25 @@ void TriggerServices::shut_down(const std::string& reason) {
 
 void TriggerServices::on_listener_gone(const std::string& node) {
   const std::lock_guard<std::mutex> lock(client_mutex_);
-  if (node != client_) return;
+  if (node == client_) end_of_client();
+}
+
+void TriggerServices::end_of_client() {
+  generator_->disarm("its client " + client_ + " is gone");
   client_.clear();
-  generator_->disarm("its client " + node + " is gone");
 }
 
 bool TriggerServices::arm(ArmEvent& event) {
   const ArmTrigger::Request& request = event.getRequest();
   ArmTrigger::Response& response = event.getResponse();
   const std::lock_guard<std::mutex> lock(client_mutex_);
+  const std::string& caller = event.getCallerName();
+  const bool listened = listeners_.contains(caller);
   try {
     response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec()});
     response.success = true;
-    const std::string& caller = event.getCallerName();
-    client_ = listeners_.contains(caller) ? caller : "";
+    client_ = listened ? caller : "";
+    if (listened && !listeners_.contains(caller)) end_of_client();
   } catch (const scan_cell_common::Error& error) {
     response.success = false;
     response.message = error.what();
@@ -65,7 +70,8 @@ bool TriggerServices::arm(ArmEvent& event) {
 
 bool TriggerServices::disarm(DisarmTrigger::Request&, DisarmTrigger::Response& response) {
   const TriggerStatus ended = generator_->disarm("disarmed by the client");
-  response.success = true;
+  response.success = ended.failure.empty();
+  response.message = ended.failure;
   response.arming = ended.arming;
   response.pulses = ended.pulses;
   return true;

@@ -35,6 +35,7 @@ class TriggerServices {
   bool disarm(scan_cell_msgs::DisarmTrigger::Request& request,
               scan_cell_msgs::DisarmTrigger::Response& response);
   void on_listener_gone(const std::string& node);
+  void end_of_client();
   void on_pulse(const Pulse& pulse);
   void publish_state();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -28,13 +28,13 @@ std::string path_of(const std::string& folder, const std::string& name) {
 SessionRecorder::SessionRecorder(const std::string& folder, const Board& board,
                                  const std::vector<std::string>& lasers)
     : folder_(folder), head_{"poses.csv", board, lasers} {
-  if (fs::exists(path_of(folder, kHead))) {
+  std::error_code failure;  // of a path that cannot be looked at: said where it cannot be made
+  if (fs::exists(path_of(folder, kHead), failure)) {
     throw scan_cell_common::Refused(folder, "holds a session already",
                                     "give a new folder: a session is never overwritten");
   }
   // What cannot be read back must not be recorded.
   parse_session_head(session_head_text(head_), path_of(folder, kHead));
-  std::error_code failure;
   fs::create_directories(fs::path(folder) / kImages, failure);
   if (failure) {
     throw scan_cell_common::FileError(folder, failure.message(),

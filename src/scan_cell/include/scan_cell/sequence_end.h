@@ -9,16 +9,17 @@
 
 namespace scan_cell {
 
-/// How a sequence ended; the values that the results of the cell's actions share.
+/// How a sequence ended; the values that the results of the cell's actions share. Theirs is 0 where
+/// none began.
 enum class Outcome : std::uint8_t {
-  Finished = 0,
-  Refused = 1,
-  Cancelled = 2,
-  RobotLost = 3,
-  CameraLost = 4,
-  TriggerLost = 5,
-  MotionFailed = 6,
-  StageFailed = 7,  //!< what the data goes to: binder and triangulation, or the session's folder
+  Finished = 1,
+  Refused = 2,
+  Cancelled = 3,
+  RobotLost = 4,
+  CameraLost = 5,
+  TriggerLost = 6,
+  MotionFailed = 7,
+  StageFailed = 8,  //!< what the data goes to: binder and triangulation, or the session's folder
 };
 
 struct SequenceEnd {

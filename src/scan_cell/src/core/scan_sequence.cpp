@@ -3,6 +3,7 @@
 #include "scan_cell/scan_sequence.h"
 
 #include <algorithm>
+#include <exception>
 
 #include "scan_cell_common/errors.h"
 
@@ -34,6 +35,8 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const std::atomic<bool
     capture(request);
   } catch (const EndEarly& early) {
     end = {early.outcome, early.message};
+  } catch (const std::exception& error) {  // whatever it is: the cell must be made safe
+    end = {Outcome::StageFailed, error.what()};
   }
   return finish(end);
 }

@@ -3,6 +3,7 @@
 #include "scan_cell/session_sequence.h"
 
 #include <algorithm>
+#include <exception>
 
 #include "scan_cell_common/errors.h"
 
@@ -31,6 +32,8 @@ SessionEnd SessionSequence::run(const SessionRequest& request, const std::atomic
     record(request, result);
   } catch (const EndEarly& early) {
     result.end = {early.outcome, early.message};
+  } catch (const std::exception& error) {  // whatever it is: the cell must be made safe
+    result.end = {Outcome::StageFailed, error.what()};
   }
   finish(result.end);
   return result;

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -72,7 +73,7 @@ class CellAction {
     const std::lock_guard<std::mutex> lock(mutex_);
     try {
       take(*goal.getGoal());
-    } catch (const scan_cell_common::Error& error) {
+    } catch (const std::exception& error) {  // of a file system, too: no goal may end the node
       Result refusal;
       refusal.outcome = Result::REFUSED;
       refusal.message = error.what();

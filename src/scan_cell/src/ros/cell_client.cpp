@@ -80,9 +80,19 @@ void wait_for_end(Client& client, const std::string& name) {
   }
 }
 
+bool has_begun(const scan_cell_msgs::StretchToolPathResult& result) {
+  return result.verdict.reason != scan_cell_msgs::StretchVerdict::NONE;
+}
+
+template <class Result>
+bool has_begun(const Result& result) {
+  return result.outcome != Result::NOT_BEGUN;
+}
+
 /// Sends a goal and waits for its end. The result is that of the server whatever the terminal
 /// state: it says itself how things ended.
 /// @throw ConnectionError if there is no server, or it goes away
+/// @throw Refused if another client's cancel, or goal, came before it began
 template <class Action, class Goal, class Feedback>
 auto run_action(ros::NodeHandle node, const std::string& name, const Goal& goal, double timeout,
                 const Feedback& on_feedback) {
@@ -96,6 +106,9 @@ auto run_action(ros::NodeHandle node, const std::string& name, const Goal& goal,
   if (client.getState() == actionlib::SimpleClientGoalState::LOST) {
     throw ConnectionError(name, "the action server lost the goal; it was probably restarted",
                           "look at the cell's log");
+  }
+  if (!has_begun(*client.getResult())) {
+    throw scan_cell_common::Refused(name, "did not begin", client.getState().getText());
   }
   return *client.getResult();
 }

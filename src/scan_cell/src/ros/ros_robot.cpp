@@ -51,8 +51,12 @@ void RosRobot::on_transforms(const tf2_msgs::TFMessage& transforms) {
 }
 
 std::string RosRobot::unseen() const {
+  if (!transform_.ever()) {
+    return "robot: never a pose of " + parameters_.flange_frame +
+           "; set flange_frame to that of the driver";
+  }
   const double age = transform_.age();
-  if (!transform_.ever() || age <= parameters_.unseen_after) return "";
+  if (age <= parameters_.unseen_after) return "";
   return "robot: no pose for " + std::to_string(age) +
          " s in mid motion; check the controller, its cable and its driver";
 }
@@ -127,7 +131,7 @@ void RosRobot::on_done(std::uint64_t move, const actionlib::SimpleClientGoalStat
     return;
   }
   motion_.state = !result ? Motion::State::Lost : state_of(result->outcome);
-  motion_.message = result ? result->message : state.getText();
+  motion_.message = result && !result->message.empty() ? result->message : state.getText();
 }
 
 Motion RosRobot::motion() const {
@@ -164,7 +168,8 @@ bool RosRobot::drop_earlier_goals() {
 }
 
 void RosRobot::stop() noexcept {
-  // Not all goals: a cancel that overtakes a goal sent just before would then miss it.
+  // By its number, however the clock was set meanwhile; and what was told before it.
+  client_.cancelGoal();
   client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
 }
 

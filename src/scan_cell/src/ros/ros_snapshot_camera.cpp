@@ -38,6 +38,16 @@ auto find(const Parameters& parameters, const std::string& name) {
   return found->value;
 }
 
+/// @throw UnusableInput if the message does not hold the image that it says
+cv::Mat pixels_of(const sensor_msgs::ImageConstPtr& image) {
+  try {
+    return cv_bridge::toCvCopy(image)->image;
+  } catch (const std::exception& error) {  // of cv_bridge, or of OpenCV
+    throw scan_cell_common::UnusableInput("image of encoding '" + image->encoding + "'",
+                                          error.what(), "look at the camera's node");
+  }
+}
+
 template <class Parameter, class Value>
 Parameter named(const std::string& name, Value value) {
   Parameter parameter;
@@ -88,7 +98,7 @@ std::optional<Snapshot> RosSnapshotCamera::snapshot() {
     const auto image = images_.find(stamp);
     if (image == images_.end()) continue;
     Snapshot snapshot;
-    snapshot.image = cv_bridge::toCvCopy(image->second)->image;
+    snapshot.image = pixels_of(image->second);
     snapshot.peaks.first_row = static_cast<int>(profile->first_row);
     snapshot.peaks.position = profile->position;
     snapshot.peaks.width = profile->width;

@@ -4,12 +4,14 @@
 
 #include "scan_cell/videe_server.h"
 #include "scan_cell_common/ros/node_main.h"
+#include "scan_cell_common/ros/shutdown_request.h"
 #include "videe_cell.h"
 
 int main(int argc, char** argv) {
   return scan_cell_common::node_main(argc, argv, "videe", [] {
     ros::NodeHandle node("~");
     const auto parameters = scan_cell::VideeParameters::load(node);
+    scan_cell_common::take_over_shutdown();
     ros::AsyncSpinner spinner(2);
     spinner.start();
     scan_cell::VideeCell cell(node, parameters);
@@ -20,6 +22,8 @@ int main(int argc, char** argv) {
         },
         [&cell] { cell.on_client_lost(); });
     ROS_INFO("ViDeE is served on %s:%u", parameters.server.address.c_str(), server.port());
-    ros::waitForShutdown();
+    while (!scan_cell_common::shutdown_requested() && ros::ok())
+      ros::WallDuration(0.02).sleep();
+    // The server ends first, and with it what its client has under way.
   });
 }

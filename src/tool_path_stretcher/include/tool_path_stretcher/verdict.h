@@ -12,17 +12,17 @@ namespace tool_path_stretcher {
 
 /// Whether an adapted path may be used, and why not. The numbers are StretchVerdict.msg's.
 enum class Reason {
-  kAccepted = 0,
-  kUnusableInput = 1,
-  kTooFewPoints = 2,
-  kPathOffReference = 3,
-  kWrongPart = 4,
-  kAmbiguous = 5,
-  kScaleAtBound = 6,
-  kPathNotScanned = 7,
-  kToleranceExceeded = 8,
-  kCancelled = 9,
-  kFoldOver = 10,
+  kAccepted = 1,
+  kUnusableInput = 2,
+  kTooFewPoints = 3,
+  kPathOffReference = 4,
+  kWrongPart = 5,
+  kAmbiguous = 6,
+  kScaleAtBound = 7,
+  kPathNotScanned = 8,
+  kToleranceExceeded = 9,
+  kCancelled = 10,
+  kFoldOver = 11,
 };
 
 /// In lower case with underscores, as in reports.

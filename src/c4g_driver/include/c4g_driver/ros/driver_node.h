@@ -4,6 +4,7 @@
 
 #include <actionlib/server/simple_action_server.h>
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/GetControllerParameter.h>
 #include <scan_cell_msgs/GetStaticPose.h>
@@ -79,8 +80,12 @@ class DriverNode {
   Client client_;
   MoveServer server_;
   diagnostic_updater::Updater diagnostics_;
-  std::vector<ros::ServiceServer> services_;
   ros::Timer status_timer_;
+
+  // Calls wait for the controller; a cancel, or a client that is gone, must not wait for a call.
+  ros::CallbackQueue service_queue_;
+  std::vector<ros::ServiceServer> services_;
+  ros::AsyncSpinner service_spinner_{1, &service_queue_};
 };
 
 }  // namespace c4g_driver

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/console.h>
 #include <ros/service.h>
 
 #include <chrono>
+#include <exception>
 #include <future>
 #include <memory>
 #include <string>
@@ -14,27 +16,37 @@
 
 namespace scan_cell {
 
-/// Asks a service and waits at most `timeout` [s]: roscpp alone would wait for ever on a node that
-/// hangs.
+/// Asks a service and waits at most `timeout` [s]: roscpp alone would wait for ever on a node or a
+/// master that hangs, and minutes for a computer that is gone.
 /// @throw ConnectionError if there is no such service, or no answer in time
 template <class Service>
 typename Service::Response ask(const std::string& name, const typename Service::Request& request,
                                double timeout) {
-  if (!ros::service::exists(name, false)) {
-    throw scan_cell_common::ConnectionError(name, "no such service", "is its node running?");
-  }
+  enum class End { NoService, NoAnswer, Answered };
   struct Call {
     Service service;
-    std::promise<bool> answered;
+    std::promise<End> end;
   };
   const auto shared = std::make_shared<Call>();  // outlives a call that is given up
   shared->service.request = request;
-  std::future<bool> answered = shared->answered.get_future();
+  std::future<End> future = shared->end.get_future();
   std::thread([shared, name] {
-    shared->answered.set_value(ros::service::call(name, shared->service));
+    try {
+      shared->end.set_value(!ros::service::exists(name, false)           ? End::NoService
+                            : !ros::service::call(name, shared->service) ? End::NoAnswer
+                                                                         : End::Answered);
+    } catch (const std::exception& error) {  // of a name that is none
+      ROS_ERROR("%s: %s", name.c_str(), error.what());
+      shared->end.set_value(End::NoService);
+    }
   }).detach();
-  if (answered.wait_for(std::chrono::duration<double>(timeout)) != std::future_status::ready ||
-      !answered.get()) {
+  const bool ended =
+      future.wait_for(std::chrono::duration<double>(timeout)) == std::future_status::ready;
+  const End end = ended ? future.get() : End::NoAnswer;
+  if (end == End::NoService) {
+    throw scan_cell_common::ConnectionError(name, "no such service", "is its node running?");
+  }
+  if (end == End::NoAnswer) {
     throw scan_cell_common::ConnectionError(
         name, "no answer within " + std::to_string(timeout) + " s", "is its node alive?");
   }

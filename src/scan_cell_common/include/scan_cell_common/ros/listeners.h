@@ -6,8 +6,8 @@
 #include <ros/single_subscriber_publisher.h>
 
 #include <functional>
+#include <map>
 #include <mutex>
-#include <set>
 #include <string>
 
 namespace scan_cell_common {
@@ -36,10 +36,12 @@ class Listeners {
  private:
   void come(const std::string& node);
   void go(const std::string& node);
+  int count(const std::string& node, int change);
 
   const OnGone on_gone_;
   mutable std::mutex mutex_;
-  std::multiset<std::string> nodes_;
+  // connections; below zero where an end is told of first: callbacks may overtake one another
+  std::map<std::string, int> nodes_;
 };
 
 }  // namespace scan_cell_common

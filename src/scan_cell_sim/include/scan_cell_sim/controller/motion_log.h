@@ -36,6 +36,8 @@ class MotionLog {
   /// The run at an instant. Instants before the log's oldest run get its beginning.
   Run at(scan_cell_common::Nanoseconds host) const;
 
+  Run latest() const;
+
  private:
   mutable std::mutex mutex_;
   std::deque<Run> runs_;

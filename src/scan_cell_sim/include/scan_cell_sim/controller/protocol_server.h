@@ -74,6 +74,7 @@ class ProtocolServer {
   Witness witness_;
 
   std::optional<Peer> client_;
+  std::optional<Peer> last_client_;  // session_ is its latest, open or ended
   std::uint64_t session_ = 0;
   std::uint64_t last_seq_ = 0;
   std::string last_answer_;

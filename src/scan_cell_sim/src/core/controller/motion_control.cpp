@@ -74,7 +74,8 @@ void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double 
 
 void MotionControl::brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
                           Nanoseconds now) {
-  const Run run = log_.at(now);
+  const Run run = log_.latest();
+  now = std::max(now, run.start);  // the clock was read before the lock: a run may have begun since
   if (run.over(now)) return;
   ending_ = ending;
   why_ = why;

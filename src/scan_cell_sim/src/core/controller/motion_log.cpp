@@ -40,4 +40,9 @@ Run MotionLog::at(Nanoseconds host) const {
   return later == runs_.begin() ? runs_.front() : *std::prev(later);
 }
 
+Run MotionLog::latest() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return runs_.back();
+}
+
 }  // namespace scan_cell_sim

@@ -138,11 +138,11 @@ void ProtocolServer::open(const json& request, const Peer& from, Nanoseconds now
   if (client_ && !(from == *client_)) {
     throw ControllerRefusal(Code::Busy, "another client has the controller");
   }
-  if (client_ && session < session_) {
-    throw ControllerRefusal(Code::Session, "an older session than the present one");
+  if (last_client_ && from == *last_client_ && session <= session_) {
+    throw ControllerRefusal(Code::Session, "not a newer session than the client's last one");
   }
   motion_.forget(now);
-  client_ = from;
+  client_ = last_client_ = from;
   session_ = session;
   last_seq_ = 0;
   last_answer_.clear();
