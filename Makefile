@@ -55,8 +55,8 @@ test: build
 	@$(IN_WORKSPACE) cmake --build $(BUILD) --parallel 1 --target run_tests
 	@[ -n "$$SCAN_CELL_DATA" ] || echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"
 	@$(IN_WORKSPACE) set -o pipefail && catkin_test_results --all $(BUILD)/test_results | awk '{ print } \
-	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }' \
-	  || { scripts/failed_tests.py $(BUILD)/test_results; exit 1; }
+	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }'; \
+	  counted=$$?; scripts/failed_tests.py $(BUILD)/test_results && exit $$counted
 
 # COUNT times emergency stop, cable pulled, controller, driver or cell killed, in mid move and in mid scan
 trials: build

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Names each test that failed, with the beginning of its reason.
+"""Names each test that failed, with the beginning of its reason, and each that was skipped without one.
+
+A suite that could not be set up skips its tests so, and nothing else tells. The exit code is 1 where there are any.
 
 Usage: failed_tests.py DIR
 
@@ -22,15 +24,23 @@ def failures(file):
             reason = (mark.get("message") or mark.text or "").strip()
             reason = " ".join(reason.split())[:160]
             yield f"{case.get('classname', '')}.{case.get('name')}: {reason}"
+        for mark in case.findall("skipped"):
+            text = mark.get("message") or mark.text or ""
+            place, _, reason = text.strip().partition("\n")
+            if not reason and (not place or place.startswith("/")):  # gtest begins with file and line
+                yield f"{case.get('classname', '')}.{case.get('name')}: skipped without a reason; was its suite set up?"
 
 
 def main():
     """Prints the failures of all result files below the folder given."""
     folder = pathlib.Path(sys.argv[1])
+    status = 0
     for file in sorted(folder.rglob("*.xml")):
         for line in failures(file):
             print(f"FAILED {file.relative_to(folder)} {line}")
+            status = 1
+    return status
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

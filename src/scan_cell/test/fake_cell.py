@@ -14,9 +14,11 @@ import struct
 
 import actionlib
 import rospy
+from geometry_msgs.msg import TransformStamped
 from scan_cell_msgs import msg, srv
 from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import Empty, String
+from tf2_msgs.msg import TFMessage
 
 HANGS = 6  # [s] longer than anybody may wait while the robot moves
 
@@ -42,6 +44,7 @@ class FakeCell:
         self.last_goal = None
         self.log = rospy.Publisher('/fake/log', String, queue_size=100)
         self.status = rospy.Publisher('/c4g_driver/status', msg.RobotStatus, queue_size=10)
+        self.transforms = rospy.Publisher('/tf', TFMessage, queue_size=10)
         self.profiles = rospy.Publisher('/camera/profiles', msg.PeakProfile, queue_size=100)
         self.events = rospy.Publisher('/laser_trigger/events', msg.TriggerEvent, queue_size=100)
         self.state = rospy.Publisher('/laser_trigger/state', msg.TriggerState, queue_size=10, latch=True)
@@ -123,6 +126,7 @@ class FakeCell:
             rospy.sleep(0.02)
 
     def tick(self, _):
+        self.transforms.publish([TransformStamped(child_frame_id='tool0')])
         if not self.silent('robot'):
             status = msg.RobotStatus(connected=True)
             if not self.silent('pose'):
