@@ -83,6 +83,7 @@ TEST_F(Driver, RefusesBadTargetsWithTheReasonAndMovesNothing) {
   const auto speed =
       call<SetLinearSpeed>("set_linear_speed", with(&SetLinearSpeed::Request::speed, 5.0));
   EXPECT_FALSE(speed.success);
+  EXPECT_FALSE(speed.link_lost);
   EXPECT_NE(speed.message.find("linear speed"), std::string::npos);
   EXPECT_FALSE(
       call<SetOverride>("set_override", with(&SetOverride::Request::override, 120.0)).success);
@@ -125,6 +126,11 @@ TEST_F(Driver, EndsTheGoalOfALostLinkAndDoesNotResumeIt) {
   EXPECT_EQ(move_.getState(), GoalState::ABORTED);
   EXPECT_EQ(move_.getResult()->outcome, MoveResult::LINK_LOST);
   ASSERT_TRUE(connected(false));
+  using scan_cell_msgs::SetLinearSpeed;
+  const auto speed =
+      call<SetLinearSpeed>("set_linear_speed", with(&SetLinearSpeed::Request::speed, 0.1));
+  EXPECT_FALSE(speed.success);
+  EXPECT_TRUE(speed.link_lost) << "not a refusal: " << speed.message;
   controller_->set_faults({});
   ASSERT_TRUE(connected(true));
   ASSERT_TRUE(eventually(

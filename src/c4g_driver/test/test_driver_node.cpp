@@ -115,7 +115,7 @@ TEST_F(Driver, StopsWhereTheWatcherOfTheGoalDies) {
   ASSERT_TRUE(eventually([&] {
     ros::WallDuration(0.1).sleep();  // goals without end would keep the watcher from starting
     move_.sendGoal(goal);
-    return !move_.waitForResult(ros::Duration(0.3));
+    return !move_.waitForResult(ros::Duration(0.3)) && controller_->motions_begun() == 1;
   })) << move_.getResult()->message;
   kill(watcher.id(), SIGKILL);
   watcher.wait();

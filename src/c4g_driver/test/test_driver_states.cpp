@@ -88,6 +88,18 @@ TEST_F(Driver, DiagnosesTheStreamTheClockAndTheRoundTrip) {
   EXPECT_GT(most("controller's clock, residual [us]"), -1);
 }
 
+TEST_F(Driver, TellsOfALostLinkHoweverSoonItIsBack) {
+  const std::size_t before = status_.all().size();
+  controller_->restart(0.02);  // shorter than the time between two of the driver's states
+  EXPECT_TRUE(eventually([&] {
+    const auto all = status_.all();
+    return std::any_of(
+        all.begin() + static_cast<std::ptrdiff_t>(before), all.end(),
+        [](const RobotStatus& status) { return !status.connected && !status.message.empty(); });
+  }));
+  EXPECT_TRUE(connected(true));
+}
+
 TEST_F(Driver, DiagnosesLinkAndRobot) {
   const Latest<diagnostic_msgs::DiagnosticArray> diagnostics(node_, "/diagnostics");
   std::set<std::string> names;

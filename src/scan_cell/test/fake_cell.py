@@ -6,6 +6,7 @@
 Parameters under /fake:
 silent      device that goes silent after ten pulses
 hangs       service of the trigger that answers late: arm or disarm
+speed       refused: the driver refuses one; lost: it has no link to the controller
 binder      missing: it misses trigger events; no end: the frames of the last pulses; broken: its service fails
 move_time   [s] a motion takes (default 1.5)
 """
@@ -57,7 +58,7 @@ class FakeCell:
 
     def serve_devices(self):
         ok = {'success': True}
-        rospy.Service('/c4g_driver/set_linear_speed', srv.SetLinearSpeed, lambda _: ok)
+        rospy.Service('/c4g_driver/set_linear_speed', srv.SetLinearSpeed, self.on_speed)
         rospy.Service('/c4g_driver/set_parameter', srv.SetControllerParameter, lambda _: ok)
         rospy.Service('/camera/set_acquisition', srv.SetAcquisition, lambda _: ok)
         rospy.Service('/laser_trigger/arm', srv.ArmTrigger, self.on_arm)
@@ -71,6 +72,10 @@ class FakeCell:
 
     def silent(self, device):
         return self.armed and self.pulses > 10 and fake('silent') == device
+
+    def on_speed(self, _):
+        trouble = fake('speed')
+        return {'success': trouble == '', 'link_lost': trouble == 'lost', 'message': trouble}
 
     def on_arm(self, request):
         if fake('hangs') == 'arm':
@@ -126,7 +131,10 @@ class FakeCell:
             rospy.sleep(0.02)
 
     def tick(self, _):
-        self.transforms.publish([TransformStamped(child_frame_id='tool0')])
+        transform = TransformStamped(child_frame_id='tool0')
+        transform.header.frame_id, transform.header.stamp = 'base_link', rospy.Time.now()
+        transform.transform.rotation.w = 1
+        self.transforms.publish([transform])
         if not self.silent('robot'):
             status = msg.RobotStatus(connected=True)
             if not self.silent('pose'):

@@ -336,6 +336,13 @@ TEST_F(ScanAction, IsNoSuccessWhereTheActionServerIsStartedAnew) {
   EXPECT_THROW(result.get(), scan_cell_common::ConnectionError);
 }
 
+TEST_F(ScanAction, TellsARobotThatRefusesASpeedFromOneThatIsLost) {
+  ros::param::set("/fake/speed", "refused");
+  EXPECT_EQ(run(goal("refused")).outcome, ScanResult::MOTION_FAILED);
+  ros::param::set("/fake/speed", "lost");
+  EXPECT_EQ(run(goal("lost")).outcome, ScanResult::ROBOT_LOST);
+}
+
 TEST_F(ScanAction, RefusesWhatMakesNoSense) {
   scan_cell_msgs::ScanGoal bad = goal("bad");
   bad.start.header.frame_id = "no_such_frame";

@@ -43,7 +43,7 @@ struct ClientOptions {
 /// How the link is.
 struct LinkReport {
   bool up = false;
-  std::string message;  //!< why it is down
+  std::string message;  //!< why it is down, or was the last time
   std::uint64_t losses = 0;
   std::uint64_t attempts = 0;  //!< to connect, since the start or the last loss
   SequenceCounts stream;

@@ -194,7 +194,7 @@ LinkReport Client::link() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   LinkReport report;
   report.up = up_;
-  report.message = up_ ? "" : why_down_;
+  report.message = why_down_;
   report.losses = losses_;
   report.stream = stream_.counts();
   report.attempts = attempts_;

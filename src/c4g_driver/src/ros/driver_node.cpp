@@ -13,6 +13,18 @@ using scan_cell_common::Refused;
 using scan_cell_msgs::MoveGoal;
 using scan_cell_msgs::MoveResult;
 
+namespace {
+
+/// For the answers that tell a lost link from a refusal.
+template <class Response>
+auto say_link_lost(Response& response, int) -> decltype(response.link_lost, void()) {
+  response.link_lost = true;
+}
+template <class Response>
+void say_link_lost(Response&, long) {}  // NOLINT: the other one is preferred to it
+
+}  // namespace
+
 DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
                        const DriverParameters& parameters)
     : parameters_(parameters),
@@ -58,10 +70,17 @@ void DriverNode::publish(const MeasuredState& state) {
 
 void DriverNode::publish_status() {
   constexpr double kReminder = 10;  // [s]
-  const LinkReport link = client_.link();
+  LinkReport link = client_.link();
+  if (link.losses > losses_) {  // said once, however soon the next session began
+    link.up = false;
+    ROS_WARN("controller %s: the link was lost: %s", parameters_.client.address.c_str(),
+             link.message.c_str());
+  }
+  const bool told = link.losses > losses_;
+  losses_ = link.losses;
   status_.publish(to_status(link, client_.latest()));
   if (link.up && !was_up_) ROS_INFO("controller %s: connected", parameters_.client.address.c_str());
-  if (!link.up) {
+  if (!link.up && !told) {
     ROS_WARN_THROTTLE(kReminder, "controller %s:%d: %s; trying again every %g s",
                       parameters_.client.address.c_str(), parameters_.client.port,
                       link.message.c_str(), parameters_.client.reconnect_period);
@@ -72,7 +91,7 @@ void DriverNode::publish_status() {
 
 void DriverNode::move(const scan_cell_msgs::MoveGoalConstPtr& goal) {
   if (server_.isPreemptRequested()) {
-    finish(MoveResult::STOPPED, "cancelled before it began");
+    finish(MoveResult::NOT_BEGUN, "cancelled before it began");
     return;
   }
   try {
@@ -155,7 +174,8 @@ void DriverNode::finish(std::uint8_t outcome, const std::string& message) {
   if (state) result.pose = to_pose(*state, parameters_.base_frame);
   if (outcome == MoveResult::REACHED) {
     server_.setSucceeded(result, message);
-  } else if (outcome == MoveResult::STOPPED && server_.isPreemptRequested()) {
+  } else if (server_.isPreemptRequested() &&
+             (outcome == MoveResult::STOPPED || outcome == MoveResult::NOT_BEGUN)) {
     server_.setPreempted(result, message);
   } else {
     server_.setAborted(result, message);
@@ -171,6 +191,9 @@ void DriverNode::advertise(ros::NodeHandle& node, const std::string& name,
         try {
           (this->*handler)(request, response);
           response.success = true;
+        } catch (const ConnectionError& error) {
+          say_link_lost(response, 0);
+          response.message = error.what();
         } catch (const Error& error) {
           response.message = error.what();
         }

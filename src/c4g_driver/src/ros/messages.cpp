@@ -68,7 +68,7 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   RobotStatus message;
   message.header.stamp = state ? to_ros(state->time) : ros::Time();
   message.connected = link.up;
-  message.message = link.message;
+  if (!link.up) message.message = link.message;
   message.mode = RobotStatus::MODE_UNKNOWN;
   message.e_stopped = message.drives_powered = message.motion_possible = message.in_motion =
       message.in_error = RobotStatus::UNKNOWN;

@@ -28,6 +28,18 @@ Motion::State state_of(std::uint8_t outcome) {
   }
 }
 
+/// @throw ConnectionError where the driver lost the controller, Refused where one of them refuses
+template <class Service>
+typename Service::Response call_driver(const std::string& name,
+                                       const typename Service::Request& request, double timeout) {
+  const typename Service::Response response = ask<Service>(name, request, timeout);
+  if (response.link_lost) {
+    throw scan_cell_common::ConnectionError(name, "link lost", response.message);
+  }
+  check_answer(name, response);
+  return response;
+}
+
 }  // namespace
 
 RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
@@ -83,14 +95,14 @@ std::string RosRobot::trouble() const {
 void RosRobot::set_linear_motion(double speed) {
   scan_cell_msgs::SetLinearSpeed::Request linear_speed;
   linear_speed.speed = speed;
-  call<scan_cell_msgs::SetLinearSpeed>(parameters_.robot + "/set_linear_speed", linear_speed,
-                                       parameters_.call_timeout);
+  call_driver<scan_cell_msgs::SetLinearSpeed>(parameters_.robot + "/set_linear_speed", linear_speed,
+                                              parameters_.call_timeout);
   for (const char* name : {"motion_type", "interpolation"}) {
     scan_cell_msgs::SetControllerParameter::Request parameter;
     parameter.name = name;
     parameter.value = "\"linear\"";
-    call<scan_cell_msgs::SetControllerParameter>(parameters_.robot + "/set_parameter", parameter,
-                                                 parameters_.call_timeout);
+    call_driver<scan_cell_msgs::SetControllerParameter>(parameters_.robot + "/set_parameter",
+                                                        parameter, parameters_.call_timeout);
   }
 }
 
@@ -152,8 +164,8 @@ std::string RosRobot::hindrance() const {
 }
 
 Eigen::Isometry3d RosRobot::static_pose() {
-  const auto answer = call<scan_cell_msgs::GetStaticPose>(parameters_.robot + "/get_static_pose",
-                                                          {}, parameters_.call_timeout);
+  const auto answer = call_driver<scan_cell_msgs::GetStaticPose>(
+      parameters_.robot + "/get_static_pose", {}, parameters_.call_timeout);
   if (answer.pose.header.frame_id != parameters_.base_frame) {
     throw scan_cell_common::Refused("static pose", "in frame '" + answer.pose.header.frame_id + "'",
                                     "set base_frame to the driver's");

@@ -68,7 +68,10 @@ void RosTrigger::arm(double rate, std::uint8_t lasers) {
 Disarmed RosTrigger::disarm() noexcept {
   Disarmed disarmed;
   try {
-    disarmed.pulses = call<DisarmTrigger>(parameters_.trigger + "/disarm", {}, kCallTimeout).pulses;
+    const auto answer = ask<DisarmTrigger>(parameters_.trigger + "/disarm", {}, kCallTimeout);
+    disarmed.pulses = answer.pulses;
+    if (!answer.success)
+      disarmed.trouble = "trigger: the lasers may be on, disarming failed: " + answer.message;
   } catch (const scan_cell_common::Error& error) {
     disarmed.trouble = "trigger: not disarmed, its lasers go off by themselves: ";
     disarmed.trouble += error.what();

@@ -70,6 +70,7 @@ class DriverNode {
   scan_cell_common::Listeners listeners_;  // to the status
   ros::Publisher status_;
   bool was_up_ = false;
+  std::uint64_t losses_ = 0;  // of the link that were told
   LinkDiagnosis diagnosis_;
 
   // Filled and published for each pose by the client's thread: nothing is made anew.
