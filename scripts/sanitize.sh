@@ -2,7 +2,7 @@
 # sanitize.sh addresses   every test under AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer
 # sanitize.sh threads     the tests of the cores that have threads under ThreadSanitizer
 # Builds in a tree of its own, build-asan or build-tsan. What a sanitizer says of any process, of a node that no
-# test looks at too, is left in TREE/reports, printed, and fails the run.
+# test looks at too, is left in TREE/reports or TREE/run.log, printed, and fails the run.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -63,8 +63,10 @@ reports=$PWD/$tree/reports
 rm -rf "$reports"
 mkdir -p "$reports"
 set +e
-(set -e; "$1")
-status=$?
+(set -e; "$1") 2>&1 | tee "$tree/run.log"
+status=${PIPESTATUS[0]}
+# This sanitizer keeps to the standard error, whatever it is told.
+if grep -n -A 12 ': runtime error: ' "$tree/run.log"; then status=1; fi
 for report in "$tree"/reports/*; do
   [ -e "$report" ] || continue
   status=1

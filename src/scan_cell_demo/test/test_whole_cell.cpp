@@ -40,6 +40,12 @@ using scan_cell_msgs::SetFaults;
 
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr double kSafe = 6.0;  // [s] everything is some times slower
+#else
+constexpr double kSafe = 2.0;  // [s]
+#endif
+
 constexpr double kTimeout = 90;  // [s]
 
 std::string config(const std::string& name) {
@@ -284,7 +290,7 @@ TEST_F(WholeCell, AccountsForLostFramesAndBadPoses) {
 TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheCameraIsUnplugged) {
   start_scan("camera unplugged");
   set_faults([](SetFaults::Request& faults) { faults.camera_off = true; });
-  EXPECT_LT(wait_for_end(), 2.0);
+  EXPECT_LT(wait_for_end(), kSafe);
   EXPECT_EQ(scan_.getResult()->outcome, ScanResult::CAMERA_LOST) << scan_.getResult()->message;
   expect_kept(*scan_.getResult());
   expect_standing_on_the_way();
@@ -293,7 +299,7 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheCameraIsUnplugged) {
 TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheControllerIsLostAndNeverResumes) {
   start_scan("link down");
   set_faults([](SetFaults::Request& faults) { faults.robot_link_down = true; });
-  EXPECT_LT(wait_for_end(), 2.0);
+  EXPECT_LT(wait_for_end(), kSafe);
   EXPECT_EQ(scan_.getResult()->outcome, ScanResult::ROBOT_LOST) << scan_.getResult()->message;
   expect_kept(*scan_.getResult());
   set_faults([](SetFaults::Request&) {});
@@ -304,7 +310,7 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheControllerIsLostAndNeverResumes) {
 TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerDies) {
   start_scan("trigger killed");
   ASSERT_EQ(std::system("rosnode kill /laser_trigger > /dev/null"), 0);
-  EXPECT_LT(wait_for_end(), 2.0);
+  EXPECT_LT(wait_for_end(), kSafe);
   EXPECT_EQ(scan_.getResult()->outcome, ScanResult::TRIGGER_LOST) << scan_.getResult()->message;
   expect_kept(*scan_.getResult());
   expect_standing_on_the_way();
@@ -314,7 +320,7 @@ TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerDies) {
 TEST_F(WholeCell, EndsWithinTwoSecondsWhenTheTriggerCircuitIsLost) {
   start_scan("circuit lost");
   set_faults([](SetFaults::Request& faults) { faults.trigger_circuit_lost = true; });
-  EXPECT_LT(wait_for_end(), 2.0);
+  EXPECT_LT(wait_for_end(), kSafe);
   EXPECT_EQ(scan_.getResult()->outcome, ScanResult::TRIGGER_LOST) << scan_.getResult()->message;
   EXPECT_NE(scan_.getResult()->message.find("trigger circuit"), std::string::npos)
       << scan_.getResult()->message;

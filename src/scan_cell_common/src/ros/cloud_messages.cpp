@@ -47,6 +47,7 @@ void check(const sensor_msgs::PointCloud2& message) {
 Cloud from_message(const sensor_msgs::PointCloud2& message) {
   check(message);
   Cloud cloud;
+  if (message.data.empty()) return cloud;  // of which the iterators would take the first byte
   cloud.reserve(std::size_t{message.width} * message.height);
   sensor_msgs::PointCloud2ConstIterator<float> x(message, "x"), y(message, "y"), z(message, "z");
   for (; x != x.end(); ++x, ++y, ++z)
@@ -63,6 +64,7 @@ sensor_msgs::PointCloud2 to_message(const Cloud& cloud, const std_msgs::Header& 
                                 sensor_msgs::PointField::FLOAT32);
   modifier.resize(cloud.size());
   message.is_dense = cloud.is_dense;
+  if (cloud.empty()) return message;
   sensor_msgs::PointCloud2Iterator<float> x(message, "x"), y(message, "y"), z(message, "z");
   for (const pcl::PointXYZ& point : cloud) {
     *x = point.x, *y = point.y, *z = point.z;
