@@ -5,7 +5,7 @@
 #include <scan_cell_msgs/PeakProfile.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
-#include <std_msgs/Empty.h>
+#include <std_msgs/UInt8.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -172,10 +172,10 @@ TEST_F(BagRecording, RefusesARegionThatChangesWithin) {
 
 TEST_F(BagRecording, RefusesBagsThatCannotBeUsedAndSaysWhy) {
   EXPECT_TRUE(holds(refusal(), path_)) << "missing";
-  write("/camera/nothing", std_msgs::Empty());
+  write("/camera/nothing", std_msgs::UInt8());
   EXPECT_TRUE(holds(refusal(), "holds no images"));
   write("/camera/image_raw", image(0));
-  write("/camera/profiles", std_msgs::Empty());
+  write("/camera/profiles", std_msgs::UInt8());
   EXPECT_TRUE(holds(refusal(), "/camera/profiles is of another definition")) << refusal();
   fs::resize_file(path_, fs::file_size(path_) / 2);
   EXPECT_TRUE(holds(refusal(), path_)) << refusal();
