@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "loopback.h"
 #include "scan_cell_sim/controller/controller.h"
 #include "scan_cell_sim/controller/wire_json.h"
 
@@ -19,12 +18,6 @@
 
 using nlohmann::json;
 using scan_cell_common::Nanoseconds;
-
-inline Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 inline scan_cell_sim::ControllerOptions any_port() {
   scan_cell_sim::ControllerOptions options;
@@ -35,13 +28,7 @@ inline scan_cell_sim::ControllerOptions any_port() {
 /// A client that says exactly what it is told to.
 class BareClient {
  public:
-  explicit BareClient(std::uint16_t port) : socket_(socket(AF_INET, SOCK_DGRAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-  }
+  explicit BareClient(std::uint16_t port) : socket_(socket_to(port)) {}
   ~BareClient() { close(socket_); }
 
   void send(const std::string& text) { ::send(socket_, text.data(), text.size(), 0); }

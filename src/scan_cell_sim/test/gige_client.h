@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "loopback.h"
 #include "scan_cell_sim/cell.h"
 
 namespace scan_cell_sim {
@@ -19,12 +20,6 @@ using scan_cell_common::Nanoseconds;
 
 inline const std::string kConfig = CONFIG_FOLDER;
 inline constexpr const char* kAddress = "127.0.0.1";
-
-inline Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 inline bool wait_until(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);

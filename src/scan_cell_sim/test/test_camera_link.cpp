@@ -1,6 +1,5 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -12,6 +11,8 @@
 
 namespace scan_cell_sim {
 namespace {
+
+constexpr std::uint16_t kControlPort = 3956;  // of GigE Vision
 
 TEST_F(CameraTest, LostFramesLeaveAGapInTheBlockIds) {
   Client client;
@@ -87,11 +88,7 @@ TEST_F(CameraTest, WithoutPowerItIsLostAndWithPowerItCanBeUsedAgain) {
 }
 
 TEST_F(CameraTest, GarbageOnTheControlPortHarmsNothing) {
-  const int handle = socket(AF_INET, SOCK_DGRAM, 0);
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(3956);
-  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int handle = socket_to(kControlPort);
   std::mt19937 random(1);
   constexpr std::array<std::uint8_t, 6> kCodes = {0x02, 0x40, 0x80, 0x82, 0x84, 0x86};
   for (int i = 0; i < 2000; ++i) {
@@ -106,8 +103,7 @@ TEST_F(CameraTest, GarbageOnTheControlPortHarmsNothing) {
       if (packet.size() > 11 && i % 4 == 0) packet[8] = packet[9] = 0;  // and an address in range
       if (packet[3] == 0x82 || packet[3] == 0x86) continue;             // would claim control
     }
-    sendto(handle, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&name),
-           sizeof(name));
+    send(handle, packet.data(), packet.size(), 0);
   }
   close(handle);
   Client client;
@@ -118,12 +114,7 @@ TEST_F(CameraTest, GarbageOnTheControlPortHarmsNothing) {
 
 /// Takes control with plain packets and starts the camera, then never speaks again.
 void take_control_and_vanish() {
-  const int handle = socket(AF_INET, SOCK_DGRAM, 0);
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(3956);
-  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  ASSERT_EQ(connect(handle, reinterpret_cast<sockaddr*>(&name), sizeof(name)), 0);
+  const int handle = socket_to(kControlPort);
   const auto write_register = [handle](std::uint16_t address, std::uint8_t value) {
     const std::array<std::uint8_t, 16> packet = {0x42,
                                                  1,

@@ -1,6 +1,5 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -66,13 +65,7 @@ double centre(const Received& frame, int row) {
 
 class CircuitDriver {
  public:
-  explicit CircuitDriver(std::uint16_t port) : handle_(socket(AF_INET, SOCK_DGRAM, 0)) {
-    sockaddr_in name{};
-    name.sin_family = AF_INET;
-    name.sin_port = htons(port);
-    name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(connect(handle_, reinterpret_cast<sockaddr*>(&name), sizeof(name)), 0);
-  }
+  explicit CircuitDriver(std::uint16_t port) : handle_(socket_to(port)) {}
   ~CircuitDriver() { close(handle_); }
   void pulse() const {
     write(0b011);

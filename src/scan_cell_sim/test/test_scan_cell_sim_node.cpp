@@ -1,6 +1,5 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <arpa/inet.h>
 #include <arv.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
@@ -17,6 +16,8 @@
 #include <functional>
 #include <map>
 #include <set>
+
+#include "loopback.h"
 
 namespace {
 
@@ -56,12 +57,8 @@ scan_cell_msgs::LoadWorld::Response load_world(const std::string& path) {
 
 /// Writes the trigger circuit's data register.
 void write_circuit(std::uint8_t data) {
-  const int handle = socket(AF_INET, SOCK_DGRAM, 0);
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(5420);
-  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  EXPECT_EQ(sendto(handle, &data, 1, 0, reinterpret_cast<sockaddr*>(&name), sizeof(name)), 1);
+  const int handle = socket_to(5420);
+  EXPECT_EQ(send(handle, &data, 1, 0), 1);
   close(handle);
 }
 

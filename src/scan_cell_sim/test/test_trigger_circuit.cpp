@@ -1,6 +1,5 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+#include "loopback.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_sim/trigger_circuit.h"
 
@@ -18,12 +18,6 @@ namespace {
 
 using scan_cell_common::Nanoseconds;
 
-Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
 class TriggerCircuitTest : public testing::Test {
  protected:
   TriggerCircuitTest() {
@@ -31,12 +25,7 @@ class TriggerCircuitTest : public testing::Test {
       const std::lock_guard<std::mutex> lock(mutex_);
       pulses_.push_back(pulse);
     });
-    sockaddr_in name{};
-    name.sin_family = AF_INET;
-    name.sin_port = htons(circuit_.port());
-    name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socket_ = socket(AF_INET, SOCK_DGRAM, 0);
-    EXPECT_EQ(connect(socket_, reinterpret_cast<sockaddr*>(&name), sizeof(name)), 0);
+    socket_ = socket_to(circuit_.port());
   }
   ~TriggerCircuitTest() override { close(socket_); }
 

@@ -52,6 +52,9 @@ using Request =
 /// The command's name on the wire.
 std::string name_of(const Request& request);
 
+/// @throw scan_cell_common::Refused if so much does not fit into a datagram
+void check_size(const std::string& what, std::size_t bytes);
+
 /// @throw scan_cell_common::Refused if a value is not JSON or the packet gets too long
 std::string build(const Request& request, std::uint64_t session, std::uint64_t seq);
 

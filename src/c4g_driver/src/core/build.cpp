@@ -75,11 +75,14 @@ std::string build(const Request& request, std::uint64_t session, std::uint64_t s
   packet["seq"] = seq;
   packet["cmd"] = name_of(request);
   const std::string text = seal(packet.dump(-1, ' ', false, json::error_handler_t::replace));
-  if (text.size() > kMostDatagramBytes) {
-    throw Refused(name_of(request) + " packet", std::to_string(text.size()) + " bytes",
-                  "give a value of fewer than " + std::to_string(kMostDatagramBytes) + " bytes");
-  }
+  check_size(name_of(request) + " packet", text.size());
   return text;
+}
+
+void check_size(const std::string& what, std::size_t bytes) {
+  if (bytes <= kMostDatagramBytes) return;
+  throw Refused(what, std::to_string(bytes) + " bytes",
+                "give a value of fewer than " + std::to_string(kMostDatagramBytes) + " bytes");
 }
 
 }  // namespace c4g_driver

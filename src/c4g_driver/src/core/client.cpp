@@ -147,10 +147,7 @@ std::string Client::get_parameter(const std::string& name) {
 }
 
 void Client::set_parameter(const std::string& name, const std::string& json) {
-  if (name.size() + json.size() > kMostDatagramBytes) {  // before it is parsed, however deep
-    throw Refused("SET_PARAMETER", std::to_string(name.size() + json.size()) + " bytes",
-                  "give a value of fewer than " + std::to_string(kMostDatagramBytes) + " bytes");
-  }
+  check_size("SET_PARAMETER", name.size() + json.size());  // before it is parsed, however deep
   const SetParameter set{name, json};
   const std::lock_guard<std::mutex> settled(settings_mutex_);
   if (const auto percent = override_of(set)) check_override(*percent, most_override());

@@ -66,8 +66,10 @@ void Client::keep() {
       connect();
     }
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait_for(lock, std::chrono::duration<double>(up_ ? options_.poll_period : 0),
-                      [this] { return ending_ || !up_; });
+    if (up_) {
+      changed_.wait_for(lock, std::chrono::duration<double>(options_.poll_period),
+                        [this] { return ending_ || !up_; });
+    }
     // After a loss at once: OPEN ends what may still be on its way to the controller.
     if (!up_) changed_.wait_until(lock, next_attempt_, [this] { return ending_; });
     if (ending_) return;

@@ -71,16 +71,16 @@ void DriverNode::publish(const MeasuredState& state) {
 void DriverNode::publish_status() {
   constexpr double kReminder = 10;  // [s]
   LinkReport link = client_.link();
-  if (link.losses > losses_) {  // said once, however soon the next session began
+  const bool lost = link.losses > losses_;
+  losses_ = link.losses;
+  if (lost) {  // said once, however soon the next session began
     link.up = false;
     ROS_WARN("controller %s: the link was lost: %s", parameters_.client.address.c_str(),
              link.message.c_str());
   }
-  const bool told = link.losses > losses_;
-  losses_ = link.losses;
   status_.publish(to_status(link, client_.latest()));
   if (link.up && !was_up_) ROS_INFO("controller %s: connected", parameters_.client.address.c_str());
-  if (!link.up && !told) {
+  if (!link.up && !lost) {
     ROS_WARN_THROTTLE(kReminder, "controller %s:%d: %s; trying again every %g s",
                       parameters_.client.address.c_str(), parameters_.client.port,
                       link.message.c_str(), parameters_.client.reconnect_period);
