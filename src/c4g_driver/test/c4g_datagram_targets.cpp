@@ -14,7 +14,7 @@ namespace {
 using namespace scan_cell_common;
 using scan_cell_sim::ProtocolServer;
 
-// as in docs/c4g_protocol.md, not sealed: the fuzzer seals what it changed, so that it gets past
+// as in c4g_protocol.md, not sealed: the fuzzer seals what it changed, so that it gets past
 const char* const kStreamed =
     R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204, "t": 48123456,
 "pose": [800, 0, 600, 0, 180, 180], "joints": [0, -3.2, -93.4, 0, 89.8, 0],

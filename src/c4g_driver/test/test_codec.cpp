@@ -17,7 +17,7 @@ using scan_cell_common::Refused;
 
 namespace {
 
-// as in docs/c4g_protocol.md
+// as in c4g_protocol.md
 const char* const kState = R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204,
   "t": 48123456, "pose": [800, 0, 600, 0, 180, 180], "joints": [0, -3.2, -93.4, 0, 89.8, 0],
   "status": "moving", "motion": 17, "progress": 0.42, "camera_fps": 100, "e_stop": false,

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The examples of docs/c4g_protocol.md, as client and controller read and write them.
+/// The examples of c4g_protocol.md, as client and controller read and write them.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -159,7 +159,7 @@ TEST(Kinematics, ReachesEveryPoseOfTheScanningSpace) {
 }
 
 TEST(WirePose, IsEulerZyzInMillimetresAndDegrees) {
-  // the table of docs/c4g_protocol.md
+  // the table of c4g_protocol.md
   const Isometry3d down_along_y =
       Isometry3d(AngleAxisd(M_PI / 2, Vector3d::UnitZ())) * looking_down(0, 0, 0);
   expect_same(scan_cell_sim::pose_from_wire({0, 0, 0, 0, 180, 90}), down_along_y, 1e-12);

@@ -58,7 +58,7 @@ struct LinkReport {
   std::uint64_t overlong = 0;
 };
 
-/// The driver's side of docs/c4g_protocol.md. Connects by itself and again after a loss, keeps the
+/// The driver's side of c4g_protocol.md. Connects by itself and again after a loss, keeps the
 /// session alive, and hands on every measured pose once, in the order of time.
 ///
 /// A lost link drops the goal: nothing of it is sent again, and the new session makes the

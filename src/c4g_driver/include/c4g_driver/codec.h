@@ -10,7 +10,7 @@
 
 #include "c4g_driver/robot_state.h"
 
-/// Packets of docs/c4g_protocol.md to text and back. Nothing here knows of sockets or time.
+/// Packets of c4g_protocol.md to text and back. Nothing here knows of sockets or time.
 namespace c4g_driver {
 
 constexpr std::size_t kMostDatagramBytes = 1400;

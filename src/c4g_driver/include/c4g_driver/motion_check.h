@@ -10,7 +10,7 @@
 
 namespace c4g_driver {
 
-/// How the controller would carry out a motion now; parameters of docs/c4g_protocol.md.
+/// How the controller would carry out a motion now; parameters of c4g_protocol.md.
 struct MotionSettings {
   bool in_joints = false;       //!< MOVE_CARTESIAN goes in joints
   bool euler = false;           //!< along a line A, E and R go each at its own rate

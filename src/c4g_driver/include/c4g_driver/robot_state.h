@@ -18,10 +18,10 @@ using Joints = Eigen::Matrix<double, 6, 1>;
 /// How the latest motion stands.
 enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
 
-/// Where the mode selector stands; docs/c4g_protocol.md says what each mode allows.
+/// Where the mode selector stands; c4g_protocol.md says what each mode allows.
 enum class ControllerMode { Programming, Automatic, Remote };
 
-/// What the controller complains of; codes in docs/c4g_protocol.md.
+/// What the controller complains of; codes in c4g_protocol.md.
 struct ControllerError {
   int code = 0;
   boost::static_string<80> text;

@@ -32,7 +32,7 @@ ClientOptions checked(ClientOptions options) {
   return options;
 }
 
-/// True for the errors that say that there is no session (any more); docs/c4g_protocol.md.
+/// True for the errors that say that there is no session (any more); c4g_protocol.md.
 bool ends_the_session(const ControllerError& error) {
   constexpr int kOtherVersion = 2, kNoSuchSession = 3, kAnotherClient = 4;
   return error.code == kOtherVersion || error.code == kNoSuchSession ||
@@ -237,7 +237,7 @@ Acknowledgement Client::request(const Request& request, const Start* start) {
     if (start != nullptr) goal_ = Goal();
     throw Refused(name_of(request),
                   std::string("refused by the controller, ") + answer->error->text.c_str(),
-                  "see error " + std::to_string(answer->error->code) + " in docs/c4g_protocol.md");
+                  "see error " + std::to_string(answer->error->code) + " in c4g_protocol.md");
   }
   return *answer;
 }

@@ -23,7 +23,7 @@ std::optional<double> number_of(const SetParameter& set, const std::string& name
 
 [[noreturn]] void refuse(const std::string& name, const std::string& value) {
   throw scan_cell_common::ProtocolError("parameter " + name + " of the controller",
-                                        "'" + value + "'", "see docs/c4g_protocol.md");
+                                        "'" + value + "'", "see c4g_protocol.md");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ constexpr double kMillimetre = 1e-3;
 constexpr double kMostMagnitude = 1e5;  // mm, deg, %, frames/s: beyond it is nonsense
 
 [[noreturn]] void refuse(const std::string& key, const std::string& value) {
-  throw ProtocolError("C4G packet: " + key, value, "see docs/c4g_protocol.md");
+  throw ProtocolError("C4G packet: " + key, value, "see c4g_protocol.md");
 }
 
 const Json& entry(const Json& packet, const char* key) {

@@ -45,7 +45,7 @@ void check_seal(std::string_view datagram) {
   if (there && datagram.substr(end) == Entry(datagram.substr(0, end)).text()) return;
   throw scan_cell_common::ProtocolError(
       "C4G datagram", there ? "its crc does not match" : "no crc at its end",
-      "see docs/c4g_protocol.md; where the sender is right, look for what spoils the network");
+      "see c4g_protocol.md; where the sender is right, look for what spoils the network");
 }
 
 }  // namespace c4g_driver

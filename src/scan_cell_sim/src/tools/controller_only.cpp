@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
   ControllerOptions options;
   Typed typed;
   CLI::App app{
-      "Emulator of a robot controller that serves C4G over UDP (docs/c4g_protocol.md). Lines on "
+      "Emulator of a robot controller that serves C4G over UDP (c4g_protocol.md). Lines on "
       "the "
       "standard input do what somebody at its panel and its cable does: type help"};
   add_options(app, options, typed);

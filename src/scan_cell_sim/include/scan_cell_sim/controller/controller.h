@@ -36,7 +36,7 @@ struct ControllerOptions {
   ProtocolServer::Witness witness;               //!< called from the controller's own thread
 };
 
-/// Emulator of a robot controller that serves C4G (docs/c4g_protocol.md) over UDP, with a Comau
+/// Emulator of a robot controller that serves C4G (c4g_protocol.md) over UDP, with a Comau
 /// Smart5 SiX. It runs in a thread of its own from construction to destruction, and knows where the
 /// flange truly was at every instant. All methods are safe to call from any thread.
 class Controller : public FlangeMotion {

@@ -10,7 +10,7 @@
 
 namespace scan_cell_sim {
 
-/// The controller's parameters by name, in wire units; docs/c4g_protocol.md lists them.
+/// The controller's parameters by name, in wire units; c4g_protocol.md lists them.
 class ControllerParameters {
  public:
   /// @param stream_period [s]

@@ -17,7 +17,7 @@ enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
 
 const char* name_of(MotionStatus status);
 
-/// What may be set; as the parameters of docs/c4g_protocol.md.
+/// What may be set; as the parameters of c4g_protocol.md.
 struct MotionSettings {
   bool in_joints = false;  //!< MOVE_CARTESIAN goes in joints
   LineSettings line;

@@ -31,7 +31,7 @@ struct TakenUp {
   std::optional<ControllerErrorCode> refused;  //!< why nothing was done; none: it was done
 };
 
-/// The controller's side of docs/c4g_protocol.md, without sockets: requests in, answers out.
+/// The controller's side of c4g_protocol.md, without sockets: requests in, answers out.
 /// Times are host times. Not safe for use from several threads.
 class ProtocolServer {
  public:

@@ -9,7 +9,7 @@
 
 namespace scan_cell_sim {
 
-/// Where the mode selector stands; docs/c4g_protocol.md says what each mode allows.
+/// Where the mode selector stands; c4g_protocol.md says what each mode allows.
 enum class ControllerMode { Programming, Automatic, Remote };
 
 /// @throw ControllerRefusal

@@ -7,7 +7,7 @@
 
 namespace scan_cell_sim {
 
-/// Why the controller refuses a request; the codes of docs/c4g_protocol.md.
+/// Why the controller refuses a request; the codes of c4g_protocol.md.
 enum class ControllerErrorCode {
   Malformed = 1,
   Version = 2,
