@@ -12,11 +12,13 @@
 
 #include "c4g_driver/client.h"
 #include "fake_controller.h"
+#include "scan_cell_common/host_clock.h"
 #include "smart5_six.h"
 
 /// The client against a scripted controller on real sockets.
 namespace c4g_driver {
 
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 using std::chrono::steady_clock;
 
@@ -27,12 +29,6 @@ inline bool eventually(const std::function<bool()>& condition, double seconds = 
     usleep(2000);
   }
   return condition();
-}
-
-inline Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }
 
 /// All poses the client handed on.

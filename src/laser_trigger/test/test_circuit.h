@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "laser_trigger/trigger_port.h"
+#include "scan_cell_common/host_clock.h"
 
 namespace laser_trigger {
 
@@ -94,10 +95,9 @@ class TestCircuit {
       if (poll(&wait, 1, 10) != 1) continue;
       std::uint8_t bytes[2];
       if (recv(socket_, bytes, sizeof(bytes), 0) != 1) continue;
-      const auto now = std::chrono::system_clock::now().time_since_epoch();
+      const auto now = scan_cell_common::host_now();
       const std::lock_guard<std::mutex> lock(mutex_);
-      writes_.push_back(
-          {std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(), bytes[0]});
+      writes_.push_back({now, bytes[0]});
     }
   }
 

@@ -105,8 +105,7 @@ TEST(PulseGenerator, AWriteThatIsHeldUpDoesNotShiftItsEvent) {
       constexpr std::size_t kHeldUp = 4;  // each fourth pulse
       constexpr auto kFor = std::chrono::milliseconds(8);
       const std::lock_guard<std::mutex> lock(mutex);
-      const auto now = std::chrono::system_clock::now().time_since_epoch();
-      edges.push_back(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
+      edges.push_back(scan_cell_common::host_now());
       if (edges.size() % kHeldUp == 0) std::this_thread::sleep_for(kFor);
     }
   } port;

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "loopback.h"
+#include "scan_cell_common/host_clock.h"
 #include "scan_cell_sim/cell.h"
 
 namespace scan_cell_sim {
 
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 
 inline const std::string kConfig = CONFIG_FOLDER;

@@ -6,10 +6,7 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
-#include <chrono>
 #include <cstdint>
-
-#include "scan_cell_common/timed_pose.h"
 
 /// A UDP socket whose packets go to a port of this computer. To be closed.
 inline int socket_to(std::uint16_t port) {
@@ -20,10 +17,4 @@ inline int socket_to(std::uint16_t port) {
   name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   EXPECT_EQ(connect(handle, reinterpret_cast<sockaddr*>(&name), sizeof name), 0);
   return handle;
-}
-
-inline scan_cell_common::Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }

@@ -10,8 +10,10 @@
 
 #include "bare_client.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 
 using scan_cell_common::from_seconds;
+using scan_cell_common::host_now;
 using scan_cell_sim::Controller;
 using scan_cell_sim::ControllerFaults;
 using scan_cell_sim::FaultyWire;

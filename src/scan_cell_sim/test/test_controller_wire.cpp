@@ -9,8 +9,10 @@
 
 #include "bare_client.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 
 using nlohmann::json;
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 using scan_cell_sim::Controller;
 using scan_cell_sim::ControllerFaults;

@@ -11,11 +11,13 @@
 
 #include "loopback.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 #include "scan_cell_sim/trigger_circuit.h"
 
 namespace scan_cell_sim {
 namespace {
 
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 
 class TriggerCircuitTest : public testing::Test {

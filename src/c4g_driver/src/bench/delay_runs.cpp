@@ -9,7 +9,6 @@
 #include <scan_cell_msgs/SetLinearSpeed.h>
 #include <sys/socket.h>
 
-#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -18,11 +17,13 @@
 #include "c4g_driver/ros/messages.h"
 #include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace c4g_driver {
 
 using scan_cell_common::ChildProcess;
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 using scan_cell_common::Refused;
 
@@ -30,10 +31,6 @@ namespace {
 
 constexpr double kRate = 500;                // [Hz]
 constexpr std::size_t kBytesOfAState = 480;  // as the emulated controller sends it
-
-Nanoseconds host_now() {
-  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 void join_master(const std::string& name) {
   ros::M_string no_remappings;

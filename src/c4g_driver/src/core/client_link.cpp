@@ -9,21 +9,15 @@
 
 #include "c4g_driver/client.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 
 namespace c4g_driver {
 
 using scan_cell_common::ConnectionError;
 using scan_cell_common::Error;
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 using scan_cell_common::ProtocolError;
-
-namespace {
-
-Nanoseconds host_now() {
-  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
 
 void Client::connect() {
   const std::lock_guard<std::mutex> serial(request_mutex_);

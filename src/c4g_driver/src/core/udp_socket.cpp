@@ -12,34 +12,18 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <ctime>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 
 namespace c4g_driver {
 namespace {
 
 using scan_cell_common::ConnectionError;
+using scan_cell_common::host_now;
 using scan_cell_common::InvalidParameter;
-using scan_cell_common::Nanoseconds;
+using scan_cell_common::receipt_time;
 using Clock = std::chrono::steady_clock;
-
-Nanoseconds to_nanoseconds(const timespec& time) {
-  return static_cast<Nanoseconds>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
-}
-
-/// The kernel's time stamp, so that a busy host does not make the datagram look late.
-Nanoseconds arrival(const msghdr& message) {
-  timespec time{};
-  for (const cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
-       part = CMSG_NXTHDR(const_cast<msghdr*>(&message), const_cast<cmsghdr*>(part))) {
-    if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_TIMESTAMPNS) continue;
-    std::memcpy(&time, CMSG_DATA(part), sizeof time);
-    return to_nanoseconds(time);
-  }
-  clock_gettime(CLOCK_REALTIME, &time);
-  return to_nanoseconds(time);
-}
 
 /// @throw InvalidParameter naming what is no address
 sockaddr_in socket_address(const std::string& what, const std::string& address,
@@ -116,7 +100,9 @@ std::optional<UdpSocket::Received> UdpSocket::take() {
     } else if ((message.msg_flags & MSG_TRUNC) != 0) {
       ++overlong_;
     } else {
-      return Received{{bytes_.data(), static_cast<std::size_t>(length)}, arrival(message)};
+      // The kernel's time, so that a busy host does not make the datagram look late.
+      return Received{{bytes_.data(), static_cast<std::size_t>(length)},
+                      receipt_time(message).value_or(host_now())};
     }
   }
 }

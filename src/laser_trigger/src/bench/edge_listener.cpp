@@ -9,28 +9,13 @@
 #include <chrono>
 #include <cstring>
 #include <ctime>
-#include <optional>
+
+#include "scan_cell_common/host_clock.h"
 
 namespace laser_trigger {
 
 using scan_cell_common::ConnectionError;
 using scan_cell_common::Nanoseconds;
-
-namespace {
-
-/// When the kernel received a message; none where it does not say.
-std::optional<Nanoseconds> receipt(msghdr& message) {
-  for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
-       part = CMSG_NXTHDR(&message, part)) {
-    if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_TIMESTAMPNS) continue;
-    timespec time{};
-    std::memcpy(&time, CMSG_DATA(part), sizeof time);
-    return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 EdgeListener::EdgeListener() : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
   sockaddr_in address{};
@@ -89,7 +74,7 @@ bool EdgeListener::take() {
   message.msg_control = control;
   message.msg_controllen = sizeof control;
   if (recvmsg(socket_, &message, MSG_DONTWAIT) != 1) return false;
-  const auto time = receipt(message);
+  const auto time = scan_cell_common::receipt_time(message);
   if (!time) throw ConnectionError("the kernel", "gives no receive time stamps", "use Linux");
   if ((data[0] & kCameraPulse) != 0 && (data_ & kCameraPulse) == 0) edges_.push_back(*time);
   data_ = data[0];

@@ -11,9 +11,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "scan_cell_common/host_clock.h"
+
 namespace laser_trigger {
 namespace {
 
+using scan_cell_common::host_now;
 using scan_cell_common::Refused;
 using std::chrono::duration_cast;
 using std::chrono::nanoseconds;
@@ -24,12 +27,6 @@ constexpr nanoseconds kIdlePeriod{1'000'000'000};
 
 nanoseconds seconds(double value) {
   return nanoseconds(scan_cell_common::from_seconds(value));
-}
-
-Nanoseconds host_time() {
-  timespec time;
-  clock_gettime(CLOCK_REALTIME, &time);
-  return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
 void sleep_until(std::chrono::steady_clock::time_point time) {
@@ -258,9 +255,9 @@ void PulseGenerator::send_pulse(Clock::time_point deadline, std::uint32_t arming
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!status_.armed || status_.arming != arming) return;
     const Nanoseconds late = duration_cast<nanoseconds>(Clock::now() - deadline).count();
-    const Nanoseconds before = host_time();
+    const Nanoseconds before = host_now();
     write(laser_bits(status_.lasers) | kCameraPulse);
-    const Nanoseconds after = host_time();
+    const Nanoseconds after = host_now();
     if (failure.empty()) {
       // Where a write is held up it is behind the edge, as the call returns.
       shortest_write_ = std::clamp<Nanoseconds>(after - before, 0, shortest_write_);

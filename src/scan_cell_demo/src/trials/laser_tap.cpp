@@ -14,10 +14,13 @@
 #include <ctime>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 
 namespace scan_cell_demo {
 
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
+using scan_cell_common::receipt_time;
 
 namespace {
 
@@ -29,17 +32,6 @@ sockaddr_in on_loopback(std::uint16_t port) {
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   return address;
-}
-
-Nanoseconds receipt(msghdr& message) {
-  timespec time{};
-  clock_gettime(CLOCK_REALTIME, &time);
-  for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
-       part = CMSG_NXTHDR(&message, part)) {
-    if (part->cmsg_level == SOL_SOCKET && part->cmsg_type == SCM_TIMESTAMPNS)
-      std::memcpy(&time, CMSG_DATA(part), sizeof time);
-  }
-  return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
 }  // namespace
@@ -108,7 +100,7 @@ void LaserTap::listen() {
     message.msg_controllen = sizeof control;
     if (recvmsg(socket_, &message, MSG_DONTWAIT) != 1) continue;
     send(circuit_, &data, 1, MSG_NOSIGNAL);  // a circuit that is not there does not matter here
-    take(data, receipt(message));
+    take(data, receipt_time(message).value_or(host_now()));
   }
 }
 

@@ -9,11 +9,13 @@
 #include "nodes.h"
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace scan_cell_demo {
 
 namespace fs = std::filesystem;
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 
 namespace {
@@ -39,10 +41,6 @@ std::string victim(Blow blow) {
       break;
   }
   return "";
-}
-
-Nanoseconds host_now() {
-  return scan_cell_common::from_ros(ros::Time::now());
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <deque>
 #include <fstream>
 #include <mutex>
@@ -17,6 +16,7 @@
 #include <thread>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 #include "scan_cell_sim/gige/frame_sender.h"
 
 namespace scan_cell_sim {
@@ -25,17 +25,12 @@ namespace {
 using gige::ControlServer;
 using gige::FrameSender;
 using scan_cell_common::from_seconds;
+using scan_cell_common::host_now;
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::Nanoseconds;
 
 /// The counter starts where Aravis' own fake camera's does: it wraps soon, as in every long scan.
 constexpr std::uint16_t kFirstBlock = 65400;
-
-Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 /// 16 bits, and 0 is no number.
 std::uint16_t block_of(std::uint64_t frame) {

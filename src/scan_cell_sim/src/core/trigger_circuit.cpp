@@ -13,27 +13,20 @@
 #include <ctime>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 
 namespace scan_cell_sim {
 namespace {
 
 using scan_cell_common::ConnectionError;
+using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
+using scan_cell_common::receipt_time;
 
 constexpr std::uint8_t kPulseBit = 1;
 
 std::uint8_t lasers_in(std::uint8_t data) {
   return static_cast<std::uint8_t>(data >> 1 & 3);
-}
-
-Nanoseconds to_nanoseconds(const timespec& time) {
-  return Nanoseconds{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-}
-
-Nanoseconds host_now() {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return to_nanoseconds(now);
 }
 
 /// A socket whose datagrams carry the kernel's time of receipt.
@@ -59,17 +52,6 @@ std::uint16_t port_of(int handle) {
   socklen_t size = sizeof(name);
   getsockname(handle, reinterpret_cast<sockaddr*>(&name), &size);
   return ntohs(name.sin_port);
-}
-
-/// Receipt time of a message; now, where the kernel gave none.
-Nanoseconds receipt_time(msghdr& message) {
-  for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
-    if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;
-    timespec time{};
-    std::memcpy(&time, CMSG_DATA(c), sizeof(time));
-    return to_nanoseconds(time);
-  }
-  return host_now();
 }
 
 }  // namespace
@@ -130,7 +112,7 @@ void TriggerCircuit::listen() {
     message.msg_controllen = sizeof(control);
     const ssize_t size = recvmsg(socket_, &message, MSG_DONTWAIT);
     if (size == 1) {
-      write(data[0], receipt_time(message));
+      write(data[0], receipt_time(message).value_or(host_now()));
     } else if (size >= 0) {
       const std::lock_guard<std::mutex> lock(mutex_);
       ++state_.refused;

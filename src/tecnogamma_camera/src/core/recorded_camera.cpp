@@ -4,6 +4,7 @@
 #include <cmath>
 #include <thread>
 
+#include "scan_cell_common/host_clock.h"
 #include "tecnogamma_camera/recording.h"
 
 namespace tecnogamma_camera {
@@ -131,11 +132,7 @@ std::optional<Frame> RecordedCamera::grab(std::chrono::microseconds timeout) {
   handed_out_ = true;
   Frame frame = *next_;
   shift_times(frame);
-  if (frame.host_time == 0) {
-    frame.host_time = std::chrono::duration_cast<std::chrono::nanoseconds>(
-                          std::chrono::system_clock::now().time_since_epoch())
-                          .count();
-  }
+  if (frame.host_time == 0) frame.host_time = scan_cell_common::host_now();
   if (!is_payload_) cut(frame.image);
   const bool whole = frame.packets_lost == 0 && frame.fault.empty();
   ++(whole ? statistics_.completed : statistics_.failures);

@@ -9,27 +9,22 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/host_clock.h"
 
 namespace scan_cell_sim {
 namespace {
 
 using scan_cell_common::ConnectionError;
 using scan_cell_common::from_seconds;
+using scan_cell_common::host_now;
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::Nanoseconds;
 
 constexpr std::size_t kMostBytes = 1400;
-
-Nanoseconds host_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 sockaddr_in to_socket_address(const Peer& peer) {
   sockaddr_in address{};
