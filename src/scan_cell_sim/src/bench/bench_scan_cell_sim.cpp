@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include "scan_cell_sim/laser_line_renderer.h"
 
@@ -13,14 +15,73 @@ using namespace scan_cell_sim;
 
 constexpr int kFrames = 300;
 
-/// Median-free and plain: seconds a call, over kFrames calls.
+/// Median-free and plain: seconds a call.
 template <class Call>
-double seconds(const Call& call) {
+double seconds(int calls, const Call& call) {
   const auto begin = std::chrono::steady_clock::now();
-  for (int frame = 0; frame < kFrames; ++frame)
-    call(frame);
+  for (int i = 0; i < calls; ++i)
+    call(i);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  return time.count() / kFrames;
+  return time.count() / calls;
+}
+
+/// One image buffer, and what copying it costs.
+struct Buffer {
+  explicit Buffer(const Region& part) : region(part) {
+    pixels.resize(static_cast<std::size_t>(region.width * region.height));
+    std::vector<std::uint8_t> copy(pixels.size());
+    plain = seconds(kFrames, [&](int frame) {
+      pixels[0] = static_cast<std::uint8_t>(frame);
+      std::memcpy(copy.data(), pixels.data(), pixels.size());
+    });
+  }
+
+  void print(const char* what, double time) const {
+    std::printf("render %d x %d, %s: %.3f ms a frame; copying it: %.3f ms; ratio %.1f\n",
+                region.width, region.height, what, time * 1e3, plain * 1e3, time / plain);
+  }
+
+  Region region;
+  std::vector<std::uint8_t> pixels;
+  double plain = 0;  // [s]
+};
+
+Exposure from_above() {
+  Exposure exposure;
+  exposure.camera.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  exposure.camera.translation() << 0, 0, 0.5;
+  return exposure;
+}
+
+/// Frames of a scan.
+void time_lines(const LaserLineRenderer& renderer, const std::string& world) {
+  const Scene scene(load_world(world));
+  Buffer buffer(Region{336, 599, 1024, 512});
+  Exposure exposure = from_above();
+  for (const std::uint8_t lasers : {1, 3}) {
+    exposure.lasers = lasers;
+    const double time = seconds(kFrames, [&](int frame) {
+      exposure.camera.translation().x() = -0.14 + 0.28 * frame / kFrames;
+      exposure.frame = static_cast<std::uint64_t>(frame);
+      renderer.render(scene, exposure, buffer.region, buffer.pixels.data());
+    });
+    buffer.print(lasers == 1 ? "1 laser" : "2 lasers", time);
+  }
+}
+
+/// Whole images of a board in the light of the room; the first one makes ready for the others.
+void time_images(const LaserLineRenderer& renderer, const std::string& world) {
+  constexpr int kImages = 10;
+  const Scene scene(load_world(world));
+  Buffer buffer(Region{0, 0, 1696, 1710});
+  Exposure exposure = from_above();
+  exposure.duration = 0.03;
+  const auto render = [&](int frame) {
+    exposure.frame = static_cast<std::uint64_t>(frame);
+    renderer.render(scene, exposure, buffer.region, buffer.pixels.data());
+  };
+  buffer.print("first image of a lit board", seconds(1, render));
+  buffer.print("lit board", seconds(kImages, render));
 }
 
 }  // namespace
@@ -30,27 +91,6 @@ int main(int argc, char** argv) {
   const std::string config = argc > 1 ? argv[1] : CONFIG_FOLDER;
   const LaserLineRenderer renderer(
       laser_triangulation::load_scanner_model(config + "/scanner.yaml"), Optics{});
-  const Scene scene(load_world(config + "/object_frame.yaml"));
-  const Region region = {336, 599, 1024, 512};
-  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(region.width * region.height));
-  std::vector<std::uint8_t> copy(pixels.size());
-
-  Exposure exposure;
-  exposure.camera.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  const auto render = [&](int frame) {
-    exposure.camera.translation() << -0.14 + 0.28 * frame / kFrames, 0, 0.5;
-    exposure.frame = static_cast<std::uint64_t>(frame);
-    renderer.render(scene, exposure, region, pixels.data());
-  };
-  const double plain = seconds([&](int frame) {
-    pixels[0] = static_cast<std::uint8_t>(frame);
-    std::memcpy(copy.data(), pixels.data(), pixels.size());
-  });
-  for (const std::uint8_t lasers : {1, 3}) {
-    exposure.lasers = lasers;
-    const double time = seconds(render);
-    std::printf(
-        "render 1024 x 512, %d laser(s): %.3f ms a frame; copying it: %.3f ms; ratio %.1f\n",
-        lasers == 1 ? 1 : 2, time * 1e3, plain * 1e3, time / plain);
-  }
+  time_lines(renderer, config + "/object_frame.yaml");
+  time_images(renderer, config + "/calibration_board.yaml");
 }

@@ -56,7 +56,12 @@ class AmbientLight::Picture {
  public:
   Picture(const Scene& scene, const Eigen::Isometry3d& camera, const Rays& rays)
       : scene_(scene), camera_(camera), rays_(rays) {
-    if (scene_.board()) camera_in_board_ = scene_.board()->pose.inverse() * camera_;
+    if (!scene_.board()) return;
+    const Eigen::Isometry3d in_board = scene_.board()->pose.inverse() * camera_;
+    eye_ = in_board.translation();
+    right_ = in_board.linear().col(0);
+    down_ = in_board.linear().col(1);
+    forward_ = in_board.linear().col(2);
   }
 
   /// What the corners of a row of cells meet, from left to right.
@@ -75,13 +80,11 @@ class AmbientLight::Picture {
       return hit && hit->surface == corners[0]->surface &&
              hit->normal.dot(corners[0]->normal) > kFlat;
     });
-    const bool board = flat && scene_.is_on_board(*corners[0]);
+    if (flat && scene_.is_on_board(*corners[0])) return cell_on_board(row, column);
     std::array<float, kCell * kCell> light{};
     for (int i = 0; i < kCell * kCell; ++i) {
       const int y = row + i / kCell, x = column + i % kCell;
-      const double value = board  ? on_board(y, x)
-                           : flat ? corners[0]->reflectance
-                                  : seen(look(y, x), y, x);
+      const double value = flat ? corners[0]->reflectance : seen(look(y, x), y, x);
       light[static_cast<std::size_t>(i)] = static_cast<float>(value);
     }
     return light;
@@ -105,23 +108,49 @@ class AmbientLight::Picture {
 
   /// Where the ray of a pixel meets the plane of the board, in the board's frame.
   Vector2d meets_board(int row, int column) const {
-    const Vector3d direction = camera_in_board_.linear() * rays_.at(row, column).homogeneous();
-    const Vector3d& eye = camera_in_board_.translation();
-    return (eye - eye.z() / direction.z() * direction).head<2>();
+    const Vector2d& ray = rays_.at(row, column);
+    const Vector3d direction = ray.x() * right_ + ray.y() * down_ + forward_;
+    const double distance = -eye_.z() / direction.z();
+    return {eye_.x() + distance * direction.x(), eye_.y() + distance * direction.y()};
   }
 
   double on_board(int row, int column) const {
-    const Vector2d point = meets_board(row, column);
-    const Vector2d right = meets_board(row, column + 1) - point;
-    const Vector2d down = meets_board(row + 1, column) - point;
-    const Vector2d blur = kPixelBlur * (right.array().square() + down.array().square()).sqrt();
+    return on_board(meets_board(row, column), meets_board(row, column + 1),
+                    meets_board(row + 1, column));
+  }
+
+  /// @param right, below where the next pixels meet it
+  double on_board(const Vector2d& point, const Vector2d& right, const Vector2d& below) const {
+    const Vector2d blur =
+        kPixelBlur * ((right - point).array().square() + (below - point).array().square()).sqrt();
     return blur.allFinite() ? scene_.board()->reflectance(point, blur) : 0;
+  }
+
+  /// A pixel's place on the board serves its neighbours, too.
+  std::array<float, kCell * kCell> cell_on_board(int row, int column) const {
+    constexpr int kSide = kCell + 1;
+    std::array<Vector2d, kSide * kSide> points;
+    for (int i = 0; i < kSide * kSide; ++i)
+      points[static_cast<std::size_t>(i)] = meets_board(row + i / kSide, column + i % kSide);
+    std::array<float, kCell * kCell> light{};
+    for (int i = 0; i < kCell * kCell; ++i) {
+      const Vector2d* const point =
+          &points[static_cast<std::size_t>(i / kCell * kSide + i % kCell)];
+      light[static_cast<std::size_t>(i)] =
+          static_cast<float>(on_board(point[0], point[1], point[kSide]));
+    }
+    return light;
   }
 
   const Scene& scene_;
   const Eigen::Isometry3d& camera_;
   const Rays& rays_;
-  Eigen::Isometry3d camera_in_board_ = Eigen::Isometry3d::Identity();
+
+  // the camera in the board's frame: where it is, and its axes
+  Vector3d eye_ = Vector3d::Zero();
+  Vector3d right_ = Vector3d::UnitX();
+  Vector3d down_ = Vector3d::UnitY();
+  Vector3d forward_ = Vector3d::UnitZ();
 };
 
 AmbientLight::AmbientLight(const laser_triangulation::CameraIntrinsics& camera,
