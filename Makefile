@@ -68,8 +68,7 @@ soak: build
 
 # Every test under the address and undefined-behaviour sanitizers; the cores that have threads under the thread sanitizer.
 sanitize: dependencies
-	@scripts/sanitize.sh threads
-	@scripts/sanitize.sh addresses
+	@scripts/sanitize.sh threads; threads=$$?; scripts/sanitize.sh addresses && exit $$threads
 
 install: build
 	@cmake --install $(BUILD)
