@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -184,10 +185,10 @@ TEST_F(ClientTest, RefusesAValueThatIsTooLongBeforeItReadsIt) {
 
 TEST_F(ClientTest, ChecksALineWithTheSettingsThatAreInForceWhoeverMadeThem) {
   connect();
-  double rotational_speed = 60;
+  std::atomic<double> rotational_speed = 60;
   controller_->play([&](const json& request) -> std::optional<std::vector<json>> {
     json answer = controller_->acknowledge(request);
-    if (request.value("name", "") == "rotational_speed") answer["value"] = rotational_speed;
+    if (request.value("name", "") == "rotational_speed") answer["value"] = rotational_speed.load();
     return std::vector<json>{answer};
   });
   Eigen::Isometry3d rolled = looking_down(0.8, 0, 0.6);
