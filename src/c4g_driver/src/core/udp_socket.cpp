@@ -8,13 +8,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/stamped_datagram.h"
 
 namespace c4g_driver {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 using scan_cell_common::ConnectionError;
 using scan_cell_common::host_now;
 using scan_cell_common::InvalidParameter;
-using scan_cell_common::receipt_time;
+using scan_cell_common::receive_stamped;
 using Clock = std::chrono::steady_clock;
 
 /// @throw InvalidParameter naming what is no address
@@ -83,26 +83,16 @@ std::optional<UdpSocket::Received> UdpSocket::receive(double timeout) {
 
 std::optional<UdpSocket::Received> UdpSocket::take() {
   while (true) {
-    sockaddr_in from{};
-    iovec buffer{bytes_.data(), bytes_.size()};
-    alignas(cmsghdr) std::array<char, 128> control{};
-    msghdr message{};
-    message.msg_name = &from;
-    message.msg_namelen = sizeof from;
-    message.msg_iov = &buffer;
-    message.msg_iovlen = 1;
-    message.msg_control = control.data();
-    message.msg_controllen = control.size();
-    const ssize_t length = recvmsg(socket_, &message, 0);
-    if (length < 0) return std::nullopt;
+    const auto datagram = receive_stamped(socket_, bytes_.data(), bytes_.size());
+    if (!datagram) return std::nullopt;
+    const sockaddr_in& from = datagram->from;
     if (from.sin_addr.s_addr != peer_.sin_addr.s_addr || from.sin_port != peer_.sin_port) {
       ++foreign_;
-    } else if ((message.msg_flags & MSG_TRUNC) != 0) {
+    } else if (datagram->cut) {
       ++overlong_;
     } else {
       // The kernel's time, so that a busy host does not make the datagram look late.
-      return Received{{bytes_.data(), static_cast<std::size_t>(length)},
-                      receipt_time(message).value_or(host_now())};
+      return Received{{bytes_.data(), datagram->size}, datagram->receipt.value_or(host_now())};
     }
   }
 }

@@ -8,9 +8,8 @@
 
 #include <chrono>
 #include <cstring>
-#include <ctime>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/stamped_datagram.h"
 
 namespace laser_trigger {
 
@@ -66,17 +65,12 @@ void EdgeListener::listen() {
 
 bool EdgeListener::take() {
   std::uint8_t data[2];
-  iovec part{data, sizeof data};
-  alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
-  msghdr message{};
-  message.msg_iov = &part;
-  message.msg_iovlen = 1;
-  message.msg_control = control;
-  message.msg_controllen = sizeof control;
-  if (recvmsg(socket_, &message, MSG_DONTWAIT) != 1) return false;
-  const auto time = scan_cell_common::receipt_time(message);
-  if (!time) throw ConnectionError("the kernel", "gives no receive time stamps", "use Linux");
-  if ((data[0] & kCameraPulse) != 0 && (data_ & kCameraPulse) == 0) edges_.push_back(*time);
+  const auto datagram = scan_cell_common::receive_stamped(socket_, data, sizeof data);
+  if (!datagram || datagram->size != 1) return false;
+  if (!datagram->receipt)
+    throw ConnectionError("the kernel", "gives no receive time stamps", "use Linux");
+  if ((data[0] & kCameraPulse) != 0 && (data_ & kCameraPulse) == 0)
+    edges_.push_back(*datagram->receipt);
   data_ = data[0];
   return true;
 }

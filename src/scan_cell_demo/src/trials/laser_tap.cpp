@@ -11,16 +11,16 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <ctime>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/stamped_datagram.h"
 
 namespace scan_cell_demo {
 
 using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
-using scan_cell_common::receipt_time;
+using scan_cell_common::receive_stamped;
 
 namespace {
 
@@ -91,16 +91,10 @@ void LaserTap::listen() {
     pollfd readable{socket_, POLLIN, 0};
     if (poll(&readable, 1, kLook) != 1) continue;
     std::uint8_t data = 0;
-    iovec part{&data, 1};
-    alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
-    msghdr message{};
-    message.msg_iov = &part;
-    message.msg_iovlen = 1;
-    message.msg_control = control;
-    message.msg_controllen = sizeof control;
-    if (recvmsg(socket_, &message, MSG_DONTWAIT) != 1) continue;
+    const auto datagram = receive_stamped(socket_, &data, 1);
+    if (!datagram || datagram->size != 1) continue;
     send(circuit_, &data, 1, MSG_NOSIGNAL);  // a circuit that is not there does not matter here
-    take(data, receipt_time(message).value_or(host_now()));
+    take(data, datagram->receipt.value_or(host_now()));
   }
 }
 

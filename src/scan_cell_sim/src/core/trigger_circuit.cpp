@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <ctime>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/stamped_datagram.h"
 
 namespace scan_cell_sim {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 using scan_cell_common::ConnectionError;
 using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
-using scan_cell_common::receipt_time;
+using scan_cell_common::receive_stamped;
 
 constexpr std::uint8_t kPulseBit = 1;
 
@@ -103,17 +103,11 @@ void TriggerCircuit::listen() {
     pollfd wait{socket_, POLLIN, 0};
     if (poll(&wait, 1, kPatience) <= 0) continue;
     std::uint8_t data[2];
-    iovec part{data, sizeof(data)};
-    alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
-    msghdr message{};
-    message.msg_iov = &part;
-    message.msg_iovlen = 1;
-    message.msg_control = control;
-    message.msg_controllen = sizeof(control);
-    const ssize_t size = recvmsg(socket_, &message, MSG_DONTWAIT);
-    if (size == 1) {
-      write(data[0], receipt_time(message).value_or(host_now()));
-    } else if (size >= 0) {
+    const auto datagram = receive_stamped(socket_, data, sizeof data);
+    if (!datagram) continue;
+    if (datagram->size == 1) {
+      write(data[0], datagram->receipt.value_or(host_now()));
+    } else {
       const std::lock_guard<std::mutex> lock(mutex_);
       ++state_.refused;
     }

@@ -115,8 +115,7 @@ int main(int argc, char** argv) {
   Typed typed;
   CLI::App app{
       "Emulator of a robot controller that serves C4G over UDP (c4g_protocol.md). Lines on "
-      "the "
-      "standard input do what somebody at its panel and its cable does: type help"};
+      "the standard input do what somebody at its panel and its cable does: type help"};
   add_options(app, options, typed);
   std::vector<char*> words = without_ros_names(argc, argv);
   return scan_cell_common::tool_main("controller_only", app, static_cast<int>(words.size()),
