@@ -41,7 +41,7 @@ threads() {
   export TSAN_OPTIONS="log_path=$reports/report:second_deadlock_stack=1"
   TSAN_OPTIONS+=":suppressions=$PWD/scripts/sanitizers/races.txt"
   make configure BUILD=$tree DEVEL=$tree/devel WHITELIST="$threaded_packages" \
-    FLAGS='-O1 -g1 -fno-omit-frame-pointer -fsanitize=thread -Wno-tsan'
+    FLAGS='-O2 -g1 -fno-omit-frame-pointer -fsanitize=thread -Wno-tsan'
   local failed=() test target
   for test in "${threaded_tests[@]}"; do
     target=test_${test/\//_}
