@@ -45,11 +45,7 @@ class Problem {
   void solve() {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_SCHUR;
-    options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-    std::vector<double*> blocks;
-    problem_.GetParameterBlocks(&blocks);
-    for (double* block : blocks)
-      options.linear_solver_ordering->AddElementToGroup(block, is_correction(block) ? 0 : 1);
+    options.linear_solver_ordering = ordering();
     options.num_threads = 1;  // several add up in the order of their luck
     options.max_num_iterations = 100;
     options.function_tolerance = 1e-10;
@@ -95,9 +91,24 @@ class Problem {
     }
   }
 
-  bool is_correction(const double* block) const {
-    const double* const first = unknowns_.corrections.front().data();
-    return block >= first && block < first + 6 * unknowns_.corrections.size();
+  /// The views' corrections are eliminated, in one group; each other block has a group of its own.
+  /// Within a group Ceres goes by addresses, which differ from thread to thread, and so would the
+  /// last bit.
+  std::shared_ptr<ceres::ParameterBlockOrdering> ordering() {
+    auto result = std::make_shared<ceres::ParameterBlockOrdering>();
+    for (Vector6d& correction : unknowns_.corrections) {
+      if (problem_.HasParameterBlock(correction.data()))
+        result->AddElementToGroup(correction.data(), 0);
+    }
+    std::vector<double*> others = {unknowns_.camera.data(), unknowns_.camera_motion.data(),
+                                   unknowns_.board_motion.data(), unknowns_.bend.data()};
+    for (Eigen::Vector3d& plane : unknowns_.planes)
+      others.push_back(plane.data());
+    int group = 0;
+    for (double* block : others) {
+      if (problem_.HasParameterBlock(block)) result->AddElementToGroup(block, ++group);
+    }
+    return result;
   }
 
   const ResidualContext& context_;
