@@ -96,18 +96,17 @@ class Problem {
   /// last bit.
   std::shared_ptr<ceres::ParameterBlockOrdering> ordering() {
     auto result = std::make_shared<ceres::ParameterBlockOrdering>();
-    for (Vector6d& correction : unknowns_.corrections) {
-      if (problem_.HasParameterBlock(correction.data()))
-        result->AddElementToGroup(correction.data(), 0);
-    }
-    std::vector<double*> others = {unknowns_.camera.data(), unknowns_.camera_motion.data(),
-                                   unknowns_.board_motion.data(), unknowns_.bend.data()};
-    for (Eigen::Vector3d& plane : unknowns_.planes)
-      others.push_back(plane.data());
+    const auto place = [&](double* block, int group) {
+      if (problem_.HasParameterBlock(block)) result->AddElementToGroup(block, group);
+    };
+    for (Vector6d& correction : unknowns_.corrections)
+      place(correction.data(), 0);
     int group = 0;
-    for (double* block : others) {
-      if (problem_.HasParameterBlock(block)) result->AddElementToGroup(block, ++group);
-    }
+    for (double* block : {unknowns_.camera.data(), unknowns_.camera_motion.data(),
+                          unknowns_.board_motion.data(), unknowns_.bend.data()})
+      place(block, ++group);
+    for (Eigen::Vector3d& plane : unknowns_.planes)
+      place(plane.data(), ++group);
     return result;
   }
 
