@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 
 #include "binding_errors.h"
 #include "scan_cell_common/errors.h"
@@ -38,12 +39,14 @@ class BagRecorder {
   void record(ros::NodeHandle& node, const std::string& topic) {
     const boost::function<void(const boost::shared_ptr<const Message>&)> write =
         [this, topic](const boost::shared_ptr<const Message>& message) {
+          const std::lock_guard<std::mutex> lock(mutex_);  // the cell has two threads for callbacks
           bag_.write(topic, ros::Time::now(), message);
         };
     constexpr std::uint32_t kUnbounded = 0;
     subscribers_.push_back(node.subscribe<Message>(topic, kUnbounded, write));
   }
 
+  std::mutex mutex_;  // of the bag
   rosbag::Bag bag_;
   std::vector<ros::Subscriber> subscribers_;  // before the bag is closed they end
 };
