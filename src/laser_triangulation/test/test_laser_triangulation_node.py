@@ -2,6 +2,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The triangulation node on real topics."""
+import io
 import os
 import struct
 import subprocess
@@ -173,6 +174,23 @@ class LaserTriangulationNode(unittest.TestCase):
                                  timeout=60)
             self.assertEqual(run.returncode, 1)
             self.assertIn('no point', run.stderr.decode())
+
+    def test_names_a_bag_that_is_damaged(self):
+        whole = io.BytesIO()
+        profile(0).serialize(whole)
+        with tempfile.TemporaryDirectory() as folder:
+            with rosbag.Bag(folder + '/bound.bag', 'w') as bag:
+                bag.write('/pose_frame_binder/bound_profiles', (
+                    BoundProfile._type, whole.getvalue()[:40], BoundProfile._md5sum, BoundProfile),
+                    raw=True)
+            scanner = os.path.dirname(os.path.abspath(__file__)) + '/scanner.yaml'
+            run = subprocess.run(['rosrun', 'laser_triangulation', 'triangulate',
+                                  '--scanner', scanner, '--output', folder + '/cloud.ply',
+                                  '--bag', folder + '/bound.bag'],
+                                 stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(folder + '/bound.bag: Buffer Overrun; check', run.stderr.decode())
+            self.assertEqual(os.listdir(folder), ['bound.bag'])
 
     def test_publishes_no_cloud_of_a_scan_that_ended_early(self):
         whole = []

@@ -2,7 +2,9 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """bind_bag and estimate_time_offset on recorded scans."""
+import io
 import math
+import os
 import re
 import subprocess
 import tempfile
@@ -11,6 +13,7 @@ import unittest
 import rosbag
 import rostest
 from scan_cell_msgs.msg import BindingAudit, PeakProfile, PoseMatch, TriggerEvent
+from tf2_msgs.msg import TFMessage
 
 from scan_messages import LATENCY, PERIOD, SPEED, events, poses, profiles, stamp, transform
 
@@ -96,6 +99,23 @@ class BagTools(unittest.TestCase):
                                  stderr=subprocess.PIPE, timeout=60)
             self.assertEqual(run.returncode, 1)
             self.assertIn('camera_latency', run.stderr.decode())
+
+    def test_names_a_bag_that_is_damaged(self):
+        whole = io.BytesIO()
+        poses(1)[0].serialize(whole)
+        for topic in ('/tf', '/tf_static'):
+            with tempfile.TemporaryDirectory() as folder:
+                with rosbag.Bag(folder + '/scan.bag', 'w') as bag:
+                    bag.write(topic, (TFMessage._type, whole.getvalue()[:40], TFMessage._md5sum,
+                                      TFMessage), stamp(1), raw=True)
+                base = 'base_link' if topic == '/tf' else 'world'
+                run = subprocess.run(['rosrun', 'pose_frame_binder', 'bind_bag',
+                                      '--bag', folder + '/scan.bag', '--fixed-frame', base,
+                                      '--output', folder + '/bound.bag'],
+                                     stderr=subprocess.PIPE, timeout=60)
+                self.assertEqual(run.returncode, 1)
+                self.assertIn(folder + '/scan.bag: Buffer Overrun; check', run.stderr.decode())
+                self.assertEqual(os.listdir(folder), ['scan.bag'])
 
     def test_estimates_the_delay_of_the_poses_from_two_bags(self):
         delay = 0.009

@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "scan_cell/ros/bag_replay.h"
 #include "scan_cell_common/errors.h"
@@ -43,6 +45,20 @@ class BagReplay : public testing::Test {
     EXPECT_EQ(replay.pulses(), 3U);
     return replay.scan();
   }
+
+  /// Makes the string's length, where it stands in a message, one that no bag holds.
+  void lengthen(const std::string& text) {
+    bag_.close();
+    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t at = bytes.find(std::string{static_cast<char>(text.size()), 0, 0, 0} + text);
+    ASSERT_NE(at, std::string::npos);
+    file.clear();
+    file.seekp(static_cast<std::streamoff>(at));
+    file << '\xff' << '\xff' << '\xff' << '\x7f';
+  }
+
+  const std::string& path() const { return path_; }
 
  private:
   void write_state(const std::string& scan_id, std::uint8_t state) {
@@ -87,5 +103,18 @@ TEST_F(BagReplay, RefusesABagWithoutAWholeScanAndNamesTheOthers) {
   } catch (const scan_cell_common::UnusableInput& error) {
     EXPECT_EQ(error.value(), "no whole scan");
     EXPECT_EQ(error.cure(), "give a scan_id of 'cancelled' (ended early)");
+  }
+}
+
+TEST_F(BagReplay, NamesABagThatIsDamaged) {
+  record("first", CellState::FINISHED);
+  lengthen("first");
+  try {
+    chosen("");
+    FAIL() << "taken";
+  } catch (const scan_cell_common::FileError& error) {
+    EXPECT_EQ(error.thing(), path());
+    EXPECT_EQ(error.value(), "Buffer Overrun");
+    EXPECT_NE(error.cure(), "");
   }
 }

@@ -9,6 +9,7 @@
 #include "laser_triangulation/cloud_file.h"
 #include "laser_triangulation/ros/cloud_builder.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/bag_errors.h"
 #include "scan_cell_common/tool_main.h"
 
 namespace {
@@ -26,18 +27,14 @@ void triangulate(const Options& options) {
   constexpr std::size_t kMostPoints = 500'000'000;
   laser_triangulation::CloudBuilder builder(
       laser_triangulation::load_scanner_model(options.scanner), options.limits, kMostPoints);
-  rosbag::Bag bag;
-  try {
-    bag.open(options.bag, rosbag::bagmode::Read);
-  } catch (const rosbag::BagException& error) {
-    throw scan_cell_common::FileError(options.bag, error.what(),
-                                      "check the path, or run rosbag reindex");
-  }
-  rosbag::View view(bag, rosbag::TopicQuery(options.topic));
-  for (const rosbag::MessageInstance& message : view) {
-    const auto profile = message.instantiate<BoundProfile>();
-    if (profile) builder.add(*profile);
-  }
+  scan_cell_common::name_bag_in_errors(options.bag, [&] {
+    const rosbag::Bag bag(options.bag, rosbag::bagmode::Read);
+    rosbag::View view(bag, rosbag::TopicQuery(options.topic));
+    for (const rosbag::MessageInstance& message : view) {
+      const auto profile = message.instantiate<BoundProfile>();
+      if (profile) builder.add(*profile);
+    }
+  });
   if (builder.points().empty()) {
     throw scan_cell_common::UnusableInput(options.bag, "no point (" + builder.summary() + ")",
                                           "is " + options.topic + " the topic of bound profiles?");

@@ -4,31 +4,31 @@
 
 #include <rosbag/view.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/bag_errors.h"
 
 namespace pose_frame_binder {
 
+using scan_cell_common::name_bag_in_errors;
+
 void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mode) {
-  try {
-    bag.open(path, mode);
-  } catch (const rosbag::BagException& error) {
-    throw scan_cell_common::FileError(path, error.what(), "check the path, or run rosbag reindex");
-  }
+  name_bag_in_errors(path, [&] { bag.open(path, mode); });
 }
 
 void feed(const rosbag::Bag& bag, const BagTopics& topics, ProfileBinder& scan,
           const std::function<void()>& after_each) {
-  rosbag::View view(bag, rosbag::TopicQuery({topics.events, topics.profiles, topics.poses}));
-  for (const rosbag::MessageInstance& message : view) {
-    if (const auto event = message.instantiate<scan_cell_msgs::TriggerEvent>()) {
-      scan.add(*event);
-    } else if (const auto profile = message.instantiate<scan_cell_msgs::PeakProfile>()) {
-      scan.add(profile);
-    } else if (const auto poses = message.instantiate<tf2_msgs::TFMessage>()) {
-      scan.add(*poses);
+  name_bag_in_errors(bag.getFileName(), [&] {
+    rosbag::View view(bag, rosbag::TopicQuery({topics.events, topics.profiles, topics.poses}));
+    for (const rosbag::MessageInstance& message : view) {
+      if (const auto event = message.instantiate<scan_cell_msgs::TriggerEvent>()) {
+        scan.add(*event);
+      } else if (const auto profile = message.instantiate<scan_cell_msgs::PeakProfile>()) {
+        scan.add(profile);
+      } else if (const auto poses = message.instantiate<tf2_msgs::TFMessage>()) {
+        scan.add(*poses);
+      }
+      after_each();
     }
-    after_each();
-  }
+  });
   scan.binder().end();
   after_each();
 }

@@ -22,6 +22,7 @@ void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mo
 
 /// Gives all that the bag holds to the binder, as one scan.
 /// @param after_each called after each message
+/// @throw scan_cell_common::FileError where the bag is damaged
 void feed(const rosbag::Bag& bag, const BagTopics& topics, ProfileBinder& scan,
           const std::function<void()>& after_each);
 

@@ -11,11 +11,13 @@
 #include "bag_scan.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
+#include "scan_cell_common/ros/bag_errors.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_common/tool_main.h"
 
 namespace {
 
+using scan_cell_common::name_bag_in_errors;
 using scan_cell_common::UnusableInput;
 
 struct Options {
@@ -32,13 +34,15 @@ struct Options {
 Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) {
   if (options.frames.fixed == options.frames.base) return Eigen::Isometry3d::Identity();
   tf2::BufferCore buffer;
-  rosbag::View view(bag, rosbag::TopicQuery(options.static_transforms));
-  for (const rosbag::MessageInstance& message : view) {
-    const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
-    if (!transforms) continue;
-    for (const geometry_msgs::TransformStamped& transform : transforms->transforms)
-      buffer.setTransform(transform, "bag", true);
-  }
+  name_bag_in_errors(options.bag, [&] {
+    rosbag::View view(bag, rosbag::TopicQuery(options.static_transforms));
+    for (const rosbag::MessageInstance& message : view) {
+      const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+      if (!transforms) continue;
+      for (const geometry_msgs::TransformStamped& transform : transforms->transforms)
+        buffer.setTransform(transform, "bag", true);
+    }
+  });
   try {
     return scan_cell_common::from_ros(
         buffer.lookupTransform(options.frames.fixed, options.frames.base, ros::Time(0)).transform);
@@ -52,7 +56,9 @@ Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) 
 void write_bound(pose_frame_binder::ProfileBinder& scan, rosbag::Bag& output, ros::Time& last) {
   for (const scan_cell_msgs::BoundProfileConstPtr& bound : scan.take()) {
     last = bound->header.stamp;
-    output.write("/pose_frame_binder/bound_profiles", last, bound);
+    name_bag_in_errors(output.getFileName(), [&] {  // which is not the bag that is read
+      output.write("/pose_frame_binder/bound_profiles", last, bound);
+    });
   }
 }
 
@@ -81,8 +87,10 @@ void run(const Options& options) {
   scan_cell_common::save_whole(options.output, [&](const std::string& partial) {
     rosbag::Bag output;
     pose_frame_binder::open(output, partial, rosbag::bagmode::Write);
-    audit = bind(options, output);
-    output.close();
+    name_bag_in_errors(options.output, [&] {
+      audit = bind(options, output);
+      output.close();
+    });
     return true;
   });
   std::cout << summary(audit) << '\n';

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/bag_errors.h"
 
 namespace scan_cell {
 namespace {
@@ -37,13 +38,11 @@ void wait_for_subscriber(const ros::Publisher& publisher, double timeout) {
 
 BagReplay::BagReplay(const std::string& path, const std::string& scan_id, const Topics& topics)
     : path_(path), topics_(topics) {
-  try {
+  scan_cell_common::name_bag_in_errors(path, [&] {
     bag_.open(path, rosbag::bagmode::Read);
-  } catch (const rosbag::BagException& error) {
-    throw scan_cell_common::FileError(path, error.what(), "check the path, or run rosbag reindex");
-  }
-  choose(scan_id);
-  check_contents();
+    choose(scan_id);
+    check_contents();
+  });
 }
 
 void BagReplay::choose(const std::string& scan_id) {

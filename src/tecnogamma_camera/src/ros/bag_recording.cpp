@@ -12,10 +12,11 @@
 #include <set>
 #include <unordered_map>
 
+#include "scan_cell_common/ros/bag_errors.h"
+
 namespace tecnogamma_camera {
 namespace {
 
-using scan_cell_common::FileError;
 using scan_cell_common::UnusableInput;
 
 std::string to_text(const Region& region) {
@@ -46,17 +47,13 @@ struct Number {
 class BagRecording : public Recording {
  public:
   BagRecording(const std::string& path, const std::string& topic) : path_(path) {
-    try {
+    scan_cell_common::name_bag_in_errors(path, [&] {
       bag_.open(path, rosbag::bagmode::Read);
       topic_ = find_topic(topic);
       read_numbers_and_place();
       rewind();
       read_first_image();
-    } catch (const scan_cell_common::Error&) {
-      throw;
-    } catch (const std::exception& error) {  // of rosbag, or of a message that is cut off
-      throw FileError(path, error.what(), "check the path, or try rosbag reindex");
-    }
+    });
   }
 
   CameraDescription describe() override { return description_; }

@@ -1,0 +1,28 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <string>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_common {
+
+/// Does what opens, reads or writes a bag. rosbag, and what takes messages out of their bytes, name
+/// neither the file nor a cure ("Buffer Overrun"); the suite's own errors pass as they are.
+/// @return what the work returns
+/// @throw FileError
+template <class Work>
+decltype(auto) name_bag_in_errors(const std::string& path, const Work& work) {
+  try {
+    return work();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw FileError(path, error.what(),
+                    "check the path and the disk, try rosbag reindex, or record it again");
+  }
+}
+
+}  // namespace scan_cell_common
