@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "arrivals.h"
@@ -99,6 +100,7 @@ int run_chain(const std::string& program, const std::string& kind, const Pace& p
   cloud.timeout = ros::Duration(5);
   cloud.partial = true;
   const auto answer = call<scan_cell_msgs::FinishCloud>("/triangulation/finish", cloud);
+  if (!answer.file.empty()) std::filesystem::remove(answer.file);  // the cloud, too large to answer
   const scan_cell_msgs::CloudStatistics& statistics = answer.statistics;
   arrivals.wait(points);
 
