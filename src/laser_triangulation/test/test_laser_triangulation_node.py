@@ -62,6 +62,14 @@ def points_of(cloud):
             for i in range(cloud.width)]
 
 
+def triangulate(folder, *options):
+    """From the folder's bound.bag to its cloud.ply."""
+    scanner = os.path.dirname(os.path.abspath(__file__)) + '/scanner.yaml'
+    return subprocess.run(['rosrun', 'laser_triangulation', 'triangulate', '--scanner', scanner,
+                           '--output', folder + '/cloud.ply', '--bag', folder + '/bound.bag',
+                           *options], stderr=subprocess.PIPE, timeout=60)
+
+
 class LaserTriangulationNode(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -164,14 +172,11 @@ class LaserTriangulationNode(unittest.TestCase):
             with rosbag.Bag(folder + '/bound.bag', 'w') as bag:
                 for n in range(3):
                     bag.write('/pose_frame_binder/bound_profiles', profile(n))
-            scanner = os.path.dirname(os.path.abspath(__file__)) + '/scanner.yaml'
-            arguments = ['rosrun', 'laser_triangulation', 'triangulate', '--scanner', scanner,
-                         '--output', folder + '/cloud.ply', '--bag', folder + '/bound.bag']
-            subprocess.run(arguments, check=True, timeout=60)
+            run = triangulate(folder)
+            self.assertEqual(run.returncode, 0, run.stderr.decode())
             truth = [point for n in range(3) for point in expected(n)]
             self.expect_points(points_of_file(folder + '/cloud.ply'), truth)
-            run = subprocess.run(arguments + ['--topic', '/other'], stderr=subprocess.PIPE,
-                                 timeout=60)
+            run = triangulate(folder, '--topic', '/other')
             self.assertEqual(run.returncode, 1)
             self.assertIn('no point', run.stderr.decode())
 
@@ -183,11 +188,7 @@ class LaserTriangulationNode(unittest.TestCase):
                 bag.write('/pose_frame_binder/bound_profiles', (
                     BoundProfile._type, whole.getvalue()[:40], BoundProfile._md5sum, BoundProfile),
                     raw=True)
-            scanner = os.path.dirname(os.path.abspath(__file__)) + '/scanner.yaml'
-            run = subprocess.run(['rosrun', 'laser_triangulation', 'triangulate',
-                                  '--scanner', scanner, '--output', folder + '/cloud.ply',
-                                  '--bag', folder + '/bound.bag'],
-                                 stderr=subprocess.PIPE, timeout=60)
+            run = triangulate(folder)
             self.assertEqual(run.returncode, 1)
             self.assertIn(folder + '/bound.bag: Buffer Overrun; check', run.stderr.decode())
             self.assertEqual(os.listdir(folder), ['bound.bag'])

@@ -53,12 +53,17 @@ Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) 
   }
 }
 
+/// Names the output: it is written while another bag is read.
+template <class Message>
+void write(rosbag::Bag& output, const std::string& topic, const ros::Time& time,
+           const Message& message) {
+  name_bag_in_errors(output.getFileName(), [&] { output.write(topic, time, message); });
+}
+
 void write_bound(pose_frame_binder::ProfileBinder& scan, rosbag::Bag& output, ros::Time& last) {
   for (const scan_cell_msgs::BoundProfileConstPtr& bound : scan.take()) {
     last = bound->header.stamp;
-    name_bag_in_errors(output.getFileName(), [&] {  // which is not the bag that is read
-      output.write("/pose_frame_binder/bound_profiles", last, bound);
-    });
+    write(output, "/pose_frame_binder/bound_profiles", last, bound);
   }
 }
 
@@ -77,7 +82,7 @@ pose_frame_binder::Audit bind(const Options& options, rosbag::Bag& output) {
                             options.topics.profiles + " and " + options.topics.poses);
   }
   const std::string scan_id = std::filesystem::path(options.bag).stem().string();
-  output.write("/pose_frame_binder/audit", last, to_message(audit, scan_id, last));
+  write(output, "/pose_frame_binder/audit", last, to_message(audit, scan_id, last));
   return audit;
 }
 
@@ -87,10 +92,8 @@ void run(const Options& options) {
   scan_cell_common::save_whole(options.output, [&](const std::string& partial) {
     rosbag::Bag output;
     pose_frame_binder::open(output, partial, rosbag::bagmode::Write);
-    name_bag_in_errors(options.output, [&] {
-      audit = bind(options, output);
-      output.close();
-    });
+    audit = bind(options, output);
+    name_bag_in_errors(partial, [&] { output.close(); });
     return true;
   });
   std::cout << summary(audit) << '\n';

@@ -104,17 +104,19 @@ void BagReplay::play(ros::NodeHandle node, double speed, double timeout,
 
   const ros::WallTime begin = ros::WallTime::now();
   const double duration = (scan_.end - scan_.start).toSec();
-  rosbag::View view(bag_, rosbag::TopicQuery({topics_.events, topics_.profiles, topics_.poses}),
-                    scan_.start, scan_.end);
-  for (const rosbag::MessageInstance& message : view) {
-    if (!ros::ok()) throw scan_cell_common::Refused("replay", "interrupted", "start it again");
-    const double due = (message.getTime() - scan_.start).toSec();
-    const ros::WallTime when = begin + ros::WallDuration(due / speed);
-    const ros::WallDuration early = when - ros::WallTime::now();
-    if (early > ros::WallDuration(0)) early.sleep();  // roscpp sleeps for ever on a negative one
-    publishers.at(message.getTopic()).publish(message);
-    progress(duration > 0 ? due / duration : 1);
-  }
+  scan_cell_common::name_bag_in_errors(path_, [&] {
+    rosbag::View view(bag_, rosbag::TopicQuery({topics_.events, topics_.profiles, topics_.poses}),
+                      scan_.start, scan_.end);
+    for (const rosbag::MessageInstance& message : view) {
+      if (!ros::ok()) throw scan_cell_common::Refused("replay", "interrupted", "start it again");
+      const double due = (message.getTime() - scan_.start).toSec();
+      const ros::WallTime when = begin + ros::WallDuration(due / speed);
+      const ros::WallDuration early = when - ros::WallTime::now();
+      if (early > ros::WallDuration(0)) early.sleep();  // roscpp sleeps for ever on a negative one
+      publishers.at(message.getTopic()).publish(message);
+      progress(duration > 0 ? due / duration : 1);
+    }
+  });
 }
 
 }  // namespace scan_cell

@@ -11,12 +11,11 @@ namespace scan_cell_common {
 
 /// Does what opens, reads or writes a bag. rosbag, and what takes messages out of their bytes, name
 /// neither the file nor a cure ("Buffer Overrun"); the suite's own errors pass as they are.
-/// @return what the work returns
 /// @throw FileError
 template <class Work>
-decltype(auto) name_bag_in_errors(const std::string& path, const Work& work) {
+void name_bag_in_errors(const std::string& path, const Work& work) {
   try {
-    return work();
+    work();
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
