@@ -58,7 +58,7 @@ test: build
 	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }'; \
 	  counted=$$?; scripts/failed_tests.py $(BUILD)/test_results && exit $$counted
 
-# COUNT times emergency stop, cable pulled, controller, driver or cell killed, in mid move and in mid scan
+# COUNT times emergency stop, cable pulled, controller, driver, cell or ViDeE's node killed, in mid move and in mid scan
 trials: build
 	@$(IN_WORKSPACE) rosrun scan_cell_demo trials --count $(or $(COUNT),200)
 

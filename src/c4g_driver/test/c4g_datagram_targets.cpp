@@ -17,9 +17,10 @@ using scan_cell_sim::ProtocolServer;
 // as in c4g_protocol.md, not sealed: the fuzzer seals what it changed, so that it gets past
 const char* const kStreamed =
     R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204, "t": 48123456,
-"pose": [800, 0, 600, 0, 180, 180], "joints": [0, -3.2, -93.4, 0, 89.8, 0],
-"status": "moving", "motion": 17, "progress": 0.42, "camera_fps": 100,
-"e_stop": false, "drives": true, "mode": "remote", "override": 100, "linear_speed": 250,
+"pose": [798.301, 42, 875.5, 0, 180, 180],
+"joints": [-3.0117, -0.6729, -108.0738, 0, 72.5991, -3.0117],
+"status": "moving", "motion": 13, "progress": 0.42, "camera_fps": 100,
+"e_stop": false, "drives": true, "mode": "remote", "override": 100, "linear_speed": 100,
 "error": null, "alarms": []})";
 const char* const kAcknowledged =
     R"({"c4g": 1, "session": 1790000000000000, "type": "ack", "seq": 18,
@@ -131,7 +132,7 @@ void write_parameter(const std::string& text) {
 
 std::vector<std::string> requests() {
   const std::string head = R"({"c4g":1,"session":100,"seq":2,"cmd":)";
-  return {head + R"("OPEN"})",
+  return {R"({"c4g":1,"session":100,"seq":1,"cmd":"OPEN"})",
           head + R"("CLOSE"})",
           head + R"("MOVE_CARTESIAN","pose":[800,100,600,0,180,180],"camera_fps":100})",
           head + R"("MOVE_CARTESIAN","pose":[800,5,600,10,170,180],"camera_fps":0})",

@@ -19,9 +19,10 @@ namespace {
 
 // as in c4g_protocol.md
 const char* const kState = R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204,
-  "t": 48123456, "pose": [800, 0, 600, 0, 180, 180], "joints": [0, -3.2, -93.4, 0, 89.8, 0],
-  "status": "moving", "motion": 17, "progress": 0.42, "camera_fps": 100, "e_stop": false,
-  "drives": true, "mode": "remote", "override": 100, "linear_speed": 250, "error": null,
+  "t": 48123456, "pose": [798.301, 42, 875.5, 0, 180, 180],
+  "joints": [-3.0117, -0.6729, -108.0738, 0, 72.5991, -3.0117],
+  "status": "moving", "motion": 13, "progress": 0.42, "camera_fps": 100, "e_stop": false,
+  "drives": true, "mode": "remote", "override": 100, "linear_speed": 100, "error": null,
   "alarms": []})";
 
 json ack() {
@@ -118,13 +119,13 @@ TEST(Parse, ReadsAStateIntoSiUnits) {
   EXPECT_EQ(state.session, 1790000000000000u);
   EXPECT_EQ(state.number, 1204u);
   EXPECT_EQ(state.robot.controller_time, 48123456000);
-  EXPECT_TRUE(state.robot.flange.translation().isApprox(Eigen::Vector3d(0.8, 0, 0.6)));
+  EXPECT_TRUE(state.robot.flange.translation().isApprox(Eigen::Vector3d(0.798301, 0.042, 0.8755)));
   EXPECT_TRUE(state.robot.flange.linear().isApprox(
       Eigen::Matrix3d(Eigen::Vector3d(1, -1, -1).asDiagonal())));
-  EXPECT_NEAR(state.robot.joints[2], -93.4 * M_PI / 180, 1e-12);
+  EXPECT_NEAR(state.robot.joints[2], -108.0738 * M_PI / 180, 1e-12);
   EXPECT_EQ(state.robot.status, c4g_driver::MotionStatus::Moving);
-  EXPECT_EQ(state.robot.motion, 17u);
-  EXPECT_EQ(state.robot.linear_speed, 0.25);
+  EXPECT_EQ(state.robot.motion, 13u);
+  EXPECT_EQ(state.robot.linear_speed, 0.1);
   EXPECT_EQ(state.robot.override, 100);
   EXPECT_EQ(state.robot.mode, c4g_driver::ControllerMode::Remote);
   EXPECT_FALSE(state.robot.error);
@@ -217,6 +218,21 @@ TEST(Parse, NamesTheKeyThatMakesNoSense) {
   EXPECT_NE(complaint(pose.dump()).find("pose"), std::string::npos);
 }
 
+TEST(Parse, RefusesAnglesOutsideTheirRanges) {
+  const auto with_angles = [](double a, double e, double r) {
+    json state = json::parse(kState);
+    state["pose"] = {800, 0, 600, a, e, r};
+    return complaint(state.dump());
+  };
+  EXPECT_EQ(with_angles(180, 180, -180), "");
+  EXPECT_EQ(with_angles(-180, 0, 180), "");
+  EXPECT_NE(with_angles(180.001, 90, 0).find("pose A"), std::string::npos);
+  EXPECT_NE(with_angles(400, 90, 0).find("pose A"), std::string::npos);
+  EXPECT_NE(with_angles(0, 190, 0).find("pose E"), std::string::npos);
+  EXPECT_NE(with_angles(0, -0.001, 0).find("pose E"), std::string::npos);
+  EXPECT_NE(with_angles(0, 90, -180.001).find("pose R"), std::string::npos);
+}
+
 TEST(Parse, ReadsNumbersInEveryWayThatJsonWritesThem) {
   const auto progress = [](const std::string& number) {
     std::string text = kState;
@@ -234,7 +250,7 @@ TEST(Parse, ReadsNumbersInEveryWayThatJsonWritesThem) {
 
 TEST(Parse, RefusesNumbersThatOverflow) {
   std::string text = kState;
-  text.replace(text.find("800"), 3, "1e999");
+  text.replace(text.find("798.301"), 7, "1e999");
   EXPECT_NE(complaint(text), "");
 }
 

@@ -126,38 +126,6 @@ TEST_F(Driver, StopsWhereTheWatcherOfTheGoalDies) {
   EXPECT_EQ(controller_->motions_begun(), 1u);
 }
 
-TEST(KilledDriver, LeavesNothingThatMovesTheRobotWhenItIsStartedAgain) {
-  scan_cell_sim::ControllerOptions options;
-  options.port = 35413;
-  scan_cell_sim::Controller controller(options);
-  const auto node_beside_this_test = own_program().parent_path() / "c4g_driver_node";
-  const std::vector<std::string> command = {node_beside_this_test, "__name:=mortal",
-                                            "_address:=127.0.0.1", "_port:=35413"};
-  scan_cell_common::ChildProcess first(command);
-  MoveClient move("/mortal/move", true);
-  ASSERT_TRUE(move.waitForServer(kPatience));
-  ros::NodeHandle node;
-  const Latest<RobotStatus> status(node, "/mortal/status");
-  const auto connected = [&] {
-    return status.is([](const RobotStatus& now) { return now.connected; });
-  };
-  ASSERT_TRUE(eventually(connected));
-  move.sendGoal(to_pose(looking_down(0.80, 0.35, 0.60)));
-  ASSERT_TRUE(eventually([&] { return controller.state().flange.translation().y() > 0.03; }));
-  kill(first.id(), SIGKILL);
-  first.wait();
-  ASSERT_TRUE(eventually(
-      [&] { return controller.state().status == scan_cell_sim::MotionStatus::Stopped; }));
-  const Eigen::Isometry3d stopped = controller.state().flange;
-  EXPECT_LT(stopped.translation().y(), 0.349);
-
-  const std::size_t before = status.all().size();
-  const scan_cell_common::ChildProcess second(command);
-  ASSERT_TRUE(eventually([&] { return status.all().size() > before + 10 && connected(); }));
-  EXPECT_EQ(distance(controller.state().flange, stopped), 0);
-  EXPECT_EQ(controller.motions_begun(), 1u);
-}
-
 TEST(DriverStart, RefusesBadParametersByName) {
   const std::string address = "_address:=127.0.0.1 ";
   const std::vector<std::pair<std::string, std::string>> bad = {

@@ -93,6 +93,26 @@ TEST(EulerAngles, HaveNoFirstTurnWhereOnlyTheSumIsDefined) {
   EXPECT_NEAR(std::abs(c4g_driver::to_euler(down).r), M_PI, 1e-15);
 }
 
+TEST(WireUnits, KeepTheAnglesInTheRangesThatAreSent) {
+  for (const double a : {-180.0, -90.0, 0.0, 180.0}) {
+    for (const double e : {0.0, 90.0, 180.0}) {
+      for (const double r : {-180.0, 0.0, 90.0, 180.0}) {
+        Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+        pose.linear() = rz(a * kDegree) * ry(e * kDegree) * rz(r * kDegree);
+        for (int i = 0; i < 9; ++i) {  // the signs of zeros decide between 180 and -180
+          double& entry = pose.linear()(i / 3, i % 3);
+          if (std::abs(entry) < 1e-15) entry = std::copysign(0.0, i % 2 == 0 ? 1 : -1);
+        }
+        const WireSix wire = c4g_driver::to_wire(pose);
+        EXPECT_TRUE(wire[3] > -180 && wire[3] <= 180) << wire[3];
+        EXPECT_TRUE(wire[4] >= 0 && wire[4] <= 180) << wire[4];
+        EXPECT_TRUE(wire[5] > -180 && wire[5] <= 180) << wire[5];
+        EXPECT_TRUE(wire[3] == 0 || e == 90) << wire[3];
+      }
+    }
+  }
+}
+
 TEST(WireUnits, AreMillimetresAndDegrees) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() << 0.8, -0.02, 0.6;

@@ -1,40 +1,23 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
+#include "clean_cloud_tool.h"
 #include "cloud_preprocess/clean.h"
 #include "scan_cell_common/yaml_file.h"
 #include "scene.h"
 
 namespace fs = std::filesystem;
 using cloud_preprocess::clean;
+using cloud_preprocess::CleanCloudTool;
 using cloud_preprocess::CleanParameters;
 using cloud_preprocess::Cloud;
 using cloud_preprocess::Label;
+using cloud_preprocess::raw_scan;
 using cloud_preprocess::Scene;
 using cloud_preprocess::StageReport;
 
 namespace {
-
-const Scene::Rectangle kFrame{-0.06, 0, 0.15, 0.12};
-const Scene::Rectangle kBox{0.08, 0, 0.06, 0.08};
-
-/// A scan as it comes: a leaning floor, a frame (the part), a box, outliers.
-Scene scan() {
-  Scene scene;
-  scene.add_floor({0, 0, 0.30, 0.25}, {kFrame, kBox});
-  scene.add_frame(kFrame);
-  scene.add_box(kBox, 0.03, Label::kOtherPart);
-  scene.add_outliers({0, 0, 0.30, 0.25}, 0.3, 200);
-  scene.add(30, 20, 10, Label::kOutlier);
-  scene.move(Eigen::Affine3f(Eigen::AngleAxisf(0.017F, Eigen::Vector3f::UnitX())));
-  return scene;
-}
 
 CleanParameters parse(const std::string& text) {
   return cloud_preprocess::read_clean_parameters({YAML::Load(text), "clean.yaml"});
@@ -49,35 +32,10 @@ std::string complaint(const std::string& text) {
   return "nothing";
 }
 
-class CleanCloudTool : public testing::Test {
- protected:
-  void SetUp() override {
-    fs::create_directories(folder_);
-    scan_cell_common::save_cloud(path("scan.ply"), scan().cloud());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  /// Exit code; what it prints goes to out.txt.
-  int run(const std::string& arguments) const {
-    const std::string command =
-        std::string(CLEAN_CLOUD) + " " + arguments + " > " + path("out.txt") + " 2>&1";
-    return WEXITSTATUS(std::system(command.c_str()));
-  }
-
-  std::string printed() const {
-    std::ifstream file(path("out.txt"));
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
-  fs::path folder_ = fs::temp_directory_path() / ("clean_cloud_" + std::to_string(getpid()));
-};
-
 }  // namespace
 
 TEST(Clean, LeavesOneObjectOfARawScan) {
-  const Scene scene = scan();
+  const Scene scene = raw_scan();
   CleanParameters parameters;
   parameters.grid.reset();
   std::vector<StageReport> reports;
@@ -96,7 +54,7 @@ TEST(Clean, KeepsTheReportsUpToTheStageThatFails) {
   CleanParameters parameters;
   parameters.isolate.limits.x_min = 5;
   std::vector<StageReport> reports;
-  EXPECT_THROW(clean(scan().cloud(), parameters, reports), scan_cell_common::UnusableInput);
+  EXPECT_THROW(clean(raw_scan().cloud(), parameters, reports), scan_cell_common::UnusableInput);
   ASSERT_EQ(reports.size(), 3U);
   EXPECT_EQ(reports.back().stage, "isolate");
   EXPECT_GT(reports.back().points_in, 0U);
@@ -109,6 +67,8 @@ TEST(CleanParameters, AreTheDefaultsInTheShippedFile) {
   EXPECT_EQ(shipped.floor.automatic, defaults.floor.automatic);
   EXPECT_EQ(shipped.floor.margin, defaults.floor.margin);
   EXPECT_EQ(shipped.floor.distance, defaults.floor.distance);
+  EXPECT_EQ(shipped.floor.up, defaults.floor.up);
+  EXPECT_EQ(shipped.floor.any_direction, defaults.floor.any_direction);
   EXPECT_EQ(shipped.floor.tilt, defaults.floor.tilt);
   EXPECT_EQ(shipped.floor.least_share, defaults.floor.least_share);
   EXPECT_EQ(shipped.floor.most_below, defaults.floor.most_below);
@@ -149,7 +109,7 @@ TEST_F(CleanCloudTool, CleansAFileAndPrintsAStageALine) {
   ASSERT_EQ(run("--input " + path("scan.ply") + " --output " + path("part.ply")), 0) << printed();
   const Cloud left = scan_cell_common::load_cloud(path("part.ply"));
   std::vector<StageReport> reports;
-  EXPECT_EQ(left.size(), clean(scan().cloud(), {}, reports).size());
+  EXPECT_EQ(left.size(), clean(raw_scan().cloud(), {}, reports).size());
   for (const char* stage : {"floor ", "outliers ", "isolate ", "grid "}) {
     EXPECT_NE(printed().find(stage), std::string::npos) << printed();
   }
@@ -159,10 +119,10 @@ TEST_F(CleanCloudTool, RunsEachStageAlone) {
   const std::string files = "--input " + path("scan.ply") + " --output " + path("part.ply");
   const std::string off = " --floor off --outliers off --isolate off --grid off";
   ASSERT_EQ(run(files + off), 0) << printed();
-  EXPECT_EQ(scan_cell_common::load_cloud(path("part.ply")).size(), scan().cloud().size());
+  EXPECT_EQ(scan_cell_common::load_cloud(path("part.ply")).size(), raw_scan().cloud().size());
   ASSERT_EQ(run(files + " --floor off --outliers off --isolate off --grid 4,4,2"), 0) << printed();
   const std::size_t coarse = scan_cell_common::load_cloud(path("part.ply")).size();
-  EXPECT_LT(coarse, scan().cloud().size() / 10);
+  EXPECT_LT(coarse, raw_scan().cloud().size() / 10);
   ASSERT_EQ(run(files + off + " --z-min 0.01 --z-max 0.02 --x-max 0 --set isolate.y_min=0"), 0);
   for (const pcl::PointXYZ& point : scan_cell_common::load_cloud(path("part.ply"))) {
     EXPECT_TRUE(point.z >= 0.01 && point.z <= 0.02 && point.x <= 0 && point.y >= 0);

@@ -24,12 +24,13 @@ using sensor_msgs::PointCloud2;
 namespace {
 
 const char* const kStages[] = {"floor", "outliers", "isolate", "grid"};
+const char* const kNodelets[] = {"floor", "outliers", "isolate", "grid", "ceiling"};
 
 /// The chain of nodelets.test, with everything it has published.
 class Chain : public testing::Test {
  protected:
   void SetUp() override {
-    for (const std::string stage : kStages) {
+    for (const std::string stage : kNodelets) {
       const boost::function<void(const PointCloud2ConstPtr&)> on_cloud =
           [this, stage](const PointCloud2ConstPtr& cloud) { clouds_[stage].push_back(cloud); };
       const boost::function<void(const PreprocessReport::ConstPtr&)> on_report =
@@ -124,6 +125,24 @@ TEST_F(Chain, LeavesOneReducedObjectAndPassesTheHeaderOn) {
   EXPECT_GE(scene.share_in(isolated, Label::kPart), 0.9999);
 }
 
+TEST_F(Chain, LooksForTheFloorWhereItsParameterUpSays) {
+  const Scene::Rectangle box{0, 0, 0.06, 0.08};
+  Scene scene;
+  scene.add_floor({0, 0, 0.20, 0.15}, {box});
+  scene.add_box(box, 0.03);
+  scene.move(Eigen::Affine3f(Eigen::AngleAxisf(3.14F, Eigen::Vector3f::UnitX())));
+  send(scene.cloud());
+  const auto result = output("ceiling");
+  ASSERT_NE(result, nullptr);
+  const Cloud left = scan_cell_common::from_message(*result);
+  EXPECT_EQ(scene.share_in(left, Label::kFloor), 0.0);
+  EXPECT_EQ(scene.share_in(left, Label::kPart), 1.0);
+  const auto said = report("floor");  // whose up is z
+  ASSERT_NE(said, nullptr);
+  EXPECT_FALSE(said->ok);
+  EXPECT_NE(said->message.find("--up"), std::string::npos) << said->message;
+}
+
 TEST_F(Chain, ReportsWhyAndSendsNoCloudWhereNothingIsLeft) {
   Scene scene;
   scene.add_floor({0, 0, 0.20, 0.15});
@@ -172,6 +191,8 @@ TEST(Nodelets, RefuseToStartOnABadParameterByItsName) {
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
   EXPECT_NE(said_by("Floor __name:=bad_floor _margin:=-1").find("/bad_floor/margin"),
+            std::string::npos);
+  EXPECT_NE(said_by("Floor __name:=lost_floor _up:='[0, 0, 0]'").find("up: (0, 0, 0)"),
             std::string::npos);
   EXPECT_NE(said_by("Outliers __name:=bad_outliers _neighbors:=4").find("/bad_outliers/neighbors"),
             std::string::npos);

@@ -35,8 +35,9 @@ void expect_usable(const ScannerModel& model) {
   const Eigen::Matrix3d rotation = model.flange_to_camera.linear();
   promise((rotation * rotation.transpose()).isIdentity(1e-9), "a rotation");
   promise(model.flange_to_camera.translation().allFinite(), "a place");
-  promise(!model.lasers.empty(), "a laser");
-  for (const laser_triangulation::LaserPlane& laser : model.lasers) {
+  for (std::size_t i = 0; i < model.lasers.size(); ++i) {
+    if (!model.has_laser(i)) continue;
+    const laser_triangulation::LaserPlane& laser = model.laser(i);
     promise(std::abs(laser.normal.norm() - 1) <= 1e-6, "a unit normal");
     promise(std::isfinite(laser.distance) && laser.distance != 0, "a distance");
     promise(laser.origin.allFinite(), "an origin");

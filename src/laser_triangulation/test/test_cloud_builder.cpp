@@ -122,7 +122,7 @@ namespace {
 /// The second laser mirrors the first: from one pixel its plane is met at another depth.
 ScannerModel two_lasers() {
   ScannerModel model = scanner();
-  laser_triangulation::LaserPlane other = model.lasers[0];
+  laser_triangulation::LaserPlane other = model.laser(0);
   other.origin << -0.3, 0, 0;
   other.normal = Eigen::Vector3d(-2, 0, 1).normalized();
   other.distance = other.normal.dot(other.origin);
@@ -137,6 +137,22 @@ BoundProfile profile_of(std::uint8_t laser) {
 }
 
 }  // namespace
+
+TEST(CloudOfTwoLasers, RefusesALaserThatWasNotCalibratedByName) {
+  ScannerModel model = two_lasers();
+  model.lasers[0].reset();
+  CloudBuilder builder(model, {}, 1000);
+  builder.add(profile_of(1));
+  try {
+    builder.add(profile_of(0));
+    FAIL() << "points of a plane that was never found";
+  } catch (const UnusableInput& error) {
+    EXPECT_NE(std::string(error.what()).find("laser_0 is not calibrated"), std::string::npos)
+        << error.what();
+  }
+  model.lasers[1].reset();
+  EXPECT_THROW(CloudBuilder(model, {}, 1000), UnusableInput);
+}
 
 TEST(CloudOfTwoLasers, IsTheSameWhetherTheyAlternateOrScanInSeparatePasses) {
   CloudBuilder alternating(two_lasers(), {}, 1000), passes(two_lasers(), {}, 1000);

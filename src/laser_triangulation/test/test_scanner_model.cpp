@@ -81,8 +81,8 @@ TEST_F(ScannerModelFile, ComesBackToTheLastDigit) {
   EXPECT_EQ(loaded.camera.distortion, example().camera.distortion);
   EXPECT_EQ(loaded.camera.fx, example().camera.fx);
   EXPECT_TRUE(loaded.flange_to_camera.isApprox(example().flange_to_camera, 1e-15));
-  EXPECT_EQ(loaded.lasers[0].normal, example().lasers[0].normal);
-  EXPECT_EQ(loaded.lasers[0].distance, example().lasers[0].distance);
+  EXPECT_EQ(loaded.laser(0).normal, example().laser(0).normal);
+  EXPECT_EQ(loaded.laser(0).distance, example().laser(0).distance);
 }
 
 TEST_F(ScannerModelFile, IsRefusedWithTheNameOfTheBadEntry) {
@@ -109,4 +109,50 @@ TEST_F(ScannerModelFile, IsRefusedWhereMissingOrNotYaml) {
                scan_cell_common::FileError);
   std::ofstream(path_) << "camera: [1, 2";
   EXPECT_THROW(laser_triangulation::load_scanner_model(path_), scan_cell_common::FileError);
+}
+
+TEST_F(ScannerModelFile, HoldsALaserThatWasNotCalibrated) {
+  ScannerModel model = example();
+  model.lasers.insert(model.lasers.begin(), std::nullopt);
+  laser_triangulation::save_scanner_model(path_, model);
+  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  ASSERT_EQ(loaded.lasers.size(), 2U);
+  EXPECT_FALSE(loaded.has_laser(0));
+  EXPECT_EQ(loaded.laser(1).normal, example().laser(0).normal);
+  try {
+    loaded.laser(0);
+    FAIL() << "a plane that was never found";
+  } catch (const scan_cell_common::UnusableInput& error) {
+    EXPECT_NE(std::string(error.what()).find("laser_0: not calibrated"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(ScannerModelFile, HoldsACameraAlone) {
+  ScannerModel model = example();
+  model.lasers.clear();
+  laser_triangulation::save_scanner_model(path_, model);
+  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  EXPECT_TRUE(loaded.lasers.empty());
+  EXPECT_THROW(check_can_scan(loaded), scan_cell_common::UnusableInput);
+  EXPECT_NO_THROW(check_can_scan(example()));
+}
+
+TEST_F(ScannerModelFile, KeepsWhatIsTakenFromAnotherToTheLastDigit) {
+  const std::string rotation = "[0.0123456789012345, -0.2, 0.3000000000000004, 0.9327379053088815]";
+  laser_triangulation::save_scanner_model(path_, example());
+  std::ifstream in(path_);
+  const std::string written((std::istreambuf_iterator<char>(in)), {});
+  const std::string existing =
+      std::regex_replace(written, std::regex("rotation: .*"), "rotation: " + rotation);
+  ScannerModel model = laser_triangulation::parse_scanner_model(existing, "existing");
+  model.lasers[0]->distance += 1e-4;
+  laser_triangulation::save_scanner_model(path_, model, existing);
+  std::ifstream again(path_);
+  const std::string text((std::istreambuf_iterator<char>(again)), {});
+  EXPECT_NE(text.find("rotation: " + rotation), std::string::npos) << text;
+  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  EXPECT_EQ(loaded.flange_to_camera.matrix(), model.flange_to_camera.matrix());
+  EXPECT_EQ(loaded.camera.distortion, model.camera.distortion);
+  EXPECT_EQ(loaded.laser(0).distance, model.laser(0).distance);
 }

@@ -54,7 +54,7 @@ struct Profile {
 /// bisection of the projection along the line: no undistortion is used.
 std::optional<std::pair<double, Eigen::Vector3d>> see(const ScannerModel& model, std::size_t laser,
                                                       double depth, double row) {
-  const LaserPlane& plane = model.lasers[laser];
+  const LaserPlane& plane = model.laser(laser);
   const auto on_line = [&](double y) {
     const double x =
         (plane.distance - plane.normal.y() * y - plane.normal.z() * depth) / plane.normal.x();
@@ -204,7 +204,7 @@ TEST(Triangulator, IsExactToAMicrometreOverTheWholeImage) {
       for (std::size_t row = 0; row < 1710 && next < points.size(); row += 19) {
         const LongRay ray = reference_ray(model.camera, static_cast<double>(profile.position[row]),
                                           static_cast<double>(row));
-        const LaserPlane& plane = model.lasers[laser];
+        const LaserPlane& plane = model.laser(laser);
         const long double depth = plane.distance / (plane.normal.x() * ray.x +
                                                     plane.normal.y() * ray.y + plane.normal.z());
         if (!(depth >= limits.least_range && depth <= limits.most_range)) continue;
@@ -356,7 +356,15 @@ TEST(ScanFile, HoldsEveryPointWithIntensityLaserAndWidth) {
   EXPECT_EQ(second[3], 50);
   EXPECT_EQ(bytes[end + 21 + 16], 1);
   EXPECT_EQ(width, 8);
+  save_ply(path, cloud, 0.001);
+  std::ifstream in_millimetres(path, std::ios::binary);
+  const std::string scaled((std::istreambuf_iterator<char>(in_millimetres)), {});
+  ASSERT_EQ(scaled.size(), bytes.size());
+  std::memcpy(second, &scaled[end + 21], sizeof(second));
+  EXPECT_FLOAT_EQ(second[1], 5000);
+  EXPECT_EQ(second[3], 50);
   std::filesystem::remove(path);
+  EXPECT_THROW(check_ply_output("scan.xyz"), scan_cell_common::FileError);
   EXPECT_THROW(save_ply("/no/such/folder/scan.ply", {}), scan_cell_common::FileError);
   EXPECT_THROW(save_ply("scan.xyz", {}), scan_cell_common::FileError);
 }

@@ -269,6 +269,16 @@ TEST_F(PulseGeneratorTest, RefusesWhatMakesNoSenseAndSwitchesNothingOn) {
     EXPECT_EQ(write.data & kLaser1, 0);
 }
 
+TEST_F(PulseGeneratorTest, SwitchesALaserOnWithoutPulses) {
+  make(patient());
+  generator_->arm({0, 2, 0.3, false});
+  ASSERT_TRUE(wait_for([this] { return circuit_.data() == kLaser1; }));
+  EXPECT_EQ(generator_->status().rate, 0);
+  EXPECT_TRUE(lines_go_low());
+  EXPECT_NE(generator_->status().message.find("longest-on"), std::string::npos);
+  EXPECT_TRUE(circuit_.rising_edges().empty());
+}
+
 TEST_F(PulseGeneratorTest, NumbersItsArmings) {
   make(patient());
   EXPECT_EQ(generator_->arm({100, 0, 0}), 1U);

@@ -48,11 +48,10 @@ RenderedSession example_session(int views) {
 }
 
 void record(const RenderedSession& session, const std::string& folder, bool laser_in_board_image,
-            int samples) {
+            int samples, const std::vector<std::string>& all) {
   const BoardRenderer renderer(session.truth.camera, samples);
-  const std::vector<std::string> names = laser_in_board_image
-                                             ? std::vector<std::string>{"laser_0"}
-                                             : std::vector<std::string>{"laser_0", "laser_1"};
+  const std::vector<std::string> names =
+      laser_in_board_image ? std::vector<std::string>{"laser_0"} : all;
   scan_calibration::SessionRecorder recorder(folder, session.board, names);
   for (std::size_t i = 0; i < session.boards_in_camera.size(); ++i) {
     const Isometry3d& pose = session.boards_in_camera[i];
@@ -64,14 +63,14 @@ void record(const RenderedSession& session, const std::string& folder, bool lase
     lit.laser_light = 600;  // saturates on white
     std::vector<scan_calibration::RecordedLine> lines(names.size());
     if (laser_in_board_image) {
-      lit.laser = session.truth.lasers[0];
+      lit.laser = session.truth.laser(0);
       const cv::Mat image = renderer.render(lit, pose, seed);
       lines[0].in_board_image = true;
       recorder.add(session.base_to_flange(i), image, lines);
       continue;
     }
     for (std::size_t laser = 0; laser < names.size(); ++laser) {
-      lit.laser = session.truth.lasers[laser];
+      lit.laser = session.truth.laser(laser_triangulation::laser_index(names[laser]));
       lines[laser].image = renderer.render(lit, pose, seed + 1 + static_cast<std::uint32_t>(laser));
     }
     recorder.add(session.base_to_flange(i), renderer.render(scene, pose, seed), lines);

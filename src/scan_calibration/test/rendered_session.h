@@ -28,5 +28,7 @@ RenderedSession example_session(int views);
 /// @param lasers_in_board_image the first laser shines in the image of the board too, which is
 /// dark; no other image is taken
 /// @param samples of a pixel, squared
+/// @param names of the lasers that are on in turn
 void record(const RenderedSession& session, const std::string& folder,
-            bool laser_in_board_image = false, int samples = 3);
+            bool laser_in_board_image = false, int samples = 3,
+            const std::vector<std::string>& names = {"laser_0", "laser_1"});

@@ -34,7 +34,11 @@ FuzzTarget head_target() {
     promise(!head.poses_file.empty(), "a file of poses");
     promise(head.board.columns >= 3 && head.board.rows >= 3, "a board");
     promise(head.board.square_size > 0 && head.board.square_size < 1, "squares");
-    promise(!head.lasers.empty() && head.lasers.front() == "laser_0", "a laser");
+    for (const std::string& laser : head.lasers)
+      promise(laser.find("laser_") == 0, "a laser's name");
+    promise(
+        std::set<std::string>(head.lasers.begin(), head.lasers.end()).size() == head.lasers.size(),
+        "each laser once");
   };
   return target;
 }

@@ -144,9 +144,9 @@ Observations observe(const Cell& cell, const std::vector<Isometry3d>& flange, co
           view.corners.push_back(
               {column, row, pixel + Vector2d(gauss(noise.corner_px), gauss(noise.corner_px))});
       }
-    for (const laser_triangulation::LaserPlane& laser : cell.scanner.lasers) {
+    for (std::size_t laser = 0; laser < cell.scanner.lasers.size(); ++laser) {
       view.lines.emplace_back();
-      for (const Vector2d& place : lit(cell, laser, camera_to_board)) {
+      for (const Vector2d& place : lit(cell, cell.scanner.laser(laser), camera_to_board)) {
         const Vector2d pixel =
             project(cell.scanner.camera,
                     camera_to_board * Vector3d(place.x(), place.y(), height(cell, place)));

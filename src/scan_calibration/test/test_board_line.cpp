@@ -21,7 +21,7 @@ class LineOnABoard : public testing::Test {
     scene_.board = session_.board;
     scene_.room_light = 0.05;
     scene_.laser_light = 600;
-    scene_.laser = session_.truth.lasers[0];
+    scene_.laser = session_.truth.laser(0);
   }
 
   cv::Mat image() const {
@@ -100,8 +100,8 @@ TEST_F(LineOnABoard, IsTakenBesideTheCheckerWhereThePlateCarriesOn) {
 }
 
 TEST_F(LineOnABoard, IsFoundWhereItLiesAlongTheRows) {
-  session_.truth.lasers[0].normal = Vector3d(0.02, 0.9, -0.4).normalized();
-  scene_.laser.normal = session_.truth.lasers[0].normal;
+  session_.truth.lasers[0]->normal = Vector3d(0.02, 0.9, -0.4).normalized();
+  scene_.laser.normal = session_.truth.laser(0).normal;
   scene_.laser.distance = scene_.laser.normal.z() * 0.3;
   const BoardLine line = read(image());
   ASSERT_GT(line.pixels.size(), 80U) << line.reason;

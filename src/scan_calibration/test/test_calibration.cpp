@@ -38,9 +38,8 @@ TEST(Calibration, FindsTheTruthExactlyWithoutNoise) {
   EXPECT_TRUE(found.scanner.flange_to_camera.isApprox(cell.scanner.flange_to_camera, 1e-8));
   EXPECT_TRUE(found.base_to_board.isApprox(cell.base_to_board, 1e-8));
   for (std::size_t laser = 0; laser < 2; ++laser) {
-    EXPECT_LT((found.scanner.lasers[laser].normal - cell.scanner.lasers[laser].normal).norm(),
-              1e-8);
-    EXPECT_NEAR(found.scanner.lasers[laser].distance, cell.scanner.lasers[laser].distance, 1e-8);
+    EXPECT_LT((found.scanner.laser(laser).normal - cell.scanner.laser(laser).normal).norm(), 1e-8);
+    EXPECT_NEAR(found.scanner.laser(laser).distance, cell.scanner.laser(laser).distance, 1e-8);
   }
   laser_triangulation::check(found.scanner);
   EXPECT_LT(found.held_out.reprojection_rms_px, 1e-5);
@@ -51,12 +50,11 @@ TEST(Calibration, FindsTheTruthExactlyWithoutNoise) {
 TEST(Calibration, TakesTheProjectorWhereItIsKnown) {
   const synthetic::Cell cell;
   CalibrationOptions options;
-  for (const laser_triangulation::LaserPlane& laser : cell.scanner.lasers)
-    options.projectors.push_back(laser.origin);
+  for (std::size_t laser = 0; laser < 2; ++laser)
+    options.projectors.push_back(cell.scanner.laser(laser).origin);
   const Calibration found = calibrate(observe(cell, some_poses(cell, 12), {}, 1), options);
   for (std::size_t laser = 0; laser < 2; ++laser)
-    EXPECT_LT((found.scanner.lasers[laser].origin - cell.scanner.lasers[laser].origin).norm(),
-              1e-6);
+    EXPECT_LT((found.scanner.laser(laser).origin - cell.scanner.laser(laser).origin).norm(), 1e-6);
 }
 
 TEST(Calibration, EstimatesEachKindOfNoise) {
@@ -116,7 +114,7 @@ TEST(Calibration, StatesForPointsOfTheScanWhatTheyAreOffBy) {
         EXPECT_TRUE(model.camera.undistort({(point.pixel.x() - model.camera.cx) / model.camera.fx,
                                             (point.pixel.y() - model.camera.cy) / model.camera.fy},
                                            ray));
-        const laser_triangulation::LaserPlane& plane = model.lasers[laser];
+        const laser_triangulation::LaserPlane& plane = model.laser(laser);
         const Vector3d direction = ray.homogeneous();
         return model.flange_to_camera *
                (direction * (plane.distance / plane.normal.dot(direction)));
@@ -224,7 +222,7 @@ TEST(Calibration, ScansAPlaneFlat) {
     const double distance = normal.dot(to_camera.translation());
     for (std::size_t laser = 0; laser < 2; ++laser) {
       std::vector<float> columns(1710, NAN), ones(1710, 1.F);
-      const laser_triangulation::LaserPlane& plane = cell.scanner.lasers[laser];
+      const laser_triangulation::LaserPlane& plane = cell.scanner.laser(laser);
       Eigen::Matrix3d rows;  // the two planes and the image's row: where the light is seen
       for (std::size_t row = 100; row < 1600; row += 3) {
         double x = 0;

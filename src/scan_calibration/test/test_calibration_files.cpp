@@ -33,7 +33,8 @@ CalibrationRun example_run() {
   Calibration calibration;
   calibration.scanner.camera = {640, 480, 500, 501, 320, 240};
   calibration.scanner.camera.distortion << -0.1, 0.05, 1e-4, 2e-4, 0.003;
-  calibration.scanner.lasers = {{Eigen::Vector3d(0.8, 0, -0.6), -0.2, {-0.25, 0, 0}}};
+  calibration.scanner.lasers = {
+      laser_triangulation::LaserPlane{Eigen::Vector3d(0.8, 0, -0.6), -0.2, {-0.25, 0, 0}}};
   calibration.base_to_board = Eigen::Translation3d(0, 0, 0.4) * Eigen::Isometry3d::Identity();
   for (const char* name : {"a.png", "b <i>.png"}) {
     ViewObservation view;

@@ -81,9 +81,12 @@ TEST(SessionHead, IsRefusedWithTheEntryAndTheCure) {
   EXPECT_EQ(head_complaint(with("[7, 6]", "[7.5, 6]")).find("s: board.inner_corners"), 0U);
   EXPECT_EQ(head_complaint(with("checkerboard", "charuco")),
             "s: board.type: 'charuco'; give checkerboard");
-  EXPECT_NE(head_complaint(with("[laser_0]", "[laser_1]")).find("laser_0, laser_1, in this order"),
+  EXPECT_NE(head_complaint(with("[laser_0]", "[laser_1, laser_0]")).find("in rising order"),
             std::string::npos);
-  EXPECT_EQ(head_complaint(with("[laser_0]", "[]")), "s: lasers: none; name the lasers: [laser_0]");
+  EXPECT_NE(head_complaint(with("[laser_0]", "[laser_0, laser_0]")).find("name each once"),
+            std::string::npos);
+  EXPECT_EQ(head_complaint(with("[laser_0]", "[laser_b]")),
+            "s: lasers[0]: 'laser_b'; name lasers laser_0, laser_1");
 }
 
 TEST(SessionPoses, TakeTheLineFromTheBoardImageWhereNoColumnNamesAnother) {
@@ -195,4 +198,25 @@ TEST_F(SessionFolder, IsNeverRecordedOverAndStaysWholeWhereAViewCannotBeWritten)
   EXPECT_THROW(SessionRecorder(folder_.string(), board, {"laser_0"}), scan_cell_common::Refused);
   const std::string too_long = path(std::string(300, 'x'));  // longer than a file system's names
   EXPECT_THROW(SessionRecorder(too_long, board, {"laser_0"}), scan_cell_common::FileError);
+}
+
+TEST(SessionHead, NamesSomeOfTheLasersOrNone) {
+  const std::string board =
+      "images: p\nboard: {type: checkerboard, inner_corners: [7, 6], square_size: 0.01}\n";
+  EXPECT_EQ(parse_session_head(board + "lasers: [laser_1]\n", "s").lasers,
+            std::vector<std::string>{"laser_1"});
+  EXPECT_TRUE(parse_session_head(board + "lasers: []\n", "s").lasers.empty());
+  const auto views = parse_session_poses(std::string(kColumns) + "\na.png" + kPose + "\n", "p", {});
+  ASSERT_EQ(views.size(), 1U);
+  EXPECT_TRUE(views[0].lines.empty());
+}
+
+TEST_F(SessionFolder, HoldsTheBoardAlone) {
+  const Board board{15, 25, 0.02};
+  SessionRecorder recorder(folder_.string(), board, {});
+  recorder.add(Eigen::Isometry3d::Identity(), cv::Mat(8, 6, CV_8UC1, cv::Scalar(7)), {});
+  const auto session = scan_calibration::load_session(folder_.string());
+  EXPECT_TRUE(session.lasers.empty());
+  ASSERT_EQ(session.views.size(), 1U);
+  EXPECT_TRUE(session.views[0].lines.empty());
 }

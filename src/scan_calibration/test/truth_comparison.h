@@ -38,7 +38,8 @@ inline std::vector<double> true_parameters(const Cell& cell,
   truth = {camera.fx, camera.fy, camera.cx, camera.cy};
   truth.insert(truth.end(), camera.distortion.begin(), camera.distortion.end());
   add_pose(cell.scanner.flange_to_camera);
-  for (const laser_triangulation::LaserPlane& laser : cell.scanner.lasers) {
+  for (std::size_t i = 0; i < cell.scanner.lasers.size(); ++i) {
+    const laser_triangulation::LaserPlane& laser = cell.scanner.laser(i);
     truth.insert(truth.end(), laser.normal.begin(), laser.normal.end());
     truth.push_back(laser.distance);
   }

@@ -1,117 +1,24 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <actionlib/client/simple_action_client.h>
 #include <actionlib/server/action_server.h>
-#include <gtest/gtest.h>
-#include <ros/ros.h>
-#include <scan_cell_msgs/CellState.h>
 #include <scan_cell_msgs/FinishBinding.h>
-#include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/StartScan.h>
-#include <spawn.h>
-#include <std_msgs/String.h>
-#include <sys/wait.h>
 
 #include <boost/asio.hpp>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <future>
-#include <mutex>
-#include <vector>
 
 #include "scan_cell/ros/cell_client.h"
+#include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
+#include "scan_client.h"
 
 namespace fs = std::filesystem;
-using scan_cell_msgs::ScanResult;
-using State = actionlib::SimpleClientGoalState;
 
-namespace {
+using namespace scan_test;  // NOLINT
+using scan_cell_common::ChildProcess;
 
-class ScanAction : public testing::Test {
- protected:
-  using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
-
-  /// Waits until a scan finishes, however slowly the nodes come up.
-  static void SetUpTestSuite() {
-    ros::param::set("/fake/move_time", 0.1);
-    Client client("/scan_cell/scan", false);
-    ASSERT_TRUE(client.waitForServer(ros::Duration(60)));
-    int tries = 0;
-    while (run(client, goal("warm-up")).outcome != ScanResult::FINISHED)
-      ASSERT_LT(++tries, 30);
-  }
-
-  void SetUp() override {
-    node_.deleteParam("/fake");
-    log_subscriber_ =
-        node_.subscribe<std_msgs::String>("/fake/log", 100,
-                                          boost::function<void(const std_msgs::StringConstPtr&)>(
-                                              [this](const std_msgs::StringConstPtr& text) {
-                                                const std::lock_guard<std::mutex> lock(mutex_);
-                                                log_.push_back(text->data);
-                                              }));
-    while (log_subscriber_.getNumPublishers() == 0) {
-      ASSERT_TRUE(ros::ok());
-      ros::WallDuration(0.02).sleep();
-    }
-    ASSERT_TRUE(client_.waitForServer(ros::Duration(20)));
-  }
-
-  static scan_cell_msgs::ScanGoal goal(const std::string& scan_id) {
-    scan_cell_msgs::ScanGoal goal;
-    goal.scan_id = scan_id;
-    goal.start.header.frame_id = goal.end.header.frame_id = "world";
-    goal.start.pose.orientation.x = goal.end.pose.orientation.x = 1;
-    goal.end.pose.position.x = 0.1;
-    goal.speed = 0.1;
-    goal.rate = 50;
-    goal.lasers = 1;
-    return goal;
-  }
-
-  ScanResult run(const scan_cell_msgs::ScanGoal& scan) { return run(client_, scan); }
-
-  static ScanResult run(Client& client, const scan_cell_msgs::ScanGoal& scan) {
-    EXPECT_TRUE(client.sendGoalAndWait(scan, ros::Duration(60)).isDone());
-    return *client.getResult();
-  }
-
-  /// Starts a scan and returns once frames come.
-  static void start(Client& client, const scan_cell_msgs::ScanGoal& scan) {
-    const auto come = std::make_shared<std::promise<void>>();
-    const auto once = std::make_shared<std::once_flag>();
-    client.sendGoal(scan, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
-                    [=](const scan_cell_msgs::ScanFeedbackConstPtr& feedback) {
-                      if (feedback->frames > 5) std::call_once(*once, [&] { come->set_value(); });
-                    });
-    ASSERT_EQ(come->get_future().wait_for(std::chrono::seconds(30)), std::future_status::ready);
-  }
-
-  /// Waits for it: the log may come after the result.
-  bool logged(const std::string& text) {
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(20);
-    while (ros::WallTime::now() < deadline) {
-      {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (std::find(log_.begin(), log_.end(), text) != log_.end()) return true;
-      }
-      ros::WallDuration(0.02).sleep();
-    }
-    return false;
-  }
-
-  ros::NodeHandle node_;
-  Client client_{"/scan_cell/scan", false};
-  ros::Subscriber log_subscriber_;
-  std::mutex mutex_;
-  std::vector<std::string> log_;
-};
-
-}  // namespace
-
-TEST_F(ScanAction, FinishesAndGivesAuditAndCloud) {
+TEST_F(ScanClient, FinishesAndGivesAuditAndCloud) {
   const ScanResult result = run(goal("whole"));
   EXPECT_EQ(client_.getState().state_, State::SUCCEEDED) << result.message;
   EXPECT_EQ(result.outcome, ScanResult::FINISHED);
@@ -122,7 +29,7 @@ TEST_F(ScanAction, FinishesAndGivesAuditAndCloud) {
   EXPECT_EQ(result.message, "0 events missing") << "what the binder says must not be lost";
 }
 
-TEST_F(ScanAction, FinishesAndNamesTheFileOfACloudThatIsTooLargeForAMessage) {
+TEST_F(ScanClient, FinishesAndNamesTheFileOfACloudThatIsTooLargeForAMessage) {
   node_.setParam("/fake/cloud", "large");
   const ScanResult result = run(goal("large"));
   EXPECT_EQ(result.outcome, ScanResult::FINISHED) << result.message;
@@ -132,7 +39,7 @@ TEST_F(ScanAction, FinishesAndNamesTheFileOfACloudThatIsTooLargeForAMessage) {
   EXPECT_EQ(run(goal("small")).cloud_file, "") << "that of the last scan is forgotten";
 }
 
-TEST_F(ScanAction, FailsAndKeepsTheDataWhereTriggerEventsAreMissing) {
+TEST_F(ScanClient, FailsAndKeepsTheDataWhereTriggerEventsAreMissing) {
   node_.setParam("/fake/binder", "missing");
   const ScanResult result = run(goal("events missing"));
   EXPECT_EQ(result.outcome, ScanResult::STAGE_FAILED);
@@ -142,7 +49,7 @@ TEST_F(ScanAction, FailsAndKeepsTheDataWhereTriggerEventsAreMissing) {
   EXPECT_FALSE(result.cloud.data.empty());
 }
 
-TEST_F(ScanAction, RejectsASecondScanByTheNameOfTheFirst) {
+TEST_F(ScanClient, RejectsASecondScanByTheNameOfTheFirst) {
   client_.sendGoal(goal("first"));
   Client second("/scan_cell/scan", false);
   ASSERT_TRUE(second.waitForServer(ros::Duration(20)));
@@ -153,7 +60,7 @@ TEST_F(ScanAction, RejectsASecondScanByTheNameOfTheFirst) {
   EXPECT_EQ(client_.getState().state_, State::SUCCEEDED) << "the first goes on";
 }
 
-TEST_F(ScanAction, StopsTheRobotAndKeepsTheDataWhenCancelled) {
+TEST_F(ScanClient, StopsTheRobotAndKeepsTheDataWhenCancelled) {
   start(client_, goal("cancelled"));
   client_.cancelGoal();
   ASSERT_TRUE(client_.waitForResult(ros::Duration(10)));
@@ -165,7 +72,7 @@ TEST_F(ScanAction, StopsTheRobotAndKeepsTheDataWhenCancelled) {
   EXPECT_FALSE(client_.getResult()->cloud.data.empty());
 }
 
-TEST_F(ScanAction, EndsWhenTheRobotTellsAnOldPose) {
+TEST_F(ScanClient, EndsWhenTheRobotTellsAnOldPose) {
   node_.setParam("/fake/silent", "pose");
   const ScanResult result = run(goal("old pose"));
   EXPECT_EQ(result.outcome, ScanResult::ROBOT_LOST) << result.message;
@@ -173,7 +80,7 @@ TEST_F(ScanAction, EndsWhenTheRobotTellsAnOldPose) {
   EXPECT_TRUE(logged("disarmed"));
 }
 
-TEST_F(ScanAction, EndsWithTheReasonWhenADeviceFallsSilent) {
+TEST_F(ScanClient, EndsWithTheReasonWhenADeviceFallsSilent) {
   const std::vector<std::pair<std::string, int>> devices = {{"robot", ScanResult::ROBOT_LOST},
                                                             {"camera", ScanResult::CAMERA_LOST},
                                                             {"trigger", ScanResult::TRIGGER_LOST}};
@@ -187,7 +94,7 @@ TEST_F(ScanAction, EndsWithTheReasonWhenADeviceFallsSilent) {
   }
 }
 
-TEST_F(ScanAction, IsNotFinishedWhereTheCameraFallsSilentInTheLastMoment) {
+TEST_F(ScanClient, IsNotFinishedWhereTheCameraFallsSilentInTheLastMoment) {
   node_.setParam("/fake/binder", "no end");
   const ScanResult result = run(goal("no end"));
   EXPECT_EQ(result.outcome, ScanResult::CAMERA_LOST) << result.message;
@@ -195,14 +102,14 @@ TEST_F(ScanAction, IsNotFinishedWhereTheCameraFallsSilentInTheLastMoment) {
   EXPECT_TRUE(logged("cloud partial"));
 }
 
-TEST_F(ScanAction, IsNotFinishedWhereTheTriggerDoesNotAnswerAtTheEnd) {
+TEST_F(ScanClient, IsNotFinishedWhereTheTriggerDoesNotAnswerAtTheEnd) {
   node_.setParam("/fake/hangs", "disarm");
   const ScanResult result = run(goal("not disarmed"));
   EXPECT_EQ(result.outcome, ScanResult::TRIGGER_LOST) << result.message;
   EXPECT_FALSE(result.cloud.data.empty());
 }
 
-TEST_F(ScanAction, StopsTheMovingRobotWhereTheTriggerHangsWhenArmed) {
+TEST_F(ScanClient, StopsTheMovingRobotWhereTheTriggerHangsWhenArmed) {
   node_.setParam("/fake/hangs", "arm");
   node_.setParam("/fake/move_time", 4.0);
   const ScanResult result = run(goal("not armed"));
@@ -210,7 +117,7 @@ TEST_F(ScanAction, StopsTheMovingRobotWhereTheTriggerHangsWhenArmed) {
   EXPECT_TRUE(logged("stopped")) << "it drove to the end while the trigger was asked";
 }
 
-TEST_F(ScanAction, KeepsTheCloudWhereTheBinderFails) {
+TEST_F(ScanClient, KeepsTheCloudWhereTheBinderFails) {
   node_.setParam("/fake/binder", "broken");
   const ScanResult result = run(goal("binder broken"));
   EXPECT_EQ(result.outcome, ScanResult::STAGE_FAILED);
@@ -219,7 +126,7 @@ TEST_F(ScanAction, KeepsTheCloudWhereTheBinderFails) {
   EXPECT_TRUE(logged("cloud partial"));
 }
 
-TEST_F(ScanAction, StopsWhereTheBinderDiesInMidScan) {
+TEST_F(ScanClient, StopsWhereTheBinderDiesInMidScan) {
   using scan_cell_msgs::FinishBinding;
   using scan_cell_msgs::StartScan;
   bool (*start_binding)(StartScan::Request&, StartScan::Response&) = [](auto&, auto& response) {
@@ -242,7 +149,7 @@ TEST_F(ScanAction, StopsWhereTheBinderDiesInMidScan) {
   EXPECT_TRUE(logged("stopped")) << "the scan went on without its binder";
 }
 
-TEST_F(ScanAction, MakesTheCellSafeAndKeepsTheDataWhenTheNodeIsShutDownOverTheNetwork) {
+TEST_F(ScanClient, MakesTheCellSafeAndKeepsTheDataWhenTheNodeIsShutDownOverTheNetwork) {
   Client client("/cell_to_end/scan", false);
   ASSERT_TRUE(client.waitForServer(ros::Duration(20)));
   node_.setParam("/fake/move_time", 8.0);
@@ -256,61 +163,29 @@ TEST_F(ScanAction, MakesTheCellSafeAndKeepsTheDataWhenTheNodeIsShutDownOverTheNe
   EXPECT_FALSE(client.getResult()->cloud.data.empty());
 }
 
-namespace {
-
-/// The tool scan, run beside the test.
-class ScanTool {
- public:
-  explicit ScanTool(const std::vector<std::string>& options) {
-    std::vector<std::string> words = {SCAN_TOOL, "--program", SCAN_PROGRAM};
-    words.insert(words.end(), options.begin(), options.end());
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-      arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    EXPECT_EQ(posix_spawn(&process_, SCAN_TOOL, nullptr, nullptr, arguments.data(), environ), 0);
-  }
-  ~ScanTool() {
-    if (process_ > 0) kill(process_, SIGKILL), end();
-  }
-  void interrupt() const { kill(process_, SIGINT); }
-
-  /// @return its exit code, once it has ended; -1 where a signal ended it
-  int end() {
-    int status = 0;
-    waitpid(process_, &status, 0);
-    process_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
- private:
-  pid_t process_ = 0;
-};
-
-}  // namespace
-
-TEST_F(ScanAction, IsCancelledWhenItsToolIsInterruptedAndTheCloudIsSaved) {
+TEST_F(ScanClient, IsCancelledWhenItsToolIsInterruptedAndTheCloudIsSaved) {
   const fs::path output = fs::temp_directory_path() / ("tool_" + std::to_string(getpid()) + ".ply");
   node_.setParam("/fake/move_time", 8.0);
-  ScanTool tool({"--output", output.string()});
+  ChildProcess tool({SCAN_TOOL, "--program", SCAN_PROGRAM, "--output", output.string()});
   ASSERT_TRUE(logged("armed"));
-  tool.interrupt();
-  EXPECT_EQ(tool.end(), 2);
+  kill(tool.id(), SIGINT);
+  EXPECT_EQ(tool.wait(), 2);
   EXPECT_TRUE(logged("disarmed"));
   EXPECT_TRUE(logged("stopped"));
   EXPECT_TRUE(fs::remove(output)) << "what was captured must be saved";
 }
 
-TEST_F(ScanAction, LeavesTheCapturedCloudWhereItEndsEarlyAndACleanOneIsWanted) {
+TEST_F(ScanClient, LeavesTheCapturedCloudWhereItEndsEarlyAndACleanOneIsWanted) {
   const fs::path output =
       fs::temp_directory_path() / ("early_" + std::to_string(getpid()) + ".ply");
   node_.setParam("/fake/silent", "camera");
-  ScanTool tool({"--output", output.string(), "--clean", "clean.ply"});
-  EXPECT_EQ(tool.end(), 2);
+  ChildProcess tool(
+      {SCAN_TOOL, "--program", SCAN_PROGRAM, "--output", output.string(), "--clean", "clean.ply"});
+  EXPECT_EQ(tool.wait(), 2);
   EXPECT_TRUE(fs::remove(output)) << "what was captured must be saved";
 }
 
-TEST_F(ScanAction, IsNoSuccessWhereTheActionServerIsStartedAnew) {
+TEST_F(ScanClient, IsNoSuccessWhereTheActionServerIsStartedAnew) {
   using Server = actionlib::ActionServer<scan_cell_msgs::ScanAction>;
   const auto nothing = [](Server::GoalHandle) {};
   std::promise<void> accepted;
@@ -336,14 +211,14 @@ TEST_F(ScanAction, IsNoSuccessWhereTheActionServerIsStartedAnew) {
   EXPECT_THROW(result.get(), scan_cell_common::ConnectionError);
 }
 
-TEST_F(ScanAction, TellsARobotThatRefusesASpeedFromOneThatIsLost) {
+TEST_F(ScanClient, TellsARobotThatRefusesASpeedFromOneThatIsLost) {
   ros::param::set("/fake/speed", "refused");
   EXPECT_EQ(run(goal("refused")).outcome, ScanResult::MOTION_FAILED);
   ros::param::set("/fake/speed", "lost");
   EXPECT_EQ(run(goal("lost")).outcome, ScanResult::ROBOT_LOST);
 }
 
-TEST_F(ScanAction, RefusesWhatMakesNoSense) {
+TEST_F(ScanClient, RefusesWhatMakesNoSense) {
   scan_cell_msgs::ScanGoal bad = goal("bad");
   bad.start.header.frame_id = "no_such_frame";
   EXPECT_NE(run(bad).message.find("no_such_frame"), std::string::npos);
@@ -356,7 +231,7 @@ TEST_F(ScanAction, RefusesWhatMakesNoSense) {
   EXPECT_NE(run(bad).message.find("speed"), std::string::npos);
 }
 
-TEST_F(ScanAction, IsReachedByViDeE) {
+TEST_F(ScanClient, IsReachedByViDeE) {
   boost::asio::io_context context;
   boost::asio::ip::tcp::socket socket(context);
   boost::system::error_code error = boost::asio::error::not_connected;

@@ -154,7 +154,7 @@ class ScanSequence : public testing::Test {
 
   scan_cell::SequenceEnd run() {
     scan_cell::ScanSequence sequence(robot_, camera_, trigger_, stages_, observer_, {}, timing_);
-    return sequence.run(request_, cancel_);
+    return sequence.run(request_, [this] { return cancel_ ? "cancelled" : ""; });
   }
 
   void expect_safe() const {

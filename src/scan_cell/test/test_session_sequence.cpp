@@ -162,7 +162,7 @@ class SessionSequence : public testing::Test {
 
   scan_cell::SessionEnd run() {
     scan_cell::SessionSequence sequence(robot_, camera_, trigger_, observer_, {}, timing_);
-    return sequence.run(request_, cancel_);
+    return sequence.run(request_, [this] { return cancel_ ? "cancelled" : ""; });
   }
 
   /// Lasers off, camera as it was, and no motion begun after the end.
@@ -213,6 +213,15 @@ TEST_F(SessionSequence, TakesOnlyTheLasersAskedFor) {
   EXPECT_EQ(run().views, 4);
   EXPECT_EQ(cell_.count("arm 1"), 0);
   EXPECT_EQ(observer_.views[0].lines.size(), 1U);
+}
+
+TEST_F(SessionSequence, TakesTheBoardAloneWithoutALaser) {
+  request_.lasers = 0;
+  EXPECT_EQ(run().views, 4);
+  EXPECT_EQ(cell_.count("arm 1") + cell_.count("arm 2"), 0);
+  EXPECT_TRUE(observer_.views[0].lines.empty());
+  EXPECT_EQ(camera_.exposures.size(), 4U);
+  expect_safe();
 }
 
 TEST_F(SessionSequence, SkipsAndNamesAPoseThatTheRobotRefuses) {
@@ -379,9 +388,7 @@ TEST_F(SessionSequence, SaysWhereTheCameraCouldNotBeRestored) {
 
 TEST_F(SessionSequence, RefusesWhatMakesNoSenseBeforeAnythingMoves) {
   const std::vector<std::function<void(scan_cell::SessionRequest&)>> mistakes = {
-      [](auto& request) { request.poses.clear(); },
-      [](auto& request) { request.lasers = 0; },
-      [](auto& request) { request.lasers = 4; },
+      [](auto& request) { request.poses.clear(); }, [](auto& request) { request.lasers = 4; },
       [](auto& request) { request.line_exposure = 0; },
       [](auto& request) { request.board_exposure = 20; },
       [](auto& request) { request.board_exposure = std::nan(""); }};

@@ -3,66 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <boost/asio.hpp>
 #include <chrono>
-#include <fstream>
 #include <future>
 #include <random>
-#include <sstream>
 #include <thread>
 
-#include "scan_cell/videe_server.h"
 #include "scan_cell_common/errors.h"
+#include "videe_client.h"
 
-using boost::asio::ip::tcp;
+using namespace videe_test;  // NOLINT
 using scan_cell::VideeCommandKind;
 using scan_cell_common::ProtocolError;
-
-namespace {
-
-using ClientThere = scan_cell::VideeServer::ClientThere;
-
-std::string nothing(const scan_cell::VideeCommand&, const ClientThere&) {
-  return "";
-}
-
-scan_cell::VideeServer::Options at_any_port() {
-  scan_cell::VideeServer::Options options;
-  options.port = 0;
-  return options;
-}
-
-class Client {
- public:
-  /// @param from the client's own address
-  explicit Client(std::uint16_t port, const std::string& from = "127.0.0.1") {
-    socket_.open(tcp::v4());
-    socket_.bind({boost::asio::ip::make_address(from), 0});
-    socket_.connect({boost::asio::ip::make_address("127.0.0.1"), port});
-  }
-  void send(const std::string& text) { boost::asio::write(socket_, boost::asio::buffer(text)); }
-  std::string receive() {
-    boost::asio::read_until(socket_, buffer_, '\n');
-    std::istream stream(&buffer_);
-    std::string line;
-    std::getline(stream, line);
-    return line;
-  }
-  /// Whether the server hung up, once it has, after any lines that receive() did not take.
-  bool hung_up() {
-    boost::system::error_code error;
-    while (!error)
-      boost::asio::read(socket_, buffer_, boost::asio::transfer_at_least(1), error);
-    return error == boost::asio::error::eof || error == boost::asio::error::connection_reset;
-  }
-
- private:
-  boost::asio::io_context context_;
-  tcp::socket socket_{context_};
-  boost::asio::streambuf buffer_;
-};
-
-}  // namespace
 
 TEST(VideePose, TurnsAboutFixedAxesInMillimetresAndDegrees) {
   const Eigen::Isometry3d pose = scan_cell::pose_from_wire("100,-20,5.5,90,0,90");
@@ -224,86 +175,6 @@ TEST(VideeServer, AnswersNobodyButTheClientItIsSetTo) {
   Client ours(server.port(), "127.0.0.9");
   ours.send("RESET\n");
   EXPECT_EQ(ours.receive(), "OK");
-}
-
-TEST(VideeServer, NoticesALostClientWhileItsCommandIsUnderWay) {
-  std::promise<void> begun;
-  std::promise<void> lost;
-  bool noticed = false;
-  scan_cell::VideeServer server(
-      at_any_port(),
-      [&](const scan_cell::VideeCommand&, const ClientThere& client_there) {
-        EXPECT_TRUE(client_there());
-        begun.set_value();
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-        while (client_there() && std::chrono::steady_clock::now() < deadline)
-          std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        noticed = !client_there();
-        return "";
-      },
-      [&lost] { lost.set_value(); });
-  {
-    Client client(server.port());
-    client.send("STOP_SCAN\nRESET");  // what was not read yet must not hide the end
-    begun.get_future().wait();
-  }
-  lost.get_future().wait();
-  EXPECT_TRUE(noticed);
-}
-
-TEST(VideeServer, ProbesALineThatIsSilentSoThatAPulledCableIsNoticed) {
-  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
-  Client client(server.port());
-  client.send("RESET\n");
-  EXPECT_EQ(client.receive(), "OK");
-  char port[5];
-  std::snprintf(port, sizeof(port), "%04X", server.port());
-  const std::string connected = "0100007F:" + std::string(port);
-  const auto probed = [&connected] {  // timer 02 of proc(5)'s net/tcp is the keep-alive's
-    std::ifstream connections("/proc/net/tcp");
-    std::string line;
-    while (std::getline(connections, line)) {
-      std::istringstream words(line);
-      std::string number, local, remote, state, queues, timer;
-      words >> number >> local >> remote >> state >> queues >> timer;
-      if (local == connected && state == "01" && timer.substr(0, 2) == "02") return true;
-    }
-    return false;
-  };
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (!probed() && std::chrono::steady_clock::now() < deadline)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_TRUE(probed());
-}
-
-TEST(VideeServer, AnswersInOneLineWhateverIsThrown) {
-  scan_cell::VideeServer server(
-      at_any_port(),
-      [](const scan_cell::VideeCommand&, const auto&) -> std::string {
-        throw std::runtime_error("two\nlines");
-      },
-      [] {});
-  Client client(server.port());
-  client.send("GRAB_IMAGE\nRESET\n");
-  EXPECT_EQ(client.receive(), "ERROR two lines");
-  EXPECT_EQ(client.receive(), "ERROR two lines");
-}
-
-TEST(VideeServer, CutsOffALineWithoutEnd) {
-  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
-  Client client(server.port());
-  client.send(std::string(5000, 'A'));
-  EXPECT_EQ(client.receive(), "ERROR line too long");
-}
-
-TEST(VideeServer, CutsOffALineOneByteTooLongAndTakesOneThatIsNot) {
-  scan_cell::VideeServer server(at_any_port(), nothing, [] {});
-  const std::string longest = "RESET" + std::string(1018, ' ');  // 1024 bytes with its end
-  Client client(server.port());
-  client.send(longest + "\n");
-  EXPECT_EQ(client.receive(), "OK");
-  client.send(longest + " \n");
-  EXPECT_EQ(client.receive(), "ERROR line too long");
 }
 
 TEST(VideeServer, RefusesAPortInUse) {

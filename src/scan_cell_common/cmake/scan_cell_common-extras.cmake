@@ -5,3 +5,46 @@ macro(scan_cell_package)
   set(CMAKE_CXX_EXTENSIONS OFF)
   add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
 endmacro()
+
+# scan_cell_find_core(PACKAGE...): makes the targets scan_cell::... of these packages' libraries without ROS known: of this
+# workspace, or installed.
+macro(scan_cell_find_core)
+  foreach(_scan_cell_core ${ARGN})
+    if(NOT TARGET scan_cell::${_scan_cell_core}_core)
+      find_package(${_scan_cell_core}_core REQUIRED)
+    endif()
+  endforeach()
+endmacro()
+
+# scan_cell_export_core(TARGETS target... [DEPENDS "what find_dependency() takes"...]): exports the calling package's
+# libraries without ROS as scan_cell::target, for programs that know neither catkin nor ROS:
+# find_package(PACKAGE_core), from the devel space and where it is installed. Call it after their
+# install(TARGETS ... EXPORT PACKAGE_core); they take the include directory from here.
+function(scan_cell_export_core)
+  cmake_parse_arguments(CORE "" "" "TARGETS;DEPENDS" ${ARGN})
+  set(name ${PROJECT_NAME}_core)
+  foreach(target ${CORE_TARGETS})
+    add_library(scan_cell::${target} ALIAS ${target})
+    target_include_directories(${target} PUBLIC
+      $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+    target_compile_features(${target} PUBLIC cxx_std_17)
+    # They find each other where they are installed, whatever the loader's path.
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "\$ORIGIN")
+  endforeach()
+
+  set(config "include(CMakeFindDependencyMacro)\n")
+  foreach(dependency ${CORE_DEPENDS})
+    string(APPEND config "find_dependency(${dependency})\n")
+  endforeach()
+  string(APPEND config "include(\"\${CMAKE_CURRENT_LIST_DIR}/${name}Targets.cmake\")\n")
+  set(folder ${CATKIN_DEVEL_PREFIX}/lib/cmake/${name})
+  file(WRITE ${folder}/${name}Config.cmake "${config}")
+  include(CMakePackageConfigHelpers)
+  write_basic_package_version_file(${folder}/${name}ConfigVersion.cmake
+    VERSION ${${PROJECT_NAME}_VERSION} COMPATIBILITY SameMinorVersion)
+  export(EXPORT ${name} NAMESPACE scan_cell:: FILE ${folder}/${name}Targets.cmake)
+  install(EXPORT ${name} NAMESPACE scan_cell:: FILE ${name}Targets.cmake
+    DESTINATION lib/cmake/${name})
+  install(FILES ${folder}/${name}Config.cmake ${folder}/${name}ConfigVersion.cmake
+    DESTINATION lib/cmake/${name})
+endfunction()

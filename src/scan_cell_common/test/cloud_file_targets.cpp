@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_file_targets.h"
 
-#include <pcl/io/lzf.h>
+#include <lzf.h>
 
 #include <array>
 
@@ -88,8 +88,8 @@ std::string pcd(const std::string& data) {
   for (const std::string& field : fields)
     together += field;
   std::string packed(2 * together.size(), '\0');
-  packed.resize(pcl::lzfCompress(together.data(), static_cast<unsigned>(together.size()),
-                                 packed.data(), static_cast<unsigned>(packed.size())));
+  packed.resize(lzf_compress(together.data(), static_cast<unsigned>(together.size()), packed.data(),
+                             static_cast<unsigned>(packed.size())));
   append(bytes, static_cast<std::uint32_t>(packed.size()));
   append(bytes, static_cast<std::uint32_t>(together.size()));
   return bytes + packed;
@@ -119,9 +119,16 @@ const char* const kObj =
     "# part\nmtllib part.mtl\no part\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 1 1 0.5\nvt 0 0\nvn 0 0 1\n"
     "usemtl grey\nf 1 2 3\nf 2/1/1 3/1/1 4/1/1\nf 1//1 2//1 4//1 3//1\nf -1 -2 -3\n";
 
+const char* const kTable =
+    "time,x [m],y [m],z [m],label\n1,0.1,0.2,0.3,a\n2,0.1,,0.3,b\n3,\"0.1\",0.2,nan,c\n";
+const char* const kXyz = "//X Y Z R\n0.1 0.2 0.3 7\n0.1 0.2 0.4 7\n-0.1 0.2 0.5 8\n";
+const char* const kSemicolons = "# scanned\n0.1;0.2;0.3;7\n0.1;0.2;;7\n-0.1;0.2;0.5;8\n";
+const char* const kProfiles =
+    "z0\tz1\tz2\n0.1\t-32.768\t0.3\n\tnan\t0.4\n0.1\t0.2\t0.3\n-32.768\t0.1\t0.3\n";
+
 /// No reader may make more of a file than is in it.
 void check_cloud(const Cloud& cloud, const std::string& bytes) {
-  constexpr std::size_t kLeastRow = 6;         // "0 0 0" and the line's end
+  constexpr std::size_t kLeastRow = 3;         // ",," and the line's end
   constexpr std::size_t kMostRatio = 264 / 3;  // of LZF
   const bool packed = bytes.find("binary_compressed") != std::string::npos;
   promise(cloud.size() == std::size_t{cloud.width} * cloud.height, "points are width x height");
@@ -205,14 +212,51 @@ std::vector<FuzzTarget> cloud_file_targets() {
                                               "endsolid", "\n",     "\r\n",    " "};
   const std::vector<std::string> obj_words = {"v",  "f",  "vt",   "vn", "/", "//",
                                               "-1", "\n", "\r\n", " ",  "#", "\\\n"};
+  const std::vector<std::string> table_words = {
+      "x",   "y",  "z", "x [mm]", ",",  ";",    "\t", "\n",   " ", "\r\n",
+      "nan", "\"", "#", "//",     ",,", "\"\"", "m",  "z_mm", "",  "points:0"};
   return {{"ply",
            {ply("ascii"), ply("binary_little_endian"), ply("binary_big_endian")},
            ply_words,
-           [](const std::string& bytes) { check_cloud(parse_ply(bytes, "f"), bytes); }},
+           [](const std::string& bytes) {
+             check_cloud(parse_ply(bytes, "f"), bytes);
+             faces_of_ply(bytes);
+           }},
+          {"ply_mesh",
+           {ply("ascii"), ply("binary_little_endian"), ply("binary_big_endian")},
+           ply_words,
+           [](const std::string& bytes) {
+             const pcl::PolygonMesh mesh = parse_ply_mesh(bytes, "f");
+             check_mesh(mesh, bytes);
+             std::size_t triangles = 0;
+             for (const pcl::Vertices& polygon : mesh.polygons)
+               triangles += polygon.vertices.size() - 2;
+             promise(triangulated(mesh, "f").polygons.size() == triangles,
+                     "a polygon of n corners is n - 2 triangles");
+           }},
           {"pcd",
            {pcd("ascii"), pcd("binary"), pcd("binary_compressed")},
            pcd_words,
            [](const std::string& bytes) { check_cloud(parse_pcd(bytes, "f"), bytes); }},
+          {"point_table",
+           {kTable, kXyz, kSemicolons},
+           table_words,
+           [](const std::string& bytes) {
+             const LoadedCloud loaded = parse_point_table(bytes, "f");
+             check_cloud(loaded.cloud, bytes);
+             find_sentinel(loaded.cloud);
+           }},
+          {"depth_profiles",
+           {kProfiles, kSemicolons},
+           table_words,
+           [](const std::string& bytes) {
+             CloudFormat format;
+             format.column_step = 0.1;
+             format.profile_step = -0.2;
+             format.invalid = {-32.768};
+             const Cloud cloud = parse_depth_profiles(bytes, "f", format).cloud;
+             promise(2 * cloud.size() <= bytes.size() + 1, "no more points than fields");
+           }},
           {"stl",
            {ascii_stl(), binary_stl()},
            stl_words,

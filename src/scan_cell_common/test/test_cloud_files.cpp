@@ -56,6 +56,31 @@ TEST_F(CloudFiles, ComeBackAsTheyWereWritten) {
   }
 }
 
+TEST_F(CloudFiles, AreReadByPclAsTheyWereWritten) {
+  Cloud organised(2, 2);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int i = 0; i < 4; ++i)
+    organised[static_cast<std::size_t>(i)] = {0.1F * static_cast<float>(i), i == 2 ? nan : -1e-4F,
+                                              7};
+  Cloud large;
+  for (int i = 0; i < 200000; ++i)
+    large.push_back({static_cast<float>(i), static_cast<float>(-i), 0.5F});
+  for (const Cloud& cloud : {three_points(), organised, large}) {
+    Cloud ply, pcd;
+    scan_cell_common::save_cloud(path("cloud.ply"), cloud);
+    ASSERT_EQ(pcl::io::loadPLYFile(path("cloud.ply"), ply), 0);
+    scan_cell_common::save_cloud(path("cloud.pcd"), cloud);
+    ASSERT_EQ(pcl::io::loadPCDFile(path("cloud.pcd"), pcd), 0);
+    ASSERT_EQ(ply.size(), cloud.size());
+    ASSERT_EQ(pcd.size(), cloud.size());
+    EXPECT_EQ(pcd.height, cloud.height);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      EXPECT_EQ(std::memcmp(ply[i].data, cloud[i].data, 3 * sizeof(float)), 0) << i;
+      EXPECT_EQ(std::memcmp(pcd[i].data, cloud[i].data, 3 * sizeof(float)), 0) << i;
+    }
+  }
+}
+
 TEST_F(CloudFiles, MayHaveDoublesForCoordinates) {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
@@ -94,7 +119,7 @@ TEST_F(CloudFiles, AreRefusedByNameWhenMissingOrBroken) {
   using scan_cell_common::FileError;
   EXPECT_THROW(scan_cell_common::load_cloud(path("missing.ply")), FileError);
   EXPECT_THROW(scan_cell_common::load_cloud(write("text.ply", "hello\n")), FileError);
-  EXPECT_THROW(scan_cell_common::load_cloud(write("cloud.xyz", "0 0 0\n")), FileError);
+  EXPECT_THROW(scan_cell_common::load_cloud(write("cloud.las", "0 0 0\n")), FileError);
   EXPECT_THROW(scan_cell_common::load_cloud(
                    write("whole.pcd",
                          "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE I I I\nCOUNT 1 1 1\nWIDTH 1\n"

@@ -94,3 +94,29 @@ TEST_F(Files, AreWrittenWholeOrNotAtAll) {
   EXPECT_THROW(save_text(path("no/such/folder/a"), "text"), FileError);
   EXPECT_EQ(entries(), 2U);
 }
+
+TEST_F(Files, AreNotWrittenOverWhatIsRead) {
+  save_text(path("scan.ply"), "text");
+  fs::create_symlink(path("scan.ply"), path("link.ply"));
+  fs::create_directory(path("folder"));
+  for (const std::string same : {"scan.ply", "link.ply", "folder/../scan.ply", "./scan.ply"})
+    EXPECT_THROW(refuse_overwriting(path(same), {path("other"), path("scan.ply")}), FileError);
+  EXPECT_THROW(refuse_overwriting(path("new"), {path("folder/../new")}), FileError);
+  EXPECT_NO_THROW(refuse_overwriting(path("new"), {path("scan.ply"), ""}));
+}
+
+TEST_F(Files, ToWriteAreRefusedByTheirEndingOrFolderBeforeTheWork) {
+  EXPECT_NO_THROW(check_output(path("a.PLY"), {".ply", ".pcd"}, "cure"));
+  EXPECT_NO_THROW(check_output("a.ply", {".ply"}, "cure"));
+  const auto refused = [](const std::string& name) -> std::string {
+    try {
+      check_output(name, {".ply", ".pcd"}, "write clouds as .ply or .pcd");
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  EXPECT_EQ(refused("a.xyz"), "a.xyz: ending '.xyz'; write clouds as .ply or .pcd");
+  EXPECT_EQ(refused("a"), "a: ending ''; write clouds as .ply or .pcd");
+  EXPECT_NE(refused(path("none/a.ply")).find("no folder"), std::string::npos);
+}

@@ -85,8 +85,18 @@ def show_errors(axes, adapted, truth):
     axes.legend(fontsize=8)
 
 
+class Version(argparse.Action):
+    """Says the suite's version, that of package.xml."""
+
+    def __call__(self, parser, *_):
+        import rospkg  # not needed for anything else
+        print(parser.prog, rospkg.RosPack().get_manifest('scan_cell_demo').version)
+        parser.exit()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
     for name in ('reference', 'object', 'path', 'adapted', 'truth', 'output'):
         parser.add_argument('--' + name, required=True)
     names = parser.parse_args()

@@ -14,11 +14,16 @@ SIMULATOR = os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config')
 TIMEOUT = 300  # [s] of one command, on a busy computer
 
 
+def commands(page, start):
+    """The commands of a page that begin so."""
+    with open(os.path.join(ROOT, page)) as file:
+        text = re.sub(r'\\\n\s*', '', file.read())
+    return [line.strip() for line in text.splitlines() if line.startswith('    ' + start)]
+
+
 def readme_command(start):
     """The first command of the README that begins so."""
-    with open(os.path.join(ROOT, 'README.md')) as readme:
-        text = re.sub(r'\\\n\s*', '', readme.read())
-    return next(line.strip() for line in text.splitlines() if line.startswith('    ' + start))
+    return commands('README.md', start)[0]
 
 
 def free_port():

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::uint16_t kTapPort = 15420;  // trials.launch
 constexpr std::uint16_t kCircuitPort = 5420;
+constexpr std::uint16_t kVideePort = 15421;  // trials.launch
 // With other programs beside it, that hold up the simulated controller; make trials has the cell's
 // own default and the goal. The driver alone would leave the lasers on for more than 0.5 s.
 const char* const kUnseenAfter = "unseen_after:=0.2";  // [s]
@@ -33,7 +34,7 @@ class Trials : public testing::TestWithParam<Blow> {
         folder());
     tap_ = std::make_unique<LaserTap>(kTapPort, kCircuitPort);
     cell_ = std::make_unique<RunningCell>(ros::NodeHandle());
-    bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kMostOn);
+    bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kVideePort, kMostOn);
   }
   static void TearDownTestSuite() {
     bench_.reset();

@@ -55,6 +55,22 @@ class Client:
         self.lines.close()
         self.socket.close()
 
+    def close(self):
+        self.__exit__()
+
+    def send_and_hang_up(self, data):
+        """What the server takes of it within a second."""
+        self.socket.settimeout(1)
+        try:
+            self.socket.sendall(data)
+        except OSError:  # it takes no more, or hung up itself
+            pass
+        self.close()
+
+    def send_and_close_its_direction(self, data):
+        self.socket.sendall(data)
+        self.socket.shutdown(socket.SHUT_WR)
+
     def ask(self, command):
         self.lines.write(command + '\n')
         self.lines.flush()
@@ -178,6 +194,49 @@ class Videe(unittest.TestCase):
             self.assertEqual(client.ask('RESET'), 'OK')
         self.assertTrue(self.scan.wait_for_result(rospy.Duration(TIMEOUT)))
         self.assertEqual(self.scan.get_state(), actionlib.GoalStatus.PREEMPTED)
+        self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
+
+    def test_after_a_reset_the_cell_is_free_for_the_next_scan(self):
+        for _ in range(3):
+            self.start_ros_scan()
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            with Client() as client:
+                self.assertEqual(client.ask('RESET'), 'OK')
+                self.assertEqual(client.ask('SET_POSITION -20,0,595,180,0,0 20,0,595,180,0,0'), 'OK')
+                self.assertEqual(client.ask('START_SCAN'), 'OK')
+                self.assertEqual(client.ask('INIT_CYCLE'), 'OK')
+                client.ask('SET_POSITION -20,0,595,180,0,0 20,0,595,180,0,0')
+                self.assertEqual(client.ask('START_SCAN'), 'OK')
+
+    def test_positions_end_with_the_connection(self):
+        self.prepared().close()
+        with Client() as client:
+            self.assertIn('no positions', client.ask('START_SCAN'))
+
+    def test_lasers_go_off_where_the_client_hangs_up_behind_megabytes(self):
+        for ahead in (b'INIT_CYCLE\n' * 20000, b'A' * 3000000, b'GRAB_IMAGE\n' * 1000):
+            client = self.prepared()
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            client.send_and_hang_up(b'STOP_SCAN\n' + ahead)
+            self.wait_for(lambda: self.lasers == 0, 'the lasers are off behind %d bytes' % len(ahead))
+            self.wait_for(lambda: not self.scanning(), 'the scan has ended')
+            self.assertIn('cancelled', self.states[-1].message)
+
+    def test_a_line_too_long_ends_the_connection_and_its_scan(self):
+        with self.prepared() as client:
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            self.assertIn('ERROR line too long', client.ask('A' * 1024))
+            self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
+
+    def test_of_a_client_that_is_gone_only_what_ends_things_is_carried_out(self):
+        self.start_ros_scan()
+        self.wait_for(lambda: self.lasers, 'a laser is on')
+        with Client() as client:
+            client.send_and_close_its_direction(b'GRAB_IMAGE\nRESET\n')
+            self.assertIn('ERROR', client.lines.readline(), 'that it is gone, or that a scan runs')
+            self.assertEqual(client.lines.readline(), 'OK\n')
         self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
 
     def test_lasers_go_off_when_the_client_goes(self):

@@ -78,8 +78,18 @@ def flange(board, view):
     return board @ camera @ pose(numpy.eye(3), (0, 0, -CAMERA_ON_FLANGE))
 
 
+class Version(argparse.Action):
+    """Says the suite's version, that of package.xml."""
+
+    def __call__(self, parser, *_):
+        import rospkg  # not needed for anything else
+        print(parser.prog, rospkg.RosPack().get_manifest('scan_cell_sim').version)
+        parser.exit()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
     parser.add_argument('--world', required=True, help='world file with the board')
     parser.add_argument('--cell', required=True, help='cell file: where the robot stands')
     parser.add_argument('--output', required=True, help='file of taught poses (CSV)')

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <functional>
 #include <random>
 
+#include "arm_truth.h"
 #include "scan_cell_sim/controller/motion_control.h"
 #include "scan_cell_sim/controller/wire_pose.h"
 
@@ -18,7 +17,6 @@ using scan_cell_common::from_seconds;
 using scan_cell_common::Nanoseconds;
 using scan_cell_sim::ControllerErrorCode;
 using scan_cell_sim::ControllerMode;
-using scan_cell_sim::ControllerRefusal;
 using scan_cell_sim::Joints;
 using scan_cell_sim::MotionControl;
 using scan_cell_sim::MotionStatus;
@@ -27,43 +25,7 @@ using Source = scan_cell_sim::Readiness::Source;
 
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 constexpr Nanoseconds kStart = 1'700'000'000'000'000'000;
-
-Joints degrees(double a, double b, double c, double d, double e, double f) {
-  return kDegree * (Joints() << a, b, c, d, e, f).finished();
-}
-
-Isometry3d looking_down(double x, double y, double z) {
-  Isometry3d pose = Isometry3d::Identity();
-  pose.translation() << x, y, z;
-  pose.linear() = Vector3d(1, -1, -1).asDiagonal();
-  return pose;
-}
-
-/// Product of exponentials (Lynch and Park 2017) from the data sheet's lengths: every axis where it
-/// lies with all joints at zero, the arm upright.
-Isometry3d product_of_exponentials(const Joints& q) {
-  const Vector3d shoulder(0.150, 0, 0.450);
-  const Vector3d elbow = shoulder + Vector3d(0, 0, 0.590);
-  const Vector3d wrist = elbow + Vector3d(-0.130, 0, 0.64707);
-  const std::array<Vector3d, 6> axes = {-Vector3d::UnitZ(), Vector3d::UnitY(), -Vector3d::UnitY(),
-                                        -Vector3d::UnitZ(), Vector3d::UnitY(), -Vector3d::UnitZ()};
-  const std::array<Vector3d, 6> points = {Vector3d::Zero(), shoulder, elbow, wrist, wrist, wrist};
-  Isometry3d pose = Isometry3d::Identity();
-  for (int i = 0; i < 6; ++i)
-    pose = pose * Translation3d(points[i]) * AngleAxisd(q[i], axes[i]) * Translation3d(-points[i]);
-  Isometry3d home = Isometry3d::Identity();
-  home.translation() = wrist + Vector3d(0, 0, 0.095);
-  home.linear() = Vector3d(-1, -1, 1).asDiagonal();
-  return pose * home;
-}
-
-/// @param tolerance [m] and [rad]
-void expect_same(const Isometry3d& pose, const Isometry3d& expected, double tolerance) {
-  EXPECT_LT((pose.translation() - expected.translation()).norm(), tolerance);
-  EXPECT_LT(AngleAxisd(pose.linear().transpose() * expected.linear()).angle(), tolerance);
-}
 
 class Motion : public testing::Test {
  protected:
@@ -74,16 +36,6 @@ class Motion : public testing::Test {
   Isometry3d start_ = looking_down(0.80, 0, 0.60);
   MotionControl control_{scan_cell_sim::reach(start_, Joints::Zero())};
 };
-
-ControllerErrorCode refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const ControllerRefusal& refused) {
-    return refused.code();
-  }
-  ADD_FAILURE() << "was not refused";
-  return ControllerErrorCode::Malformed;
-}
 
 }  // namespace
 
@@ -356,20 +308,6 @@ TEST_F(Motion, RefusesWhatTheRobotCannotDo) {
   EXPECT_EQ(refusal([&] { control_.move_to_joints(2, at(0).joints, 0, kStart + 1000); }),
             ControllerErrorCode::Moving);
   EXPECT_EQ(control_.motions_begun(), 1u);
-}
-
-TEST(Line, IsRefusedWhereTheWristWouldFlipOver) {
-  // the flange's axis swings past the forearm's at one degree: J4 would have to turn half around
-  const Joints from = degrees(0, 0, -90, 3, 20, 0);
-  const Joints past = degrees(0, 0, -90, -3, -20, 0);
-  EXPECT_EQ(refusal([&] { scan_cell_sim::plan_line(from, scan_cell_sim::flange_of(past), {}); }),
-            ControllerErrorCode::Singular);
-  // straight through it, no axis jumps
-  const Joints through = degrees(0, 0, -90, 0, -20, 0);
-  const auto plan =
-      scan_cell_sim::plan_line(degrees(0, 0, -90, 0, 20, 0), scan_cell_sim::flange_of(through), {});
-  expect_same(product_of_exponentials(plan.path->joints(1)), scan_cell_sim::flange_of(through),
-              2e-9);
 }
 
 TEST_F(Motion, RemembersWhereItWas) {

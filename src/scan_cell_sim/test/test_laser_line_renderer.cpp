@@ -91,9 +91,9 @@ Vector2d textbook_projection(const ScannerModel& scanner, const Vector3d& p) {
 /// laser plane and that plane meet in a line, whose projection is followed by bisection.
 double line_column(const ScannerModel& scanner, std::size_t laser, const Eigen::Isometry3d& camera,
                    double height, int row) {
-  const Vector3d n1 = scanner.lasers[laser].normal;
+  const Vector3d n1 = scanner.laser(laser).normal;
   const Vector3d n2 = camera.linear().transpose() * Vector3d::UnitZ();
-  const double d1 = scanner.lasers[laser].distance;
+  const double d1 = scanner.laser(laser).distance;
   const double d2 = height - camera.translation().z();
   const Vector3d way = n1.cross(n2);
   const Vector3d on_both =

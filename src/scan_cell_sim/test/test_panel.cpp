@@ -36,9 +36,9 @@ TEST_F(TypedLines, DoWhatAPersonAtThePanelDoes) {
   const json state = client_.ask(2, {{"cmd", "GET_STATIC_POSE"}})["state"];
   EXPECT_EQ(state["mode"], "programming");
   EXPECT_EQ(state["drives"], true);
-  EXPECT_EQ(panel_.carry_out("fail collision"), "ok");
+  EXPECT_EQ(panel_.carry_out(" fail  following error of J2 \r"), "ok");
   EXPECT_EQ(client_.ask(3, {{"cmd", "GET_STATIC_POSE"}})["state"]["alarms"][0]["text"],
-            "collision");
+            "following error of J2");
 }
 
 TEST_F(TypedLines, SpoilTheCableAndRepairIt) {
@@ -59,7 +59,7 @@ TEST_F(TypedLines, SpoilTheCableAndRepairIt) {
 TEST_F(TypedLines, AreRefusedOrExplainedWhereTheyMakeNoSense) {
   for (const char* line :
        {"fault lost 2", "fault lost", "fault colour 1", "fault lost 0.1 sideways", "mode fast",
-        "drives up", "link", "restart soon", "restart -1"})
+        "drives up", "link", "restart soon", "restart -1", "restart 10 s", "well done"})
     EXPECT_TRUE(refuses(line)) << line;
   EXPECT_EQ(panel_.carry_out("  "), "");
   for (const char* line : {"help", "dance"})

@@ -103,7 +103,7 @@ TEST_F(RobotFaults, SpoilRequestsTooWhereThatIsAsked) {
   auto faults = with(&SetFaults::Request::robot_lost_packets, 1.0);
   faults.robot_requests_too = true;
   ASSERT_TRUE(set_faults(faults).success);
-  client_.send(json{{"c4g", 1}, {"session", 100}, {"seq", ++seq_}, {"cmd", "STOP"}});
+  client_.send(json{{"c4g", 1}, {"session", 100}, {"seq", seq_ + 1}, {"cmd", "STOP"}});
   EXPECT_TRUE(client_.receive("ack", 300).is_null());
   ASSERT_TRUE(set_faults({}).success);
   EXPECT_EQ(code(ask({{"cmd", "STOP"}})), 0);

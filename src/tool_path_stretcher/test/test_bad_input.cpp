@@ -19,6 +19,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMillimetres = 1000;
+constexpr double kInches = 1 / 0.0254;
 
 /// A frame, the same turned and moved, and a path on it.
 struct Input {
@@ -178,7 +179,11 @@ const BadCase kUnits[] = {
     {"PathInMillimetres",
      [](Input& input) { scale(input.path, kMillimetres); },
      Reason::kUnusableInput,
-     {"tool path: it lies on the reference only once it is divided by 1000", "give it in metres"}},
+     {"tool path: it lies on the reference only once it is divided by 1000", "--path-units mm"}},
+    {"PathInInches",
+     [](Input& input) { scale(input.path, kInches); },
+     Reason::kUnusableInput,
+     {"only once it is divided by 39.37", "--path-units inch"}},
 };
 
 const BadCase kPaths[] = {

@@ -12,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "scan_cell_common/cloud_files.h"
+#include "tool_path_stretcher/report.h"
 
 namespace fs = std::filesystem;
 
@@ -41,25 +42,54 @@ class PictureCommand : public testing::Test {
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
+  /// As the action reports it: without files.
   void write_report(const std::string& verdict, const std::vector<int>& waypoints,
                     const nlohmann::json& candidates = nlohmann::json::array()) const {
-    const nlohmann::json report = {{"verdict", verdict},
-                                   {"reason", verdict == "accepted" ? verdict : "path_not_scanned"},
-                                   {"message", "what the stretcher says"},
-                                   {"waypoints_concerned", waypoints},
-                                   {"candidates", candidates},
-                                   {"inlier_ratio", 1},
-                                   {"transform", kIdentity}};
+    save_report(report_of(verdict, waypoints, candidates));
+  }
+
+  nlohmann::json report_of(const std::string& verdict, const std::vector<int>& waypoints,
+                           const nlohmann::json& candidates = nlohmann::json::array()) const {
+    const nlohmann::json none;
+    nlohmann::json report = {{"verdict", verdict},
+                             {"reason", verdict == "accepted" ? verdict : "path_not_scanned"},
+                             {"message", "what the stretcher says"},
+                             {"waypoints_concerned", waypoints},
+                             {"candidates", candidates},
+                             {"inlier_ratio", 1},
+                             {"reference_points", none},
+                             {"object_points", none},
+                             {"transform", kIdentity}};
+    report["files"] = {{"reference", none}, {"object", none}, {"path", none}, {"output", none}};
+    report["path"] = {{"waypoints", 3}};
+    report["quality"] = nlohmann::json::array();
+    for (int i = 0; i < 3; ++i)
+      report["quality"].push_back({{"displacement", 0}});
+    return report;
+  }
+
+  void save_report(const nlohmann::json& report) const {
     std::ofstream(file("report.json")) << report;
   }
 
-  int run() const {
-    const std::string command = std::string(PICTURE_COMMAND) + " --reference " + file("plate.ply") +
-                                " --object " + file("plate.ply") + " --path " + file("path.csv") +
-                                " --report " + file("report.json") + " --output " +
-                                file("picture.png") + " > /dev/null 2> " + file("stderr");
+  int run(const std::string& more = "") const {
+    fs::remove(file("picture.png"));
+    const std::string command =
+        std::string(PICTURE_COMMAND) + " --reference " + file("plate.ply") + " --object " +
+        file("plate.ply") + " --path " + file("path.csv") + " --report " + file("report.json") +
+        " --output " + file("picture.png") + " " + more + " > /dev/null 2> " + file("stderr");
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  std::string complaint() const {
+    std::ifstream in(file("stderr"));
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+  }
+
+  nlohmann::json record_of(const std::string& name) const {
+    const auto record = tool_path_stretcher::record_of(file(name), "m");
+    return {{"name", record.name}, {"sha256", record.sha256}, {"units", record.units}};
   }
 
   /// Pixels below the words.
@@ -121,4 +151,65 @@ TEST_F(PictureCommand, RefusesWhatIsNoReport) {
   std::ofstream(file("report.json")) << R"({"verdict": "accepted"})";
   EXPECT_EQ(run(), 1);
   EXPECT_FALSE(fs::exists(file("picture.png")));
+}
+
+TEST_F(PictureCommand, ShowsTheFilesOfTheRunThatWroteTheReport) {
+  fs::copy_file(file("path.csv"), file("adapted.csv"));
+  nlohmann::json report = report_of("accepted", {});
+  report["files"] = {{"reference", record_of("plate.ply")},
+                     {"object", record_of("plate.ply")},
+                     {"path", record_of("path.csv")},
+                     {"output", record_of("adapted.csv")}};
+  save_report(report);
+  EXPECT_EQ(run("--adapted " + file("adapted.csv")), 0) << complaint();
+  std::ofstream(file("other.csv")) << "x,y,z\n0.1,0.05,0\n0.1,0.1,0\n0.2,0.11,0\n";
+  EXPECT_EQ(run("--adapted " + file("other.csv")), 1);
+  EXPECT_NE(complaint().find("other.csv: not the adapted path of the report"), std::string::npos)
+      << complaint();
+  EXPECT_FALSE(fs::exists(file("picture.png")));
+  for (const char* const role : {"reference", "object", "path"}) {
+    nlohmann::json other = report;
+    other["files"][role] = record_of("other.csv");
+    save_report(other);
+    EXPECT_EQ(run(), 1) << role;
+    EXPECT_NE(complaint().find(std::string(role) + " of the report"), std::string::npos) << role;
+    EXPECT_FALSE(fs::exists(file("picture.png"))) << role;
+  }
+}
+
+TEST_F(PictureCommand, RefusesWhatDoesNotFitTheFiguresOfAReportWithoutFiles) {
+  const nlohmann::json report = report_of("accepted", {});
+  save_report(report);
+  EXPECT_EQ(run("--adapted " + file("path.csv")), 0) << complaint();
+  std::ofstream(file("moved.csv")) << "x,y,z\n0.1,0.05,0\n0.1,0.105,0\n0.2,0.1,0\n";
+  EXPECT_EQ(run("--adapted " + file("moved.csv")), 1);
+  EXPECT_NE(complaint().find("waypoint 1 lies 5.0"), std::string::npos) << complaint();
+  std::ofstream(file("short.csv")) << "x,y,z\n0.1,0.05,0\n";
+  EXPECT_EQ(run("--adapted " + file("short.csv")), 1);
+  for (const char* const figure : {"reference_points", "object_points"}) {
+    nlohmann::json other = report;
+    other[figure] = 17;
+    save_report(other);
+    EXPECT_EQ(run(), 1) << figure;
+    EXPECT_NE(complaint().find("17 in the report"), std::string::npos) << complaint();
+  }
+  nlohmann::json longer = report;
+  longer["path"]["waypoints"] = 4;
+  save_report(longer);
+  EXPECT_EQ(run(), 1);
+}
+
+TEST_F(PictureCommand, RefusesAnAdaptedPathBesideARefusal) {
+  write_report("refused", {1});
+  EXPECT_EQ(run("--adapted " + file("path.csv")), 1);
+  EXPECT_NE(complaint().find("a report that refuses"), std::string::npos) << complaint();
+}
+
+TEST_F(PictureCommand, RefusesABadEndingBeforeTheWork) {
+  const std::string command = std::string(PICTURE_COMMAND) +
+                              " --reference no.ply --object no.ply --path no.csv --report no.json"
+                              " --output " +
+                              file("picture.txt") + " 2> " + file("stderr");
+  EXPECT_NE(std::system(command.c_str()), 0);
+  EXPECT_NE(complaint().find("ending '.txt'"), std::string::npos) << complaint();
 }

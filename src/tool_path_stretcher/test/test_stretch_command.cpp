@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 
 #include "scan_cell_common/cloud_files.h"
 #include "synthetic_parts.h"
+#include "tool_path_stretcher/report.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace fs = std::filesystem;
@@ -26,6 +28,12 @@ scan_cell_common::Cloud cloud_of(const Points& points) {
     cloud.push_back(
         {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
   return cloud;
+}
+
+Points scaled(Points points, double factor) {
+  for (Eigen::Vector3d& point : points)
+    point *= factor;
+  return points;
 }
 
 class StretchCommand : public testing::Test {
@@ -57,7 +65,7 @@ class StretchCommand : public testing::Test {
     const std::string command = std::string(STRETCH_COMMAND) + " --reference " + file(reference) +
                                 " --object " + file(object) + " --path " + file(path) +
                                 " --output " + file(output) + " --report " + file(report) + " " +
-                                more + " > /dev/null 2> " + file("stderr");
+                                more + " > " + file("stdout") + " 2> " + file("stderr");
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -210,10 +218,173 @@ TEST_F(StretchCommand, LeavesNoPathWithoutAReport) {
   EXPECT_TRUE(left_no_path());
 }
 
+TEST_F(StretchCommand, LeavesNoOldResultBehindAMisspeltOption) {
+  fs::copy(file("p.csv"), file("out.csv"));
+  fs::copy(file("p.csv"), file("report.json"));
+  EXPECT_EQ(run("r.ply", "d.ply", "p.csv", "--tolerence 0.001"), 1);
+  EXPECT_NE(text_of("stderr").find("did you mean --tolerance?"), std::string::npos);
+  EXPECT_TRUE(left_no_path());
+  EXPECT_FALSE(fs::exists(file("report.json")));
+  EXPECT_TRUE(fs::exists(file("p.csv")) && fs::exists(file("d.ply")));
+}
+
 TEST_F(StretchCommand, RefusesCloudsWithNan) {
   scan_cell_common::Cloud cloud = scan_cell_common::load_cloud(file("d.ply"));
   cloud[5].x = std::numeric_limits<float>::quiet_NaN();
   scan_cell_common::save_cloud(file("nan.ply"), cloud);
   EXPECT_EQ(run("r.ply", "nan.ply", "p.csv"), 1);
   EXPECT_NE(text_of("stderr").find("1 of 20000 points are not finite"), std::string::npos);
+}
+
+TEST_F(StretchCommand, SaysWhatItUnderstoodOfThePath) {
+  std::ofstream(file("words.csv")) << "x,y,z,segment,speed\n";
+  std::ofstream words(file("words.csv"), std::ios::app);
+  for (const Waypoint& waypoint : synthetic::path_on(part_, 100).segments[0].waypoints) {
+    const Eigen::Vector3d at = waypoint.pose.translation();
+    words << at.x() << ',' << at.y() << ',' << at.z() << ",rim,0.5\n";
+  }
+  words.close();
+  ASSERT_EQ(run("r.ply", "d.ply", "words.csv"), 0) << text_of("stderr");
+  EXPECT_NE(text_of("stdout").find("path: 50 waypoints in 1 segment, in m; orientations: none; "
+                                   "process values: speed"),
+            std::string::npos)
+      << text_of("stdout");
+  const nlohmann::json path = report()["path"];
+  EXPECT_EQ(path["waypoints"], 50);
+  EXPECT_EQ(path["segments"], 1);
+  EXPECT_EQ(path["orientations"], "none");
+  EXPECT_EQ(path["process_values"], nlohmann::json::array({"speed"}));
+}
+
+TEST_F(StretchCommand, HeadsItsReportWithWhatToLookAt) {
+  ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0) << text_of("stderr");
+  const nlohmann::json all = report();
+  std::size_t measured = 0;
+  double displacement = 0, normal = 0, tangential = 0;
+  for (const nlohmann::json& each : all["quality"]) {
+    measured += each["measured"].get<bool>() ? 1 : 0;
+    displacement = std::max(displacement, each["displacement"].get<double>());
+    normal = std::max(normal, each["expected_error_normal"].get<double>());
+    tangential = std::max(tangential, each["expected_error_tangential"].get<double>());
+  }
+  EXPECT_EQ(all["measured_waypoints"], measured);
+  EXPECT_EQ(all["inferred_waypoints"], 100 - measured);
+  EXPECT_EQ(all["largest_displacement"], displacement);
+  EXPECT_EQ(all["largest_expected_error_normal"], normal);
+  EXPECT_EQ(all["largest_expected_error_tangential"], tangential);
+  const std::string said = text_of("stdout");
+  EXPECT_NE(said.find("accepted: 100 waypoints, " + std::to_string(measured) + " measured and " +
+                      std::to_string(100 - measured) + " inferred, displaced by up to "),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("expected error up to "), std::string::npos) << said;
+}
+
+TEST_F(StretchCommand, ReportsTheWholeTimeWithItsParts) {
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
+  const double wall =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const nlohmann::json parts = report()["seconds_of"];
+  const double seconds = report()["seconds"];
+  EXPECT_GT(parts["reading"], 0);
+  EXPECT_GT(parts["adapting"], 0);
+  EXPECT_GT(parts["writing"], 0);
+  EXPECT_NEAR(seconds,
+              parts["reading"].get<double>() + parts["adapting"].get<double>() +
+                  parts["writing"].get<double>(),
+              1e-9);
+  EXPECT_LT(seconds, wall);
+}
+
+TEST_F(StretchCommand, ReportsNullForWhatItDoesNotKnow) {
+  ASSERT_EQ(run("no.ply", "d.ply", "p.csv"), 1);
+  for (const char* const figure :
+       {"scale", "translation", "rotation", "transform", "deformation_nodes", "rms", "inlier_ratio",
+        "overlap", "reference_points", "object_points", "measured_waypoints", "inferred_waypoints",
+        "largest_displacement", "largest_expected_error_normal"}) {
+    EXPECT_TRUE(report()[figure].is_null()) << figure;
+  }
+  EXPECT_EQ(report()["path"]["waypoints"], 100);
+  EXPECT_TRUE(report()["files"]["reference"].is_null());
+  std::ofstream(file("bad.csv")) << "no path";
+  ASSERT_EQ(run("r.ply", "d.ply", "bad.csv"), 1);
+  EXPECT_TRUE(report()["path"].is_null());
+}
+
+TEST_F(StretchCommand, ReportsTheHashesOfItsFiles) {
+  std::ofstream(file("abc")) << "abc";  // the example of FIPS 180-2
+  EXPECT_EQ(record_of(file("abc"), "m").sha256,
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
+  const std::map<std::string, std::string> files = {
+      {"reference", "r.ply"}, {"object", "d.ply"}, {"path", "p.csv"}, {"output", "out.csv"}};
+  for (const auto& [role, name] : files) {
+    EXPECT_EQ(report()["files"][role]["name"], file(name));
+    EXPECT_EQ(report()["files"][role]["sha256"], record_of(file(name), "m").sha256) << role;
+  }
+}
+
+TEST_F(StretchCommand, RefusesBadEndingsBeforeTheWork) {
+  EXPECT_EQ(run_into("out.txt", "report.json", "no.ply"), 1);
+  EXPECT_NE(text_of("stderr").find("ending '.txt'"), std::string::npos) << text_of("stderr");
+  EXPECT_EQ(run_into("no/folder/out.csv", "report.json", "no.ply"), 1);
+  EXPECT_NE(text_of("stderr").find("no folder"), std::string::npos) << text_of("stderr");
+  std::ofstream(file("out.csv")) << "an old path";
+  EXPECT_EQ(run_into("out.csv", "report.txt", "no.ply"), 1);
+  EXPECT_NE(text_of("stderr").find("report.txt: ending '.txt'"), std::string::npos)
+      << text_of("stderr");
+  EXPECT_TRUE(left_no_path());
+}
+
+TEST_F(StretchCommand, TakesACadReferenceInMillimetresAndAScanInMetres) {
+  ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
+  const ToolPath expected = load_tool_path(file("out.csv"));
+  scan_cell_common::save_cloud(
+      file("r_mm.ply"),
+      cloud_of(scaled(to_points(scan_cell_common::load_cloud(file("r.ply"))), 1000)));
+  PathLayout millimetres = load_tool_path_file(file("p.csv")).layout;
+  millimetres.pose.units = "mm";
+  save_tool_path(file("p_mm.csv"), load_tool_path(file("p.csv")), millimetres);
+  ASSERT_EQ(run("r_mm.ply", "d.ply", "p_mm.csv", "--units mm --object-units m"), 0)
+      << text_of("stderr");
+  EXPECT_EQ(report()["path"]["units"], "mm");
+  EXPECT_EQ(report()["files"]["object"]["units"], "m");
+  EXPECT_NEAR(report()["scale"], 1.08, 0.001);
+  PathConventions in_millimetres;
+  in_millimetres.units = "mm";
+  const ToolPath found = load_tool_path(file("out.csv"), in_millimetres);
+  EXPECT_LT(synthetic::error_of(found, expected).rms, 1e-5);
+  EXPECT_EQ(run("r_mm.ply", "d.ply", "p_mm.csv", "--units ell"), 1);
+  EXPECT_NE(text_of("stderr").find("'ell'; give m, mm or inch"), std::string::npos)
+      << text_of("stderr");
+}
+
+TEST_F(StretchCommand, TurnsEulerAnglesAndNeverCopiesThem) {
+  ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
+  const ToolPath expected = load_tool_path(file("out.csv"));
+  PathLayout angles = load_tool_path_file(file("p.csv")).layout;
+  angles.columns.clear();
+  angles.pose.orientation = OrientationKind::kEuler;
+  angles.pose.euler = "zyx";
+  angles.pose.degrees = true;
+  angles.pose.names = {"rz", "ry", "rx"};
+  save_tool_path(file("angles.csv"), load_tool_path(file("p.csv")), angles);
+  EXPECT_EQ(run("r.ply", "d.ply", "angles.csv"), 1);
+  EXPECT_NE(text_of("stderr").find("'rx', 'ry', 'rz' could be an orientation"), std::string::npos)
+      << text_of("stderr");
+  EXPECT_EQ(report()["reason"], "unusable_input");
+  EXPECT_TRUE(left_no_path());
+  ASSERT_EQ(run("r.ply", "d.ply", "angles.csv", "--euler zyx --degrees"), 0) << text_of("stderr");
+  const std::string written = text_of("out.csv");
+  EXPECT_EQ(written.substr(0, written.find('\n')),
+            text_of("angles.csv").substr(0, text_of("angles.csv").find('\n')));
+  PathConventions given;
+  given.euler = "zyx";
+  given.angles = AngleUnit::kDegrees;
+  const ToolPath found = load_tool_path(file("out.csv"), given);
+  for (std::size_t i = 0; i < found.segments[0].waypoints.size(); ++i) {
+    EXPECT_TRUE(
+        found.segments[0].waypoints[i].pose.isApprox(expected.segments[0].waypoints[i].pose, 1e-6));
+  }
 }

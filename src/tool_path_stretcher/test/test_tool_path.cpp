@@ -59,6 +59,27 @@ TEST(Resampling, RefusesMoreWaypointsThanAnyoneNeeds) {
   EXPECT_THROW(resampled(line(), 1e-9), scan_cell_common::UnusableInput);
 }
 
+TEST(Resampling, HasOneRangeOfSpacings) {
+  for (const double good : {0., 1e-6, 0.004, 10.}) {
+    StretchParameters parameters;
+    parameters.resample_spacing = good;
+    EXPECT_NO_THROW(check(parameters)) << good;
+  }
+  for (const double bad : {-0.004, 1e-7, 10.1, std::nan("")}) {
+    StretchParameters parameters;
+    parameters.resample_spacing = bad;
+    EXPECT_THROW(check(parameters), scan_cell_common::InvalidParameter) << bad;
+  }
+  try {
+    check_resample_spacing("/stretcher/resample_spacing", 1e-7);
+    FAIL();
+  } catch (const scan_cell_common::InvalidParameter& error) {
+    EXPECT_STREQ(error.what(),
+                 "/stretcher/resample_spacing: 1e-07 m; give 1e-6 to 10 m, or 0 for the path's own "
+                 "waypoints");
+  }
+}
+
 TEST(Resampling, IsDoneBeforeThePathIsAdapted) {
   const synthetic::Part part = synthetic::curved_panel();
   synthetic::Scan scan;

@@ -22,7 +22,7 @@ namespace {
 template <class Parser>
 std::string complaint(Parser parse, const std::string& text) {
   try {
-    parse(text, "path");
+    parse(text, "path", {});
   } catch (const UnusableInput& error) {
     return error.what();
   }
@@ -97,8 +97,10 @@ const char* const kNested = R"(- dwell_time: 0
 }  // namespace
 
 TEST(ToolPathCsv, IsReadByTheNamesOfItsColumns) {
-  const ToolPath path = parse_tool_path_csv(
-      "speed,z,y,x,segment\n# a comment\n0.5, 3,2,1,a\r\n0.6,6,5,4,a\n\n0.7,9,8,7,b\n", "path");
+  const ToolPath path =
+      parse_tool_path_csv(
+          "speed,z,y,x,segment\n# a comment\n0.5, 3,2,1,a\r\n0.6,6,5,4,a\n\n0.7,9,8,7,b\n", "path")
+          .path;
   ASSERT_EQ(path.segments.size(), 2U);
   EXPECT_FALSE(path.has_orientation);
   EXPECT_EQ(path.process_names, std::vector<std::string>{"speed"});
@@ -110,8 +112,10 @@ TEST(ToolPathCsv, IsReadByTheNamesOfItsColumns) {
 
 TEST(ToolPathCsv, TurnsTheQuaternionTheRightWay) {
   const double half = std::sqrt(0.5);
-  const ToolPath path = parse_tool_path_csv(
-      "x,y,z,qx,qy,qz,qw\n0,0,0,0,0," + std::to_string(half) + "," + std::to_string(half), "path");
+  const ToolPath path = parse_tool_path_csv("x,y,z,qx,qy,qz,qw\n0,0,0,0,0," + std::to_string(half) +
+                                                "," + std::to_string(half),
+                                            "path")
+                            .path;
   const Eigen::Vector3d turned =
       path.segments[0].waypoints[0].pose.linear() * Eigen::Vector3d::UnitX();
   EXPECT_TRUE(turned.isApprox(Eigen::Vector3d::UnitY(), 1e-6));
@@ -135,7 +139,7 @@ TEST(ToolPathCsv, NamesTheLineOfWhatIsWrong) {
 }
 
 TEST(ToolPathYaml, TakesTheInnerArraysOfPosesAsSegments) {
-  const ToolPath path = parse_tool_path_yaml(kNested, "path");
+  const ToolPath path = parse_tool_path_yaml(kNested, "path").path;
   ASSERT_EQ(path.segments.size(), 2U);
   ASSERT_EQ(path.segments[0].waypoints.size(), 2U);
   ASSERT_EQ(path.segments[1].waypoints.size(), 1U);
@@ -147,11 +151,11 @@ TEST(ToolPathYaml, TakesTheInnerArraysOfPosesAsSegments) {
 }
 
 TEST(ToolPathYaml, TakesPlainListsToo) {
-  const ToolPath one = parse_tool_path_yaml("[[1, 2, 3], [4, 5, 6]]", "path");
+  const ToolPath one = parse_tool_path_yaml("[[1, 2, 3], [4, 5, 6]]", "path").path;
   ASSERT_EQ(one.segments.size(), 1U);
   EXPECT_EQ(one.segments[0].waypoints[1].pose.translation(), Eigen::Vector3d(4, 5, 6));
   const ToolPath two =
-      parse_tool_path_yaml("- [[1, 2, 3, 0, 0, 0, 1]]\n- [[4, 5, 6, 0, 0, 0, 1]]\n", "path");
+      parse_tool_path_yaml("- [[1, 2, 3, 0, 0, 0, 1]]\n- [[4, 5, 6, 0, 0, 0, 1]]\n", "path").path;
   ASSERT_EQ(two.segments.size(), 2U);
   EXPECT_TRUE(two.has_orientation);
 }
@@ -213,7 +217,8 @@ TEST(ToolPathFiles, AreRefusedWhereMissingOrOfAnotherKind) {
   EXPECT_THROW(save_tool_path("/no/such/folder/path.csv", example()), FileError);
   EXPECT_THROW(save_tool_path("empty.csv", ToolPath{}), UnusableInput);
   EXPECT_THROW(check_tool_path_name("path.txt"), FileError);
-  EXPECT_NO_THROW(check_tool_path_name("/no/such/folder/path.YML"));
+  EXPECT_THROW(check_tool_path_name("/no/such/folder/path.yaml"), FileError);
+  EXPECT_NO_THROW(check_tool_path_name((fs::temp_directory_path() / "path.YML").string()));
 }
 
 TEST(ToolPathFiles, AreReadOrRefusedWhateverIsInThem) {
@@ -229,7 +234,7 @@ TEST(ToolPathFiles, AreReadOrRefusedWhateverIsInThem) {
 }
 
 TEST(ToolPathCsv, IsReadAsSpreadsheetsWriteIt) {
-  const ToolPath path = parse_tool_path_csv("\xef\xbb\xbfx,y,z\r\n+0.5,0.25,1\r\n", "path");
+  const ToolPath path = parse_tool_path_csv("\xef\xbb\xbfx,y,z\r\n+0.5,0.25,1\r\n", "path").path;
   EXPECT_EQ(path.segments[0].waypoints[0].pose.translation(), Eigen::Vector3d(0.5, 0.25, 1));
   EXPECT_TRUE(
       names(csv_complaint("x;y;z\n0,5;1;2\n"), "separated by ';'; separate them by commas"));
@@ -238,9 +243,10 @@ TEST(ToolPathCsv, IsReadAsSpreadsheetsWriteIt) {
 }
 
 TEST(ToolPathYaml, IsReadAsEditorsWriteIt) {
-  const ToolPath path = parse_tool_path_yaml("\xef\xbb\xbf- [1, 2, 3]\r\n- [4, 5, 6]\r\n", "path");
+  const ToolPath path =
+      parse_tool_path_yaml("\xef\xbb\xbf- [1, 2, 3]\r\n- [4, 5, 6]\r\n", "path").path;
   EXPECT_EQ(path.segments[0].waypoints[1].pose.translation(), Eigen::Vector3d(4, 5, 6));
-  EXPECT_TRUE(names(yaml_complaint("- [\"0,5\", 1, 2]\n"), "element 0 = '0,5'"));
+  EXPECT_TRUE(names(yaml_complaint("- [\"0,5\", 1, 2]\n"), "x = '0,5'"));
 }
 
 TEST(ToolPathFiles, SayShortlyWhatIsWrongInAHugeLine) {

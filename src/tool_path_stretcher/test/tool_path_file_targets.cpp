@@ -32,14 +32,30 @@ const char* const kNamedYaml =
     "  - name: 'inner'\n    poses:\n"
     "      - {position: {x: 0.1, y: 1, z: 0}, process_values: [0.5, -12]}\n";
 
-/// What was read can be used, and written, and comes back.
-template <class Write, class Read>
-void check_path(const std::string& bytes, Read read, Write write) {
-  const ToolPath path = read(bytes, "f");
-  check(path);
-  constexpr std::size_t kAliases = 100000;  // a small text can stand for a long path
-  if (waypoint_count(path) > kAliases) return;
-  const ToolPath again = read(write(path), "written");
+const char* const kRobotCsv =
+    "x_mm,y_mm,z_mm,a_deg,e_deg,r_deg,speed\n100,200.5,-300,10,20,30,5\n"
+    "110,200.5,-300,-170,90,0,5\n120,200.5,-300,0,180,3.5,6\n";
+const char* const kAnglesCsv =
+    "segment,rx,ry,rz,x,y,z\na,0.1,0.2,0.3,1,2,3\na,-3,1.5,0,4,5,6\nb,0,0,0,7,8,9\n";
+const char* const kVectorsCsv =
+    "x,y,z,i,j,k\n0,0,0,0,0,1\n1,0,0,0.6,0,0.8\n2,0,0,-1,0,0\n3,0,0,1,0,0\n";
+const char* const kAbbCsv = "q1,q2,q3,q4,x,y,z\n1,0,0,0,0,0,0\n0.6,0,0,0.8,1,2,3\n";
+const char* const kEchoedYaml =
+    "header: {seq: 1, frame_id: \"world\"}\nposes:\n  -\n    header: {seq: 5}\n    pose:\n"
+    "      position: {x: 1.0, y: 2.0, z: 3.0}\n      orientation: {x: 0, y: 0, z: 0, w: 1}\n---\n"
+    "header: {seq: 2}\nposes:\n  - pose:\n      position: {x: 4.0, y: 5.0, z: 6.0}\n"
+    "      orientation: {x: 0, y: 0, z: 1, w: 0}\n    header: {seq: 6}\n---\n";
+const char* const kFlatYaml =
+    "- [{x: 1, y: 2, z: 3, qw: 1, qx: 0, qy: 0, qz: 0, speed: 5, note: 'slow'},\n"
+    "   {x: 4, y: 5, z: 6, qw: 0, qx: 1, qy: 0, qz: 0, speed: 7, note: \"fast\"}]\n";
+const char* const kRpyYaml =
+    "- {position: [1, 2, 3], rpy: [0.1, 0.2, 0.3]}\n- {position: [4, 5, 6], rpy: [0, -1, 3]}\n";
+
+/// @param layout of what was written
+void check_same(const ToolPath& path, const ToolPath& again, const PathLayout& layout) {
+  const bool to_the_last_digit = layout.pose.units == "m";
+  const bool axis_alone = layout.pose.orientation == OrientationKind::kToolVector;
+  constexpr double kRounding = 1e-9;
   promise(again.process_names.size() == path.process_names.size(), "as many names come back");
   promise(again.segments.size() == path.segments.size(), "as many segments come back");
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
@@ -47,11 +63,42 @@ void check_path(const std::string& bytes, Read read, Write write) {
     const auto& after = again.segments[s].waypoints;
     promise(before.size() == after.size(), "as many waypoints come back");
     for (std::size_t w = 0; w < before.size(); ++w) {
-      promise(before[w].pose.translation() == after[w].pose.translation(), "positions come back");
-      promise(before[w].pose.linear().isApprox(after[w].pose.linear(), 1e-9), "turns come back");
+      const Eigen::Vector3d from = before[w].pose.translation();
+      const Eigen::Vector3d to = after[w].pose.translation();
+      promise(to_the_last_digit ? from == to
+                                : (from - to).norm() <= kRounding * std::max(1.0, from.norm()),
+              "positions come back");
+      const Eigen::Matrix3d turn = before[w].pose.linear();
+      const Eigen::Matrix3d turn_again = after[w].pose.linear();
+      promise(axis_alone ? turn.col(2).isApprox(turn_again.col(2), 1e-9)
+                         : turn.isApprox(turn_again, 1e-7),
+              "turns come back");
       promise(before[w].process_values == after[w].process_values, "values come back");
     }
   }
+}
+
+/// What was read can be used, and written, and comes back: in its own shape, and in that of a new
+/// file.
+template <class Write, class Read>
+void check_path(const std::string& bytes, Read read, Write write,
+                const PathConventions& conventions) {
+  const ToolPathFile file = read(bytes, "f", conventions);
+  check(file.path);
+  promise(!to_string(contents_of(file.path, file.layout)).empty(), "it says what is in it");
+  constexpr std::size_t kAliases = 100000;  // a small text can stand for a long path
+  if (waypoint_count(file.path) > kAliases) return;
+  check_same(file.path, read(write(file.path, file.layout), "written", conventions).path,
+             file.layout);
+  check_same(file.path, read(write(file.path, PathLayout{}), "new", PathConventions{}).path,
+             PathLayout{});
+}
+
+PathConventions in_radians() {
+  PathConventions conventions;
+  conventions.euler = "zyx";
+  conventions.angles = AngleUnit::kRadians;
+  return conventions;
 }
 
 void check_surface(const Surface& surface) {
@@ -83,9 +130,10 @@ const char* const kMesh =
 }  // namespace
 
 std::vector<FuzzTarget> tool_path_file_targets() {
-  const std::vector<std::string> csv_words = {"x",  "y",  "z",  "qx",      "qy",    "qz", "qw",
-                                              ",",  "\"", "#",  "segment", "speed", "\n", "\r\n",
-                                              "\r", ";",  "\t", " ",       "\"\""};
+  const std::vector<std::string> csv_words = {
+      "x",     "y",  "z",    "qx",   "qy", "qz", "qw", ",",    "\"", "#",   "segment",
+      "speed", "\n", "\r\n", "\r",   ";",  "\t", " ",  "\"\"", "rx", "_mm", "a",
+      "e",     "r",  "_deg", "_rad", "i",  "j",  "k",  "q1",   "q4", "X"};
   const std::vector<std::string> yaml_words = {"position",
                                                "orientation",
                                                "name",
@@ -115,6 +163,11 @@ std::vector<FuzzTarget> tool_path_file_targets() {
                                                "...\n",
                                                "%YAML 1.2\n",
                                                "x: 1",
+                                               "rpy",
+                                               "pose",
+                                               "header",
+                                               "qx",
+                                               "rx",
                                                "~",
                                                "  ",
                                                "&last ",
@@ -122,29 +175,42 @@ std::vector<FuzzTarget> tool_path_file_targets() {
   const std::vector<std::string> number_words = {"\n",   " ",     "0.05", "0.050000 0.050000",
                                                  "1e20", "1e-20", "3e38", "0.01"};
   const Eigen::Vector3d leaf(0.002, 0.002, 0.0005);
-  return {
-      {"csv",
-       {kCsv, kPlainCsv},
-       csv_words,
-       [](const std::string& bytes) { check_path(bytes, parse_tool_path_csv, tool_path_to_csv); }},
-      {"yaml",
-       {kNestedYaml, kListYaml, kNamedYaml},
-       yaml_words,
-       [](const std::string& bytes) {
-         check_path(bytes, parse_tool_path_yaml, tool_path_to_yaml);
-       }},
-      {"cloud_surface",
-       {ascii_cloud()},
-       number_words,
-       [leaf](const std::string& bytes) {
-         check_surface(
-             surface_from_cloud(to_points(scan_cell_common::parse_ply(bytes, "f")), leaf, "f"));
-       }},
-      {"mesh_surface",
-       {kMesh},
-       number_words,
-       [leaf](const std::string& bytes) {
-         check_surface(surface_from_mesh(scan_cell_common::parse_obj(bytes, "f"), leaf, "f"));
-       },
-       1000}};  // 20,000 samples each
+  return {{"csv",
+           {kCsv, kPlainCsv, kRobotCsv, kVectorsCsv, kAbbCsv},
+           csv_words,
+           [](const std::string& bytes) {
+             check_path(bytes, parse_tool_path_csv, tool_path_to_csv, PathConventions{});
+           }},
+          {"csv_angles",
+           {kAnglesCsv},
+           csv_words,
+           [](const std::string& bytes) {
+             check_path(bytes, parse_tool_path_csv, tool_path_to_csv, in_radians());
+           }},
+          {"yaml",
+           {kNestedYaml, kListYaml, kNamedYaml, kEchoedYaml, kFlatYaml},
+           yaml_words,
+           [](const std::string& bytes) {
+             check_path(bytes, parse_tool_path_yaml, tool_path_to_yaml, PathConventions{});
+           }},
+          {"yaml_angles",
+           {kRpyYaml},
+           yaml_words,
+           [](const std::string& bytes) {
+             check_path(bytes, parse_tool_path_yaml, tool_path_to_yaml, in_radians());
+           }},
+          {"cloud_surface",
+           {ascii_cloud()},
+           number_words,
+           [leaf](const std::string& bytes) {
+             check_surface(
+                 surface_from_cloud(to_points(scan_cell_common::parse_ply(bytes, "f")), leaf, "f"));
+           }},
+          {"mesh_surface",
+           {kMesh},
+           number_words,
+           [leaf](const std::string& bytes) {
+             check_surface(surface_from_mesh(scan_cell_common::parse_obj(bytes, "f"), leaf, "f"));
+           },
+           1000}};  // 20,000 samples each
 }

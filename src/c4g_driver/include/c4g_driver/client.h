@@ -98,10 +98,16 @@ class Client {
   /// @throw scan_cell_common::Refused if the robot moves
   MeasuredState static_pose();
 
+  /// Of the controller, for messages: with its address and port.
+  const std::string& name() const { return name_; }
+
   Goal goal() const;
 
   /// The goal as soon as it ended, or as it is after `timeout` [s].
   Goal wait_for_goal(double timeout) const;
+
+  /// Whether there is a link now, or comes within `timeout` [s].
+  bool wait_for_link(double timeout) const;
 
   std::optional<MeasuredState> latest() const;
   LinkReport link() const;
@@ -135,6 +141,7 @@ class Client {
     double most_override;  //!< [%] see MotionCheck
   };
   Acknowledgement request(const Request& request, const Start* start = nullptr);
+  std::string why_no_answer(const Request& request, std::uint64_t malformed) const;
   std::optional<Acknowledgement> exchange(const std::string& datagram);
 
   const ClientOptions options_;

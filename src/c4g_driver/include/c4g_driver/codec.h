@@ -70,11 +70,13 @@ struct Acknowledgement {
   std::uint64_t seq = 0;                 //!< of the request
   std::optional<ControllerError> error;  //!< if there is one, nothing was done
   std::optional<RobotState> robot;
-  std::string value;  //!< JSON, of a parameter; empty where there is none
+  std::string value;  //!< JSON in printable ASCII, of a parameter; empty where there is none
 };
 
 using Reply = std::variant<StreamedState, Acknowledgement>;
 
+/// Texts of the controller come out as printable ASCII, whatever they are: nothing of them can
+/// command a terminal or begin a line of a log.
 /// @throw scan_cell_common::ProtocolError for anything else than such a datagram
 Reply parse(std::string_view datagram);
 

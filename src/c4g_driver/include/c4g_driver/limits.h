@@ -27,7 +27,7 @@ struct RobotLimits {
 };
 
 /// The same with the ranges of the joints narrowed to those of the robot.
-/// @throw scan_cell_common::InvalidParameter if a joint has no range left
+/// @throw scan_cell_common::InvalidParameter if a joint has no range left, or the box is none
 RobotLimits narrowed(const RobotLimits& limits, const RobotModel& robot);
 
 /// How fast the flange may go now.

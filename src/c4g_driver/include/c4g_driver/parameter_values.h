@@ -15,9 +15,13 @@ namespace c4g_driver {
 std::optional<double> override_of(const SetParameter& set);
 std::optional<double> linear_speed_of(const SetParameter& set);
 
-/// A parameter that is a word.
-/// @throw scan_cell_common::ProtocolError if it is none
-std::string word_of(const std::string& name, const std::string& text);
+/// The parameter motion_type: whether a MOVE_CARTESIAN goes in joints.
+/// @throw scan_cell_common::ProtocolError if it is neither "linear" nor "joint"
+bool goes_in_joints(const std::string& text);
+
+/// The parameter interpolation: whether A, E and R go each at its own rate along a line.
+/// @throw scan_cell_common::ProtocolError if it is neither "linear" nor "euler"
+bool turns_by_euler_angles(const std::string& text);
 
 /// The parameter rotational_speed [rad/s].
 /// @throw scan_cell_common::ProtocolError if it is no number above 0

@@ -21,10 +21,14 @@ enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
 /// Where the mode selector stands; c4g_protocol.md says what each mode allows.
 enum class ControllerMode { Programming, Automatic, Remote };
 
+/// As the protocol writes them.
+const char* name_of(MotionStatus status);
+const char* name_of(ControllerMode mode);
+
 /// What the controller complains of; codes in c4g_protocol.md.
 struct ControllerError {
   int code = 0;
-  boost::static_string<80> text;
+  boost::static_string<80> text;  //!< printable ASCII
 };
 
 /// Those that stand until they are reset. States come hundreds of times a second: nothing in them
@@ -43,8 +47,8 @@ struct RobotState {
   bool e_stop = false;
   bool drives = false;
   ControllerMode mode = ControllerMode::Programming;
-  double override = 0;                   //!< [%]
-  double linear_speed = 0;               //!< [m/s]
+  double override = 0;                   //!< [%] above 0, up to 100
+  double linear_speed = 0;               //!< [m/s] above 0
   std::optional<ControllerError> error;  //!< why the latest motion did not arrive
   Alarms alarms;
 };

@@ -11,6 +11,7 @@
 #include "delay_runs.h"
 #include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 using namespace c4g_driver;  // NOLINT
 using scan_cell_common::ChildProcess;
@@ -82,16 +83,12 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", seconds, "of each run")->check(CLI::Range(1.0, 15.0));
   app.add_option("--run", kind, "for the program itself: measure, source, listener or load");
   app.add_option("--port", port, "for the program itself: of the source");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("bench_c4g_driver", app, argc, argv, [&] {
     if (kind.empty()) return measure_all(program, seconds);
     if (kind == "source") return send_to_whoever_asks(port);
     if (kind == "listener") return listen();
     if (kind == "measure") return measure(program, seconds);
     for (volatile unsigned work = 0;; work = work + 1) {
     }
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -32,11 +32,11 @@ ClientOptions checked(ClientOptions options) {
   return options;
 }
 
-/// True for the errors that say that there is no session (any more); c4g_protocol.md.
+/// True for the errors after which only a new session helps; c4g_protocol.md.
 bool ends_the_session(const ControllerError& error) {
-  constexpr int kOtherVersion = 2, kNoSuchSession = 3, kAnotherClient = 4;
+  constexpr int kOtherVersion = 2, kNoSuchSession = 3, kAnotherClient = 4, kOutOfTurn = 18;
   return error.code == kOtherVersion || error.code == kNoSuchSession ||
-         error.code == kAnotherClient;
+         error.code == kAnotherClient || error.code == kOutOfTurn;
 }
 
 }  // namespace
@@ -102,8 +102,8 @@ MotionCheck Client::motion_check(bool along_line) {
 
 MotionSettings Client::settings_in_force() {
   MotionSettings settings;
-  settings.in_joints = word_of("motion_type", get_parameter("motion_type")) == "joint";
-  settings.euler = word_of("interpolation", get_parameter("interpolation")) == "euler";
+  settings.in_joints = goes_in_joints(get_parameter("motion_type"));
+  settings.euler = turns_by_euler_angles(get_parameter("interpolation"));
   settings.rotational_speed = rotational_speed_of(get_parameter("rotational_speed"));
   return settings;
 }
@@ -177,6 +177,11 @@ Goal Client::wait_for_goal(double timeout) const {
   return goal_;
 }
 
+bool Client::wait_for_link(double timeout) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  return changed_.wait_for(lock, std::chrono::duration<double>(timeout), [this] { return up_; });
+}
+
 std::optional<MeasuredState> Client::latest() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return poses_.latest();
@@ -210,6 +215,7 @@ LinkReport Client::link() const {
 Acknowledgement Client::request(const Request& request, const Start* start) {
   const std::lock_guard<std::mutex> serial(request_mutex_);
   std::string datagram;
+  std::uint64_t malformed = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!up_) throw ConnectionError(name_, why_down_, kCheckLink);
@@ -218,6 +224,7 @@ Acknowledgement Client::request(const Request& request, const Start* start) {
     }
     datagram = build(request, session_, seq_ + 1);
     ++seq_;
+    malformed = malformed_;
     answer_.reset();
     if (start != nullptr) {
       goal_ = Goal(seq_, start->target, options_.arrival);
@@ -228,7 +235,7 @@ Acknowledgement Client::request(const Request& request, const Start* start) {
   if (!answer || (answer->error && ends_the_session(*answer->error))) {
     const std::string reason =
         answer ? std::string("dropped the session: ") + answer->error->text.c_str()
-               : "does not answer " + name_of(request);
+               : why_no_answer(request, malformed);
     lose(reason);
     throw ConnectionError(name_, reason, kCheckLink);
   }
@@ -240,6 +247,13 @@ Acknowledgement Client::request(const Request& request, const Start* start) {
                   "see error " + std::to_string(answer->error->code) + " in c4g_protocol.md");
   }
   return *answer;
+}
+
+/// @param malformed how many datagrams were so before the request
+std::string Client::why_no_answer(const Request& request, std::uint64_t malformed) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (malformed_ > malformed) return "sends what the protocol does not allow: " + last_malformed_;
+  return "does not answer " + name_of(request);
 }
 
 std::optional<Acknowledgement> Client::exchange(const std::string& datagram) {

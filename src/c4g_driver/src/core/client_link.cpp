@@ -22,6 +22,7 @@ using scan_cell_common::ProtocolError;
 void Client::connect() {
   const std::lock_guard<std::mutex> serial(request_mutex_);
   std::string datagram;
+  std::uint64_t malformed = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = std::max(session_ + 1, static_cast<std::uint64_t>(host_now() / 1000));
@@ -29,15 +30,20 @@ void Client::connect() {
     next_attempt_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                        std::chrono::duration<double>(options_.reconnect_period));
     seq_ = 1;
+    malformed = malformed_;
     answer_.reset();
     stream_.restart();
     poses_.restart(Clock::now());
     datagram = build(Open{}, session_, seq_);
   }
   const auto answer = exchange(datagram);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  up_ = answer && !answer->error;
-  if (!up_) why_down_ = answer ? answer->error->text.c_str() : "does not answer";
+  const std::string why = answer ? "" : why_no_answer(Open{}, malformed);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    up_ = answer && !answer->error;
+    if (!up_) why_down_ = answer ? answer->error->text.c_str() : why;
+  }
+  changed_.notify_all();
 }
 
 void Client::lose(const std::string& reason) {

@@ -24,6 +24,13 @@ RobotLimits narrowed(const RobotLimits& limits, const RobotModel& robot) {
   RobotLimits result = limits;
   result.joint_lower = limits.joint_lower.cwiseMax(robot.lower());
   result.joint_upper = limits.joint_upper.cwiseMin(robot.upper());
+  for (int i = 0; i < 3; ++i) {
+    if (limits.workspace_min[i] < limits.workspace_max[i]) continue;
+    throw scan_cell_common::InvalidParameter(
+        text("workspace, ", "xyz"[i]),
+        text(limits.workspace_min[i], " .. ", limits.workspace_max[i], " m"),
+        "give a lower end below the upper one");
+  }
   for (int i = 0; i < 6; ++i) {
     if (result.joint_lower[i] < result.joint_upper[i]) continue;
     throw scan_cell_common::InvalidParameter(

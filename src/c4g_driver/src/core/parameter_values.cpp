@@ -21,9 +21,23 @@ std::optional<double> number_of(const SetParameter& set, const std::string& name
   return value.get<double>();
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& value) {
+[[noreturn]] void refuse(const std::string& name, const std::string& value,
+                         const std::string& wanted) {
   throw scan_cell_common::ProtocolError("parameter " + name + " of the controller",
-                                        "'" + value + "'", "see c4g_protocol.md");
+                                        value.empty() ? "no value" : value,
+                                        "set " + wanted + "; see c4g_protocol.md");
+}
+
+/// A parameter that is one of two words. What a third one means nobody here knows, so nothing could
+/// be checked before a motion.
+/// @return whether it is `other`
+bool is_other(const std::string& name, const std::string& text, const std::string& usual,
+              const std::string& other) {
+  const json value = json::parse(text, nullptr, false);
+  if (!value.is_string() || (value != usual && value != other)) {
+    refuse(name, text, json(usual).dump() + " or " + json(other).dump());
+  }
+  return value == other;
 }
 
 }  // namespace
@@ -39,16 +53,18 @@ std::optional<double> linear_speed_of(const SetParameter& set) {
   return *speed / kMillimetresAMetre;
 }
 
-std::string word_of(const std::string& name, const std::string& text) {
-  const json value = json::parse(text, nullptr, false);
-  if (!value.is_string()) refuse(name, text);
-  return value.get<std::string>();
+bool goes_in_joints(const std::string& text) {
+  return is_other("motion_type", text, "linear", "joint");
+}
+
+bool turns_by_euler_angles(const std::string& text) {
+  return is_other("interpolation", text, "linear", "euler");
 }
 
 double rotational_speed_of(const std::string& text) {
   const json value = json::parse(text, nullptr, false);
   const double speed = value.is_number() ? value.get<double>() : 0;
-  if (!(speed > 0)) refuse("rotational_speed", text);
+  if (!(speed > 0)) refuse("rotational_speed", text, "degrees a second above 0");
   return speed * M_PI / 180;
 }
 

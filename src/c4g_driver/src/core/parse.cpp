@@ -71,6 +71,16 @@ WireSix six(const Json& packet, const char* key) {
   return result;
 }
 
+/// Angles out of their ranges are not turned back into them: who sends them means something else.
+WireSix pose(const Json& packet) {
+  constexpr double kHalfTurn = 180;
+  const WireSix wire = six(packet, "pose");
+  if (std::abs(wire[3]) > kHalfTurn) refuse("pose A", "outside -180 .. 180");
+  if (!(wire[4] >= 0 && wire[4] <= kHalfTurn)) refuse("pose E", "outside 0 .. 180");
+  if (std::abs(wire[5]) > kHalfTurn) refuse("pose R", "outside -180 .. 180");
+  return wire;
+}
+
 MotionStatus status(const Json& packet) {
   const std::string_view word = text(packet, "status");
   if (word == "idle") return MotionStatus::Idle;
@@ -89,12 +99,37 @@ ControllerMode mode(const Json& packet) {
   refuse("mode", "none of programming, automatic, remote");
 }
 
+/// A setting that scales how fast the robot goes. With none it would never arrive.
+double above_zero(const Json& packet, const char* key) {
+  const double value = number(entry(packet, key), key);
+  if (!(value > 0)) refuse(key, "not above 0");
+  return value;
+}
+
+double percentage(const Json& packet, const char* key) {
+  constexpr double kMost = 100 + 1e-6;  // some controllers compute it
+  const double value = above_zero(packet, key);
+  if (value > kMost) refuse(key, "above 100");
+  return value;
+}
+
+/// Texts go to terminals and logs, which a line feed or an escape code would falsify: every
+/// character but those of printable ASCII becomes a question mark.
+void assign_printable(std::string_view said, boost::static_string<80>& shown) {
+  for (const char c : said) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool within_a_character = (byte & 0xC0) == 0x80;  // of UTF-8, after its first byte
+    if (within_a_character) continue;
+    if (shown.size() == shown.max_size()) return;
+    shown.push_back(byte >= ' ' && byte < 0x7F ? c : '?');
+  }
+}
+
 ControllerError complaint(const Json& value) {
   constexpr std::uint64_t kMostCode = 1'000'000;
   ControllerError result;
   result.code = static_cast<int>(whole(value, "code", kMostCode));
-  const std::string_view said = text(value, "text").substr(0, result.text.max_size());
-  result.text.assign(said.data(), said.size());
+  assign_printable(text(value, "text"), result.text);
   return result;
 }
 
@@ -120,7 +155,7 @@ RobotState robot_state(const Json& packet) {
   RobotState state;
   state.controller_time =
       1000 * static_cast<scan_cell_common::Nanoseconds>(whole(packet, "t", kMostMicroseconds));
-  state.flange = pose_from_wire(six(packet, "pose"));
+  state.flange = pose_from_wire(pose(packet));
   state.joints = joints_from_wire(six(packet, "joints"));
   state.status = status(packet);
   state.motion = whole(packet, "motion", UINT64_MAX);
@@ -130,11 +165,23 @@ RobotState robot_state(const Json& packet) {
   state.e_stop = truth(packet, "e_stop");
   state.drives = truth(packet, "drives");
   state.mode = mode(packet);
-  state.override = number(entry(packet, "override"), "override");
-  state.linear_speed = number(entry(packet, "linear_speed"), "linear_speed") * kMillimetre;
+  state.override = percentage(packet, "override");
+  state.linear_speed = above_zero(packet, "linear_speed") * kMillimetre;
   state.error = error(packet);
   read_alarms(packet, state.alarms);
   return state;
+}
+
+/// The same JSON in printable ASCII: what else is in its texts stands there as \uXXXX.
+std::string printable_json(const Json& value) {
+  constexpr char kDelete = 0x7F;
+  rapidjson::StringBuffer buffer;
+  rapidjson::Writer<rapidjson::StringBuffer, rapidjson::UTF8<>, rapidjson::ASCII<>> writer(buffer);
+  value.Accept(writer);
+  std::string json = buffer.GetString();
+  for (std::size_t at = json.find(kDelete); at != std::string::npos; at = json.find(kDelete, at))
+    json.replace(at, 1, "\\u007F");
+  return json;
 }
 
 Acknowledgement acknowledgement(const Json& packet) {
@@ -148,12 +195,7 @@ Acknowledgement acknowledgement(const Json& packet) {
     result.robot = robot_state(state->value);
   }
   const auto value = packet.FindMember("value");
-  if (value != packet.MemberEnd()) {
-    rapidjson::StringBuffer buffer;
-    rapidjson::Writer<rapidjson::StringBuffer> writer(buffer);
-    value->value.Accept(writer);
-    result.value = buffer.GetString();
-  }
+  if (value != packet.MemberEnd()) result.value = printable_json(value->value);
   return result;
 }
 

@@ -6,8 +6,8 @@
 
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
-#include <kdl_parser/kdl_parser.hpp>
 #include <limits>
+#include <vector>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/text.h"
@@ -31,14 +31,38 @@ Eigen::Isometry3d from_kdl(const KDL::Frame& frame) {
   return pose;
 }
 
+KDL::Frame to_kdl(const urdf::Pose& pose) {
+  const urdf::Rotation& turn = pose.rotation;
+  return {KDL::Rotation::Quaternion(turn.x, turn.y, turn.z, turn.w),
+          KDL::Vector(pose.position.x, pose.position.y, pose.position.z)};
+}
+
+/// A URDF's joint turns or slides along an axis at the origin of the link that it moves.
+KDL::Segment segment_of(const urdf::Joint& joint) {
+  const KDL::Frame origin = to_kdl(joint.parent_to_joint_origin_transform);
+  const KDL::Vector axis = origin.M * KDL::Vector(joint.axis.x, joint.axis.y, joint.axis.z);
+  KDL::Joint moved(joint.name, KDL::Joint::None);
+  if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS)
+    moved = KDL::Joint(joint.name, origin.p, axis, KDL::Joint::RotAxis);
+  if (joint.type == urdf::Joint::PRISMATIC)
+    moved = KDL::Joint(joint.name, origin.p, axis, KDL::Joint::TransAxis);
+  return KDL::Segment(joint.child_link_name, moved, origin);
+}
+
 KDL::Chain chain_of(const urdf::ModelInterface& model, const std::string& base,
                     const std::string& flange) {
-  KDL::Tree tree;
-  KDL::Chain chain;
-  if (!kdl_parser::treeFromUrdfModel(model, tree) || !tree.getChain(base, flange, chain)) {
+  std::vector<KDL::Segment> segments;  // from the flange back
+  urdf::LinkConstSharedPtr link = model.getLink(flange);
+  for (; link && link->name != base; link = link->getParent()) {
+    if (link->parent_joint) segments.push_back(segment_of(*link->parent_joint));
+  }
+  if (!link) {
     refuse("no chain from '" + base + "' to '" + flange + "'",
            "set base_frame and flange_link to links of the URDF, the one before the other");
   }
+  KDL::Chain chain;
+  for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment)
+    chain.addSegment(*segment);
   if (chain.getNrOfJoints() != 6) {
     refuse(std::to_string(chain.getNrOfJoints()) + " moving joints from '" + base + "' to '" +
                flange + "'",

@@ -4,33 +4,28 @@
 
 #include <cmath>
 
+#include "scan_cell_common/euler_angles.h"
+
 namespace c4g_driver {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr double kMillimetre = 1e-3;
 
+const scan_cell_common::EulerSequence& euler_sequence() {
+  static const scan_cell_common::EulerSequence sequence("zyz");
+  return sequence;
+}
+
 }  // namespace
 
 EulerAngles to_euler(const Eigen::Matrix3d& rotation) {
-  constexpr double kDegenerate = 1e-12;
-  const double sine = std::hypot(rotation(0, 2), rotation(1, 2));
-  EulerAngles angles{};
-  angles.a = sine > kDegenerate ? std::atan2(rotation(1, 2), rotation(0, 2)) : 0;
-  angles.e = std::atan2(sine, rotation(2, 2));
-  // r is what is left after a: the second row of Rz(-a) * rotation is (sin r, cos r, 0). Taken from
-  // the third row it would not fit a where the sine of e is small.
-  const Eigen::RowVector3d row =
-      -std::sin(angles.a) * rotation.row(0) + std::cos(angles.a) * rotation.row(1);
-  angles.r = std::atan2(row.x(), row.y());
-  return angles;
+  const Eigen::Vector3d angles = euler_sequence().angles(rotation);
+  return {angles[0], angles[1], angles[2]};
 }
 
 Eigen::Matrix3d from_euler(const EulerAngles& angles) {
-  return (Eigen::AngleAxisd(angles.a, Eigen::Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(angles.e, Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(angles.r, Eigen::Vector3d::UnitZ()))
-      .toRotationMatrix();
+  return euler_sequence().rotation({angles.a, angles.e, angles.r});
 }
 
 WireSix to_wire(const Eigen::Isometry3d& pose) {

@@ -4,10 +4,12 @@
 #include "scan_cell_common/ros/node_main.h"
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(argc, argv, "c4g_driver", [] {
-    const ros::NodeHandle private_node("~");
-    const c4g_driver::DriverNode driver(ros::NodeHandle(), private_node,
-                                        c4g_driver::DriverParameters::load(private_node));
-    ros::spin();
-  });
+  return scan_cell_common::node_main(
+      argc, argv, "c4g_driver",
+      "Speaks C4G with the robot controller: where the robot is, and motions.", [] {
+        const ros::NodeHandle private_node("~");
+        const c4g_driver::DriverNode driver(ros::NodeHandle(), private_node,
+                                            c4g_driver::DriverParameters::load(private_node));
+        ros::spin();
+      });
 }

@@ -9,22 +9,6 @@
 #include "scan_cell_common/ros/conversions.h"
 
 namespace c4g_driver {
-namespace {
-
-const char* name_of(ControllerMode mode) {
-  switch (mode) {
-    case ControllerMode::Programming:
-      return "programming";
-    case ControllerMode::Automatic:
-      return "automatic";
-    case ControllerMode::Remote:
-      return "remote";
-  }
-  return "";
-}
-
-}  // namespace
-
 using scan_cell_common::Refused;
 using scan_cell_common::to_ros;
 using scan_cell_msgs::RobotStatus;

@@ -26,7 +26,7 @@ class Stage {
 
   virtual std::string name() const = 0;
 
-  /// @param cloud [m], z up; points that are not finite are dropped and counted
+  /// @param cloud [m]; points that are not finite are dropped and counted
   /// @param report filled in as far as the stage came, also where it throws
   /// @throw scan_cell_common::UnusableInput if the cloud has no finite point or none is left: an
   /// empty cloud never comes out

@@ -6,20 +6,28 @@
 #include <optional>
 
 #include "cloud_preprocess/floor_removal.h"
+#include "plane_search.h"
 
 namespace cloud_preprocess {
 
-struct Plane {
-  Eigen::Vector3d point;   //!< [m] the middle of its points
-  Eigen::Vector3d normal;  //!< of length 1, upwards
-
-  /// [m] above the plane
-  double height(const pcl::PointXYZ& of) const {
-    return normal.dot(of.getVector3fMap().cast<double>() - point);
-  }
+struct Floor {
+  Plane plane;         //!< its normal is upwards
+  std::size_t points;  //!< of the sample, on it
 };
 
 /// The floor as FloorRemoval describes it; none if the cloud shows none.
-std::optional<Plane> find_floor(const Cloud& cloud, const FloorParameters& parameters);
+/// @param up of length 1
+std::optional<Floor> find_floor(const OrientedPoints& sample, const Eigen::Vector3d& up,
+                                const FloorParameters& parameters);
+
+/// The plane in any direction that looks like a table: nothing lies behind it, and it reaches
+/// beyond most of what lies before it without lying below that. So none of the sides of a box is
+/// one.
+std::optional<Floor> find_table(const OrientedPoints& sample, const FloorParameters& parameters);
+
+/// How many points each object of the sample has, the largest first: clusters that are 10 mm, and
+/// clearly more than their points, apart from each other, each with a floor's least share.
+std::vector<std::size_t> find_objects(const OrientedPoints& sample,
+                                      const FloorParameters& parameters);
 
 }  // namespace cloud_preprocess

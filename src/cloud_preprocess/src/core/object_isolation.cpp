@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "clusters.h"
 #include "grid_cells.h"
-#include "kd_tree.h"
 
 namespace cloud_preprocess {
 namespace {
@@ -21,34 +21,12 @@ struct Object {
   std::size_t points = 0;
 };
 
-/// Cells that can be reached from each other by steps of at most `gap`.
-std::vector<std::vector<KdTree::Index>> connected(const Cloud& cells, double gap) {
-  const KdTree tree(cells);
-  std::vector<bool> seen(cells.size(), false);
-  std::vector<std::pair<KdTree::Index, float>> near;
-  std::vector<std::vector<KdTree::Index>> clusters;
-  for (KdTree::Index start = 0; start < cells.size(); ++start) {
-    if (seen[start]) continue;
-    seen[start] = true;
-    std::vector<KdTree::Index> cluster{start};
-    for (std::size_t next = 0; next < cluster.size(); ++next) {
-      tree.within(cells[cluster[next]], gap, near);
-      for (const auto& [cell, squared] : near) {
-        if (!seen[cell]) cluster.push_back(cell);
-        seen[cell] = true;
-      }
-    }
-    clusters.push_back(std::move(cluster));
-  }
-  return clusters;
-}
-
-std::vector<Object> find_objects(const GridCells& grid, double gap) {
+std::vector<Object> objects_of(const GridCells& grid, double gap) {
   std::vector<std::size_t> points_in_cell(grid.means.size(), 0);
   for (const std::uint32_t cell : grid.cell_of_point)
     ++points_in_cell[cell];
   std::vector<Object> objects;
-  for (std::vector<KdTree::Index>& cells : connected(grid.means, gap)) {
+  for (std::vector<KdTree::Index>& cells : clusters(grid.means, gap)) {
     Object object{std::move(cells), 0};
     for (const KdTree::Index cell : object.cells)
       object.points += points_in_cell[cell];
@@ -148,7 +126,7 @@ std::string ObjectIsolation::apply(Cloud& cloud) const {
   const GridCells grid =
       sort_into_grid(cloud, Eigen::Vector3d::Constant(parameters_.gap / kCellsAGap));
   std::vector<Object> objects =
-      large_enough(find_objects(grid, parameters_.gap), parameters_.least_points);
+      large_enough(objects_of(grid, parameters_.gap), parameters_.least_points);
   const Object& object = objects[choose(objects, grid.means, parameters_)];
   const std::size_t before = cloud.size();
   keep(cloud, grid, object);

@@ -5,7 +5,11 @@
 #include <cstdio>
 
 #include "cloud_preprocess/clean.h"
+#include "cloud_preprocess/input_check.h"
+#include "scan_cell_common/files.h"
+#include "scan_cell_common/text.h"
 #include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/units.h"
 #include "scan_cell_common/yaml_file.h"
 
 using cloud_preprocess::CleanParameters;
@@ -14,6 +18,13 @@ using cloud_preprocess::StageReport;
 using scan_cell_common::InvalidParameter;
 
 namespace {
+
+struct Options {
+  std::string input, output;
+  std::string units;         // of both; empty: not given
+  std::string output_units;  // of the output, if others
+  scan_cell_common::CloudFormat format;
+};
 
 /// "floor.margin=0.003" into the tree, as if it stood in the file.
 void set(YAML::Node& root, const std::string& setting) {
@@ -39,6 +50,18 @@ void set_grid(YAML::Node& root, const std::string& leaf) {
   }
 }
 
+void set_up(YAML::Node& root, const std::string& up) {
+  root["floor"]["any_direction"] = up == "auto";
+  if (up == "auto") return;
+  YAML::Node numbers(YAML::NodeType::Sequence);
+  for (const std::string& word : CLI::detail::split(up, ',')) {
+    const auto number = scan_cell_common::parse_number(word);
+    if (!number) throw InvalidParameter("--up", "'" + up + "'", "give X,Y,Z, or auto");
+    numbers.push_back(*number);
+  }
+  root["floor"]["up"] = numbers;
+}
+
 /// Options are carried out in the order they are added in: the file first.
 void add_settings(CLI::App& app, YAML::Node& root) {
   using Words = std::vector<std::string>;
@@ -52,13 +75,16 @@ void add_settings(CLI::App& app, YAML::Node& root) {
            "auto: find and remove; off: only cut by the limits")
         ->check(CLI::IsMember({"auto", "off"}));
   }
+  app.add_option_function<std::string>(
+      "--up", [&root](const std::string& up) { set_up(root, up); },
+      "X,Y,Z: direction away from the floor; auto: a table in any direction");
   for (const std::string limit : {"x-min", "x-max", "y-min", "y-max", "z-min", "z-max"}) {
     const std::string stage = limit[0] == 'z' ? "floor" : "outliers";
     std::string name = limit;
     std::replace(name.begin(), name.end(), '-', '_');
     app.add_option_function<double>(
         "--" + limit, [&root, stage, name](double value) { root[stage][name] = value; },
-        "limit by hand in the stage " + stage + " [m]");
+        "limit by hand in the stage " + stage + " [m, whatever the files' unit]");
   }
   app.add_option_function<std::string>(
          "--isolate",
@@ -87,12 +113,28 @@ void print(const std::vector<StageReport>& reports) {
   }
 }
 
-void run(const std::string& input, const std::string& output, const CleanParameters& parameters) {
+void print(const scan_cell_common::LoadedCloud& input, const CleanParameters& parameters) {
+  const cloud_preprocess::CloudSize size = cloud_preprocess::measure(input.cloud, parameters);
+  std::printf("%-9s %8zu             points: %s\n", "input", input.cloud.size(),
+              cloud_preprocess::text_of(size).c_str());
+  for (const std::string& note : input.notes)
+    std::printf("%-9s %s\n", "", note.c_str());
+}
+
+void run(Options& options, const CleanParameters& parameters) {
+  scan_cell_common::check_cloud_output(options.output);
+  const std::string units = options.units.empty() ? "m" : options.units;
+  options.format.metres_per_unit = scan_cell_common::metres_per(units);
+  const double output_unit =
+      scan_cell_common::metres_per(options.output_units.empty() ? units : options.output_units);
+  scan_cell_common::LoadedCloud input =
+      scan_cell_common::load_cloud_file(options.input, options.format);
+  print(input, parameters);
+  cloud_preprocess::check_input(input.cloud, parameters, options.units, options.input);
   std::vector<StageReport> reports;
   try {
-    const Cloud cloud =
-        cloud_preprocess::clean(scan_cell_common::load_cloud(input), parameters, reports);
-    scan_cell_common::save_cloud(output, cloud);
+    const Cloud cloud = cloud_preprocess::clean(std::move(input.cloud), parameters, reports);
+    scan_cell_common::save_cloud(options.output, cloud, output_unit);
   } catch (const scan_cell_common::Error&) {
     print(reports);
     throw;
@@ -100,18 +142,45 @@ void run(const std::string& input, const std::string& output, const CleanParamet
   print(reports);
 }
 
+void add_files(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs) {
+  const CLI::IsMember is_unit(scan_cell_common::length_units());
+  app.add_option("--input", options.input, "cloud to clean (.ply, .pcd, .xyz, .csv, .txt, .asc)")
+      ->required();
+  outputs
+      .add(app, "--output", options.output,
+           "clean cloud (.ply, .pcd); only written if all went well")
+      ->required();
+  app.add_option("--units", options.units,
+                 "of both files; without it metres, and the size is looked at")
+      ->check(is_unit);
+  app.add_option("--output-units", options.output_units, "of the output, if others")
+      ->check(is_unit);
+  app.add_option("--invalid", options.format.invalid,
+                 "number that stands for nothing measured: points with it are dropped; may be "
+                 "repeated [unit of the file]")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--column-step", options.format.column_step,
+                 "the input is depth profiles, one a line: from column to column [unit of the "
+                 "file]");
+  app.add_option("--profile-step", options.format.profile_step,
+                 "and from line to line [unit of the file]");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  scan_cell_common::Outputs outputs;
   CLI::App app("Cleans a scanned cloud: floor, outliers, isolation of one object, grid reduction.");
-  std::string input, output;
+  Options options;
   YAML::Node root(YAML::NodeType::Map);
-  app.add_option("--input", input, "cloud to clean (.ply, .pcd) [m]")->required();
-  app.add_option("--output", output, "clean cloud (.ply, .pcd); only written if all went well")
-      ->required();
+  add_files(app, options, outputs);
   add_settings(app, root);
-  return scan_cell_common::tool_main("clean_cloud", app, argc, argv, [&] {
-    run(input, output, cloud_preprocess::read_clean_parameters({root, "settings"}));
-    return 0;
-  });
+  return scan_cell_common::tool_main(
+      "clean_cloud", app, argc, argv,
+      [&] {
+        run(options, cloud_preprocess::read_clean_parameters({root, "settings"}));
+        return 0;
+      },
+      scan_cell_common::kUnusable, outputs);
 }

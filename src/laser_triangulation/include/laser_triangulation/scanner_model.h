@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,25 @@ struct LaserPlane {
 struct ScannerModel {
   CameraIntrinsics camera;
   Eigen::Isometry3d flange_to_camera = Eigen::Isometry3d::Identity();  //!< camera's pose in tool0
-  std::vector<LaserPlane> lasers;                                      //!< laser_0, laser_1
+  /// laser_0, laser_1: those that were not calibrated hold none. There may be no laser at all.
+  std::vector<std::optional<LaserPlane>> lasers;
+
+  bool has_laser(std::size_t index) const { return index < lasers.size() && lasers[index]; }
+
+  /// The plane of light of laser_<index>.
+  /// @throw scan_cell_common::UnusableInput if it was not calibrated
+  const LaserPlane& laser(std::size_t index) const;
 };
+
+/// 1 -> laser_1
+std::string laser_name(std::size_t index);
+
+/// laser_1 -> 1, its place in the model.
+/// @throw scan_cell_common::UnusableInput if it is not the name of a laser
+std::size_t laser_index(const std::string& name);
+
+/// @throw scan_cell_common::UnusableInput if no laser was calibrated: nothing can be scanned
+void check_can_scan(const ScannerModel& model);
 
 /// Reads a scanner model from YAML (docs/scanner_model.md).
 /// @throw scan_cell_common::FileError if the file is missing or not YAML
@@ -63,6 +81,13 @@ ScannerModel parse_scanner_model(const std::string& text, const std::string& nam
 /// Writes it, whole or not at all.
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_scanner_model(const std::string& path, const ScannerModel& model);
+
+/// The same where parts were taken from another file: what is the same is written as it stands
+/// there, digit by digit.
+/// @param existing text of the other file
+/// @throw scan_cell_common::UnusableInput as parse_scanner_model(), of that text
+void save_scanner_model(const std::string& path, const ScannerModel& model,
+                        const std::string& existing);
 
 /// @throw scan_cell_common::UnusableInput naming the entry that makes no sense
 void check(const ScannerModel& model);

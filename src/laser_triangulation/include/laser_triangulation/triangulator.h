@@ -65,6 +65,8 @@ class Triangulator {
   /// @throw scan_cell_common::InvalidParameter if a least limit is above its most
   Triangulator(const ScannerModel& model, const PeakLimits& limits);
 
+  bool has_laser(std::size_t index) const { return model_.has_laser(index); }
+
   /// Appends the profile's points in the order of its rows.
   /// @param flange pose of tool0 in the frame the points are wanted in
   void add(const ProfileView& profile, const Eigen::Isometry3d& flange,

@@ -1,6 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Points a second on one core, beside the plain way with cv::undistortPoints in the same run.
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "laser_triangulation/triangulator.h"
+#include "scan_cell_common/tool_main.h"
 
 using namespace laser_triangulation;  // NOLINT
 
@@ -72,7 +74,7 @@ void plain_way(const ScannerModel& model, const std::vector<float>& position,
   const Eigen::Isometry3d to_frame = flange * model.flange_to_camera;
   for (const cv::Point2d& ray : rays) {
     const Eigen::Vector3d direction(ray.x, ray.y, 1);
-    const double depth = model.lasers[0].distance / model.lasers[0].normal.dot(direction);
+    const double depth = model.laser(0).distance / model.laser(0).normal.dot(direction);
     points.emplace_back((to_frame * (depth * direction)).cast<float>());
   }
 }
@@ -97,9 +99,7 @@ class Rate {
   double best_ = 0;
 };
 
-}  // namespace
-
-int main() {
+int bench() {
   cv::setNumThreads(1);
   const ScannerModel model = scanner();
   const std::vector<std::vector<float>> position = lines();
@@ -146,4 +146,11 @@ int main() {
       ours.best(), plain.best(), ours.best() / plain.best(), undistorted.best(),
       apart * kMicrometre);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Points a second of triangulation, beside the plain way with OpenCV");
+  return scan_cell_common::tool_main("bench_laser_triangulation", app, argc, argv, bench);
 }

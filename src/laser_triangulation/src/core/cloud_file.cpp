@@ -3,10 +3,8 @@
 #include "laser_triangulation/cloud_file.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 
-#include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 
 namespace laser_triangulation {
@@ -14,7 +12,7 @@ namespace laser_triangulation {
 namespace {
 
 /// Some points at a time: the cloud may take most of the memory.
-void write_ply(const ScanCloud& points, std::ostream& file) {
+void write_ply(const ScanCloud& points, double metres_per_unit, std::ostream& file) {
   file << "ply\nformat binary_little_endian 1.0\nelement vertex " << points.size()
        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float intensity\n"
           "property uchar laser\nproperty float width\nend_header\n";
@@ -27,9 +25,8 @@ void write_ply(const ScanCloud& points, std::ostream& file) {
     bytes.clear();
     for (std::size_t i = first; i < std::min(first + kAtOnce, points.size()); ++i) {
       const ScanPoint& point = points[i];
-      append(point.x);
-      append(point.y);
-      append(point.z);
+      for (const float metres : {point.x, point.y, point.z})
+        append(static_cast<float>(static_cast<double>(metres) / metres_per_unit));
       append(point.intensity);
       append(point.laser);
       append(point.width);
@@ -40,14 +37,15 @@ void write_ply(const ScanCloud& points, std::ostream& file) {
 
 }  // namespace
 
-void save_ply(const std::string& path, const ScanCloud& points) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension != ".ply") {
-    throw scan_cell_common::FileError(path, "ending '" + extension + "'", "write scans as .ply");
-  }
-  scan_cell_common::save_whole(path, [&points](const std::string& partial) {
+void check_ply_output(const std::string& path) {
+  scan_cell_common::check_output(path, {".ply"}, "write scans as .ply");
+}
+
+void save_ply(const std::string& path, const ScanCloud& points, double metres_per_unit) {
+  check_ply_output(path);
+  scan_cell_common::save_whole(path, [&](const std::string& partial) {
     std::ofstream file(partial, std::ios::binary);
-    write_ply(points, file);
+    write_ply(points, metres_per_unit, file);
     file.close();
     return !file.fail();
   });

@@ -106,15 +106,38 @@ Eigen::Vector2d CameraIntrinsics::project(const Eigen::Vector3d& point) const {
   return {fx * distorted.x() + cx, fy * distorted.y() + cy};
 }
 
+std::string laser_name(std::size_t index) {
+  return "laser_" + std::to_string(index);
+}
+
+std::size_t laser_index(const std::string& name) {
+  constexpr std::size_t kMost = 16;
+  for (std::size_t index = 0; index < kMost; ++index)
+    if (name == laser_name(index)) return index;
+  throw scan_cell_common::UnusableInput("laser", "'" + name + "'",
+                                        "name it laser_0, laser_1, up to " + laser_name(kMost - 1));
+}
+
+const LaserPlane& ScannerModel::laser(std::size_t index) const {
+  if (!has_laser(index)) {
+    refuse(laser_name(index), "not calibrated", "calibrate it, or use a laser that the model has");
+  }
+  return *lasers[index];
+}
+
+void check_can_scan(const ScannerModel& model) {
+  for (const std::optional<LaserPlane>& laser : model.lasers)
+    if (laser) return;
+  refuse("lasers", "none is calibrated", "calibrate one: without its plane there are no points");
+}
+
 void check(const ScannerModel& model) {
   check(model.camera);
   if (!model.flange_to_camera.matrix().allFinite()) {
     refuse("flange_to_camera", "not finite", "calibrate the camera's place on the flange again");
   }
-  if (model.lasers.empty()) refuse("lasers", "none", "give at least laser_0");
-  for (std::size_t i = 0; i < model.lasers.size(); ++i) {
-    check(model.lasers[i], "laser_" + std::to_string(i));
-  }
+  for (std::size_t i = 0; i < model.lasers.size(); ++i)
+    if (model.lasers[i]) check(*model.lasers[i], laser_name(i));
 }
 
 }  // namespace laser_triangulation

@@ -21,7 +21,8 @@ CameraIntrinsics read_camera(const YamlEntry& entry) {
   return camera;
 }
 
-LaserPlane read_laser(const YamlEntry& entry) {
+std::optional<LaserPlane> read_laser(const YamlEntry& entry) {
+  if (entry.is_null()) return std::nullopt;
   entry.refuse_unknown({"normal", "distance", "origin"});
   LaserPlane laser;
   laser.normal = entry["normal"].vector<3>();
@@ -39,6 +40,15 @@ YAML::Node numbers(const Vector& vector) {
   return node;
 }
 
+YAML::Node laser_entry(const std::optional<LaserPlane>& laser) {
+  YAML::Node entry;
+  if (!laser) return entry;  // ~
+  entry["normal"] = numbers(laser->normal);
+  entry["distance"] = laser->distance;
+  entry["origin"] = numbers(laser->origin);
+  return entry;
+}
+
 YAML::Node to_yaml(const ScannerModel& model) {
   YAML::Node root;
   YAML::Node camera = root["camera"];
@@ -50,14 +60,16 @@ YAML::Node to_yaml(const ScannerModel& model) {
   camera["cy"] = model.camera.cy;
   camera["distortion"] = numbers(model.camera.distortion);
   root["flange_to_camera"] = scan_cell_common::yaml_pose(model.flange_to_camera);
-  for (const LaserPlane& laser : model.lasers) {
-    YAML::Node entry;
-    entry["normal"] = numbers(laser.normal);
-    entry["distance"] = laser.distance;
-    entry["origin"] = numbers(laser.origin);
-    root["lasers"].push_back(entry);
-  }
+  root["lasers"] = YAML::Node(YAML::NodeType::Sequence);
+  for (const std::optional<LaserPlane>& laser : model.lasers)
+    root["lasers"].push_back(laser_entry(laser));
   return root;
+}
+
+void save(const std::string& path, const YAML::Node& root) {
+  YAML::Emitter out;
+  out << root;
+  scan_cell_common::save_text(path, std::string(out.c_str()) + "\n");
 }
 
 ScannerModel read_model(const YamlEntry& root) {
@@ -83,9 +95,19 @@ ScannerModel parse_scanner_model(const std::string& text, const std::string& nam
 
 void save_scanner_model(const std::string& path, const ScannerModel& model) {
   check(model);
-  YAML::Emitter out;
-  out << to_yaml(model);
-  scan_cell_common::save_text(path, std::string(out.c_str()) + "\n");
+  save(path, to_yaml(model));
+}
+
+void save_scanner_model(const std::string& path, const ScannerModel& model,
+                        const std::string& existing) {
+  check(model);
+  YAML::Node root = to_yaml(model);
+  const char* const name = "existing scanner model";
+  const ScannerModel other = parse_scanner_model(existing, name);
+  // Numbers come back from text as they were; a quaternion does not come back from a matrix.
+  if (model.flange_to_camera.matrix() == other.flange_to_camera.matrix())
+    root["flange_to_camera"] = scan_cell_common::parse_yaml(existing, name)["flange_to_camera"];
+  save(path, root);
 }
 
 }  // namespace laser_triangulation

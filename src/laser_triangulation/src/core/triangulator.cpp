@@ -21,6 +21,7 @@ void check_order(const char* name, double least, double most) {
 
 const ScannerModel& checked(const ScannerModel& model) {
   check(model);
+  check_can_scan(model);
   return model;
 }
 
@@ -159,11 +160,11 @@ Triangulator::Triangulator(const ScannerModel& model, const PeakLimits& limits)
 void Triangulator::add(const ProfileView& profile, const Eigen::Isometry3d& flange,
                        std::vector<ScanPoint>& points) {
   ++counts_.profiles;
-  const bool laser_known = profile.laser < model_.lasers.size();
+  const bool laser_known = model_.has_laser(profile.laser);
   const auto height = static_cast<std::size_t>(model_.camera.height);
   const std::size_t below = laser_known && profile.first_row < height ? profile.first_row : height;
   const std::size_t on_sensor = std::min(profile.rows, height - below);
-  const RayToPoint to_point(laser_known ? model_.lasers[profile.laser] : LaserPlane(),
+  const RayToPoint to_point(laser_known ? model_.laser(profile.laser) : LaserPlane(),
                             flange * model_.flange_to_camera, limits_);
   const PeakFilter filter(limits_, model_.camera.width);
   profile_.resize(std::max(profile_.size(), profile.rows));

@@ -55,6 +55,11 @@ void CloudBuilder::add(const BoundProfile& bound) {
                         "the scanner model has " + std::to_string(points_of_laser_.size()) +
                             "; scan with one laser at a time, or say which it is");
   }
+  if (!triangulator_.has_laser(profile.laser)) {
+    const std::string laser = laser_name(profile.laser);
+    throw UnusableInput(name, laser + " is not calibrated",
+                        "calibrate it, or scan with a laser that the scanner model has");
+  }
   if (!is_pose(bound.pose)) {
     throw UnusableInput(name, "its pose is none: not finite, or its quaternion not of length 1",
                         "check what bound it");

@@ -5,6 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace laser_triangulation;  // NOLINT
-  return scan_cell_common::services_main<TriangulationServices, Parameters>(argc, argv,
-                                                                            "laser_triangulation");
+  return scan_cell_common::services_main<TriangulationServices, Parameters>(
+      argc, argv, "laser_triangulation",
+      "Turns profiles with a pose into points in the fixed frame.");
 }

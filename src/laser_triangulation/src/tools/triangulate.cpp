@@ -11,6 +11,7 @@
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/bag_errors.h"
 #include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/units.h"
 
 namespace {
 
@@ -19,12 +20,15 @@ struct Options {
   std::string topic = "/pose_frame_binder/bound_profiles";
   std::string scanner;
   std::string output;
+  std::string units = "m";
   laser_triangulation::PeakLimits limits;
 };
 
 void triangulate(const Options& options) {
   using scan_cell_msgs::BoundProfile;
   constexpr std::size_t kMostPoints = 500'000'000;
+  laser_triangulation::check_ply_output(options.output);
+  const double unit = scan_cell_common::metres_per(options.units);
   laser_triangulation::CloudBuilder builder(
       laser_triangulation::load_scanner_model(options.scanner), options.limits, kMostPoints);
   scan_cell_common::name_bag_in_errors(options.bag, [&] {
@@ -39,19 +43,23 @@ void triangulate(const Options& options) {
     throw scan_cell_common::UnusableInput(options.bag, "no point (" + builder.summary() + ")",
                                           "is " + options.topic + " the topic of bound profiles?");
   }
-  laser_triangulation::save_ply(options.output, builder.points());
+  laser_triangulation::save_ply(options.output, builder.points(), unit);
   std::cout << builder.summary() << '\n';
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  scan_cell_common::Outputs outputs;
   CLI::App app("Turns the bound profiles of a bag (bind_bag makes one) into a cloud");
   Options options;
   app.add_option("--bag", options.bag, "bag with bound profiles")->required();
   app.add_option("--topic", options.topic, "their topic")->capture_default_str();
   app.add_option("--scanner", options.scanner, "scanner model, YAML")->required();
-  app.add_option("--output", options.output, "cloud to write, PLY")->required();
+  outputs.add(app, "--output", options.output, "cloud to write, PLY")->required();
+  app.add_option("--units", options.units, "of x, y, z in the cloud")
+      ->check(CLI::IsMember(scan_cell_common::length_units()))
+      ->capture_default_str();
   app.add_option("--least-width", options.limits.least_width, "[px]")->capture_default_str();
   app.add_option("--most-width", options.limits.most_width, "[px]")->capture_default_str();
   app.add_option("--least-intensity", options.limits.least_intensity, "[grey value]")
@@ -61,8 +69,11 @@ int main(int argc, char** argv) {
   app.add_option("--least-range", options.limits.least_range, "[m] along the camera's axis")
       ->capture_default_str();
   app.add_option("--most-range", options.limits.most_range, "[m]")->capture_default_str();
-  return scan_cell_common::tool_main("triangulate", app, argc, argv, [&] {
-    triangulate(options);
-    return 0;
-  });
+  return scan_cell_common::tool_main(
+      "triangulate", app, argc, argv,
+      [&] {
+        triangulate(options);
+        return 0;
+      },
+      scan_cell_common::kUnusable, outputs);
 }

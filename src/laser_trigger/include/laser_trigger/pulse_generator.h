@@ -33,7 +33,7 @@ struct TriggerStatus {
   std::uint64_t pulses = 0;  //!< sent in it
   std::uint64_t missed = 0;  //!< deadlines of it that were missed
   double latest = 0;         //!< [s] the greatest delay of one of its pulses
-  double rate = 0;           //!< [Hz]
+  double rate = 0;           //!< [Hz] 0: no pulses
   std::uint8_t lasers = 0;   //!< on now
   std::string message;       //!< why it was disarmed
   std::string failure;       //!< why the lines could not be written low then
@@ -60,6 +60,7 @@ class PulseGenerator {
     double rate = 0;          //!< [Hz] 0.1 or more
     std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
     double longest_on = 0;    //!< [s] 0: the settings'
+    bool pulses = true;       //!< false: the lasers alone; the rate is not used
   };
   struct Observer {
     std::function<void(const Pulse&)> on_pulse;  //!< called by the pulse thread

@@ -18,6 +18,7 @@
 #include "edge_listener.h"
 #include "laser_trigger/pulse_generator.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 using namespace laser_trigger;  // NOLINT
 
@@ -189,17 +190,13 @@ void run(const Options& options, Guardian& guardian) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  Options options;
+  CLI::App app("Pulse timing and the truth of the stamps, on the loopback port");
+  app.add_option("--rate", options.rate, "pulses a second");
+  app.add_option("--seconds", options.seconds, "of each run");
+  return scan_cell_common::tool_main("bench_laser_trigger", app, argc, argv, [&] {
     Guardian guardian;  // before there are threads
-    Options options;
-    CLI::App app("Pulse timing and the truth of the stamps, on the loopback port");
-    app.add_option("--rate", options.rate, "pulses a second");
-    app.add_option("--seconds", options.seconds, "of each run");
-    CLI11_PARSE(app, argc, argv);
     run(options, guardian);
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_laser_trigger: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "laser_trigger/trigger_port.h"
+#include "laser_trigger/loopback_circuit.h"
 #include "scan_cell_common/timed_pose.h"
 
 namespace laser_trigger {
@@ -15,13 +15,12 @@ namespace laser_trigger {
 /// of the camera's line. It looks only now and then, so that it does not disturb what it measures.
 class EdgeListener {
  public:
-  /// @throw scan_cell_common::ConnectionError if there is no socket to be had
-  EdgeListener();
+  EdgeListener() = default;
   ~EdgeListener();
   EdgeListener(const EdgeListener&) = delete;
   EdgeListener& operator=(const EdgeListener&) = delete;
 
-  PortAddress address() const;
+  PortAddress address() const { return circuit_.address(); }
 
   /// Listens from here on, in a thread of its own.
   void start();
@@ -34,8 +33,7 @@ class EdgeListener {
   void listen();
   bool take();
 
-  int socket_ = -1;
-  std::uint16_t port_ = 0;
+  LoopbackCircuit circuit_{"127.0.0.1", 0};
   std::uint8_t data_ = 0;
   std::vector<scan_cell_common::Nanoseconds> edges_;
   std::atomic<bool> ending_{false};

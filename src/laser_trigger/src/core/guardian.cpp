@@ -152,7 +152,7 @@ void Guardian::send(const void* message, std::size_t size) const {
   throw scan_cell_common::ConnectionError(
       "guardian process " + std::to_string(process_),
       "gone (" + std::string(std::strerror(errno)) + ")",
-      "start the trigger node again; without its guardian it does not switch lasers on");
+      "start this program again; without its guardian it does not switch lasers on");
 }
 
 void Guardian::watch(const PortAddress& address, double hang_timeout) {
@@ -167,7 +167,7 @@ void Guardian::watch(const PortAddress& address, double hang_timeout) {
   if (poll(&poll_for, 1, kPatience) != 1 ||
       recv(socket_, &answer, sizeof(answer), 0) != sizeof(answer)) {
     throw scan_cell_common::ConnectionError("guardian process " + std::to_string(process_),
-                                            "does not answer", "start the trigger node again");
+                                            "does not answer", "start this program again");
   }
   if (answer.error[0] != 0) {
     throw scan_cell_common::ConnectionError("guardian process", answer.error, "see there");

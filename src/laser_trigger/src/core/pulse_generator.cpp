@@ -73,7 +73,7 @@ void PulseGenerator::check(const Arming& arming) const {
   constexpr std::uint8_t kAllLasers = 3;
   constexpr double kLeastRate = 0.1;  // [Hz]
   const double most = std::min(settings_.most_rate, 0.5 / settings_.pulse_width);
-  if (!(arming.rate >= kLeastRate && arming.rate <= most)) {  // refuses NaN too
+  if (arming.pulses && !(arming.rate >= kLeastRate && arming.rate <= most)) {  // NaN too
     throw Refused(
         "rate", std::to_string(arming.rate) + " Hz",
         "give a rate from " + std::to_string(kLeastRate) + " to " + std::to_string(most) + " Hz");
@@ -84,7 +84,7 @@ void PulseGenerator::check(const Arming& arming) const {
   }
   if (!std::isfinite(arming.longest_on) || arming.longest_on < 0) {
     throw Refused("longest_on", std::to_string(arming.longest_on) + " s",
-                  "give 0 for the node's own limit, or more");
+                  "give 0 for the trigger's own limit, or more");
   }
   if (status_.armed) {
     throw Refused("trigger", "armed already", "disarm it first");
@@ -109,7 +109,8 @@ std::uint32_t PulseGenerator::arm(const Arming& arming) {
     }
     armed_at_ = kept_alive_at_ = guardian_told_at_ = Clock::now();
     number = status_.arming + 1;
-    status_ = {true, number, 0, 0, 0, arming.rate, arming.lasers, "", ""};
+    const double rate = arming.pulses ? arming.rate : 0;
+    status_ = {true, number, 0, 0, 0, rate, arming.lasers, "", ""};
   }
   changed_.notify_all();
   observer_.on_change();
@@ -224,6 +225,10 @@ bool PulseGenerator::wait_until(Clock::time_point time, std::uint32_t arming) {
 void PulseGenerator::generate() {
   const TriggerStatus begin = status();
   if (!begin.armed) return;
+  if (!(begin.rate > 0)) {
+    wait_until(Clock::time_point::max(), begin.arming);
+    return;
+  }
   const nanoseconds period = seconds(1 / begin.rate);
   Clock::time_point deadline = Clock::now() + period;
   while (wait_until(deadline, begin.arming)) {

@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
 
-#include <atomic>
-#include <csignal>
-#include <iostream>
+#include <optional>
 
 #include "scan_cell_common/ros/node_main.h"
+#include "scan_cell_common/ros/shutdown_request.h"
 #include "trigger_services.h"
 
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-void on_signal(int) {
-  interrupted = true;
-}
 
 void serve(laser_trigger::Guardian& guardian) {
   using namespace laser_trigger;
@@ -31,12 +24,11 @@ void serve(laser_trigger::Guardian& guardian) {
     ROS_WARN("%s", error.what());
   }
   TriggerServices services(node, parameters, *port, guardian);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP})
-    std::signal(number, on_signal);  // in place of roscpp's, so that the lines go low first
-  constexpr int kThreads = 2;        // the keep-alive is heard while a service call is under way
+  scan_cell_common::take_over_shutdown();  // so that the lines go low before ROS is gone
+  constexpr int kThreads = 2;  // the keep-alive is heard while a service call is under way
   ros::AsyncSpinner spinner(kThreads);
   spinner.start();
-  while (!interrupted && ros::ok())
+  while (!scan_cell_common::shutdown_requested() && ros::ok())
     ros::WallDuration(0.02).sleep();
   services.shut_down("the trigger node was stopped");
   spinner.stop();
@@ -45,12 +37,8 @@ void serve(laser_trigger::Guardian& guardian) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    laser_trigger::Guardian guardian;  // before there are threads
-    return scan_cell_common::node_main(argc, argv, "laser_trigger",
-                                       [&guardian] { serve(guardian); });
-  } catch (const std::exception& error) {
-    std::cerr << "laser_trigger: " << error.what() << '\n';
-    return 1;
-  }
+  std::optional<laser_trigger::Guardian> guardian;
+  return scan_cell_common::node_main(
+      argc, argv, "laser_trigger", "Pulses the camera, and switches the lasers on and off.",
+      [&guardian] { serve(*guardian); }, [&guardian] { guardian.emplace(); });
 }

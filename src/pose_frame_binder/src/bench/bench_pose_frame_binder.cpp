@@ -3,15 +3,16 @@
 // Wrong pairings in a million frames with faults, beside those of plainer ways on the same frames.
 #include <malloc.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 
 #include "faulty_scan.h"
 #include "pose_frame_binder/binder.h"
+#include "scan_cell_common/tool_main.h"
 
 using namespace pose_frame_binder;  // NOLINT
 
@@ -196,11 +197,14 @@ void bench_pairings(const char* name, const tecnogamma_camera::CounterRule& rule
 
 }  // namespace
 
-/// @param argv[1] seed of the faults
 int main(int argc, char** argv) {
-  const auto seed = static_cast<unsigned>(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1);
-  bench_pairings("16-bit counter", tecnogamma_camera::kCounter16, seed);
-  bench_pairings("GigE Vision block id", tecnogamma_camera::kGigEVisionBlockId, seed + 1);
-  bench_pairings("24-bit counter", tecnogamma_camera::kCounter24, seed + 2);
-  return 0;
+  unsigned seed = 1;
+  CLI::App app("Wrong pairings and speed of the binder on faulty scans, beside plain pairing");
+  app.add_option("seed", seed, "of the faults")->capture_default_str();
+  return scan_cell_common::tool_main("bench_pose_frame_binder", app, argc, argv, [&] {
+    bench_pairings("16-bit counter", tecnogamma_camera::kCounter16, seed);
+    bench_pairings("GigE Vision block id", tecnogamma_camera::kGigEVisionBlockId, seed + 1);
+    bench_pairings("24-bit counter", tecnogamma_camera::kCounter24, seed + 2);
+    return 0;
+  });
 }

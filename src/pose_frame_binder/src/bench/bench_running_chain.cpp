@@ -10,6 +10,7 @@
 #include "chain_run.h"
 #include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
 
 using namespace pose_frame_binder;  // NOLINT
 using scan_cell_common::ChildProcess;
@@ -48,13 +49,9 @@ int main(int argc, char** argv) {
   app.add_option("--run", kind, "for the program itself: nodelets, nodes, relays or relay");
   app.add_option("--from", from, "for the program itself: topic that a relay hands on");
   app.add_option("--to", to, "for the program itself: where");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("bench_running_chain", app, argc, argv, [&] {
     if (kind.empty()) return run_all(program, pace);
     if (kind == "relay") return relay(from, to);
     return kind == "relays" ? run_relays(program, pace) : run_chain(program, kind, pace);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -5,6 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace pose_frame_binder;  // NOLINT
-  return scan_cell_common::services_main<BinderServices, Parameters>(argc, argv,
-                                                                     "pose_frame_binder");
+  return scan_cell_common::services_main<BinderServices, Parameters>(
+      argc, argv, "pose_frame_binder",
+      "Finds the robot pose that belongs to each frame of the camera.");
 }

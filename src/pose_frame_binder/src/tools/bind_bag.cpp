@@ -103,9 +103,10 @@ void run(const Options& options) {
   }
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs) {
   app.add_option("--bag", options.bag, "recorded scan")->required();
-  app.add_option("--output", options.output, "bag to write: bound profiles and audit")->required();
+  outputs.add(app, "--output", options.output, "bag to write: bound profiles and audit")
+      ->required();
   app.add_option("--events", options.topics.events, "topic of the trigger events")
       ->capture_default_str();
   app.add_option("--profiles", options.topics.profiles, "topic of the profiles")
@@ -149,10 +150,14 @@ void finish(Options& options) {
 int main(int argc, char** argv) {
   CLI::App app("Binds the frames of a recorded scan to poses, as the node does");
   Options options;
-  declare(app, options);
-  return scan_cell_common::tool_main("bind_bag", app, argc, argv, [&] {
-    finish(options);
-    run(options);
-    return 0;
-  });
+  scan_cell_common::Outputs outputs;
+  declare(app, options, outputs);
+  return scan_cell_common::tool_main(
+      "bind_bag", app, argc, argv,
+      [&] {
+        finish(options);
+        run(options);
+        return 0;
+      },
+      scan_cell_common::kUnusable, outputs);
 }

@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "laser_triangulation/scanner_model.h"
+#include "scan_calibration/existing_scanner.h"
 #include "scan_calibration/observations.h"
 
 namespace scan_calibration {
@@ -23,9 +25,14 @@ struct CalibrationOptions {
   double robot_angle_deviation = 0;  //!< [rad] of its orientation, about each axis
   int folds = 5;                     //!< groups of views that are held out in turn
   int threads = 2;                   //!< has no influence on the result
-  /// A laser: where its projector is in camera_optical_frame [m]. It does not show in the images;
-  /// left out, the model's origin is the plane's nearest point beside the lens.
+  /// A laser of the session: where its projector is in camera_optical_frame [m]. It does not show
+  /// in the images; left out, the model's origin is the existing one's nearest point of the plane,
+  /// or the plane's nearest point beside the lens.
   std::vector<Eigen::Vector3d> projectors;
+  /// What is not calibrated anew is taken from it: lasers that the session does not have, and with
+  /// `lasers_alone` the camera. Without it the model has only what the session shows.
+  std::optional<ExistingScanner> existing;
+  bool lasers_alone = false;  //!< camera and its pose on the flange are those of `existing`
   std::function<void(const std::string&)> progress;  //!< told what is done next; may be empty
 };
 
@@ -85,6 +92,7 @@ struct PointUncertainty {
 /// A scanner calibrated from one session.
 struct Calibration {
   laser_triangulation::ScannerModel scanner;
+  std::vector<std::string> kept;    //!< parts of the existing model, bit by bit: kept_parts()
   Eigen::Isometry3d base_to_board;  //!< [m]
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance;      //!< of `parameters`, in their order
@@ -102,11 +110,17 @@ struct Calibration {
   std::vector<PoseAdvice> advice;  //!< best first
 };
 
+/// @param lasers of the session
+/// @throw scan_cell_common::InvalidParameter naming an option that makes no sense
+void check(const CalibrationOptions& options, const std::vector<std::string>& lasers);
+
 /// Camera, its pose on the flange, board and every laser plane in one robust least-squares
-/// estimate, from a closed-form start.
+/// estimate, from a closed-form start. Without lasers in the session the camera alone; with
+/// `lasers_alone` the planes and the board, the camera as it is.
+/// @throw scan_cell_common::InvalidParameter as check()
 /// @throw scan_cell_common::UnusableInput saying what the session lacks or what is wrong with it:
 /// too few views, views too alike, a laser never seen, a wrong board size, poses and images out of
-/// step, angles in the wrong unit
+/// step, angles in the wrong unit, an existing camera that the views do not fit
 Calibration calibrate(const Observations& observations, const CalibrationOptions& options);
 
 }  // namespace scan_calibration

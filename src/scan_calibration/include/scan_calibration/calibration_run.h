@@ -44,6 +44,7 @@ std::string to_string(CalibrationVerdict verdict);
 struct CalibrationRun {
   std::string session;  //!< folder
   CalibrationLimits limits;
+  std::optional<ExistingScanner> existing;  //!< that gave what was not calibrated anew
   CalibrationVerdict verdict = CalibrationVerdict::REFUSED;
   std::string reason;  //!< why it was refused
   std::vector<JudgedFigure> judged;
@@ -53,14 +54,17 @@ struct CalibrationRun {
   std::optional<SequentialCalibration> sequential;  //!< the same views the plain way
 };
 
-/// Reads a session, observes and calibrates it, and judges the result.
+/// Reads a session, observes and calibrates it, and judges the result. With
+/// CalibrationOptions::lasers_alone the existing camera reads the lines, too.
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the session's files make
 /// no sense. Where they do, but give no calibration, the verdict says so.
+/// @throw scan_cell_common::InvalidParameter as check()
 CalibrationRun run_calibration(const std::string& session_folder,
                                const ObservationOptions& observation_options,
                                const CalibrationOptions& options, const CalibrationLimits& limits);
 
-/// The verdict of a calibration, with every figure that has a limit.
+/// The verdict of a calibration, with every figure that has a limit. Where no laser was calibrated
+/// there are no points to judge.
 std::vector<JudgedFigure> judge(const Calibration& calibration,
                                 const std::vector<std::string>& lasers,
                                 const CalibrationLimits& limits);

@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/session.h"
 
 namespace scan_calibration {
@@ -59,14 +61,19 @@ struct Observations {
 struct ObservationOptions {
   std::string detector = "fir_derivative";  //!< of the laser line (tecnogamma_camera)
   int most_line_points = 300;               //!< of a line
-  int threads = 2;                          //!< has no influence on the result
+  /// Lasers to keep, those of the session if not given. None: the board alone.
+  std::optional<std::vector<std::string>> lasers;
+  /// Where it is known, and the images are of its size; else a rough one is found from the views.
+  std::optional<laser_triangulation::CameraIntrinsics> camera;
+  int threads = 2;  //!< has no influence on the result
   /// Told what is done, and how much of it, from one thread at a time; may be empty.
   std::function<void(const std::string& what, int done, int total)> progress;
 };
 
 /// Finds boards and laser lines in a session's images (docs/scan_calibration.md, "What is read out
 /// of the images").
-/// @throw scan_cell_common::InvalidParameter if there is no such detector
+/// @throw scan_cell_common::InvalidParameter if there is no such detector, or the session has no
+/// such laser
 /// @throw scan_cell_common::UnusableInput if no image shows the board: also saying which size of
 /// board the images show instead
 Observations observe(const Session& session, const ObservationOptions& options = {});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "scan_calibration/calibration.h"
 
 namespace scan_calibration {
@@ -18,8 +20,11 @@ struct SequentialCalibration {
 /// view, Park's hand-eye on those poses, each laser plane through its points on those boards. No
 /// view is rejected: give it those that calibrate() used (used_views()), so that both are judged by
 /// the same views in the same folds.
+/// @param known camera and its pose on the flange, where they are not calibrated anew
 /// @throw scan_cell_common::UnusableInput if there are fewer than three views
-SequentialCalibration calibrate_sequentially(const Observations& observations, int folds);
+SequentialCalibration calibrate_sequentially(
+    const Observations& observations, int folds,
+    const std::optional<laser_triangulation::ScannerModel>& known = std::nullopt);
 
 /// The views and lines that a calibration used.
 Observations used_views(const Observations& observations, const Calibration& calibration);

@@ -29,7 +29,7 @@ struct SessionView {
 /// A recorded calibration session: enough to compute it again without the robot.
 struct Session {
   Board board;
-  std::vector<std::string> lasers;  //!< laser_0, laser_1
+  std::vector<std::string> lasers;  //!< of laser_0, laser_1, in this order; none: the board alone
   std::vector<SessionView> views;
 };
 

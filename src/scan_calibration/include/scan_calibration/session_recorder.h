@@ -27,7 +27,7 @@ struct RecordedLine {
 class SessionRecorder {
  public:
   /// @param folder made where there is none
-  /// @param lasers laser_0, laser_1 ...
+  /// @param lasers of laser_0, laser_1 ..., in rising order; none: the board alone
   /// @throw scan_cell_common::Refused if it holds a session already
   /// @throw scan_cell_common::FileError if it cannot be made
   SessionRecorder(const std::string& folder, const Board& board,

@@ -10,6 +10,7 @@
 #include "laser_triangulation/triangulator.h"
 #include "scan_calibration/calibration.h"
 #include "scan_calibration/sequential.h"
+#include "scan_cell_common/tool_main.h"
 #include "synthetic_session.h"
 #include "truth_comparison.h"
 
@@ -36,7 +37,7 @@ struct Worst {
 /// Where a laser's light on a plane falls on a row of the sensor: the column [px].
 double column_of(const laser_triangulation::ScannerModel& scanner, std::size_t laser,
                  const Vector3d& normal, double distance, double row) {
-  const laser_triangulation::LaserPlane& light = scanner.lasers[laser];
+  const laser_triangulation::LaserPlane& light = scanner.laser(laser);
   Vector2d distorted(0, (row - scanner.camera.cy) / scanner.camera.fy);
   Vector3d point = Vector3d::UnitZ();
   constexpr int kSteps = 50;  // the lens bends the row
@@ -93,17 +94,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app("Calibrations of synthetic sessions beside their goals.");
-  unsigned sessions = 100, sequential = 5;
-  app.add_option("--sessions", sessions, "how many, each with its own poses and noise")
-      ->capture_default_str();
-  app.add_option("--step-by-step", sequential, "how many of them also one step after the other")
-      ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-
+/// @param sequential so many of the sessions also one step after the other
+void bench(unsigned sessions, unsigned sequential) {
   const synthetic::Cell cell;
   unsigned inside = 0;
   std::size_t rejected = 0;
@@ -139,4 +131,19 @@ int main(int argc, char** argv) {
   std::printf("a scanned plane's height [mm RMS], worst: %.4f, goal 0.1\n", held_out.flatness_mm);
   std::printf("time a session [s]: %.2f, step by step %.2f\n", joint_seconds / sessions,
               sequential_seconds / std::max(1u, std::min(sequential, sessions)));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Calibrations of synthetic sessions beside their goals.");
+  unsigned sessions = 100, sequential = 5;
+  app.add_option("--sessions", sessions, "how many, each with its own poses and noise")
+      ->capture_default_str();
+  app.add_option("--step-by-step", sequential, "how many of them also one step after the other")
+      ->capture_default_str();
+  return scan_cell_common::tool_main("bench_joint_estimate", app, argc, argv, [&] {
+    bench(sessions, sequential);
+    return 0;
+  });
 }

@@ -15,22 +15,6 @@
 namespace scan_calibration {
 namespace {
 
-void check(const CalibrationOptions& options) {
-  const auto refuse = [](const char* name, double value, const char* cure) {
-    throw scan_cell_common::InvalidParameter(name, figure(value, ""), cure);
-  };
-  const std::pair<const char*, double> deviations[] = {
-      {"corner_deviation", options.corner_deviation},
-      {"line_deviation", options.line_deviation},
-      {"robot_deviation", options.robot_deviation},
-      {"robot_angle_deviation", options.robot_angle_deviation}};
-  for (const auto& [name, value] : deviations)
-    if (!(value >= 0) || std::isinf(value))
-      refuse(name, value, "give a standard deviation, or 0 to have it estimated");
-  if (options.folds < 2) refuse("folds", options.folds, "give two or more");
-  if (options.threads < 1) refuse("threads", options.threads, "give one or more");
-}
-
 /// Figures of one fold's views, by the model without them.
 FigureSums held_out_fold(const JointEstimate& estimate, const BoardSurface& surface,
                          const std::vector<std::size_t>& folds, std::size_t fold) {
@@ -94,7 +78,7 @@ double reach_of(const JointEstimate& estimate) {
   return furthest / middle.norm();
 }
 
-void note(const JointEstimate& estimate, const Knowledge& knowledge, Calibration& result) {
+void note_lens(const JointEstimate& estimate, const Knowledge& knowledge, Calibration& result) {
   constexpr double kReach = 0.7;
   constexpr double kEdge = 1;  // [px]
   const double reach = reach_of(estimate);
@@ -105,6 +89,9 @@ void note(const JointEstimate& estimate, const Knowledge& knowledge, Calibration
         " of the way from the image's middle to its corner, where the lens is known to " +
         figure(edge, " px") + ": show the board further out");
   }
+}
+
+void note_left_out(Calibration& result) {
   std::size_t corners = 0, points = 0;
   for (const ViewFigures& view : result.views) {
     corners += view.left_out_corners.size();
@@ -132,14 +119,16 @@ void note_multiplicities(const JointEstimate& estimate, const std::vector<std::s
 
 JointEstimate best_estimate(const Observations& observations, const CalibrationOptions& options,
                             const BoardSurface& surface, Calibration& result) {
-  const Start start = closed_form_start(observations);
+  const Start start = closed_form_start(observations, options);
+  if (!start.note.empty()) result.notes.push_back(start.note);
+  FitChoice choice;
+  choice.camera = !options.lasers_alone;
   if (options.progress) options.progress("joint estimate");
-  JointEstimate flat = estimate_jointly(start, observations, options, FitChoice{});
+  JointEstimate flat = estimate_jointly(start, observations, options, choice);
   if (options.progress) options.progress("held-out views");
   result.held_out = held_out_figures(flat, surface, options);
   if (!options.board_flatness) return flat;
   if (options.progress) options.progress("bent board");
-  FitChoice choice;
   choice.bend = true;
   JointEstimate bent = estimate_jointly(start, observations, options, choice);
   const Figures held_out = held_out_figures(bent, surface, options);
@@ -157,15 +146,94 @@ JointEstimate best_estimate(const Observations& observations, const CalibrationO
   return flat;
 }
 
+/// Where each laser's projector is, as far as it is known [m].
+std::vector<Eigen::Vector3d> projectors_of(const Observations& observations,
+                                           const CalibrationOptions& options) {
+  std::vector<Eigen::Vector3d> projectors = options.projectors;
+  for (std::size_t i = projectors.size(); i < observations.lasers.size(); ++i) {
+    const std::size_t laser = laser_triangulation::laser_index(observations.lasers[i]);
+    if (!options.existing || !options.existing->model.has_laser(laser)) break;
+    projectors.push_back(options.existing->model.laser(laser).origin);
+  }
+  return projectors;
+}
+
+/// Puts in what is not calibrated anew.
+void keep(const ExistingScanner& existing, const Observations& observations, bool lasers_alone,
+          Calibration& result) {
+  using laser_triangulation::ScannerModel;
+  const ScannerModel found = result.scanner;
+  result.scanner = existing.model;
+  result.kept = kept_parts(existing, lasers_alone, observations.lasers);
+  if (!lasers_alone) {
+    result.scanner.camera = found.camera;
+    result.scanner.flange_to_camera = found.flange_to_camera;
+  }
+  auto& lasers = result.scanner.lasers;
+  lasers.resize(std::max(lasers.size(), found.lasers.size()));
+  for (std::size_t i = 0; i < found.lasers.size(); ++i)
+    if (found.lasers[i]) lasers[i] = found.lasers[i];
+}
+
+/// What follows from parts that are kept, or not there.
+void note_parts(const CalibrationOptions& options, const Observations& observations,
+                Calibration& result) {
+  for (const std::string& part : result.kept) {
+    if (options.lasers_alone || part.find("laser_") != 0) continue;
+    result.notes.push_back(part + " is kept from " + options.existing->file +
+                           ", in camera_optical_frame: it is right if the laser is fixed to the "
+                           "camera as it was, and the lens was not exchanged or focused anew");
+  }
+  if (observations.lasers.empty())
+    result.notes.emplace_back(
+        "no laser was calibrated: nothing is said, or judged, of a scanned point");
+  if (result.scanner.lasers.empty())
+    result.notes.emplace_back("the model holds no laser: it cannot be scanned with until one is");
+  if (options.lasers_alone)
+    result.notes.emplace_back(
+        "deviations are those of the planes alone: what the camera may be off by is not in them");
+}
+
 }  // namespace
 
+void check(const CalibrationOptions& options, const std::vector<std::string>& lasers) {
+  using scan_cell_common::InvalidParameter;
+  const auto refuse = [](const char* name, double value, const char* cure) {
+    throw InvalidParameter(name, figure(value, ""), cure);
+  };
+  const std::pair<const char*, double> deviations[] = {
+      {"corner_deviation", options.corner_deviation},
+      {"line_deviation", options.line_deviation},
+      {"robot_deviation", options.robot_deviation},
+      {"robot_angle_deviation", options.robot_angle_deviation}};
+  for (const auto& [name, value] : deviations)
+    if (!(value >= 0) || std::isinf(value))
+      refuse(name, value, "give a standard deviation, or 0 to have it estimated");
+  if (options.folds < 2) refuse("folds", options.folds, "give two or more");
+  if (options.threads < 1) refuse("threads", options.threads, "give one or more");
+  if (options.projectors.size() > lasers.size()) {
+    throw InvalidParameter("projector", share(options.projectors.size(), lasers.size()) + " lasers",
+                           "give x y z for each laser that is calibrated");
+  }
+  if (options.lasers_alone && !options.existing) {
+    throw InvalidParameter("lasers_alone", "no existing scanner model",
+                           "name the one whose camera and flange_to_camera are kept");
+  }
+  if (options.lasers_alone && lasers.empty()) {
+    throw InvalidParameter("lasers_alone", "no laser to calibrate",
+                           "name lasers, or calibrate the camera");
+  }
+}
+
 Calibration calibrate(const Observations& observations, const CalibrationOptions& options) {
-  check(options);
+  check(options, observations.lasers);
   if (options.progress) options.progress("camera, hand-eye and planes, one after the other");
   Calibration result;
   const BoardSurface surface(observations.board);
   const JointEstimate estimate = best_estimate(observations, options, surface, result);
-  result.scanner = scanner_model(estimate.state, options.projectors);
+  result.scanner =
+      scanner_model(estimate.state, observations.lasers, projectors_of(observations, options));
+  if (options.existing) keep(*options.existing, observations, options.lasers_alone, result);
   result.base_to_board = estimate.state.base_to_board;
   result.board_bend = estimate.state.bend;
   result.rejected = estimate.rejected;
@@ -176,11 +244,14 @@ Calibration calibrate(const Observations& observations, const CalibrationOptions
     result.views.push_back(judged[i].figures(estimate.views[i], estimate.state, surface));
   if (options.progress) options.progress("uncertainty and advice");
   const Knowledge knowledge(estimate, surface);
-  state_parameters(estimate.state, knowledge, result.parameters, result.covariance);
+  state_parameters(estimate.state, knowledge, observations.lasers, result.parameters,
+                   result.covariance);
   const std::vector<ScanPlace> places = scan_places(estimate, surface);
   result.uncertainty = point_uncertainties(estimate, knowledge, places, observations.lasers);
   result.advice = advise(estimate, knowledge, observations.board, places);
-  note(estimate, knowledge, result);
+  note_parts(options, observations, result);
+  if (!options.lasers_alone) note_lens(estimate, knowledge, result);
+  note_left_out(result);
   note_multiplicities(estimate, observations.lasers, result.notes);
   return result;
 }

@@ -41,8 +41,9 @@ std::vector<StaticFrame> calibrated_frames(const laser_triangulation::ScannerMod
                                      {"tool0", "tool_tip", cell.tool_tip_in_tool0},
                                      {"tool0", "camera_optical_frame", scanner.flange_to_camera}};
   for (std::size_t i = 0; i < scanner.lasers.size(); ++i) {
+    if (!scanner.has_laser(i)) continue;
     const std::string name = "laser_" + std::to_string(i);
-    frames.push_back({"camera_optical_frame", name, laser_frame(scanner.lasers[i], name)});
+    frames.push_back({"camera_optical_frame", name, laser_frame(scanner.laser(i), name)});
   }
   return frames;
 }

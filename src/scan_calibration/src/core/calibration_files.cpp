@@ -41,6 +41,15 @@ std::string matrix_text(const std::string& name, int rows, int columns,
   return text.str();
 }
 
+void save_scanner(const CalibrationRun& run, const std::string& path) {
+  const laser_triangulation::ScannerModel& scanner = run.calibration->scanner;
+  if (run.existing) {
+    laser_triangulation::save_scanner_model(path, scanner, run.existing->text);
+  } else {
+    laser_triangulation::save_scanner_model(path, scanner);
+  }
+}
+
 }  // namespace
 
 std::string camera_info_file(const std::string& scanner) {
@@ -94,7 +103,7 @@ WrittenFiles save_calibration(const CalibrationRun& run, const CalibrationFiles&
     written.kept_scanner = keep_old(files.scanner);
     keep_old(files.camera_info);
     save_camera_info(files.camera_info, run.calibration->scanner.camera);
-    laser_triangulation::save_scanner_model(files.scanner, run.calibration->scanner);
+    save_scanner(run, files.scanner);
     written.scanner = files.scanner;
     written.camera_info = files.camera_info;
   }

@@ -34,6 +34,7 @@ std::vector<JudgedFigure> judge(const Calibration& calibration,
         limits.laser_plane_rms_mm);
   }
   add("board_scatter_mm", held_out.board_scatter_mm, limits.board_scatter_mm);
+  if (calibration.uncertainty.empty()) return judged;
   double worst = 0;
   for (const PointUncertainty& point : calibration.uncertainty)
     worst = std::max(worst, point.deviation_mm);
@@ -45,22 +46,27 @@ CalibrationRun run_calibration(const std::string& session_folder,
                                const ObservationOptions& observation_options,
                                const CalibrationOptions& options, const CalibrationLimits& limits) {
   const Session session = load_session(session_folder);
+  ObservationOptions reading = observation_options;
+  if (options.lasers_alone && options.existing) reading.camera = options.existing->model.camera;
+  check(options, reading.lasers.value_or(session.lasers));
   CalibrationRun run;
   run.session = session_folder;
   run.limits = limits;
+  run.existing = options.existing;
   run.taken = static_cast<int>(session.views.size());
   try {
-    run.observations = observe(session, observation_options);
+    run.observations = observe(session, reading);
     run.calibration = calibrate(run.observations, options);
     if (options.progress) options.progress("the sequential way, to compare");
-    run.sequential =
-        calibrate_sequentially(used_views(run.observations, *run.calibration), options.folds);
+    run.sequential = calibrate_sequentially(
+        used_views(run.observations, *run.calibration), options.folds,
+        options.lasers_alone ? std::optional(options.existing->model) : std::nullopt);
   } catch (const scan_cell_common::UnusableInput& error) {
     run.calibration.reset();
     run.reason = error.what();
     return run;
   }
-  run.judged = judge(*run.calibration, session.lasers, limits);
+  run.judged = judge(*run.calibration, run.observations.lasers, limits);
   const bool passed = std::all_of(run.judged.begin(), run.judged.end(),
                                   [](const JudgedFigure& figure) { return figure.passed(); });
   run.verdict = passed ? CalibrationVerdict::PASSED : CalibrationVerdict::LIMITS_MISSED;

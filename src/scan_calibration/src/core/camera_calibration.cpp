@@ -31,25 +31,28 @@ CameraCalibration calibrate_camera(const Observations& observations, const Camer
   UsableViews usable = usable_board_views(observations);
   const BoardSurface surface(observations.board);
   check_enough(usable.views, usable.rejected);
-  CameraFit fit =
-      options.reject_views
-          ? fit_camera_and_reject(usable.views, surface, observations.width, observations.height,
-                                  options.square_pixels, usable.rejected)
-          : fit_camera(usable.views, surface, observations.width, observations.height,
-                       options.square_pixels, false);
-  check_tilts({{}, {}, fit.camera_to_board});
+  const auto fit = [&](BoardViews& views, bool robust) {
+    return fit_camera(views, surface, observations.width, observations.height,
+                      options.square_pixels, robust);
+  };
+  CameraFit found = options.reject_views
+                        ? fit_and_reject(
+                              usable.views, surface,
+                              [&](BoardViews& views) { return fit(views, true); }, usable.rejected)
+                        : fit(usable.views, false);
+  check_tilts({{}, {}, found.camera_to_board});
 
   CameraCalibration result;
-  result.camera = fit.state.intrinsics();
+  result.camera = found.state.intrinsics();
   result.rejected = usable.rejected;
-  const JointEstimate estimate = as_estimate(usable.views, fit, options.square_pixels);
+  const JointEstimate estimate = as_estimate(usable.views, found, options.square_pixels);
   double squares = 0, count = 0;
   for (std::size_t i = 0; i < estimate.views.size(); ++i) {
     const BoardView& view = estimate.views[i];
     ViewFigures figures;
     figures.name = view.name;
     figures.corner_residuals =
-        corner_residuals(estimate.state, surface, board_sight(fit.camera_to_board[i]), view);
+        corner_residuals(estimate.state, surface, board_sight(found.camera_to_board[i]), view);
     for (std::size_t k = 0; k < view.weights.size(); ++k) {
       if (!(view.weights[k] > 0)) figures.left_out_corners.push_back(k);
       if (!(view.weights[k] > 0)) continue;
@@ -65,7 +68,7 @@ CameraCalibration calibrate_camera(const Observations& observations, const Camer
   const NormalEquations equations(weighted.views, surface, weighted.noise.levels, weighted.choice,
                                   weighted.state);
   weighted.noise = estimate_noise(equations, given_noise({}, 0), unbounded_noise(0));
-  state_parameters(weighted.state, Knowledge(weighted, surface), result.parameters, covariance);
+  state_parameters(weighted.state, Knowledge(weighted, surface), {}, result.parameters, covariance);
   return result;
 }
 

@@ -51,11 +51,11 @@ std::vector<double> focal_lengths(const BoardViews& views, int width, int height
   return result;
 }
 
-/// Pose of the board in a camera without distortion.
 Eigen::Isometry3d board_pose(const BoardView& view, const CameraVector& camera) {
   const cv::Matx33d matrix(camera[0], 0, camera[2], 0, camera[1], camera[3], 0, 0, 1);
+  const cv::Vec<double, 5> distortion(camera[4], camera[5], camera[6], camera[7], camera[8]);
   cv::Vec3d turn, shift;
-  if (!cv::solvePnP(places_of(view), pixels_of(view), matrix, cv::noArray(), turn, shift, false,
+  if (!cv::solvePnP(places_of(view), pixels_of(view), matrix, distortion, turn, shift, false,
                     cv::SOLVEPNP_IPPE)) {
     throw UnusableInput("view " + view.name, "its corners fit no pose",
                         "check the order of the corners");
@@ -71,11 +71,12 @@ Eigen::Isometry3d board_pose(const BoardView& view, const CameraVector& camera) 
 /// A camera alone is a scanner whose measured poses are where the board has the camera, and free.
 class FreePoses {
  public:
-  FreePoses(BoardViews& views, const BoardSurface& surface, int width, int height, double focal)
+  FreePoses(BoardViews& views, const BoardSurface& surface,
+            const laser_triangulation::CameraIntrinsics& camera)
       : views_(views), surface_(surface) {
-    state_.width = width;
-    state_.height = height;
-    state_.camera.head<4>() << focal, focal, (width - 1) / 2., (height - 1) / 2.;
+    state_.width = camera.width;
+    state_.height = camera.height;
+    state_.camera = camera_vector(camera);
     state_.corrections.assign(views.size(), Vector6d::Zero());
     constexpr double kFree = std::numeric_limits<double>::infinity();
     noise_ = {1, {}, kFree, kFree};
@@ -83,13 +84,30 @@ class FreePoses {
       view.measured = board_pose(view, state_.camera).inverse();
   }
 
-  void solve(bool square_pixels) {
-    FitChoice choice;
+  void solve(FitChoice choice) {
     choice.robot = false;
-    choice.square_pixels = square_pixels;
     fit(views_, surface_, noise_, choice, state_);
   }
 
+  /// Solves with what misses weighted less.
+  void solve_robustly(const FitChoice& choice) {
+    constexpr int kReweighings = 3;
+    for (int i = 0; i < kReweighings; ++i) {
+      reweigh();
+      solve(choice);
+    }
+  }
+
+  CameraFit result() const {
+    CameraFit result{state_, {}, {}, noise_.corner_px};
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      result.camera_to_board.push_back(moved(views_[i].measured, state_.corrections[i]).inverse());
+      result.rms_px.push_back(rms_of(residuals(i), views_[i].weights));
+    }
+    return result;
+  }
+
+ private:
   void reweigh() {
     constexpr double kRayleigh = 1.17741;  // median of the length of a vector of unit noise
     std::vector<double> lengths;
@@ -105,16 +123,6 @@ class FreePoses {
     return corner_residuals(state_, surface_, sight_of(state_, views_[i], i), views_[i]);
   }
 
-  CameraFit result() const {
-    CameraFit result{state_, {}, {}, noise_.corner_px};
-    for (std::size_t i = 0; i < views_.size(); ++i) {
-      result.camera_to_board.push_back(moved(views_[i].measured, state_.corrections[i]).inverse());
-      result.rms_px.push_back(rms_of(residuals(i), views_[i].weights));
-    }
-    return result;
-  }
-
- private:
   BoardViews& views_;
   const BoardSurface& surface_;
   ScannerState state_;
@@ -137,7 +145,8 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
                      bool square_pixels, bool robust) {
   constexpr double kGood = 2;         // [px] of the median view: no need to look for a better start
   constexpr double kMostMiss = 0.01;  // of the image's width: this is not that board
-  constexpr int kReweighings = 3;
+  FitChoice choice;
+  choice.square_pixels = square_pixels;
   BoardViews scratch = views;
   double least = std::numeric_limits<double>::infinity();
   CameraFit best;
@@ -145,12 +154,10 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
     BoardViews trial = views;
     CameraFit found;
     try {
-      FreePoses poses(trial, surface, width, height, focal);
-      poses.solve(square_pixels);
-      for (int i = 0; robust && i < kReweighings; ++i) {
-        poses.reweigh();
-        poses.solve(square_pixels);
-      }
+      FreePoses poses(trial, surface,
+                      {width, height, focal, focal, (width - 1) / 2., (height - 1) / 2.});
+      poses.solve(choice);
+      if (robust) poses.solve_robustly(choice);
       found = poses.result();
     } catch (const UnusableInput&) {
       continue;  // no camera is near this start: there are others
@@ -174,6 +181,16 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
   for (std::size_t i = 0; i < views.size(); ++i)
     views[i].weights = scratch[i].weights;
   return best;
+}
+
+CameraFit fit_near(BoardViews& views, const BoardSurface& surface,
+                   const laser_triangulation::CameraIntrinsics& camera, bool keep) {
+  FitChoice choice;
+  choice.camera = !keep;
+  FreePoses poses(views, surface, camera);
+  poses.solve(choice);
+  poses.solve_robustly(choice);
+  return poses.result();
 }
 
 }  // namespace scan_calibration

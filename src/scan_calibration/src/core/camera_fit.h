@@ -20,6 +20,13 @@ struct CameraFit {
 CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, int height,
                      bool square_pixels, bool robust);
 
+/// Where a camera that is known, or nearly right, had the board in each view; robustly.
+/// @param views their corners are weighted anew
+/// @param keep whether the camera stays as it is
+/// @throw scan_cell_common::UnusableInput if it cannot see the board as the views say
+CameraFit fit_near(BoardViews& views, const BoardSurface& surface,
+                   const laser_triangulation::CameraIntrinsics& camera, bool keep);
+
 /// RMS [px] of residuals, each weighted 0 left out.
 double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<double>& weights);
 

@@ -42,11 +42,6 @@ Turns median_turns(const PosePairs& pairs) {
   return {median(flange), median(camera)};
 }
 
-bool agree(const HandEye& found, std::size_t of) {
-  constexpr double kMost = 0.6;
-  return found.count >= 4 && static_cast<double>(found.count) >= kMost * static_cast<double>(of);
-}
-
 /// Image i with pose i + shift.
 PosePairs shifted(const PosePairs& pairs, int shift) {
   PosePairs result;
@@ -220,6 +215,11 @@ void check_axes(const PosePairs& pairs, const HandEye& found) {
 }
 
 }  // namespace
+
+bool agree(const HandEye& found, std::size_t of) {
+  constexpr double kMost = 0.6;
+  return found.count >= 4 && static_cast<double>(found.count) >= kMost * static_cast<double>(of);
+}
 
 void check_tilts(const PosePairs& pairs) {
   constexpr double kLeast = 5 * kDegree;

@@ -14,6 +14,9 @@ struct PosePairs {
   std::vector<Eigen::Isometry3d> board;   //!< camera_to_board [m]
 };
 
+/// Whether most of so many views agree on where the camera sits.
+bool agree(const HandEye& found, std::size_t of);
+
 /// @throw scan_cell_common::UnusableInput if the board was held at one tilt in all views
 void check_tilts(const PosePairs& pairs);
 

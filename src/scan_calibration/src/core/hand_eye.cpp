@@ -45,6 +45,7 @@ class Search {
       : flange_(flange), board_(board), half_turn_(half_turn) {
     best_.fits.assign(flange.size(), false);
     best_.turned.assign(flange.size(), false);
+    best_.offset.assign(flange.size(), 0);
   }
 
   HandEye run() {
@@ -62,6 +63,16 @@ class Search {
     take_most_as_they_are();
     solve_translation();
     solve_at_given_size();
+    return best_;
+  }
+
+  HandEye run_known(const Isometry3d& camera) {
+    for (std::size_t i = 0; i < flange_.size(); ++i)
+      try_rotation(camera.linear(), i);
+    refine_board(camera.linear());
+    take_most_as_they_are();
+    best_.flange_to_camera = camera;
+    if (best_.count > 0) solve_board(camera.translation());
     return best_;
   }
 
@@ -122,13 +133,18 @@ class Search {
 
   void refine_rotation() {
     RotationFit fit;
-    Matrix3d boards = Matrix3d::Zero();
     for (std::size_t i = 0; i < flange_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (best_.fits[i] && best_.fits[j])
           fit.add(flange_[i].linear().transpose() * flange_[j].linear(), camera_motion(i, j));
+    refine_board(fit.solve());
+  }
+
+  /// The board's orientation by all views that agree.
+  void refine_board(const Matrix3d& camera) {
+    Matrix3d boards = Matrix3d::Zero();
     HandEye trial = best_;
-    trial.flange_to_camera.linear() = fit.solve();
+    trial.flange_to_camera.linear() = camera;
     for (std::size_t i = 0; i < flange_.size(); ++i)
       if (best_.fits[i])
         boards += flange_[i].linear() * trial.flange_to_camera.linear() * oriented(i);
@@ -153,7 +169,6 @@ class Search {
   void solve_translation() {
     constexpr int kReweighings = 20;
     const std::size_t count = flange_.size();
-    best_.offset.assign(count, 0);
     std::vector<double> weights(count, 1);
     for (int step = 0; step < kReweighings; ++step) {
       Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(7, 7);
@@ -168,6 +183,26 @@ class Search {
       const Eigen::VectorXd solution = solver.solve(right);
       judge_translations(solution, weights);
       best_.scale_deviation = std::sqrt(variance_ * solver.pseudoInverse()(3, 3));
+    }
+    accept_offsets();
+  }
+
+  /// The board's place with the camera's known: F_i (x + X c_i) = p.
+  void solve_board(const Vector3d& camera) {
+    constexpr int kReweighings = 20;
+    std::vector<double> weights(best_.fits.begin(), best_.fits.end());
+    Eigen::VectorXd solution(7);
+    solution << camera, 1, Vector3d::Zero();
+    for (int step = 0; step < kReweighings; ++step) {
+      Vector3d sum = Vector3d::Zero();
+      double weight = 0;
+      solution.tail<3>().setZero();
+      for (std::size_t i = 0; i < flange_.size(); ++i) {
+        sum += weights[i] * (equations(i) * solution + flange_[i].translation());
+        weight += weights[i];
+      }
+      solution.tail<3>() = sum / weight;
+      judge_translations(solution, weights);
     }
     accept_offsets();
   }
@@ -249,6 +284,12 @@ HandEye fit_hand_eye(const std::vector<Eigen::Isometry3d>& flange,
                      const std::vector<Eigen::Isometry3d>& board,
                      const Eigen::Isometry3d& half_turn) {
   return Search(flange, board, half_turn).run();
+}
+
+HandEye fit_board(const Eigen::Isometry3d& flange_to_camera,
+                  const std::vector<Eigen::Isometry3d>& flange,
+                  const std::vector<Eigen::Isometry3d>& board, const Eigen::Isometry3d& half_turn) {
+  return Search(flange, board, half_turn).run_known(flange_to_camera);
 }
 
 }  // namespace scan_calibration

@@ -31,6 +31,12 @@ HandEye fit_hand_eye(const std::vector<Eigen::Isometry3d>& flange,
                      const std::vector<Eigen::Isometry3d>& board,
                      const Eigen::Isometry3d& half_turn);
 
+/// The same where it is known where the camera sits on the flange: the board's pose, and how well
+/// each view agrees. `scale` stays 1.
+HandEye fit_board(const Eigen::Isometry3d& flange_to_camera,
+                  const std::vector<Eigen::Isometry3d>& flange,
+                  const std::vector<Eigen::Isometry3d>& board, const Eigen::Isometry3d& half_turn);
+
 /// Angle [rad] of a rotation.
 double angle_of(const Eigen::Matrix3d& rotation);
 

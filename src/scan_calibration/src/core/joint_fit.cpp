@@ -36,10 +36,10 @@ class Problem {
     problem_.AddResidualBlock(new LensResiduals(context, choice.square_pixels), nullptr,
                               unknowns_.camera.data());
     if (!choice.bend) problem_.SetParameterBlockConstant(unknowns_.bend.data());
-    if (!choice.robot) {
+    if (!choice.camera) problem_.SetParameterBlockConstant(unknowns_.camera.data());
+    if (!choice.camera || !choice.robot)
       problem_.SetParameterBlockConstant(unknowns_.camera_motion.data());
-      problem_.SetParameterBlockConstant(unknowns_.board_motion.data());
-    }
+    if (!choice.robot) problem_.SetParameterBlockConstant(unknowns_.board_motion.data());
   }
 
   void solve() {

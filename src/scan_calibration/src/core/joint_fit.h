@@ -10,6 +10,7 @@ namespace scan_calibration {
 /// What a fit may move.
 struct FitChoice {
   bool robot = true;           //!< false: the camera alone; every view's pose is free, nothing else
+  bool camera = true;          //!< false: camera and its pose on the flange are known
   bool bend = false;           //!< whether the board may be bent
   bool square_pixels = false;  //!< fx = fy
 };

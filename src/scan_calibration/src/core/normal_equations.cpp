@@ -104,8 +104,8 @@ Layout::Layout(const FitChoice& choice, std::size_t laser_count) {
     at = size;
     size += width;
   };
-  place(camera, 9);
-  if (choice.robot) place(flange_to_camera, 6);
+  if (choice.camera) place(camera, 9);
+  if (choice.camera && choice.robot) place(flange_to_camera, 6);
   if (choice.robot) place(base_to_board, 6);
   if (choice.bend) place(bend, 3);
   planes.assign(laser_count, kNowhere);

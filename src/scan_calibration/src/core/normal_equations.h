@@ -14,7 +14,7 @@ namespace scan_calibration {
 struct Layout {
   Layout(const FitChoice& choice, std::size_t laser_count);
 
-  Eigen::Index camera = 0;
+  Eigen::Index camera = -1;
   Eigen::Index flange_to_camera = -1;
   Eigen::Index base_to_board = -1;
   Eigen::Index bend = -1;

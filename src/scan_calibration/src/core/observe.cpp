@@ -143,6 +143,43 @@ ViewObservation observation(const SessionView& view, const BoardSighting& seen, 
   return result;
 }
 
+/// Leaves the lines of other lasers out.
+void keep_lasers(const std::vector<std::string>& names, Observations& observations) {
+  std::vector<std::size_t> kept;
+  for (const std::string& name : names) {
+    const auto found = std::find(observations.lasers.begin(), observations.lasers.end(), name);
+    if (found == observations.lasers.end()) {
+      throw scan_cell_common::InvalidParameter("lasers", name + ": not in the session",
+                                               "give lasers that session.yaml names");
+    }
+    kept.push_back(static_cast<std::size_t>(found - observations.lasers.begin()));
+  }
+  for (ViewObservation& view : observations.views) {
+    const ViewObservation all = view;
+    view.lines.clear();
+    view.line_counts.clear();
+    for (const std::size_t laser : kept) {
+      view.lines.push_back(all.lines[laser]);
+      view.line_counts.push_back(all.line_counts[laser]);
+    }
+  }
+  const auto left_out = [&](const RejectedView& one) {
+    return !one.laser.empty() && std::find(names.begin(), names.end(), one.laser) == names.end();
+  };
+  auto& rejected = observations.rejected;
+  rejected.erase(std::remove_if(rejected.begin(), rejected.end(), left_out), rejected.end());
+  observations.lasers = names;
+}
+
+CameraIntrinsics camera_for(const Observations& observations,
+                            const std::vector<BoardCorners>& corners,
+                            const ObservationOptions& options) {
+  const int width = observations.width, height = observations.height;
+  const auto& known = options.camera;
+  if (known && known->width == width && known->height == height) return *known;
+  return rough_camera(corners, observations.board, width, height);
+}
+
 }  // namespace
 
 Observations observe(const Session& session, const ObservationOptions& options) {
@@ -159,7 +196,7 @@ Observations observe(const Session& session, const ObservationOptions& options) 
     result.width = view.size.width;
     result.height = view.size.height;
   }
-  const CameraIntrinsics camera = rough_camera(corners, session.board, result.width, result.height);
+  const CameraIntrinsics camera = camera_for(result, corners, options);
   align(session, camera, views);
 
   const auto count = static_cast<int>(views.size());
@@ -184,6 +221,7 @@ Observations observe(const Session& session, const ObservationOptions& options) 
       if (lines[i][laser].pixels.empty())
         result.rejected.push_back({view.name, session.lasers[laser], lines[i][laser].reason});
   }
+  if (options.lasers) keep_lasers(*options.lasers, result);
   return result;
 }
 

@@ -141,6 +141,8 @@ std::string report_json(const CalibrationRun& run, const WrittenFiles& written) 
                      {"camera_info", written.camera_info},
                      {"kept_scanner", written.kept_scanner},
                      {"page", written.page}};
+  if (run.existing) report["existing"] = run.existing->file;
+  report["kept"] = run.calibration ? run.calibration->kept : std::vector<std::string>();
   report["views_taken"] = run.taken;
   report["views_used"] = run.calibration ? run.calibration->views.size() : 0;
   if (run.calibration) {

@@ -46,6 +46,16 @@ std::string verdict(const CalibrationRun& run, const WrittenFiles& written) {
   return text + html_table({"limit, on views that were not fitted", "value", "limit", ""}, rows);
 }
 
+/// What is calibrated anew, and what is not.
+std::string parts(const CalibrationRun& run) {
+  const auto& kept = run.calibration->kept;
+  if (!run.existing || kept.empty()) return {};
+  std::string text = "<p>Not calibrated anew, kept from " + escaped(run.existing->file) + ":";
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    text += (i == 0 ? " " : ", ") + escaped(kept[i]);
+  return text + ".</p>\n";
+}
+
 std::string figures(const CalibrationRun& run) {
   const std::vector<std::string>& lasers = run.observations.lasers;
   const auto row = [&](const std::string& name, const auto& value) {
@@ -159,8 +169,9 @@ std::string report_page(const CalibrationRun& run, const WrittenFiles& written,
     return html_page("Calibration", body);
   }
   const Calibration& calibration = *run.calibration;
-  body += figures(run) + uncertainty(calibration) + advice(calibration) + "<h2>Pictures</h2>\n" +
-          shown(pictures) + parameters(calibration) + views(run) + rejected(calibration.rejected);
+  body += parts(run) + figures(run) + uncertainty(calibration) + advice(calibration) +
+          "<h2>Pictures</h2>\n" + shown(pictures) + parameters(calibration) + views(run) +
+          rejected(calibration.rejected);
   return html_page("Calibration", body);
 }
 

@@ -127,7 +127,9 @@ ReportPicture space(const Observations& seen, const Calibration& calibration, in
       flat.emplace_back(corner[axis], corner.z());
     chart.outline(flat, colour_of(i, poses.size()));
   }
-  for (const laser_triangulation::LaserPlane& laser : calibration.scanner.lasers) {
+  for (std::size_t i = 0; i < calibration.scanner.lasers.size(); ++i) {
+    if (!calibration.scanner.has_laser(i)) continue;
+    const laser_triangulation::LaserPlane& laser = calibration.scanner.laser(i);
     // Where the plane meets this section of space; one that lies in it has no line.
     const Vector2d normal(laser.normal[axis], laser.normal.z());
     if (normal.norm() < 0.2) continue;
@@ -168,7 +170,8 @@ std::vector<Vector3d> laser_points(const Observations& seen, const Calibration& 
 }
 
 ReportPicture plane(const Observations& seen, const Calibration& calibration, std::size_t laser) {
-  const laser_triangulation::LaserPlane& model = calibration.scanner.lasers[laser];
+  const laser_triangulation::LaserPlane& model =
+      calibration.scanner.laser(laser_triangulation::laser_index(seen.lasers[laser]));
   const std::vector<Vector3d> points = laser_points(seen, calibration, laser);
   const Vector3d depth =
       (Vector3d::UnitZ() - model.normal * model.normal.z()).normalized();  // of the light

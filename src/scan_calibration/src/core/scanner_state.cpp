@@ -3,6 +3,7 @@
 #include "scanner_state.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 namespace scan_calibration {
@@ -69,6 +70,7 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
 }
 
 laser_triangulation::ScannerModel scanner_model(const ScannerState& state,
+                                                const std::vector<std::string>& lasers,
                                                 const std::vector<Eigen::Vector3d>& projectors) {
   laser_triangulation::ScannerModel model;
   model.camera = state.intrinsics();
@@ -78,7 +80,9 @@ laser_triangulation::ScannerModel scanner_model(const ScannerState& state,
     plane.distance = -1 / state.planes[laser].norm();
     plane.normal = state.planes[laser] * plane.distance;
     plane.origin = origin_of(plane, projectors, laser);
-    model.lasers.push_back(plane);
+    const std::size_t index = laser_triangulation::laser_index(lasers[laser]);
+    model.lasers.resize(std::max(model.lasers.size(), index + 1));
+    model.lasers[index] = plane;
   }
   return model;
 }

@@ -46,8 +46,10 @@ Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation);
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
 
 /// The model with its planes' normals towards the camera (distance below 0).
-/// @param projectors as CalibrationOptions::projectors
+/// @param lasers whose planes the state holds
+/// @param projectors of these, as far as they are known [m]
 laser_triangulation::ScannerModel scanner_model(const ScannerState& state,
+                                                const std::vector<std::string>& lasers,
                                                 const std::vector<Eigen::Vector3d>& projectors);
 
 /// The surface of a board that may be bent: z = basis(x, y) . bend. Beyond its corners, where

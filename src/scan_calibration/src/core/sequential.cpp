@@ -27,20 +27,32 @@ Isometry3d pose_of(const cv::Mat& turn, const cv::Mat& shift) {
   return pose;
 }
 
+struct SeenBoard {
+  std::vector<cv::Point3f> places;  // [m]
+  std::vector<cv::Point2f> pixels;
+};
+
+/// Without the corners that are left out.
+SeenBoard seen_board(const BoardView& view) {
+  SeenBoard seen;
+  for (std::size_t i = 0; i < view.places.size(); ++i) {
+    if (!(view.weights[i] > 0)) continue;
+    seen.places.emplace_back(static_cast<float>(view.places[i].x()),
+                             static_cast<float>(view.places[i].y()), 0.f);
+    seen.pixels.emplace_back(static_cast<float>(view.pixels[i].x()),
+                             static_cast<float>(view.pixels[i].y()));
+  }
+  return seen;
+}
+
 /// Intrinsics; a board pose a view.
 std::vector<Isometry3d> calibrate_camera(const BoardViews& views, ScannerState& state) {
   std::vector<std::vector<cv::Point3f>> places;
   std::vector<std::vector<cv::Point2f>> pixels;
   for (const BoardView& view : views) {
-    places.emplace_back();
-    pixels.emplace_back();
-    for (std::size_t i = 0; i < view.places.size(); ++i) {
-      if (!(view.weights[i] > 0)) continue;
-      places.back().emplace_back(static_cast<float>(view.places[i].x()),
-                                 static_cast<float>(view.places[i].y()), 0.f);
-      pixels.back().emplace_back(static_cast<float>(view.pixels[i].x()),
-                                 static_cast<float>(view.pixels[i].y()));
-    }
+    const SeenBoard seen = seen_board(view);
+    places.push_back(seen.places);
+    pixels.push_back(seen.pixels);
   }
   cv::Mat matrix, distortion;
   std::vector<cv::Mat> turns, shifts;
@@ -52,6 +64,21 @@ std::vector<Isometry3d> calibrate_camera(const BoardViews& views, ScannerState& 
   std::vector<Isometry3d> boards;
   for (std::size_t i = 0; i < turns.size(); ++i)
     boards.push_back(pose_of(turns[i], shifts[i]));
+  return boards;
+}
+
+/// A board pose a view in a camera that is known.
+std::vector<Isometry3d> boards_in(const laser_triangulation::CameraIntrinsics& camera,
+                                  const BoardViews& views) {
+  const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+  const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
+  std::vector<Isometry3d> boards;
+  for (const BoardView& view : views) {
+    const SeenBoard seen = seen_board(view);
+    cv::Mat turn, shift;
+    cv::solvePnP(seen.places, seen.pixels, matrix, distortion, turn, shift);
+    boards.push_back(pose_of(turn, shift));
+  }
   return boards;
 }
 
@@ -108,16 +135,20 @@ Eigen::Vector3d plane_through(const std::vector<Eigen::Vector3d>& points) {
   return normal / normal.dot(mean);
 }
 
-ScannerState calibrate_in_sequence(const BoardViews& views, const BoardSurface& surface, int width,
-                                   int height, std::size_t lasers) {
+/// @param known camera and its pose on the flange
+ScannerState calibrate_in_sequence(const BoardViews& views, const BoardSurface& surface,
+                                   const Observations& observations,
+                                   const std::optional<laser_triangulation::ScannerModel>& known) {
   ScannerState state;
-  state.width = width;
-  state.height = height;
-  const std::vector<Isometry3d> boards = calibrate_camera(views, state);
-  state.flange_to_camera = hand_eye(views, boards);
+  state.width = observations.width;
+  state.height = observations.height;
+  if (known) state.camera = camera_vector(known->camera);
+  const std::vector<Isometry3d> boards =
+      known ? boards_in(known->camera, views) : calibrate_camera(views, state);
+  state.flange_to_camera = known ? known->flange_to_camera : hand_eye(views, boards);
   state.base_to_board = mean_board(views, boards, state.flange_to_camera);
   LineOffset offset;
-  for (std::size_t laser = 0; laser < lasers; ++laser) {
+  for (std::size_t laser = 0; laser < observations.lasers.size(); ++laser) {
     std::vector<Eigen::Vector3d> points;
     for (std::size_t i = 0; i < views.size(); ++i)
       for (const Eigen::Vector2d& pixel : views[i].lines[laser].pixels)
@@ -125,7 +156,7 @@ ScannerState calibrate_in_sequence(const BoardViews& views, const BoardSurface& 
                         offset))
           points.push_back(offset.point);
     if (points.size() < 3)
-      throw scan_cell_common::UnusableInput("laser " + std::to_string(laser),
+      throw scan_cell_common::UnusableInput(observations.lasers[laser],
                                             std::to_string(points.size()) + " points",
                                             "give lines of it in three views or more");
     state.planes.push_back(plane_through(points));
@@ -135,7 +166,9 @@ ScannerState calibrate_in_sequence(const BoardViews& views, const BoardSurface& 
 
 }  // namespace
 
-SequentialCalibration calibrate_sequentially(const Observations& observations, int folds) {
+SequentialCalibration calibrate_sequentially(
+    const Observations& observations, int folds,
+    const std::optional<laser_triangulation::ScannerModel>& known) {
   const BoardSurface surface(observations.board);
   const std::size_t lasers = observations.lasers.size();
   BoardViews views;
@@ -146,11 +179,11 @@ SequentialCalibration calibrate_sequentially(const Observations& observations, i
                                           "three are needed");
   }
   const auto calibrated = [&](const BoardViews& part) {
-    return calibrate_in_sequence(part, surface, observations.width, observations.height, lasers);
+    return calibrate_in_sequence(part, surface, observations, known);
   };
   const ScannerState state = calibrated(views);
   SequentialCalibration result;
-  result.scanner = scanner_model(state, {});
+  result.scanner = scanner_model(state, observations.lasers, {});
   result.base_to_board = state.base_to_board;
   std::vector<JudgedView> judged;
   for (const BoardView& view : views)

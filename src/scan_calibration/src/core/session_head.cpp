@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/session.h"
 #include "scan_cell_common/yaml_file.h"
 
@@ -45,16 +46,24 @@ Board board(const YamlEntry& entry) {
   return result;
 }
 
-std::vector<std::string> lasers(const YamlEntry& entry) {
-  constexpr std::size_t kMostLasers = 16;
-  std::vector<std::string> names;
-  for (const YamlEntry& element : entry.elements()) {
-    names.push_back(element.as<std::string>());
-    const std::string expected = "laser_" + std::to_string(names.size() - 1);
-    if (names.back() != expected || names.size() > kMostLasers)
-      element.refuse("'" + names.back() + "'", "name them laser_0, laser_1, in this order");
+std::size_t laser_index(const YamlEntry& entry) {
+  const auto name = entry.as<std::string>();
+  try {
+    return laser_triangulation::laser_index(name);
+  } catch (const scan_cell_common::UnusableInput&) {
+    entry.refuse("'" + name + "'", "name lasers laser_0, laser_1");
   }
-  if (names.empty()) entry.refuse("none", "name the lasers: [laser_0]");
+}
+
+std::vector<std::string> lasers(const YamlEntry& entry) {
+  std::vector<std::string> names;
+  std::size_t least = 0;
+  for (const YamlEntry& element : entry.elements()) {
+    const std::size_t index = laser_index(element);
+    names.push_back(element.as<std::string>());
+    if (index < least) element.refuse("'" + names.back() + "'", "name each once, in rising order");
+    least = index + 1;
+  }
   return names;
 }
 

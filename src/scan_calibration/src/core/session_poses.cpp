@@ -75,7 +75,7 @@ std::vector<SessionView> parse_session_poses(const std::string& text, const std:
       const bool own = !file.empty() && !(lasers.size() == 1 && file == view.board_image);
       view.lines.push_back(own ? take(file) : std::string(file));
     }
-    if (columns.empty()) view.lines = {view.board_image};
+    if (columns.empty() && !lasers.empty()) view.lines = {view.board_image};
     views.push_back(view);
   }
   return views;

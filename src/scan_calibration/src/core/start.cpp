@@ -3,7 +3,9 @@
 #include "start.h"
 
 #include <cmath>
+#include <optional>
 
+#include "known_camera.h"
 #include "laser_start.h"
 #include "noise_components.h"
 #include "scan_cell_common/errors.h"
@@ -106,15 +108,29 @@ NoiseLevels start_noise(const Start& start, const CameraFit& camera, const Board
   return noise;
 }
 
+/// Where the camera sits on the flange, and the board in the base.
+HandEye sight_hand_eye(const PosePairs& pairs, const BoardSurface& surface, const Board& board,
+                       std::optional<KnownCamera>& known, std::string& note) {
+  if (known) {
+    const HandEye hand_eye = known->hand_eye(pairs);
+    note = known->note();
+    return hand_eye;
+  }
+  check_tilts(pairs);
+  const HandEye hand_eye = agreed_hand_eye(pairs, surface);
+  check_board_size(hand_eye, pairs, board.square_size);
+  return hand_eye;
+}
+
 }  // namespace
 
-CameraFit fit_camera_and_reject(BoardViews& views, const BoardSurface& surface, int width,
-                                int height, bool square_pixels,
-                                std::vector<RejectedView>& rejected) {
+CameraFit fit_and_reject(BoardViews& views, const BoardSurface& surface,
+                         const std::function<CameraFit(BoardViews&)>& fit,
+                         std::vector<RejectedView>& rejected) {
   constexpr double kDeviations = 6;
   constexpr double kFactor = 2.5;
   constexpr double kLeast = 0.01;  // [px] below which nobody minds
-  CameraFit camera = fit_camera(views, surface, width, height, square_pixels, true);
+  CameraFit camera = fit(views);
   // Unweighted: what was left out speaks against a view
   std::vector<double> rms;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -139,24 +155,28 @@ CameraFit fit_camera_and_reject(BoardViews& views, const BoardSurface& surface, 
   views = std::move(kept);
   if (same) return camera;
   check_enough(views, rejected);
-  return fit_camera(views, surface, width, height, square_pixels, true);
+  return fit(views);
 }
 
-Start closed_form_start(const Observations& observations) {
+Start closed_form_start(const Observations& observations, const CalibrationOptions& options) {
   const BoardSurface surface(observations.board);
+  std::optional<KnownCamera> known;
+  if (options.lasers_alone) known.emplace(*options.existing, observations);
   UsableViews usable = usable_views(observations);
-  Start start{std::move(usable.views), {}, {}, std::move(usable.rejected)};
-  BoardViews for_camera = start.views;
-  CameraFit camera = fit_camera_and_reject(for_camera, surface, observations.width,
-                                           observations.height, false, start.rejected);
-  for (BoardView& view : for_camera)
+  Start start{std::move(usable.views), {}, {}, std::move(usable.rejected), {}};
+  CameraFit camera = fit_and_reject(
+      start.views, surface,
+      [&](BoardViews& views) {
+        return known ? known->fit(views)
+                     : fit_camera(views, surface, observations.width, observations.height, false,
+                                  true);
+      },
+      start.rejected);
+  if (known) known->check_lens(start.views, camera);
+  for (BoardView& view : start.views)  // a fit of the camera alone has its own
     view.measured = observations.views[view.source].base_to_flange;
-  start.views = std::move(for_camera);
-
-  const PosePairs pairs = pairs_of(start.views, camera);
-  check_tilts(pairs);
-  const HandEye hand_eye = agreed_hand_eye(pairs, surface);
-  check_board_size(hand_eye, pairs, observations.board.square_size);
+  const HandEye hand_eye =
+      sight_hand_eye(pairs_of(start.views, camera), surface, observations.board, known, start.note);
   keep_agreeing(hand_eye, surface, start, camera);
   check_enough(start.views, start.rejected);
 

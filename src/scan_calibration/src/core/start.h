@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "camera_fit.h"
 #include "diagnosis.h"
 #include "session_checks.h"
@@ -14,15 +16,18 @@ struct Start {
   ScannerState state;  //!< its corrections are what each view's corners alone would have
   NoiseLevels noise;   //!< by robust measures
   std::vector<RejectedView> rejected;
+  std::string note;  //!< how well a camera that is kept fits; empty: none is
 };
 
-/// Camera alone, hand-eye, board and laser planes one after the other, in closed form and robustly.
+/// Camera alone, hand-eye, board and laser planes one after the other, in closed form and robustly;
+/// a camera that is kept with its place on the flange, as they are.
 /// @throw scan_cell_common::UnusableInput as calibrate()
-Start closed_form_start(const Observations& observations);
+Start closed_form_start(const Observations& observations, const CalibrationOptions& options);
 
 /// Leaves out views whose corners fit the camera far worse than the others' do, and fits again.
-CameraFit fit_camera_and_reject(BoardViews& views, const BoardSurface& surface, int width,
-                                int height, bool square_pixels,
-                                std::vector<RejectedView>& rejected);
+/// @param fit gives the camera of views
+CameraFit fit_and_reject(BoardViews& views, const BoardSurface& surface,
+                         const std::function<CameraFit(BoardViews&)>& fit,
+                         std::vector<RejectedView>& rejected);
 
 }  // namespace scan_calibration

@@ -55,7 +55,7 @@ double spread(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& covariance) {
 ScannerState moved_by(const ScannerState& state, const Layout& layout,
                       const Eigen::VectorXd& step) {
   ScannerState result = state;
-  result.camera += step.segment<9>(layout.camera);
+  if (layout.camera >= 0) result.camera += step.segment<9>(layout.camera);
   if (layout.flange_to_camera >= 0)
     result.flange_to_camera =
         moved(state.flange_to_camera, step.segment<6>(layout.flange_to_camera));
@@ -79,17 +79,16 @@ Eigen::Vector3d vector_near(const Eigen::Matrix3d& rotation, const Eigen::Vector
 class Numbers {
  public:
   /// @param reference the model that rotations are taken to be near
-  Numbers(const ScannerState& state, const Layout& layout, const ScannerState& reference) {
-    const char* const camera[] = {"fx", "fy", "cx", "cy"};
-    for (int i = 0; i < 4; ++i)
-      add(std::string("camera.") + camera[i], "px", state.camera[i]);
-    for (int i = 0; i < 5; ++i)
-      add("camera.distortion[" + std::to_string(i) + "]", "1", state.camera[4 + i]);
+  /// @param lasers of its planes
+  Numbers(const ScannerState& state, const Layout& layout, const ScannerState& reference,
+          const std::vector<std::string>& lasers) {
+    if (layout.camera >= 0) add(state.camera);
     if (layout.flange_to_camera >= 0)
       add("flange_to_camera", state.flange_to_camera, reference.flange_to_camera);
     for (std::size_t laser = 0; laser < layout.planes.size(); ++laser)
       if (layout.planes[laser] >= 0)
-        add("lasers[" + std::to_string(laser) + "]", state.planes[laser]);
+        add("lasers[" + std::to_string(laser_triangulation::laser_index(lasers[laser])) + "]",
+            state.planes[laser]);
     if (layout.base_to_board >= 0)
       add("base_to_board", state.base_to_board, reference.base_to_board);
     if (layout.bend >= 0)
@@ -109,6 +108,14 @@ class Numbers {
  private:
   void add(const std::string& name, const char* unit, double value) {
     parameters.push_back({name, unit, value, 0});
+  }
+
+  void add(const CameraVector& camera) {
+    const char* const names[] = {"fx", "fy", "cx", "cy"};
+    for (int i = 0; i < 4; ++i)
+      add(std::string("camera.") + names[i], "px", camera[i]);
+    for (int i = 0; i < 5; ++i)
+      add("camera.distortion[" + std::to_string(i) + "]", "1", camera[4 + i]);
   }
 
   void add(const std::string& name, const Eigen::Isometry3d& pose,
@@ -173,10 +180,11 @@ Eigen::MatrixXd derivative(const ScannerState& state, const Knowledge& knowledge
 }
 
 void state_parameters(const ScannerState& state, const Knowledge& knowledge,
+                      const std::vector<std::string>& lasers,
                       std::vector<EstimatedParameter>& parameters, Eigen::MatrixXd& covariance) {
-  parameters = Numbers(state, knowledge.layout, state).parameters;
+  parameters = Numbers(state, knowledge.layout, state, lasers).parameters;
   const Eigen::MatrixXd rows = derivative(state, knowledge, [&](const ScannerState& at) {
-    return Numbers(at, knowledge.layout, state).values();
+    return Numbers(at, knowledge.layout, state, lasers).values();
   });
   covariance = rows * knowledge.covariance * rows.transpose();
   Eigen::VectorXd scale(rows.rows());

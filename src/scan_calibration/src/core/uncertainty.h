@@ -35,7 +35,9 @@ Eigen::MatrixXd derivative(const ScannerState& state, const Knowledge& knowledge
 
 /// Value, deviation and unit of every number of the model, and their covariance, scaled to the
 /// deviations.
+/// @param lasers whose planes the state holds
 void state_parameters(const ScannerState& state, const Knowledge& knowledge,
+                      const std::vector<std::string>& lasers,
                       std::vector<EstimatedParameter>& parameters, Eigen::MatrixXd& covariance);
 
 }  // namespace scan_calibration

@@ -42,10 +42,12 @@ void publish(const std::vector<scan_calibration::StaticFrame>& frames) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(argc, argv, "calibrated_frames", [] {
-    const Parameters parameters = Parameters::load(ros::NodeHandle("~"));
-    publish(scan_calibration::calibrated_frames(
-        laser_triangulation::load_scanner_model(parameters.scanner_file),
-        scan_calibration::load_cell(parameters.cell_file)));
-  });
+  return scan_cell_common::node_main(
+      argc, argv, "calibrated_frames",
+      "Publishes the calibrated frames of scanner, tool and world as static transforms.", [] {
+        const Parameters parameters = Parameters::load(ros::NodeHandle("~"));
+        publish(scan_calibration::calibrated_frames(
+            laser_triangulation::load_scanner_model(parameters.scanner_file),
+            scan_calibration::load_cell(parameters.cell_file)));
+      });
 }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <opencv2/core.hpp>
 
@@ -25,6 +26,9 @@ struct Options {
   CalibrationOptions calibration;
   CalibrationLimits limits;
   std::vector<double> projectors;
+  std::string existing;
+  bool camera_alone = false;
+  std::vector<std::size_t> lasers;
 };
 
 void add_files(CLI::App& app, Options& options) {
@@ -35,6 +39,22 @@ void add_files(CLI::App& app, Options& options) {
       ->required();
   app.add_option("--camera-info", options.files.camera_info,
                  "the camera for ROS: YAML; default: beside the scanner model");
+}
+
+/// What is calibrated, and where the rest comes from.
+void add_parts(CLI::App& app, Options& options) {
+  const auto add = [&](CLI::Option* option) { return option->group("What is calibrated"); };
+  add(app.add_option("--scanner", options.existing,
+                     "existing scanner model, which gives what is not calibrated anew"))
+      ->check(CLI::ExistingFile);
+  CLI::Option* const camera = add(app.add_flag("--camera-alone", options.camera_alone,
+                                               "camera and its pose on the flange, no laser"));
+  CLI::Option* const lasers = add(
+      app.add_flag("--lasers-alone", options.calibration.lasers_alone,
+                   "planes of light; camera and its pose on the flange are kept from --scanner"));
+  add(app.add_option("--lasers", options.lasers, "of the session, as 0 1; not given: all"))
+      ->excludes(camera);
+  camera->excludes(lasers);
 }
 
 void add_limits(CLI::App& app, CalibrationLimits& limits) {
@@ -90,6 +110,12 @@ void complete(Options& options) {
   for (std::size_t i = 0; i < options.projectors.size(); i += 3)
     options.calibration.projectors.emplace_back(
         Eigen::Map<Eigen::Vector3d>(&options.projectors[i]));
+  if (!options.existing.empty())
+    options.calibration.existing = load_existing_scanner(options.existing);
+  if (options.camera_alone || !options.lasers.empty()) options.observation.lasers.emplace();
+  std::sort(options.lasers.begin(), options.lasers.end());
+  for (const std::size_t laser : options.lasers)
+    options.observation.lasers->push_back(laser_triangulation::laser_name(laser));
   options.observation.threads = options.calibration.threads;
   options.observation.progress = print_progress;
   options.calibration.progress = [](const std::string& what) {
@@ -116,6 +142,8 @@ void print_figures(const CalibrationRun& run) {
           [i](const Figures& f) { return f.laser_plane_rms_mm.at(i); });
   }
   print("scatter of the board [mm RMS]", [](const Figures& f) { return f.board_scatter_mm; });
+  for (const std::string& part : joint.kept)
+    std::printf("kept from %s: %s\n", run.existing->file.c_str(), part.c_str());
   for (const std::string& note : joint.notes)
     std::printf("mind: %s\n", note.c_str());
   if (!joint.advice.empty()) std::printf("add next: %s\n", joint.advice.front().text.c_str());
@@ -152,6 +180,7 @@ int main(int argc, char** argv) {
   CLI::App app("Calibrates camera, hand-eye and laser planes from a recorded session.");
   Options options;
   add_files(app, options);
+  add_parts(app, options);
   add_limits(app, options.limits);
   add_knowledge(app, options);
   return scan_cell_common::tool_main("calibrate", app, argc, argv, [&] {

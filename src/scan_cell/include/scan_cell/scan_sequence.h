@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <string>
 
 #include "scan_cell/devices.h"
@@ -41,8 +40,7 @@ class ScanSequence {
                ScanObserver& observer, const ScanLimits& limits, const Timing& timing);
 
   /// Runs the whole scan in the calling thread.
-  /// @param cancel set by another thread to end it early
-  SequenceEnd run(const ScanRequest& request, const std::atomic<bool>& cancel);
+  SequenceEnd run(const ScanRequest& request, const WhyToCancel& why_to_cancel);
 
  private:
   void prepare(const ScanRequest& request);

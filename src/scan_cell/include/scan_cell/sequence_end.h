@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "scan_cell_common/errors.h"
@@ -26,6 +27,10 @@ struct SequenceEnd {
   Outcome outcome = Outcome::Finished;
   std::string message;
 };
+
+/// Asked again and again while a sequence runs, by its thread: why it is to end early; empty: it
+/// goes on.
+using WhyToCancel = std::function<std::string()>;
 
 /// Ends a sequence early, from any depth of it.
 struct EndEarly {

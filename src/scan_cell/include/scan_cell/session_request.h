@@ -18,7 +18,7 @@ struct TaughtPose {
 /// What to record for a calibration.
 struct SessionRequest {
   std::vector<TaughtPose> poses;
-  std::uint8_t lasers = 0;    //!< bit mask: each is on in turn
+  std::uint8_t lasers = 0;    //!< bit mask: each is on in turn; 0: the board alone
   double board_exposure = 0;  //!< [s] of the image of the board, lasers off
   double line_exposure = 0;   //!< [s] of the images of a laser's line
 };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <vector>
 
@@ -70,8 +69,7 @@ class SessionSequence {
                   const SessionLimits& limits, const Timing& timing);
 
   /// Records the whole session in the calling thread.
-  /// @param cancel set by another thread to end it early
-  SessionEnd run(const SessionRequest& request, const std::atomic<bool>& cancel);
+  SessionEnd run(const SessionRequest& request, const WhyToCancel& why_to_cancel);
 
  private:
   /// Skips one pose.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <atomic>
 #include <functional>
 #include <vector>
 
@@ -16,8 +15,8 @@ namespace scan_cell {
 double monotonic_now();
 
 /// Moves the robot and arms the trigger under watch: whoever waits, waits here, where every device
-/// is looked at, a cancel is heard and the trigger is told that somebody is there. All but
-/// make_safe() throw EndEarly.
+/// is looked at, a cancel is heard and the trigger is told that somebody is there. All but begin(),
+/// disarm() and stop_robot() throw EndEarly.
 class Supervisor {
  public:
   struct Timing {
@@ -37,8 +36,7 @@ class Supervisor {
   Supervisor(Robot& robot, Trigger& trigger, std::vector<Watched> others, const Timing& timing);
 
   /// A new sequence begins, with nothing moving and nothing armed.
-  /// @param cancel set by another thread to end it early
-  void begin(const std::atomic<bool>& cancel);
+  void begin(WhyToCancel why_to_cancel);
 
   void wait_until_well();
   void start_move(const Eigen::Isometry3d& flange, double camera_rate);
@@ -70,7 +68,7 @@ class Supervisor {
   Trigger& trigger_;
   std::vector<Watched> watched_;
   Timing timing_;
-  const std::atomic<bool>* cancel_ = nullptr;
+  WhyToCancel why_to_cancel_;
   bool moving_ = false;
   bool armed_ = false;
   bool unseen_before_ = false;  // the robot, at the last look

@@ -25,8 +25,8 @@ ScanSequence::ScanSequence(Robot& robot, Camera& camera, Trigger& trigger, Stage
       supervisor_(robot, trigger, {{&camera, Outcome::CameraLost}, {&stages, Outcome::StageFailed}},
                   timing) {}
 
-SequenceEnd ScanSequence::run(const ScanRequest& request, const std::atomic<bool>& cancel) {
-  supervisor_.begin(cancel);
+SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why_to_cancel) {
+  supervisor_.begin(why_to_cancel);
   step_ = 0;
   capturing_ = stages_started_ = false;
   SequenceEnd end;

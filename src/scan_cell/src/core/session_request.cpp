@@ -32,9 +32,9 @@ std::vector<int> lasers_in(std::uint8_t mask) {
 void check(const SessionRequest& request, const SessionLimits& limits) {
   if (request.poses.empty()) throw Refused("taught poses", "none", "teach some");
   const std::vector<int> lasers = lasers_in(request.lasers);
-  if (lasers.empty() || lasers.back() >= kLasers) {
+  if (!lasers.empty() && lasers.back() >= kLasers) {
     throw Refused("lasers", "mask " + std::to_string(request.lasers),
-                  "give 1 (laser_0), 2 (laser_1) or 3 (both, in turn)");
+                  "give 1 (laser_0), 2 (laser_1), 3 (both, in turn) or 0 (the camera alone)");
   }
   check_exposure("exposure for the board", request.board_exposure, limits);
   check_exposure("exposure for the lines", request.line_exposure, limits);

@@ -24,8 +24,8 @@ SessionSequence::SessionSequence(Robot& robot, SnapshotCamera& camera, Trigger& 
       timing_(timing),
       supervisor_(robot, trigger, {}, timing) {}
 
-SessionEnd SessionSequence::run(const SessionRequest& request, const std::atomic<bool>& cancel) {
-  supervisor_.begin(cancel);
+SessionEnd SessionSequence::run(const SessionRequest& request, const WhyToCancel& why_to_cancel) {
+  supervisor_.begin(why_to_cancel);
   prepared_ = false;
   SessionEnd result;
   try {

@@ -21,15 +21,15 @@ Supervisor::Supervisor(Robot& robot, Trigger& trigger, std::vector<Watched> othe
   watched_.push_back({&trigger_, Outcome::TriggerLost});
 }
 
-void Supervisor::begin(const std::atomic<bool>& cancel) {
-  cancel_ = &cancel;
+void Supervisor::begin(WhyToCancel why_to_cancel) {
+  why_to_cancel_ = std::move(why_to_cancel);
   moving_ = armed_ = unseen_before_ = false;
   last_keep_alive_ = 0;
 }
 
 void Supervisor::wait_until_well() {
   const double deadline = monotonic_now() + timing_.readiness;
-  while (!robot_.trouble().empty() && monotonic_now() < deadline && !*cancel_) {
+  while (!robot_.trouble().empty() && monotonic_now() < deadline && why_to_cancel_().empty()) {
     std::this_thread::sleep_for(std::chrono::duration<double>(timing_.poll));
   }
   watch();
@@ -128,7 +128,8 @@ bool Supervisor::wait_for(double time, const std::function<bool()>& condition) {
 }
 
 void Supervisor::watch() {
-  if (*cancel_) throw EndEarly{Outcome::Cancelled, "cancelled by the client"};
+  const std::string why_to_cancel = why_to_cancel_();
+  if (!why_to_cancel.empty()) throw EndEarly{Outcome::Cancelled, why_to_cancel};
   for (const Watched& watched : watched_) {
     const std::string trouble = watched.device->trouble();
     if (!trouble.empty()) throw EndEarly{watched.outcome, trouble};

@@ -43,7 +43,7 @@ struct VideeServer::Implementation {
       stopping = true;
       boost::system::error_code ignored;
       ::shutdown(acceptor.native_handle(), SHUT_RDWR);
-      if (socket.is_open()) socket.shutdown(tcp::socket::shutdown_both, ignored);
+      if (connection) socket.shutdown(tcp::socket::shutdown_both, ignored);
     }
     changed.notify_all();
     acceptor_thread.join();
@@ -68,16 +68,17 @@ struct VideeServer::Implementation {
   /// Hands a client over to the server, as soon as the one before, if gone, is done with.
   void take(tcp::socket client) {
     std::unique_lock<std::mutex> lock(mutex);
-    if (socket.is_open() && VideeConnection(socket.native_handle(), 0).is_there()) {
+    if (connection && connection->is_there()) {
       boost::system::error_code unknown;
       const std::string other = socket.remote_endpoint(unknown).address().to_string();
-      VideeConnection(client.native_handle(), 0)
-          .send_line("ERROR another client is connected, from " + other + "; try again later");
+      turn_away(client.native_handle(),
+                "ERROR another client is connected, from " + other + "; try again later");
       return;
     }
-    changed.wait(lock, [this] { return stopping || !socket.is_open(); });
+    changed.wait(lock, [this] { return stopping || !connection; });
     if (stopping) return;
     socket = std::move(client);
+    connection = std::make_unique<VideeConnection>(socket.native_handle(), options.idle_time);
     changed.notify_all();
   }
 
@@ -85,30 +86,30 @@ struct VideeServer::Implementation {
     while (true) {
       {
         std::unique_lock<std::mutex> lock(mutex);
-        changed.wait(lock, [this] { return stopping || socket.is_open(); });
+        changed.wait(lock, [this] { return stopping || connection; });
         if (stopping) return;
       }
       converse();
       on_client_lost();
       boost::system::error_code ignored;
       const std::lock_guard<std::mutex> lock(mutex);
+      connection.reset();
       socket.close(ignored);
       changed.notify_all();
     }
   }
 
-  void converse() {
-    VideeConnection connection(socket.native_handle(), options.idle_time);
+  void converse() const {
     while (!stopping) {
-      const auto line = connection.next_line();
-      if (!line || !connection.send_line(answer(*line, connection))) return;
+      const auto line = connection->next_line();
+      if (!line || !connection->send_line(answer(*line))) return;
     }
   }
 
-  std::string answer(const std::string& line, const VideeConnection& connection) const {
+  std::string answer(const std::string& line) const {
     try {
       const std::string result =
-          handler(parse_videe(line), [&connection] { return connection.is_there(); });
+          handler(parse_videe(line), [this] { return connection->is_there(); });
       return result.empty() ? "OK" : "OK " + result;
     } catch (const std::exception& error) {  // of OpenCV, too: a command must not end the node
       return "ERROR " + std::string(error.what());
@@ -121,9 +122,10 @@ struct VideeServer::Implementation {
   std::optional<asio::ip::address> only_client;
   asio::io_context context;
   tcp::acceptor acceptor{context};
-  std::mutex mutex;  // of the socket: opened by the acceptor, closed by the server
+  std::mutex mutex;  // of socket and connection: opened by the acceptor, closed by the server
   std::condition_variable changed;
   tcp::socket socket{context};
+  std::unique_ptr<VideeConnection> connection;  // of the socket; none: no client
   std::atomic<bool> stopping{false};
   std::thread acceptor_thread;
   std::thread server_thread;

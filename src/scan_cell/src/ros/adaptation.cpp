@@ -6,6 +6,8 @@
 
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
+#include "scan_cell_common/outputs.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/yaml_file.h"
 #include "tool_path_stretcher/ros/conversions.h"
@@ -23,33 +25,21 @@ const char* const kObject = "object.ply";
 const char* const kPath = "adapted_path.csv";
 const char* const kReport = "report.json";
 
-bool is_same_file(const fs::path& one, const fs::path& other) {
-  std::error_code failure;
-  return fs::equivalent(one, other, failure);
-}
-
-void remove_old(const fs::path& path) {
-  std::error_code failure;
-  fs::remove(path, failure);
-  if (failure) throw FileError(path.string(), failure.message(), "give a folder of yours");
-}
-
 }  // namespace
+
+std::vector<std::string> result_names() {
+  return {kObject, kPath, kReport};
+}
 
 void clear_results(const AdaptationFiles& files) {
   const fs::path output(files.output);
   std::error_code failure;
   fs::create_directories(output, failure);
   if (failure) throw FileError(files.output, failure.message(), "give a folder of yours");
-  for (const char* name : {kObject, kPath, kReport}) {
-    for (const std::string& input : {files.reference, files.path}) {
-      if (is_same_file(output / name, input)) {
-        throw FileError(input, "would be overwritten", "give another folder for the results");
-      }
-    }
-  }
-  for (const char* name : {kObject, kPath, kReport})
-    remove_old(output / name);
+  for (const std::string& name : result_names())
+    scan_cell_common::refuse_overwriting(output / name, {files.reference, files.path});
+  for (const std::string& name : result_names())
+    scan_cell_common::remove_old(output / name);
 }
 
 scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& files,
@@ -59,16 +49,16 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
   goal.reference =
       scan_cell_common::to_message(scan_cell_common::load_cloud(files.reference), object.header);
   goal.object = object;
-  goal.path = tool_path_stretcher::to_message(tool_path_stretcher::load_tool_path(files.path),
-                                              object.header);
+  const auto path = tool_path_stretcher::load_tool_path_file(files.path);
+  goal.path = tool_path_stretcher::to_message(path.path, object.header);
 
   const fs::path output(files.output);
   scan_cell_common::save_cloud((output / kObject).string(), scan_cell_common::from_message(object));
   const auto result = client.stretch(goal, timeout, progress);
   // The path before the report: an accepting report without its path would be a lie.
   if (result.verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED) {
-    tool_path_stretcher::save_tool_path((output / kPath).string(),
-                                        tool_path_stretcher::from_message(result.path));
+    tool_path_stretcher::save_tool_path(
+        (output / kPath).string(), tool_path_stretcher::from_message(result.path), path.layout);
   }
   scan_cell_common::save_text((output / kReport).string(), result.report);
   return result.verdict;

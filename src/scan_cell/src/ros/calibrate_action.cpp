@@ -59,6 +59,16 @@ std::vector<std::string> names_of(std::uint8_t lasers) {
   return names;
 }
 
+/// What is calibrated anew, and where the rest comes from.
+scan_calibration::CalibrationOptions options_of(const CalibrateGoal& goal) {
+  scan_calibration::CalibrationOptions options;
+  options.lasers_alone = goal.lasers_alone != 0;
+  if (!goal.scanner.empty())
+    options.existing = scan_calibration::load_existing_scanner(goal.scanner);
+  check(options, names_of(goal.lasers));
+  return options;
+}
+
 scan_cell_msgs::CalibrationFigures to_message(const scan_calibration::Figures& figures) {
   scan_cell_msgs::CalibrationFigures message;
   message.reprojection_rms_px = figures.reprojection_rms_px;
@@ -81,11 +91,11 @@ std::string why_not(const scan_calibration::CalibrationRun& found) {
 }  // namespace
 
 CalibrateAction::CalibrateAction(ros::NodeHandle node, const Parameters& parameters,
-                                 CellDevices& devices, CellInUse& cell)
+                                 CellDevices& devices, CellInUse& cell, const StateTopic& state)
     : parameters_(parameters),
       sequence_(devices.robot, devices.snapshots, devices.trigger, *this, parameters.session_limits,
                 parameters.session),
-      action_(node, "calibrate", cell, *this) {
+      action_(node, "calibrate", cell, state, *this) {
   markers_publisher_ =
       node.advertise<visualization_msgs::MarkerArray>("calibration", 1, /*latch=*/true);
   action_.start();
@@ -102,6 +112,7 @@ std::string CalibrateAction::accept(const CalibrateGoal& goal) {
   request.board_exposure = goal.board_exposure;
   request.line_exposure = goal.line_exposure;
   check(request, parameters_.session_limits);
+  options_ = options_of(goal);  // before anything moves
   const scan_calibration::Board board = board_of(goal);
   recorder_ = std::make_unique<scan_calibration::SessionRecorder>(goal.session, board,
                                                                   names_of(goal.lasers));
@@ -114,13 +125,13 @@ std::string CalibrateAction::accept(const CalibrateGoal& goal) {
   return goal.session;
 }
 
-CalibrateResult CalibrateAction::run(const std::atomic<bool>& cancel) {
+CalibrateResult CalibrateAction::run(const WhyToCancel& why_to_cancel) {
   const ros::WallTime start = ros::WallTime::now();
   CalibrateResult result;
-  SequenceEnd end = record(cancel, result);
+  SequenceEnd end = record(why_to_cancel, result);
   result.outcome = static_cast<std::uint8_t>(end.outcome);
   result.message = end.message;
-  if (end.outcome == Outcome::Finished && !goal_.output.empty()) compute(cancel, result);
+  if (end.outcome == Outcome::Finished && !goal_.output.empty()) compute(why_to_cancel, result);
   result.seconds = (ros::WallTime::now() - start).toSec();
   if (result.outcome != CalibrateResult::FINISHED) {
     ROS_WARN("Calibration '%s' gave no model: %s", goal_.session.c_str(), result.message.c_str());
@@ -128,8 +139,8 @@ CalibrateResult CalibrateAction::run(const std::atomic<bool>& cancel) {
   return result;
 }
 
-SequenceEnd CalibrateAction::record(const std::atomic<bool>& cancel, CalibrateResult& result) {
-  const SessionEnd recorded = sequence_.run(request_, cancel);
+SequenceEnd CalibrateAction::record(const WhyToCancel& why_to_cancel, CalibrateResult& result) {
+  const SessionEnd recorded = sequence_.run(request_, why_to_cancel);
   recorder_.reset();
   result.poses = static_cast<std::uint32_t>(request_.poses.size());
   result.views = static_cast<std::uint32_t>(recorded.views);
@@ -140,17 +151,18 @@ SequenceEnd CalibrateAction::record(const std::atomic<bool>& cancel, CalibrateRe
   return recorded.end;
 }
 
-void CalibrateAction::compute(const std::atomic<bool>& cancel, CalibrateResult& result) {
+void CalibrateAction::compute(const WhyToCancel& why_to_cancel, CalibrateResult& result) {
   constexpr double kReading = 0.6;  // of the time that computing takes, about
   const auto go_on = [&](const std::string& doing, double share) {
-    if (cancel) throw EndEarly{Outcome::Cancelled, "cancelled by the client while computing"};
+    const std::string why = why_to_cancel();
+    if (!why.empty()) throw EndEarly{Outcome::Cancelled, why + ", while computing"};
     tell(0, doing, kRecording + (1 - kRecording) * share);
   };
   scan_calibration::ObservationOptions reading;
   reading.progress = [&](const std::string& what, int done, int total) {
     go_on("read the images: " + what, kReading * done / total);
   };
-  scan_calibration::CalibrationOptions options;
+  scan_calibration::CalibrationOptions options = options_;
   options.progress = [&](const std::string& stage) { go_on(stage, kReading); };
   try {
     const auto found = scan_calibration::run_calibration(goal_.session, reading, options,
@@ -178,6 +190,7 @@ void CalibrateAction::save(const scan_calibration::CalibrationRun& found,
   if (found.calibration) {
     result.fitted = to_message(found.calibration->fitted);
     result.held_out = to_message(found.calibration->held_out);
+    result.kept = found.calibration->kept;
   }
   if (found.verdict != scan_calibration::CalibrationVerdict::PASSED) {
     result.outcome = CalibrateResult::NOT_CALIBRATED;

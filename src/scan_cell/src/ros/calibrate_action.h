@@ -5,7 +5,6 @@
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/CalibrateAction.h>
 
-#include <atomic>
 #include <memory>
 #include <string>
 
@@ -24,16 +23,16 @@ class CalibrateAction : private SessionObserver,
  public:
   /// @param node the private node handle
   CalibrateAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
-                  CellInUse& cell);
+                  CellInUse& cell, const StateTopic& state);
 
   /// Cancels the calibration under way, if any, and waits until the cell is safe.
   ~CalibrateAction() override;
 
  private:
   std::string accept(const scan_cell_msgs::CalibrateGoal& goal) override;
-  scan_cell_msgs::CalibrateResult run(const std::atomic<bool>& cancel) override;
-  SequenceEnd record(const std::atomic<bool>& cancel, scan_cell_msgs::CalibrateResult& result);
-  void compute(const std::atomic<bool>& cancel, scan_cell_msgs::CalibrateResult& result);
+  scan_cell_msgs::CalibrateResult run(const WhyToCancel& why_to_cancel) override;
+  SequenceEnd record(const WhyToCancel& why_to_cancel, scan_cell_msgs::CalibrateResult& result);
+  void compute(const WhyToCancel& why_to_cancel, scan_cell_msgs::CalibrateResult& result);
   void save(const scan_calibration::CalibrationRun& found,
             scan_cell_msgs::CalibrateResult& result) const;
 
@@ -48,6 +47,7 @@ class CalibrateAction : private SessionObserver,
   std::string last_doing_;
   double progress_ = 0;
   scan_cell_msgs::CalibrateGoal goal_;
+  scan_calibration::CalibrationOptions options_;  // what the goal wants of it
   SessionRequest request_;
   std::unique_ptr<scan_calibration::SessionRecorder> recorder_;  // while one is recorded
   CellAction<scan_cell_msgs::CalibrateAction> action_;  // last: its callbacks use all the rest

@@ -173,7 +173,10 @@ MarkerArray calibration_markers(const scan_calibration::CalibrationRun& run,
   const scan_calibration::Observations& seen = run.observations;
   const CameraIntrinsics& camera = calibration.scanner.camera;
   const Eigen::Isometry3d& flange_to_camera = calibration.scanner.flange_to_camera;
-  std::vector<Points> on_planes(calibration.scanner.lasers.size());
+  std::vector<Points> on_planes(seen.lasers.size());
+  const auto plane = [&](std::size_t i) -> const LaserPlane& {
+    return calibration.scanner.laser(laser_triangulation::laser_index(seen.lasers[i]));
+  };
   MarkerArray array;
   array.markers.emplace_back();
   array.markers.back().action = Marker::DELETEALL;
@@ -187,19 +190,20 @@ MarkerArray calibration_markers(const scan_calibration::CalibrationRun& run,
                                      moved(base_to_camera * *board, outline(seen.board))));
     }
     for (std::size_t i = 0; i < on_planes.size() && i < view.lines.size(); ++i) {
-      const Points points = points_on(calibration.scanner.lasers[i], camera, view.lines[i]);
+      const Points points = points_on(plane(i), camera, view.lines[i]);
       on_planes[i].insert(on_planes[i].end(), points.begin(), points.end());
     }
   }
   for (std::size_t i = 0; i < on_planes.size(); ++i) {
     if (on_planes[i].empty()) continue;
-    Colour colour = kLasers[i % kLasers.size()];
-    array.markers.push_back(marker("tool0", "points of laser_" + std::to_string(i), Marker::POINTS,
-                                   colour, moved(flange_to_camera, on_planes[i])));
+    const std::size_t number = laser_triangulation::laser_index(seen.lasers[i]);
+    Colour colour = kLasers[number % kLasers.size()];
+    array.markers.push_back(marker("tool0", "points of " + seen.lasers[i], Marker::POINTS, colour,
+                                   moved(flange_to_camera, on_planes[i])));
     colour.a = 0.25F;
-    array.markers.push_back(
-        marker("tool0", "plane of laser_" + std::to_string(i), Marker::TRIANGLE_LIST, colour,
-               moved(flange_to_camera, plane_patch(calibration.scanner.lasers[i], on_planes[i]))));
+    array.markers.push_back(marker("tool0", "plane of " + seen.lasers[i], Marker::TRIANGLE_LIST,
+                                   colour,
+                                   moved(flange_to_camera, plane_patch(plane(i), on_planes[i]))));
   }
   return array;
 }

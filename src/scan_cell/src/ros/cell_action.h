@@ -12,12 +12,15 @@
 #include <thread>
 
 #include "cell_in_use.h"
+#include "scan_cell/sequence_end.h"
 #include "scan_cell_common/errors.h"
+#include "state_topic.h"
 
 namespace scan_cell {
 
-/// An action that uses the whole cell: one goal at a time, in a thread of its own. Its result has
-/// the fields outcome and message, and the outcomes FINISHED, REFUSED and CANCELLED.
+/// An action that uses the whole cell: one goal at a time, in a thread of its own. A goal may name
+/// a watcher, who listens to the cell's state, and is cancelled where that one is gone. The result
+/// has the fields outcome and message, and the outcomes FINISHED, REFUSED and CANCELLED.
 template <class Spec>
 class CellAction {
  public:
@@ -31,15 +34,16 @@ class CellAction {
     /// @return the goal's name, for whoever is refused because of it
     /// @throw scan_cell_common::Error if the goal is refused
     virtual std::string accept(const Goal& goal) = 0;
-    /// @param cancel set by another thread to end it early
-    virtual Result run(const std::atomic<bool>& cancel) = 0;
+    virtual Result run(const WhyToCancel& why_to_cancel) = 0;
   };
 
   /// @param node the private node handle
   /// @param name of the action, and in refusals
-  CellAction(ros::NodeHandle node, const std::string& name, CellInUse& cell, Work& work)
+  CellAction(ros::NodeHandle node, const std::string& name, CellInUse& cell,
+             const StateTopic& state, Work& work)
       : name_(name),
         cell_(cell),
+        state_(state),
         work_(work),
         server_(
             node, name, [this](Handle goal) { on_goal(goal); },
@@ -70,6 +74,7 @@ class CellAction {
   using Handle = typename Server::GoalHandle;
 
   void on_goal(Handle goal) {
+    state_.wait_for(goal.getGoal()->watcher);
     const std::lock_guard<std::mutex> lock(mutex_);
     try {
       take(*goal.getGoal());
@@ -83,6 +88,7 @@ class CellAction {
     if (thread_.joinable()) thread_.join();
     goal.setAccepted();
     goal_ = goal;
+    watcher_ = goal.getGoal()->watcher;
     running_ = true;
     cancel_ = false;
     thread_ = std::thread(&CellAction::run, this);
@@ -91,6 +97,10 @@ class CellAction {
   void take(const Goal& goal) {
     using scan_cell_common::Refused;
     if (ending_) throw Refused(name_, "the node is ending", "start it again");
+    if (!state_.is_watched_by(goal.watcher)) {
+      throw Refused("watcher", "'" + goal.watcher + "', which does not listen to the state",
+                    "subscribe to " + state_.name() + " first, or give none");
+    }
     cell_.take(name_, "a new one");  // first: what runs must not see another's goal
     try {
       cell_.rename(work_.accept(goal));
@@ -105,8 +115,14 @@ class CellAction {
     if (running_ && goal == goal_) cancel_ = true;
   }
 
+  std::string why_to_cancel() const {
+    if (cancel_) return "cancelled by the client";
+    if (!state_.is_watched_by(watcher_)) return "cancelled: " + watcher_ + " is gone";
+    return "";
+  }
+
   void run() {
-    const Result result = work_.run(cancel_);
+    const Result result = work_.run([this] { return why_to_cancel(); });
     const std::lock_guard<std::mutex> lock(mutex_);
     running_ = false;
     cell_.release();
@@ -121,11 +137,13 @@ class CellAction {
 
   const std::string name_;
   CellInUse& cell_;
+  const StateTopic& state_;
   Work& work_;
   std::mutex mutex_;  // of what follows
   bool running_ = false;
   bool ending_ = false;  // no goal is taken any more
   Handle goal_;
+  std::string watcher_;  // of the goal; changed only while none is under way
   std::thread thread_;
   std::atomic<bool> cancel_{false};
   Server server_;  // last: its callbacks use all the rest

@@ -4,16 +4,15 @@
 
 #include <actionlib/client/simple_action_client.h>
 
-#include <array>
-#include <csignal>
-
 #include "scan_cell/ros/clean_cloud_watch.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/interrupts.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace scan_cell {
 namespace {
 
+using scan_cell_common::CatchInterrupts;
 using scan_cell_common::ConnectionError;
 
 constexpr double kCleaningTimeout = 60;  // [s]
@@ -21,39 +20,14 @@ constexpr double kCleaningTimeout = 60;  // [s]
 constexpr double kSlice = 0.1;         // [s] between two looks
 constexpr double kCancelTimeout = 15;  // [s] for a scan to be made safe and its data to be kept
 
-volatile std::sig_atomic_t interrupted = 0;
-
-/// For as long as a goal is under way, signals that would end the process are caught, so that the
-/// goal can be cancelled: nobody may leave robot and laser running by Ctrl-C.
-class CatchInterrupts {
- public:
-  CatchInterrupts() {
-    interrupted = 0;
-    struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = 1; };
-    action.sa_flags = SA_RESTART;
-    for (std::size_t i = 0; i < kSignals.size(); ++i)
-      sigaction(kSignals[i], &action, &before_[i]);
-  }
-  ~CatchInterrupts() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i)
-      sigaction(kSignals[i], &before_[i], nullptr);
-  }
-  CatchInterrupts(const CatchInterrupts&) = delete;
-  CatchInterrupts& operator=(const CatchInterrupts&) = delete;
-
- private:
-  static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, kSignals.size()> before_{};
-};
-
 /// @throw ConnectionError if there is no server within `timeout` [s]
 /// @throw Refused if interrupted before
 template <class Client>
 void wait_for_server(Client& client, const std::string& name, double timeout) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
   while (!client.waitForServer(ros::Duration(kSlice))) {
-    if (interrupted) throw scan_cell_common::Refused(name, "interrupted", "start it again");
+    if (CatchInterrupts::interrupted())
+      throw scan_cell_common::Refused(name, "interrupted", "start it again");
     if (ros::WallTime::now() < deadline) continue;
     throw ConnectionError(name, "no action server within " + std::to_string(timeout) + " s",
                           "start the cell with launch/scan_cell.launch");
@@ -66,7 +40,7 @@ template <class Client>
 void wait_for_end(Client& client, const std::string& name) {
   ros::WallTime deadline;  // zero: not cancelled
   while (!client.waitForResult(ros::Duration(kSlice))) {
-    if (interrupted && deadline.isZero()) {
+    if (CatchInterrupts::interrupted() && deadline.isZero()) {
       client.cancelGoal();
       deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
     }
@@ -91,15 +65,17 @@ bool has_begun(const Result& result) {
 
 /// Sends a goal and waits for its end. The result is that of the server whatever the terminal
 /// state: it says itself how things ended.
+/// @param complete called with the goal once the server is there
 /// @throw ConnectionError if there is no server, or it goes away
 /// @throw Refused if another client's cancel, or goal, came before it began
-template <class Action, class Goal, class Feedback>
-auto run_action(ros::NodeHandle node, const std::string& name, const Goal& goal, double timeout,
-                const Feedback& on_feedback) {
+template <class Action, class Goal, class Complete, class Feedback>
+auto run_action(ros::NodeHandle node, const std::string& name, Goal goal, double timeout,
+                const Complete& complete, const Feedback& on_feedback) {
   using Client = actionlib::SimpleActionClient<Action>;
-  const CatchInterrupts catch_interrupts;
+  const CatchInterrupts catch_interrupts;  // nobody may leave robot and laser running by Ctrl-C
   Client client(node, name, false);
   wait_for_server(client, name, timeout);
+  complete(goal);
   client.sendGoal(goal, typename Client::SimpleDoneCallback(),
                   typename Client::SimpleActiveCallback(), on_feedback);
   wait_for_end(client, name);
@@ -122,7 +98,8 @@ geometry_msgs::PoseStamped stamped(const Eigen::Isometry3d& pose, const std::str
 
 }  // namespace
 
-CellClient::CellClient(ros::NodeHandle node, const Names& names) : node_(node), names_(names) {}
+CellClient::CellClient(ros::NodeHandle node, const Names& names)
+    : node_(node), names_(names), watcher_(node, names.state) {}
 
 scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const std::string& scan_id,
                                             double timeout, const Progress& progress) {
@@ -138,8 +115,9 @@ scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const st
                  std::to_string(news->points) + " points",
              news->progress);
   };
+  const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
   const auto result =
-      run_action<scan_cell_msgs::ScanAction>(node_, names_.scan, goal, timeout, feedback);
+      run_action<scan_cell_msgs::ScanAction>(node_, names_.scan, goal, timeout, watched, feedback);
   progress("scanned, " + std::to_string(result.audit.frames_bound) + " frames, " +
                std::to_string(result.statistics.points) + " points",
            1);
@@ -166,8 +144,9 @@ scan_cell_msgs::CalibrateResult CellClient::calibrate(const scan_cell_msgs::Cali
         "pose " + std::to_string(news->pose) + " of " + std::to_string(news->poses) + ": ";
     progress((news->pose > 0 ? where : "") + news->doing, news->progress);
   };
-  const auto result =
-      run_action<scan_cell_msgs::CalibrateAction>(node_, names_.calibrate, goal, timeout, feedback);
+  const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
+  const auto result = run_action<scan_cell_msgs::CalibrateAction>(node_, names_.calibrate, goal,
+                                                                  timeout, watched, feedback);
   progress(std::to_string(result.views) + " views recorded", 1);
   return result;
 }
@@ -177,8 +156,9 @@ scan_cell_msgs::StretchToolPathResult CellClient::stretch(
   const auto feedback = [&](const scan_cell_msgs::StretchToolPathFeedbackConstPtr& news) {
     progress(news->stage, news->progress);
   };
+  const auto nothing = [](scan_cell_msgs::StretchToolPathGoal&) {};  // nothing moves
   return run_action<scan_cell_msgs::StretchToolPathAction>(node_, names_.stretch, goal, timeout,
-                                                           feedback);
+                                                           nothing, feedback);
 }
 
 }  // namespace scan_cell

@@ -16,14 +16,14 @@ using scan_cell_msgs::CellState;
 using scan_cell_msgs::ScanResult;
 
 ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
-                       CellInUse& cell)
+                       CellInUse& cell, const StateTopic& state)
     : parameters_(parameters),
       camera_(devices.camera),
       stages_(parameters.binder, parameters.triangulation, parameters.call_timeout),
       sequence_(devices.robot, devices.camera, devices.trigger, stages_, *this, parameters.limits,
                 parameters.timing),
-      action_(node, "scan", cell, *this) {
-  state_publisher_ = node.advertise<CellState>("state", 10, true);
+      state_(state),
+      action_(node, "scan", cell, state, *this) {
   const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> count =
       [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
         points_ += static_cast<std::uint64_t>(cloud->width) * cloud->height;
@@ -46,9 +46,9 @@ std::string ScanAction::accept(const scan_cell_msgs::ScanGoal& goal) {
   return request_.scan_id;
 }
 
-ScanResult ScanAction::run(const std::atomic<bool>& cancel) {
+ScanResult ScanAction::run(const WhyToCancel& why_to_cancel) {
   const ros::WallTime start = ros::WallTime::now();
-  const SequenceEnd end = sequence_.run(request_, cancel);
+  const SequenceEnd end = sequence_.run(request_, why_to_cancel);
   ScanResult result;
   result.outcome = static_cast<std::uint8_t>(end.outcome);
   result.scan_id = request_.scan_id;
@@ -127,7 +127,7 @@ void ScanAction::publish_state(std::uint8_t state, const std::string& message) {
   cell.state = state;
   cell.scan_id = request_.scan_id;
   cell.message = message;
-  state_publisher_.publish(cell);
+  state_.publish(cell);
 }
 
 }  // namespace scan_cell

@@ -19,19 +19,19 @@
 
 namespace scan_cell {
 
-/// The action ~scan and the latched topic ~state.
+/// The action ~scan.
 class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::ScanAction>::Work {
  public:
   /// @param node the private node handle
   ScanAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
-             CellInUse& cell);
+             CellInUse& cell, const StateTopic& state);
 
   /// Cancels the scan under way, if any, and waits until the cell is safe.
   ~ScanAction() override;
 
  private:
   std::string accept(const scan_cell_msgs::ScanGoal& goal) override;
-  scan_cell_msgs::ScanResult run(const std::atomic<bool>& cancel) override;
+  scan_cell_msgs::ScanResult run(const WhyToCancel& why_to_cancel) override;
 
   /// @throw scan_cell_common::Refused
   ScanRequest request_from(const scan_cell_msgs::ScanGoal& goal) const;
@@ -48,7 +48,7 @@ class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::Scan
   RosCamera& camera_;
   RosStages stages_;
   ScanSequence sequence_;
-  ros::Publisher state_publisher_;
+  const StateTopic& state_;
   std::atomic<std::uint64_t> points_{0};
   ros::Subscriber cloud_subscriber_;
   ros::WallTime last_feedback_;

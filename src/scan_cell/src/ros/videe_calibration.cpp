@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "scan_calibration/taught_poses.h"
+#include "scan_cell/session_request.h"
 #include "videe_wait.h"
 
 namespace scan_cell {
@@ -25,13 +26,15 @@ std::string time_stamp() {
   return text;
 }
 
-std::string figures(const CalibrateResult& result) {
+/// @param lasers that were calibrated
+std::string figures(const CalibrateResult& result, std::uint8_t lasers) {
   const scan_cell_msgs::CalibrationFigures& held_out = result.held_out;
   char text[64];
   std::snprintf(text, sizeof(text), " reprojection_rms_px=%.4f", held_out.reprojection_rms_px);
   std::string line = text;
+  const std::vector<int> calibrated = lasers_in(lasers);
   for (std::size_t i = 0; i < held_out.laser_plane_rms_mm.size(); ++i) {
-    std::snprintf(text, sizeof(text), " laser_plane_rms_mm_%zu=%.4f", i,
+    std::snprintf(text, sizeof(text), " laser_plane_rms_mm_%d=%.4f", calibrated.at(i),
                   held_out.laser_plane_rms_mm[i]);
     line += text;
   }
@@ -50,7 +53,9 @@ VideeCalibrationParameters VideeCalibrationParameters::load(
   reader.read("calibration/board_columns", parameters.board_columns, {3, 200});
   reader.read("calibration/board_rows", parameters.board_rows, {3, 200});
   reader.read("calibration/square_size", parameters.square_size, {0.0001, 1});
-  reader.read("calibration/lasers", parameters.lasers, {1, 3});
+  reader.read("calibration/lasers", parameters.lasers, {0, 3});
+  reader.read("calibration/scanner", parameters.scanner);
+  reader.read("calibration/lasers_alone", parameters.lasers_alone);
   reader.read("calibration/board_exposure", parameters.board_exposure, {1e-6, 0.4});
   reader.read("calibration/line_exposure", parameters.line_exposure, {1e-6, 0.4});
   return parameters;
@@ -58,9 +63,11 @@ VideeCalibrationParameters VideeCalibrationParameters::load(
 
 VideeCalibration::VideeCalibration(ros::NodeHandle node,
                                    const VideeCalibrationParameters& parameters,
-                                   const std::string& action, double call_timeout)
+                                   const std::string& action, const CellWatcher& watcher,
+                                   double call_timeout)
     : parameters_(parameters),
       action_(action),
+      watcher_(watcher),
       call_timeout_(call_timeout),
       client_(node, action, false) {}
 
@@ -83,6 +90,8 @@ scan_cell_msgs::CalibrateGoal VideeCalibration::goal() const {
   goal.board_rows = static_cast<std::uint32_t>(parameters_.board_rows);
   goal.square_size = parameters_.square_size;
   goal.lasers = static_cast<std::uint8_t>(parameters_.lasers);
+  goal.scanner = parameters_.scanner;
+  goal.lasers_alone = static_cast<unsigned char>(parameters_.lasers_alone);
   goal.board_exposure = parameters_.board_exposure;
   goal.line_exposure = parameters_.line_exposure;
   return goal;
@@ -93,7 +102,8 @@ std::string VideeCalibration::perform(const VideeServer::ClientThere& client_the
     throw Refused("PERFORM_CALIBRATION", "not prepared", "send INIT_CALIBRATION first");
   }
   wait_for_server(client_, action_, call_timeout_);
-  const scan_cell_msgs::CalibrateGoal wanted = goal();
+  scan_cell_msgs::CalibrateGoal wanted = goal();
+  wanted.watcher = watcher_.name(call_timeout_);
   client_.sendGoal(wanted);
   running_ = true;
   const auto result = wait_for_result(client_, action_, client_there, running_);
@@ -103,19 +113,14 @@ std::string VideeCalibration::perform(const VideeServer::ClientThere& client_the
   const std::string counts = "session=" + wanted.session +
                              " views=" + std::to_string(result->views) +
                              " skipped=" + std::to_string(result->skipped.size());
-  return result->model.empty() ? counts : counts + figures(*result);
-}
-
-void VideeCalibration::cancel_all() {
-  if (client_.isServerConnected()) client_.cancelAllGoals();
+  return result->model.empty() ? counts : counts + figures(*result, wanted.lasers);
 }
 
 void VideeCalibration::reset() {
   ready_ = false;
   if (!running_) return;
   running_ = false;
-  client_.cancelGoal();
-  client_.waitForResult(ros::Duration(call_timeout_));
+  cancel_and_wait(client_, action_);
 }
 
 }  // namespace scan_cell

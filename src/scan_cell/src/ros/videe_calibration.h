@@ -8,6 +8,7 @@
 
 #include <string>
 
+#include "scan_cell/ros/cell_watcher.h"
 #include "scan_cell/videe_server.h"
 #include "scan_cell_common/ros/parameter_reader.h"
 
@@ -21,9 +22,11 @@ struct VideeCalibrationParameters {
   int board_columns = 15;         //!< inner corners
   int board_rows = 25;            //!< inner corners
   double square_size = 0.020;     //!< [m]
-  int lasers = 3;                 //!< bit mask
-  double board_exposure = 0.05;   //!< [s] lasers off
-  double line_exposure = 0.001;   //!< [s]
+  int lasers = 3;                 //!< bit mask; 0: the camera alone
+  std::string scanner;  //!< existing model, which gives what is not calibrated anew; empty: none
+  bool lasers_alone = false;     //!< camera and its pose on the flange are those of `scanner`
+  double board_exposure = 0.05;  //!< [s] lasers off
+  double line_exposure = 0.001;  //!< [s]
 
   /// @throw scan_cell_common::InvalidParameter
   static VideeCalibrationParameters load(scan_cell_common::ParameterReader& reader);
@@ -33,8 +36,9 @@ struct VideeCalibrationParameters {
 class VideeCalibration {
  public:
   /// @param action of the cell
+  /// @param watcher must outlive this object
   VideeCalibration(ros::NodeHandle node, const VideeCalibrationParameters& parameters,
-                   const std::string& action, double call_timeout);
+                   const std::string& action, const CellWatcher& watcher, double call_timeout);
 
   /// Reads the taught poses.
   /// @return how many, as poses=N
@@ -47,16 +51,15 @@ class VideeCalibration {
   std::string perform(const VideeServer::ClientThere& client_there);
 
   /// Ends what is under way; INIT_CALIBRATION is needed again.
+  /// @throw scan_cell_common::ConnectionError if it does not end
   void reset();
-
-  /// Has every calibration cancelled, whoever asked for it.
-  void cancel_all();
 
  private:
   scan_cell_msgs::CalibrateGoal goal() const;
 
   const VideeCalibrationParameters parameters_;
   const std::string action_;
+  const CellWatcher& watcher_;
   const double call_timeout_;
   actionlib::SimpleActionClient<scan_cell_msgs::CalibrateAction> client_;
   bool ready_ = false;    // the taught poses were read

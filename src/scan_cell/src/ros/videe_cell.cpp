@@ -22,6 +22,11 @@ namespace {
 
 constexpr double kCallsInside = 4;  // timeouts: three calls inside of grab_image, and its own
 
+/// Whether a command only ends things.
+bool is_end(VideeCommandKind kind) {
+  return kind == VideeCommandKind::InitCycle || kind == VideeCommandKind::Reset;
+}
+
 }  // namespace
 
 VideeParameters VideeParameters::load(const ros::NodeHandle& node) {
@@ -38,6 +43,7 @@ VideeParameters VideeParameters::load(const ros::NodeHandle& node) {
   reader.read("scan", parameters.scan);
   reader.read("grab_image", parameters.grab_image);
   reader.read("calibrate", parameters.calibrate);
+  reader.read("state", parameters.state);
   parameters.calibration = VideeCalibrationParameters::load(reader);
   reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
   reader.refuse_unknown();
@@ -48,11 +54,18 @@ VideeCell::VideeCell(ros::NodeHandle node, const VideeParameters& parameters)
     : node_(node),
       parameters_(parameters),
       program_(load_scan_program(parameters.program)),
+      watcher_(node, parameters.state),
+      scans_(node, parameters.scan),
+      calibrations_(node, parameters.calibrate),
       client_(node, parameters.scan, false),
-      calibration_(node, parameters.calibration, parameters.calibrate, parameters.call_timeout) {}
+      calibration_(node, parameters.calibration, parameters.calibrate, watcher_,
+                   parameters.call_timeout) {}
 
 std::string VideeCell::carry_out(const VideeCommand& command,
                                  const VideeServer::ClientThere& client_there) {
+  if (!is_end(command.kind) && !client_there()) {
+    throw scan_cell_common::ConnectionError("ViDeE client", "gone", "connect again");
+  }
   switch (command.kind) {
     case VideeCommandKind::InitCycle:
       end_own();
@@ -80,15 +93,16 @@ void VideeCell::end_own() {
   positions_.clear();
   calibration_.reset();
   if (!running_) return;
-  client_.cancelGoal();
-  client_.waitForResult(ros::Duration(parameters_.call_timeout));
   running_ = false;
+  cancel_and_wait(client_, parameters_.scan);
 }
 
 void VideeCell::end_all() {
-  if (client_.isServerConnected()) client_.cancelAllGoals();
-  calibration_.cancel_all();
   end_own();
+  scans_.cancel(parameters_.call_timeout);
+  calibrations_.cancel(parameters_.call_timeout);
+  scans_.wait_until_ended(kCancelTimeout);
+  calibrations_.wait_until_ended(kCancelTimeout);
 }
 
 std::string VideeCell::set_position(const VideeCommand& command) {
@@ -112,6 +126,7 @@ std::string VideeCell::start_scan() {
   goal.speed = program_.request.speed;
   goal.rate = program_.request.rate;
   goal.lasers = program_.request.lasers;
+  goal.watcher = watcher_.name(parameters_.call_timeout);
   client_.sendGoal(goal);
   wait_until_taken(client_, parameters_.scan, parameters_.call_timeout);
   running_ = true;
@@ -144,7 +159,11 @@ std::string VideeCell::grab_image() {
 
 void VideeCell::on_client_lost() {
   ROS_INFO("The ViDeE client is gone; what it had under way is cancelled");
-  end_own();
+  try {
+    end_own();
+  } catch (const scan_cell_common::Error& error) {
+    ROS_ERROR("%s", error.what());
+  }
 }
 
 }  // namespace scan_cell

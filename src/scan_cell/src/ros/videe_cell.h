@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "goals_under_way.h"
+#include "scan_cell/ros/cell_watcher.h"
 #include "scan_cell/scan_program.h"
 #include "scan_cell/videe_command.h"
 #include "scan_cell/videe_server.h"
@@ -24,6 +26,7 @@ struct VideeParameters {
   std::string scan = "/scan_cell/scan";  //!< action
   std::string grab_image = "/scan_cell/grab_image";  //!< service
   std::string calibrate = "/scan_cell/calibrate";    //!< action
+  std::string state = "/scan_cell/state";            //!< topic
   VideeCalibrationParameters calibration;
   double call_timeout = 5.0;  //!< [s]
 
@@ -57,6 +60,9 @@ class VideeCell {
   ros::NodeHandle node_;
   const VideeParameters parameters_;
   const ScanProgram program_;
+  const CellWatcher watcher_;
+  GoalsUnderWay scans_;
+  GoalsUnderWay calibrations_;
   Client client_;
   VideeCalibration calibration_;
   std::vector<Eigen::Isometry3d> positions_;

@@ -12,6 +12,9 @@
 
 namespace scan_cell {
 
+/// [s] for what was cancelled to be made safe and its data to be kept
+constexpr double kCancelTimeout = 15;
+
 /// @throw ConnectionError if there is no server within `timeout` [s]
 template <class Client>
 void wait_for_server(Client& client, const std::string& name, double timeout) {
@@ -37,6 +40,19 @@ void wait_until_taken(Client& client, const std::string& name, double timeout) {
   throw scan_cell_common::Refused(name, "refused", client.getResult()->message);
 }
 
+/// Cancels the goal under way and waits for its end.
+/// @throw ConnectionError if it does not come
+template <class Client>
+void cancel_and_wait(Client& client, const std::string& name) {
+  client.cancelGoal();
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
+  while (!client.waitForResult(ros::Duration(0.02)) && client.isServerConnected()) {
+    if (ros::WallTime::now() < deadline) continue;
+    throw scan_cell_common::ConnectionError(name, "does not end what was cancelled",
+                                            "look at its log");
+  }
+}
+
 /// Waits for a goal's end on behalf of a ViDeE client.
 /// @param running whether the goal is under way; true on return only where the client went away
 /// @throw ConnectionError if that client, or the action's server, goes away
@@ -44,7 +60,7 @@ template <class Client>
 auto wait_for_result(Client& client, const std::string& name,
                      const VideeServer::ClientThere& client_there, bool& running) {
   using scan_cell_common::ConnectionError;
-  while (!client.waitForResult(ros::Duration(0.1))) {
+  while (!client.waitForResult(ros::Duration(0.02))) {
     if (!client_there()) throw ConnectionError("ViDeE client", "gone", "connect again");
     if (!ros::ok() || !client.isServerConnected()) {
       running = false;

@@ -8,7 +8,7 @@
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/adaptation.h"
 #include "scan_cell_common/errors.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/ros/node_main.h"
 
 namespace {
 
@@ -39,21 +39,19 @@ int adapt(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "adapt", ros::init_options::AnonymousName);
   Options options;
+  scan_cell_common::Outputs outputs;
   CLI::App app("Scans the part in the running cell and adapts a tool path to it");
   app.add_option("--program", options.program, "scan program (YAML)")->required();
   app.add_option("--reference", options.files.reference, "clean cloud of the reference part")
       ->required();
   app.add_option("--path", options.files.path, "tool path proven on it (.csv, .yaml)")->required();
-  app.add_option("--output", options.files.output, "folder for cloud, path and report")->required();
+  outputs
+      .add_folder(app, "--output", options.files.output, "folder for cloud, path and report",
+                  scan_cell::result_names())
+      ->required();
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
-  return scan_cell_common::tool_main(
-      "adapt", app, argc, argv,
-      [&] {
-        ros::AsyncSpinner spinner(2);
-        spinner.start();
-        return adapt(options);
-      },
-      scan_cell_common::kRefused);
+  return scan_cell_common::ros_tool_main(
+      "adapt", app, argc, argv, [&] { return adapt(options); }, scan_cell_common::kRefused,
+      outputs);
 }

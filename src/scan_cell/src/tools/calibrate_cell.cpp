@@ -10,7 +10,7 @@
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell_common/errors.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/ros/node_main.h"
 
 namespace {
 
@@ -20,6 +20,8 @@ struct Options {
   scan_cell_msgs::CalibrateGoal goal;
   std::vector<std::uint32_t> corners = {15, 25};
   std::vector<int> lasers = {0, 1};
+  bool camera_alone = false;
+  bool lasers_alone = false;
   double timeout = 10;
 };
 
@@ -30,21 +32,24 @@ void make_absolute(std::string& path) {
 
 scan_cell_msgs::CalibrateGoal goal_of(const Options& options) {
   scan_cell_msgs::CalibrateGoal goal = options.goal;
-  for (std::string* path : {&goal.poses, &goal.session, &goal.output, &goal.report})
+  for (std::string* path : {&goal.poses, &goal.session, &goal.scanner, &goal.output, &goal.report})
     make_absolute(*path);
   goal.board_columns = options.corners[0];
   goal.board_rows = options.corners[1];
-  for (const int laser : options.lasers)
-    goal.lasers = static_cast<std::uint8_t>(goal.lasers | 1U << laser);
+  if (!options.camera_alone) {
+    for (const int laser : options.lasers)
+      goal.lasers = static_cast<std::uint8_t>(goal.lasers | 1U << laser);
+  }
+  goal.lasers_alone = static_cast<unsigned char>(options.lasers_alone);
   return goal;
 }
 
 void tell(const char* views, const scan_cell_msgs::CalibrationFigures& figures) {
-  std::printf("%-9s reprojection %.4f px, board scatter %.3f mm, laser planes", views,
+  std::printf("%-9s reprojection %.4f px, board scatter %.3f mm", views,
               figures.reprojection_rms_px, figures.board_scatter_mm);
-  for (const double rms : figures.laser_plane_rms_mm)
-    std::printf(" %.3f", rms);
-  std::printf(" mm\n");
+  for (std::size_t i = 0; i < figures.laser_plane_rms_mm.size(); ++i)
+    std::printf("%s %.3f mm", i == 0 ? ", laser planes" : ",", figures.laser_plane_rms_mm[i]);
+  std::printf("\n");
 }
 
 /// Says what was recorded and found.
@@ -53,10 +58,12 @@ void tell(const scan_cell_msgs::CalibrateGoal& goal, const CalibrateResult& resu
     std::printf("skipped: %s\n", pose.c_str());
   std::printf("%s: %u of %u poses recorded\n", goal.session.c_str(), result.views, result.poses);
   if (!result.report.empty()) std::printf("report: %s\n", result.report.c_str());
-  if (!result.held_out.laser_plane_rms_mm.empty()) {
+  if (result.held_out.reprojection_rms_px > 0) {
     tell("fitted:", result.fitted);
     tell("held out:", result.held_out);
   }
+  for (const std::string& part : result.kept)
+    std::printf("kept from %s: %s\n", goal.scanner.c_str(), part.c_str());
   if (result.outcome != CalibrateResult::FINISHED) {
     throw scan_cell_common::Refused("calibration '" + goal.session + "'", "ended early",
                                     result.message);
@@ -83,7 +90,6 @@ void calibrate(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "calibrate_cell", ros::init_options::AnonymousName);
   Options options;
   options.goal.board_exposure = 0.05;
   options.goal.line_exposure = 0.001;
@@ -105,20 +111,28 @@ int main(int argc, char** argv) {
       ->expected(2)
       ->capture_default_str();
   app.add_option("--square", options.goal.square_size, "[m] of the board")->capture_default_str();
+  app.add_option("--scanner", options.goal.scanner,
+                 "existing scanner model, which gives what is not calibrated anew")
+      ->check(CLI::ExistingFile);
+  CLI::Option* const camera_alone =
+      app.add_flag("--camera-alone", options.camera_alone,
+                   "calibrate camera and its pose on the flange, no laser");
+  app.add_flag("--lasers-alone", options.lasers_alone,
+               "calibrate lasers; camera and its pose on the flange are kept from --scanner")
+      ->excludes(camera_alone);
   app.add_option("--lasers", options.lasers, "each of them is on in turn")
       ->check(CLI::Range(0, 1))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(camera_alone);
   app.add_option("--board-exposure", options.goal.board_exposure, "[s] lasers off")
       ->capture_default_str();
   app.add_option("--line-exposure", options.goal.line_exposure, "[s] with a laser on")
       ->capture_default_str();
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell")
       ->capture_default_str();
-  return scan_cell_common::tool_main(
+  return scan_cell_common::ros_tool_main(
       "calibrate_cell", app, argc, argv,
       [&] {
-        ros::AsyncSpinner spinner(2);
-        spinner.start();
         calibrate(options);
         return 0;
       },

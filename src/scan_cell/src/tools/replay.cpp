@@ -90,10 +90,14 @@ void replay(const Parameters& parameters) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(argc, argv, "replay", [] {
-    const Parameters parameters = Parameters::load(ros::NodeHandle("~"));
-    ros::AsyncSpinner spinner(2);
-    spinner.start();
-    replay(parameters);
-  });
+  return scan_cell_common::node_main(argc, argv, "replay",
+                                     "Plays a recorded scan to the running stages, and adapts a "
+                                     "tool path to what was scanned (launch/replay.launch).",
+                                     [] {
+                                       const Parameters parameters =
+                                           Parameters::load(ros::NodeHandle("~"));
+                                       ros::AsyncSpinner spinner(2);
+                                       spinner.start();
+                                       replay(parameters);
+                                     });
 }

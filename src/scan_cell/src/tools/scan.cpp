@@ -11,7 +11,8 @@
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/ros/node_main.h"
+#include "scan_cell_common/units.h"
 
 namespace {
 
@@ -20,12 +21,14 @@ struct Options {
   std::string scan_id;
   std::string output;
   std::string clean;
+  std::string units = "m";
   double timeout = 10;
 };
 
-void save(const std::string& path, const sensor_msgs::PointCloud2& message) {
+void save(const std::string& path, const sensor_msgs::PointCloud2& message,
+          const std::string& units) {
   const scan_cell_common::Cloud cloud = scan_cell_common::from_message(message);
-  scan_cell_common::save_cloud(path, cloud);
+  scan_cell_common::save_cloud(path, cloud, scan_cell_common::metres_per(units));
   std::printf("%s: %zu points\n", path.c_str(), cloud.size());
 }
 
@@ -39,7 +42,9 @@ void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
     std::printf("%s: %lu points, too many for a message\n", result.cloud_file.c_str(),
                 result.statistics.points);
   }
-  if (!options.output.empty() && !result.cloud.data.empty()) save(options.output, result.cloud);
+  if (!options.output.empty() && !result.cloud.data.empty()) {
+    save(options.output, result.cloud, options.units);
+  }
   if (result.outcome != scan_cell_msgs::ScanResult::FINISHED) {
     throw scan_cell_common::Refused("scan '" + result.scan_id + "'", "ended early", result.message);
   }
@@ -48,6 +53,9 @@ void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
 
 /// @throw Refused if the scan did not finish, or preprocessing failed
 void scan(const Options& options) {
+  for (const std::string& output : {options.output, options.clean}) {
+    if (!output.empty()) scan_cell_common::check_cloud_output(output);
+  }
   const scan_cell::ScanProgram program = scan_cell::load_scan_program(options.program);
   const scan_cell::CellClient::Names names;
   ros::NodeHandle node;
@@ -63,28 +71,29 @@ void scan(const Options& options) {
   if (options.clean.empty()) return;
   scan_cell::check_published(result.cloud_file);
   constexpr double kCleaningTimeout = 60;  // [s]
-  save(options.clean, watch.wait(result.cloud.header.stamp, kCleaningTimeout));
+  save(options.clean, watch.wait(result.cloud.header.stamp, kCleaningTimeout), options.units);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "scan", ros::init_options::AnonymousName);
   Options options;
+  scan_cell_common::Outputs outputs;
   CLI::App app("Scans one line with the running cell and saves the cloud");
   app.add_option("--program", options.program, "scan program (YAML): poses, speed, rate, laser")
       ->required();
   app.add_option("--id", options.scan_id, "name of the scan; made from the time if not given");
-  app.add_option("--output", options.output, "whole cloud as it was scanned (.ply, .pcd)");
-  app.add_option("--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
+  outputs.add(app, "--output", options.output, "whole cloud as it was scanned (.ply, .pcd)");
+  outputs.add(app, "--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
+  app.add_option("--units", options.units, "of the clouds")
+      ->check(CLI::IsMember(scan_cell_common::length_units()))
+      ->capture_default_str();
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
-  return scan_cell_common::tool_main(
+  return scan_cell_common::ros_tool_main(
       "scan", app, argc, argv,
       [&] {
-        ros::AsyncSpinner spinner(2);
-        spinner.start();
         scan(options);
         return 0;
       },
-      scan_cell_common::kRefused);
+      scan_cell_common::kRefused, outputs);
 }

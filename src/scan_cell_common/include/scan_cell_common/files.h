@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace scan_cell_common {
 
@@ -23,5 +24,17 @@ void save_whole(const std::string& path, const std::function<bool(const std::str
 /// Writes a text file, whole or not at all.
 /// @throw FileError if it cannot be written
 void save_text(const std::string& path, const std::string& text);
+
+/// What is written must not take the place of what is read: also by another name of the same file.
+/// @throw FileError if `written` is one of the others; names that are empty are left out
+void refuse_overwriting(const std::string& written, const std::vector<std::string>& others);
+
+/// What can be said of a file to write before the work that fills it: its ending, and that its
+/// folder is there.
+/// @param endings allowed, in lower case, with the dot
+/// @param cure names them: "write clouds as .ply or .pcd"
+/// @throw FileError
+void check_output(const std::string& path, const std::vector<std::string>& endings,
+                  const std::string& cure);
 
 }  // namespace scan_cell_common

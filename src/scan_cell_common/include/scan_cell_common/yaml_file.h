@@ -36,6 +36,7 @@ class YamlEntry {
   YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
 
   bool is_map() const;
+  bool is_null() const;  //!< it stands there, and holds nothing: ~
   bool has(const std::string& key) const;
 
   /// @throw UnusableInput if it is missing

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -29,6 +30,13 @@ void check_readable(const std::string& path) {
   if (fs::file_size(path, failure) > kLargest) {
     throw FileError(path, "larger than 2 GiB", "reduce what it holds");
   }
+}
+
+bool is_same_file(const std::string& one, const std::string& other) {
+  std::error_code failure;
+  if (fs::equivalent(one, other, failure)) return true;
+  const fs::path place = fs::weakly_canonical(one, failure);  // also where there is none yet
+  return !failure && place == fs::weakly_canonical(other, failure);
 }
 
 }  // namespace
@@ -76,6 +84,26 @@ void save_text(const std::string& path, const std::string& text) {
     file.close();
     return !file.fail();
   });
+}
+
+void refuse_overwriting(const std::string& written, const std::vector<std::string>& others) {
+  for (const std::string& other : others) {
+    if (other.empty() || !is_same_file(written, other)) continue;
+    throw FileError(written, "given twice", "write to a file of its own");
+  }
+}
+
+void check_output(const std::string& path, const std::vector<std::string>& endings,
+                  const std::string& cure) {
+  const std::string ending = extension_of(path);
+  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
+    throw FileError(path, "ending '" + ending + "'", cure);
+  }
+  std::error_code failure;
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, failure)) {
+    throw FileError(path, "no folder '" + folder.string() + "'", "make it, or check the path");
+  }
 }
 
 }  // namespace scan_cell_common

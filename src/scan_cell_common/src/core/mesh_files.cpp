@@ -1,10 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/conversions.h>
-
 #include <array>
 #include <limits>
 
+#include "meshes.h"
 #include "scalars.h"
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
@@ -27,15 +26,6 @@ pcl::PointXYZ vertex_of(const Words& words, const std::string& where) {
     xyz[i] = to_float(*value);
   }
   return {xyz[0], xyz[1], xyz[2]};
-}
-
-pcl::PolygonMesh mesh_of(Cloud& vertices, std::vector<pcl::Vertices> polygons) {
-  vertices.width = static_cast<std::uint32_t>(vertices.points.size());
-  vertices.height = 1;
-  pcl::PolygonMesh mesh;
-  pcl::toPCLPointCloud2(vertices, mesh.cloud);
-  mesh.polygons = std::move(polygons);
-  return mesh;
 }
 
 /// Each three vertices in a row are a triangle.
@@ -104,19 +94,6 @@ pcl::index_t corner_of(std::string_view word, std::size_t vertices, const std::s
   return static_cast<pcl::index_t>(backwards ? vertices - *number : *number - 1);
 }
 
-void check_corners(const std::vector<pcl::Vertices>& polygons, std::size_t vertices,
-                   const std::string& source) {
-  for (const pcl::Vertices& polygon : polygons) {
-    for (const pcl::index_t corner : polygon.vertices) {
-      if (static_cast<std::size_t>(corner) < vertices) continue;
-      throw FileError(source,
-                      "a face of vertex " + std::to_string(std::int64_t{corner} + 1) + " of " +
-                          std::to_string(vertices),
-                      "export the part again");
-    }
-  }
-}
-
 }  // namespace
 
 pcl::PolygonMesh parse_stl(std::string_view bytes, const std::string& source) {
@@ -160,7 +137,7 @@ pcl::PolygonMesh parse_obj(std::string_view bytes, const std::string& source) {
       }
     }
   }
-  check_corners(polygons, vertices.points.size(), source);
+  check_corners(polygons, vertices.points.size(), source, 1);
   return mesh_of(vertices, std::move(polygons));
 }
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/io/lzf.h>
+#include <lzf.h>
 
 #include <algorithm>
 #include <array>
@@ -213,7 +213,7 @@ std::string unpacked(std::string_view bytes, std::uint64_t wanted, const std::st
                     "write the file again");
   }
   std::string result(size, '\0');
-  if (pcl::lzfDecompress(packed.data(), packed_size, result.data(), size) != size) {
+  if (lzf_decompress(packed.data(), packed_size, result.data(), size) != size) {
     throw FileError(source, "its compressed points are broken", "write the file again");
   }
   return result;

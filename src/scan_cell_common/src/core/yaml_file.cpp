@@ -44,6 +44,10 @@ bool YamlEntry::is_map() const {
   return node_.IsMap();
 }
 
+bool YamlEntry::is_null() const {
+  return node_.IsNull();
+}
+
 bool YamlEntry::has(const std::string& key) const {
   return is_map() && node_[key];
 }

@@ -10,11 +10,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_common/fuzzing.h"
+#include "scan_cell_common/tool_main.h"
 
 namespace scan_cell_common {
 namespace {
@@ -96,12 +98,10 @@ void save_seeds(const FuzzTarget& target, const std::string& folder) {
     save_text(folder + "/" + target.name + "_" + std::to_string(i), target.seeds[i]);
 }
 
-Options parse(int argc, char** argv, const std::vector<FuzzTarget>& targets) {
-  Options options;
+void add_options(CLI::App& app, Options& options, const std::vector<FuzzTarget>& targets) {
   std::vector<std::string> names;
   for (const FuzzTarget& target : targets)
     names.push_back(target.name);
-  CLI::App app("Gives readers changed valid files: each must be taken or refused with an Error.");
   app.add_option("--target", options.target, "one of the readers; all where not given")
       ->check(CLI::IsMember(names));
   app.add_option("--runs", options.runs, "of each reader; fewer of slow ones")
@@ -110,39 +110,43 @@ Options parse(int argc, char** argv, const std::vector<FuzzTarget>& targets) {
   app.add_option("--first", options.first, "number of the first run")->capture_default_str();
   app.add_option("--save", options.save, "writes the input of the first run here, and ends");
   app.add_option("--seeds", options.seeds, "writes what is changed into this folder, and ends");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::exit(app.exit(error));
+}
+
+/// @throw FuzzFault
+void run(const Options& options, const std::vector<FuzzTarget>& targets) {
+  if (options.save.empty() && options.seeds.empty()) watch_for_crashes();
+  for (const FuzzTarget& target : targets) {
+    if (!options.target.empty() && target.name != options.target) continue;
+    if (!options.save.empty()) {
+      save_text(options.save, fuzz_input(target, options.seed, options.first));
+      return;
+    }
+    if (options.seeds.empty()) {
+      fuzz_and_tell(target, options);
+    } else {
+      save_seeds(target, options.seeds);
+    }
   }
-  return options;
 }
 
 }  // namespace
 
 int fuzz_main(int argc, char** argv, const std::vector<FuzzTarget>& targets) {
-  const Options options = parse(argc, argv, targets);
-  if (options.save.empty() && options.seeds.empty()) watch_for_crashes();
-  try {
-    for (const FuzzTarget& target : targets) {
-      if (!options.target.empty() && target.name != options.target) continue;
-      if (!options.save.empty()) {
-        save_text(options.save, fuzz_input(target, options.seed, options.first));
-        return 0;
-      }
-      if (options.seeds.empty()) {
-        fuzz_and_tell(target, options);
-      } else {
-        save_seeds(target, options.seeds);
-      }
+  Options options;
+  CLI::App app("Gives readers changed valid files: each must be taken or refused with an Error.");
+  add_options(app, options, targets);
+  const std::string name = std::filesystem::path(argv[0]).filename();
+  return tool_main(name, app, argc, argv, [&] {
+    try {
+      run(options, targets);
+      return 0;
+    } catch (const FuzzFault& fault) {
+      std::cerr << '\n'
+                << now.target << ", seed " << now.seed << ", run " << now.run << ": "
+                << fault.what() << '\n';
+      return 1;
     }
-    return 0;
-  } catch (const FuzzFault& fault) {
-    std::cerr << '\n'
-              << now.target << ", seed " << now.seed << ", run " << now.run << ": " << fault.what()
-              << '\n';
-    return 1;
-  }
+  });
 }
 
 int fuzz_bytes(const std::vector<FuzzTarget>& targets, const std::uint8_t* data, std::size_t size) {

@@ -4,21 +4,61 @@
 
 #include <ros/ros.h>
 
+#include <CLI/CLI.hpp>
 #include <exception>
 
-namespace scan_cell_common {
+#include "scan_cell_common/ros/shutdown_request.h"
 
-int node_main(int argc, char** argv, const std::string& name, const std::function<void()>& body) {
-  ros::init(argc, argv, name);
-  // The last handle takes the console down with it: without this one the line below is not printed.
-  const ros::NodeHandle keep_console;
-  try {
-    body();
-    return 0;
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s: %s", name.c_str(), error.what());
-    return 1;
-  }
+namespace scan_cell_common {
+namespace {
+
+/// tool_main() with the words that are not ROS' own.
+int plain_main(const std::string& name, CLI::App& options, int argc, char** argv,
+               const std::function<int()>& body, int refused, const Outputs& outputs) {
+  std::vector<std::string> words;
+  ros::removeROSArgs(argc, argv, words);
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+    arguments.push_back(word.data());
+  return tool_main(name, options, static_cast<int>(arguments.size()), arguments.data(), body,
+                   refused, outputs);
+}
+
+}  // namespace
+
+int node_main(int argc, char** argv, const std::string& name, const std::string& description,
+              const std::function<void()>& body, const std::function<void()>& before_threads) {
+  CLI::App options(description + "\nA node: its parameters come from a launch file or as " +
+                   "_NAME:=VALUE; the package's config folder and docs/ list them.");
+  const auto run = [&] {
+    if (before_threads) before_threads();
+    ros::init(argc, argv, name);
+    shut_down_on_signals();
+    // The last handle takes the console down with it: without this one the line below is not
+    // printed.
+    const ros::NodeHandle keep_console;
+    try {
+      body();
+      return 0;
+    } catch (const std::exception& error) {
+      ROS_FATAL("%s: %s", name.c_str(), error.what());
+      return 1;
+    }
+  };
+  return plain_main(name, options, argc, argv, run, kUnusable, {});
+}
+
+int ros_tool_main(const std::string& name, CLI::App& options, int argc, char** argv,
+                  const std::function<int()>& body, int refused, const Outputs& outputs) {
+  const auto run = [&] {
+    ros::init(argc, argv, name, ros::init_options::AnonymousName);
+    shut_down_on_signals();
+    constexpr int kThreads = 2;
+    ros::AsyncSpinner spinner(kThreads);
+    spinner.start();
+    return body();
+  };
+  return plain_main(name, options, argc, argv, run, refused, outputs);
 }
 
 }  // namespace scan_cell_common

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/ros/shutdown_request.h"
 
+#include <ros/init.h>
 #include <ros/xmlrpc_manager.h>
 
 #include <atomic>
-#include <csignal>
+
+#include "scan_cell_common/interrupts.h"
 
 namespace scan_cell_common {
 namespace {
@@ -16,11 +18,33 @@ void on_signal(int) {
   requested = true;
 }
 
+void shut_down(int number) {
+  if (ros::isStarted() || ros::isShuttingDown()) {
+    ros::requestShutdown();
+    return;
+  }
+  // Nothing is under way yet, and ros::start() would forget the request.
+  signal(number, SIG_DFL);
+  raise(number);
+}
+
+bool has_handler(int number) {
+  struct sigaction present {};
+  sigaction(number, nullptr, &present);
+  return present.sa_handler != SIG_DFL && present.sa_handler != SIG_IGN;
+}
+
 }  // namespace
 
+void shut_down_on_signals() {
+  for (const int number : ending_signals()) {
+    if (!has_handler(number)) signal(number, shut_down);
+  }
+}
+
 void take_over_shutdown() {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  for (const int number : ending_signals())
+    signal(number, on_signal);
   const auto manager = ros::XMLRPCManager::instance();
   manager->unbind("shutdown");
   manager->bind("shutdown", [](XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& answer) {

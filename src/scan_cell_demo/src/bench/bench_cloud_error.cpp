@@ -12,6 +12,7 @@
 #include "binding_errors.h"
 #include "delay_trial.h"
 #include "pose_frame_binder/types.h"
+#include "scan_cell_common/tool_main.h"
 #include "scan_cell_sim/cell.h"
 
 using namespace scan_cell_demo;  // NOLINT
@@ -153,8 +154,7 @@ void bench_delay(SimulatedCell& cell) {
 
 int main(int argc, char** argv) {
   CLI::App app("The error of a cloud by the way of binding, in the simulated cell.");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return scan_cell_common::tool_main("bench_cloud_error", app, argc, argv, [] {
     double load[1] = {0};
     getloadavg(load, 1);
     std::printf("load before the run %.1f\n", load[0]);
@@ -162,8 +162,5 @@ int main(int argc, char** argv) {
     bench_binding(cell);
     bench_delay(cell);
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -103,7 +103,7 @@ CloudError error_of(const CloudMaker& cloud, const CloudMaker& perfect,
 
 /// Where the light meets the camera's axis, in the flange.
 Eigen::Vector3d middle_of_line(const laser_triangulation::ScannerModel& scanner) {
-  const laser_triangulation::LaserPlane& laser = scanner.lasers.front();
+  const laser_triangulation::LaserPlane& laser = scanner.laser(0);
   return scanner.flange_to_camera * Eigen::Vector3d(0, 0, laser.distance / laser.normal.z());
 }
 

@@ -17,6 +17,7 @@
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
+#include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/yaml_file.h"
 #include "scan_cell_demo/comparison.h"
 #include "scan_cell_demo/goals.h"
@@ -29,8 +30,9 @@ using scan_cell_common::Cloud;
 using tool_path_stretcher::ToolPath;
 
 constexpr double kMillimetres = 1e3;
-constexpr int kFailed = 1;
-constexpr int kRefused = 2;
+constexpr const char* kAdaptedPath = "adapted_path.csv";
+constexpr const char* kTruePath = "true_path.csv";
+constexpr const char* kReport = "report.json";
 constexpr int kGoalMissed = 3;
 
 struct Options {
@@ -57,9 +59,6 @@ class Demo {
 
   /// @return the process's exit code
   int run() {
-    // What an earlier run left must not be taken for this one's.
-    for (const char* name : {"adapted_path.csv", "true_path.csv", "report.json"})
-      std::filesystem::remove(out(name));
     const Scanned reference = scan("reference", options_.reference);
     const Scanned object = scan("object", options_.object);
     const ToolPath path = proven_path();
@@ -69,7 +68,7 @@ class Demo {
       std::fprintf(stderr, "goal missed: %s\n", goal.c_str());
     if (is_accepted(stretched)) return missed.empty() ? 0 : kGoalMissed;
     std::fprintf(stderr, "refused: %s\n", stretched.verdict.message.c_str());
-    return kRefused;
+    return scan_cell_common::kRefused;
   }
 
  private:
@@ -199,25 +198,22 @@ class Demo {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "demo", ros::init_options::AnonymousName);
   Options options;
+  scan_cell_common::Outputs outputs;
   CLI::App app(
       "Scans two parts in the simulated cell, adapts the path, and compares with the truth.\n"
       "Exit code 0: accepted, and every goal met; 2: refused; 3: a goal missed; 1: no result.");
-  app.add_option("--output", options.output, "folder for clouds, paths and report");
+  outputs
+      .add_folder(app, "--output", options.output, "folder for clouds, paths and report",
+                  {kAdaptedPath, kTruePath, kReport})
+      ->capture_default_str();
   app.add_option("--reference", options.reference, "world file of the reference part");
   app.add_option("--object", options.object, "world file of the changed part");
   app.add_option("--program", options.program, "scan program");
   app.add_option("--part", options.part, "name of the part in both worlds");
   app.add_option("--simulator", options.simulator, "node of the simulator");
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    ros::AsyncSpinner spinner(2);
-    spinner.start();
-    return Demo(options).run();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "demo: %s\n", error.what());
-    return kFailed;
-  }
+  return scan_cell_common::ros_tool_main(
+      "demo", app, argc, argv, [&] { return Demo(options).run(); }, scan_cell_common::kUnusable,
+      outputs);
 }

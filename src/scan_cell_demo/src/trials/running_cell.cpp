@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "scan_cell/ros/service_call.h"
+#include "scan_cell/videe_command.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_sim/cell.h"
@@ -41,6 +42,8 @@ RunningCell::RunningCell(ros::NodeHandle node)
                                             "/config/scan_line.yaml")),
       base_link_(scan_cell_sim::load_base_link_in_world(ros::package::getPath("scan_cell_sim") +
                                                         "/config/cell.yaml")) {
+  feedback_ = node_.subscribe("/scan_cell/scan/feedback", 10, &RunningCell::on_feedback, this);
+  results_ = node_.subscribe("/scan_cell/scan/result", 10, &RunningCell::on_result, this);
   flange_ = node_.subscribe("/scan_cell_sim/true_flange", 10, &RunningCell::on_flange, this);
   status_ = node_.subscribe("/c4g_driver/status", 10, &RunningCell::on_status, this);
 }
@@ -50,6 +53,7 @@ void RunningCell::wait_until_well() {
     const std::lock_guard<std::mutex> lock(mutex_);
     connected_ = false;  // a driver that died may have said otherwise
   }
+  videe_.reset();
   wait_for("the cell", [this] { return scan_.isServerConnected(); });
   wait_for("the simulator",
            [] { return ros::service::exists("/scan_cell_sim/set_faults", false); });
@@ -61,34 +65,57 @@ void RunningCell::wait_until_well() {
   wait_for("an image of the camera", [] { return grabs_an_image(); });
 }
 
-void RunningCell::start_scan(const std::string& scan_id) {
-  Eigen::Isometry3d start = program_.request.start, end = program_.request.end;
+scan_cell::ScanRequest RunningCell::line() const {
+  scan_cell::ScanRequest line = program_.request;
   const Eigen::Vector3d place = look().place;
-  if ((start.translation() - place).norm() < (end.translation() - place).norm())
-    std::swap(start, end);
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    step_ = 0;
-    progress_ = 0;
-  }
+  if ((line.start.translation() - place).norm() < (line.end.translation() - place).norm())
+    std::swap(line.start, line.end);
+  return line;
+}
+
+void RunningCell::forget_last_scan() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  step_ = 0;
+  progress_ = 0;
+  result_.reset();
+}
+
+void RunningCell::start_scan(const std::string& scan_id) {
+  forget_last_scan();
+  const scan_cell::ScanRequest request = line();
   scan_cell_msgs::ScanGoal goal;
   goal.scan_id = scan_id;
   goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
-  goal.start.pose = scan_cell_common::to_ros_pose(start);
-  goal.end.pose = scan_cell_common::to_ros_pose(end);
-  goal.speed = program_.request.speed;
-  goal.rate = program_.request.rate;
-  goal.lasers = program_.request.lasers;
-  scan_.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
-                 [this](const auto& feedback) { on_feedback(feedback); });
+  goal.start.pose = scan_cell_common::to_ros_pose(request.start);
+  goal.end.pose = scan_cell_common::to_ros_pose(request.end);
+  goal.speed = request.speed;
+  goal.rate = request.rate;
+  goal.lasers = request.lasers;
+  scan_.sendGoal(goal);
+}
+
+void RunningCell::start_videe_scan(std::uint16_t port) {
+  forget_last_scan();
+  wait_for("videe_node", [&] {
+    try {
+      videe_.emplace(port);
+      return true;
+    } catch (const scan_cell_common::ConnectionError&) {
+      return false;  // it is not there yet, or again
+    }
+  });
+  const scan_cell::ScanRequest request = line();
+  videe_->ask("SET_POSITION " + scan_cell::pose_to_wire(request.start) + " " +
+              scan_cell::pose_to_wire(request.end));
+  videe_->ask("START_SCAN");
 }
 
 void RunningCell::wait_for_step(int step, double share) {
   const double wanted = (step - 1 + share) / kSteps;
   wait_for("step " + std::to_string(step), [&] {
-    const auto state = scan_.getState();  // not under our lock: its callbacks take that
-    if (state.isDone())
-      throw EndedBefore("the scan", "ended before anything was done to it", state.getText());
+    const auto end = result();
+    if (end)
+      throw EndedBefore("the scan", "ended before anything was done to it", end->result.message);
     const std::lock_guard<std::mutex> lock(mutex_);
     return step_ == step && progress_ >= wanted;
   });
@@ -96,15 +123,19 @@ void RunningCell::wait_for_step(int step, double share) {
 
 scan_cell_msgs::ScanResultConstPtr RunningCell::end() {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
-  while (!scan_.waitForResult(ros::Duration(0.05))) {
-    if (!scan_.isServerConnected()) {
-      scan_.stopTrackingGoal();
-      return nullptr;
-    }
+  auto end = result();
+  for (; !end && scan_.isServerConnected(); end = result()) {
     if (ros::WallTime::now() > deadline) throw Refused("the scan", "does not end", "see the log");
+    ros::WallDuration(kLook).sleep();
   }
-  if (scan_.getState() == actionlib::SimpleClientGoalState::LOST) return nullptr;
-  return scan_.getResult();
+  if (!videe_) scan_.stopTrackingGoal();
+  if (!end) return nullptr;
+  return scan_cell_msgs::ScanResultConstPtr(end, &end->result);  // a part of it, kept alive by it
+}
+
+scan_cell_msgs::ScanActionResultConstPtr RunningCell::result() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return result_;
 }
 
 void RunningCell::set_faults(const SetFaults::Request& faults) {
@@ -147,10 +178,15 @@ bool RunningCell::connected() const {
   return connected_;
 }
 
-void RunningCell::on_feedback(const scan_cell_msgs::ScanFeedbackConstPtr& feedback) {
+void RunningCell::on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  step_ = feedback->step;
-  progress_ = feedback->progress;
+  step_ = feedback.feedback.step;
+  progress_ = feedback.feedback.progress;
+}
+
+void RunningCell::on_result(const scan_cell_msgs::ScanActionResultConstPtr& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  result_ = result;
 }
 
 void RunningCell::on_flange(const geometry_msgs::PoseStamped& flange) {

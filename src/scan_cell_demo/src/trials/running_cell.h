@@ -11,10 +11,12 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "scan_cell/scan_program.h"
 #include "scan_cell_common/errors.h"
+#include "videe_client.h"
 
 namespace scan_cell_demo {
 
@@ -36,6 +38,10 @@ class RunningCell {
 
   /// Starts to scan the shipped line, from that end of it which is farther away.
   void start_scan(const std::string& scan_id);
+
+  /// The same as a client of videe_node, once that serves. The scan has a name made from the time.
+  /// @throw scan_cell_common::Error if it refuses
+  void start_videe_scan(std::uint16_t port);
 
   /// Waits for a step of the scan under way (1 .. 8) to be a share of it further.
   /// @throw EndedBefore if it ends before
@@ -61,7 +67,11 @@ class RunningCell {
  private:
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
 
-  void on_feedback(const scan_cell_msgs::ScanFeedbackConstPtr& feedback);
+  void on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback);
+  void on_result(const scan_cell_msgs::ScanActionResultConstPtr& result);
+  void forget_last_scan();
+  scan_cell::ScanRequest line() const;
+  scan_cell_msgs::ScanActionResultConstPtr result() const;
   void on_flange(const geometry_msgs::PoseStamped& flange);
   void on_status(const scan_cell_msgs::RobotStatus& status);
   static void wait_for(const std::string& what, const std::function<bool()>& condition);
@@ -81,10 +91,14 @@ class RunningCell {
   mutable std::mutex mutex_;
   bool connected_ = false;
   int step_ = 0;
-  double progress_ = 0;  // of the whole scan
+  double progress_ = 0;                              // of the whole scan
+  scan_cell_msgs::ScanActionResultConstPtr result_;  // none: it has not ended
   Seen flange_seen_;
   ros::ServiceClient faults_;
+  std::optional<VideeClient> videe_;  // that started the scan
   Client scan_{"/scan_cell/scan", false};
+  ros::Subscriber feedback_;  // whoever started the scan
+  ros::Subscriber results_;
   ros::Subscriber flange_;
   ros::Subscriber status_;
 };

@@ -36,6 +36,8 @@ std::string victim(Blow blow) {
       return "/c4g_driver";
     case Blow::CellKilled:
       return "/scan_cell";
+    case Blow::VideeKilled:
+      return "/videe";
     case Blow::EmergencyStop:
     case Blow::CablePulled:
       break;
@@ -46,9 +48,9 @@ std::string victim(Blow blow) {
 }  // namespace
 
 const std::vector<Blow>& every_blow() {
-  static const std::vector<Blow> blows = {Blow::EmergencyStop, Blow::CablePulled,
+  static const std::vector<Blow> blows = {Blow::EmergencyStop,    Blow::CablePulled,
                                           Blow::ControllerKilled, Blow::DriverKilled,
-                                          Blow::CellKilled};
+                                          Blow::CellKilled,       Blow::VideeKilled};
   return blows;
 }
 
@@ -64,6 +66,8 @@ std::string name_of(Blow blow) {
       return "driver killed";
     case Blow::CellKilled:
       return "cell killed";
+    case Blow::VideeKilled:
+      return "videe killed";
   }
   return "";
 }
@@ -72,15 +76,20 @@ std::string name_of(Moment moment) {
   return moment == Moment::MidMove ? "mid move" : "mid scan";
 }
 
-TrialBench::TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, double most_on)
-    : cell_(cell), tap_(tap), folder_(std::move(folder)), most_on_(most_on) {}
+TrialBench::TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder,
+                       std::uint16_t videe, double most_on)
+    : cell_(cell), tap_(tap), folder_(std::move(folder)), videe_(videe), most_on_(most_on) {}
 
 void TrialBench::begin(const Trial& trial, const std::string& name) {
   constexpr int kMostTries = 3;
   for (int tries = 1;; ++tries) {
     cell_.wait_until_well();
     cell_.wait_until_standing();
-    cell_.start_scan(name);
+    if (trial.blow == Blow::VideeKilled) {
+      cell_.start_videe_scan(videe_);
+    } else {
+      cell_.start_scan(name);
+    }
     try {
       cell_.wait_for_step(trial.moment == Moment::MidScan ? kStepOfCapture : kStepOfMove,
                           trial.share);

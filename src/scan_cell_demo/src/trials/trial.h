@@ -12,7 +12,14 @@
 namespace scan_cell_demo {
 
 /// What happens to the cell.
-enum class Blow { EmergencyStop, CablePulled, ControllerKilled, DriverKilled, CellKilled };
+enum class Blow {
+  EmergencyStop,
+  CablePulled,
+  ControllerKilled,
+  DriverKilled,
+  CellKilled,
+  VideeKilled  //!< which had the scan started for a client of its own
+};
 /// When: on the way to the start of a line with the lasers off, or while the line is scanned.
 enum class Moment { MidMove, MidScan };
 
@@ -41,8 +48,10 @@ struct TrialResult {
 class TrialBench {
  public:
   /// @param folder in which the cell leaves a file of each cloud
+  /// @param videe port on which videe_node serves
   /// @param most_on [s] that lasers may be on after a blow
-  TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, double most_on);
+  TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, std::uint16_t videe,
+             double most_on);
 
   /// Waits for a cell that is well, makes the trial, and leaves the cell without a fault. Begins
   /// anew where the scan ends by itself before the blow, as on a machine that is too busy.
@@ -67,6 +76,7 @@ class TrialBench {
   RunningCell& cell_;
   const LaserTap& tap_;
   const std::string folder_;
+  const std::uint16_t videe_;
   const double most_on_;
   std::string killed_node_;
   pid_t killed_ = -1;

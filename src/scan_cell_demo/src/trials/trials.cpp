@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Strikes the simulated cell again and again, at random in mid move and in mid scan: emergency
-// stop, cable pulled, controller, driver or cell killed. Says how long the lasers stayed on, and
-// which promise was broken.
+// stop, cable pulled, controller, driver, cell or videe_node killed. Says how long the lasers
+// stayed on, and which promise was broken.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::uint16_t kTapPort = 15420;  // trials.launch
 constexpr std::uint16_t kCircuitPort = 5420;
+constexpr std::uint16_t kVideePort = 15421;  // trials.launch
 constexpr double kMilliseconds = 1e3;
 
 struct Options {
@@ -28,16 +29,22 @@ struct Options {
   unsigned seed = 1;
   double most_on = 0.1;  //!< [s]
   std::string folder = "out/trials";
+  std::vector<std::string> blows;
 };
 
 /// A random mix of equal parts, the same for the same seed.
 std::vector<Trial> mix(const Options& options) {
   std::mt19937 random(options.seed);
   std::uniform_real_distribution<double> share(0.1, 0.7), pause(0, 2);
+  std::vector<Blow> wanted;
+  for (const Blow blow : every_blow()) {
+    if (std::count(options.blows.begin(), options.blows.end(), name_of(blow)) > 0)
+      wanted.push_back(blow);
+  }
   std::vector<Trial> trials;
   for (int i = 0; i < options.count; ++i) {
-    const auto blows = static_cast<int>(every_blow().size());
-    const Blow blow = every_blow()[static_cast<std::size_t>(i % blows)];
+    const auto blows = static_cast<int>(wanted.size());
+    const Blow blow = wanted[static_cast<std::size_t>(i % blows)];
     const Moment moment = i / blows % 2 == 0 ? Moment::MidScan : Moment::MidMove;
     trials.push_back({blow, moment, share(random), pause(random)});
   }
@@ -80,7 +87,7 @@ int run(const Options& options) {
   const LaserTap tap(kTapPort, kCircuitPort);
   RunningCell cell{ros::NodeHandle()};
   cell.wait_until_well();  // or no trial would say anything
-  TrialBench bench(cell, tap, clouds, options.most_on);
+  TrialBench bench(cell, tap, clouds, kVideePort, options.most_on);
   std::map<std::string, Tally> tallies;
   int broken = 0, number = 0;
   for (const Trial& trial : mix(options)) {
@@ -106,10 +113,15 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
+  for (const Blow blow : every_blow())
+    options.blows.push_back(name_of(blow));
   CLI::App app("Strikes the simulated cell again and again, and holds it to its promises");
   app.add_option("--count", options.count, "trials")->check(CLI::PositiveNumber);
   app.add_option("--seed", options.seed, "of their mix");
   app.add_option("--most-on", options.most_on, "seconds that lasers may be on after a blow");
+  app.add_option("--blows", options.blows, "which of them")
+      ->check(CLI::IsMember(options.blows))
+      ->capture_default_str();
   app.add_option("--folder", options.folder, "where clouds and logs are left");
   return scan_cell_common::tool_main("trials", app, argc, argv, [&] { return run(options); });
 }

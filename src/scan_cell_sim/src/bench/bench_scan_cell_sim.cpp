@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <chrono>
 #include <cstdio>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "scan_cell_common/tool_main.h"
 #include "scan_cell_sim/laser_line_renderer.h"
 
 namespace {
@@ -86,11 +88,15 @@ void time_images(const LaserLineRenderer& renderer, const std::string& world) {
 
 }  // namespace
 
-/// Prints what rendering a frame costs beside one plain copy of a frame, in the same run.
 int main(int argc, char** argv) {
-  const std::string config = argc > 1 ? argv[1] : CONFIG_FOLDER;
-  const LaserLineRenderer renderer(
-      laser_triangulation::load_scanner_model(config + "/scanner.yaml"), Optics{});
-  time_lines(renderer, config + "/object_frame.yaml");
-  time_images(renderer, config + "/calibration_board.yaml");
+  std::string config = CONFIG_FOLDER;
+  CLI::App app("What rendering a frame costs beside one plain copy of a frame, in the same run");
+  app.add_option("config", config, "folder of scanner.yaml and the worlds")->capture_default_str();
+  return scan_cell_common::tool_main("bench_scan_cell_sim", app, argc, argv, [&] {
+    const LaserLineRenderer renderer(
+        laser_triangulation::load_scanner_model(config + "/scanner.yaml"), Optics{});
+    time_lines(renderer, config + "/object_frame.yaml");
+    time_images(renderer, config + "/calibration_board.yaml");
+    return 0;
+  });
 }

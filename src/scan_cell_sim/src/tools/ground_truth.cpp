@@ -3,17 +3,20 @@
 #include "scan_cell_sim/ground_truth.h"
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/units.h"
 #include "scan_cell_common/yaml_file.h"
 #include "scan_cell_sim/tool_paths.h"
 
 namespace {
 
 using namespace scan_cell_sim;
+using scan_cell_common::Outputs;
 
 constexpr double kMillimetre = 1e-3;
 
@@ -23,6 +26,7 @@ struct Options {
   std::uint64_t seed = 1;
   double noise_mm = 0;
   double spacing_mm = 2;
+  std::string units = "m";
 };
 
 Scene truth(const Options& options) {
@@ -31,7 +35,8 @@ Scene truth(const Options& options) {
 }
 
 void compare_cloud(const Options& options) {
-  const scan_cell_common::Cloud cloud = scan_cell_common::load_cloud(options.cloud);
+  const scan_cell_common::Cloud cloud =
+      scan_cell_common::load_cloud(options.cloud, scan_cell_common::metres_per(options.units));
   std::vector<Eigen::Vector3d> points;
   points.reserve(cloud.size());
   for (const pcl::PointXYZ& point : cloud)
@@ -55,13 +60,14 @@ void image_path(const Options& options) {
 }
 
 void sample_cloud(const Options& options) {
+  scan_cell_common::check_cloud_output(options.output);
   scan_cell_common::Cloud cloud;
   for (const Eigen::Vector3d& point :
        sample(truth(options), options.points, options.seed, options.noise_mm * kMillimetre)) {
     cloud.emplace_back(static_cast<float>(point.x()), static_cast<float>(point.y()),
                        static_cast<float>(point.z()));
   }
-  scan_cell_common::save_cloud(options.output, cloud);
+  scan_cell_common::save_cloud(options.output, cloud, scan_cell_common::metres_per(options.units));
 }
 
 void teach_path(const Options& options) {
@@ -69,22 +75,30 @@ void teach_path(const Options& options) {
                                             options.spacing_mm * kMillimetre));
 }
 
-void add_commands(CLI::App& app, Options& o) {
+void add_units(CLI::App& command, Options& options) {
+  command.add_option("--units", options.units, "Of the cloud")
+      ->check(CLI::IsMember(scan_cell_common::length_units()))
+      ->capture_default_str();
+}
+
+/// @param work becomes what the command given does
+void add_commands(CLI::App& app, Options& o, Outputs& outputs, std::function<void()>& work) {
   CLI::App* const cloud = app.add_subcommand(
       "cloud", "Distance of a cloud in the frame world to the true surfaces [mm]");
   cloud->add_option("--world", o.world, "World file")->required();
   cloud->add_option("--part", o.part, "This part alone; without it all parts and the floor");
-  cloud->add_option("--cloud", o.cloud, "PLY or PCD")->required();
-  cloud->add_option("--json", o.json, "Report to write");
-  cloud->callback([&o] { compare_cloud(o); });
+  cloud->add_option("--cloud", o.cloud, "PLY, PCD, XYZ or CSV")->required();
+  add_units(*cloud, o);
+  outputs.add(*cloud, "--json", o.json, "Report to write");
+  cloud->callback([&] { work = [&o] { compare_cloud(o); }; });
 
   CLI::App* const path = app.add_subcommand("path", "True image of a tool path on a changed part");
   path->add_option("--reference", o.reference, "World file the path was made in")->required();
   path->add_option("--object", o.object, "World file with the changed part")->required();
   path->add_option("--part", o.part, "Its name, in both")->required();
   path->add_option("--path", o.path, "CSV of tool poses, z into the surface")->required();
-  path->add_option("--output", o.output, "CSV to write")->required();
-  path->callback([&o] { image_path(o); });
+  outputs.add(*path, "--output", o.output, "CSV to write")->required();
+  path->callback([&] { work = [&o] { image_path(o); }; });
 
   CLI::App* const points =
       app.add_subcommand("sample", "Points on what is seen of the surfaces from above");
@@ -94,8 +108,9 @@ void add_commands(CLI::App& app, Options& o) {
   points->add_option("--seed", o.seed, "Another one gives other points")->capture_default_str();
   points->add_option("--noise", o.noise_mm, "Standard deviation along the normal [mm]")
       ->capture_default_str();
-  points->add_option("--output", o.output, "PLY or PCD to write")->required();
-  points->callback([&o] { sample_cloud(o); });
+  outputs.add(*points, "--output", o.output, "PLY or PCD to write")->required();
+  add_units(*points, o);
+  points->callback([&] { work = [&o] { sample_cloud(o); }; });
 
   CLI::App* const teach =
       app.add_subcommand("tool_path", "Tool path around the crest of a frame's moulding");
@@ -103,8 +118,8 @@ void add_commands(CLI::App& app, Options& o) {
   teach->add_option("--part", o.part, "The frame's name")->required();
   teach->add_option("--spacing", o.spacing_mm, "Between waypoints, at most [mm]")
       ->capture_default_str();
-  teach->add_option("--output", o.output, "CSV to write")->required();
-  teach->callback([&o] { teach_path(o); });
+  outputs.add(*teach, "--output", o.output, "CSV to write")->required();
+  teach->callback([&] { work = [&o] { teach_path(o); }; });
 }
 
 }  // namespace
@@ -113,14 +128,14 @@ int main(int argc, char** argv) {
   CLI::App app{"The simulated world's ground truth: how good is a cloud, where must a path go?"};
   app.require_subcommand(1);
   Options options;
-  add_commands(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
-  } catch (const scan_cell_common::Error& error) {
-    std::cerr << "ground_truth: " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  Outputs outputs;
+  std::function<void()> work;
+  add_commands(app, options, outputs, work);
+  return scan_cell_common::tool_main(
+      "ground_truth", app, argc, argv,
+      [&] {
+        work();
+        return 0;
+      },
+      scan_cell_common::kUnusable, outputs);
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_sim/controller/wire_pose.h"
 
 namespace scan_cell_sim {
 namespace {
@@ -17,7 +18,7 @@ const char* const kHelp =
     "reset                 reset the alarms\n"
     "drives on | off       in mode programming: the enabling device\n"
     "mode NAME             programming, automatic or remote; another one switches the drives off\n"
-    "fail TEXT             an alarm that ends the motion under way\n"
+    "fail TEXT             an alarm that ends the motion under way, with this text\n"
     "restart MS            switched off for so long, and on again\n"
     "fault NAME VALUE [to_client | from_client]   as the option --NAME; both ways where not said\n"
     "link up | down        plug the cable in, pull it\n"
@@ -29,6 +30,24 @@ double number(const std::string& text) {
   double value = 0;
   if (stream >> value && stream.eof()) return value;
   throw InvalidParameter("number", "'" + text + "'", "give one such as 0.3");
+}
+
+/// A command's text, to its last word.
+std::string rest_of(const std::string& line) {
+  const char* const blanks = " \t\r";
+  const std::size_t word_end = line.find_first_of(blanks, line.find_first_not_of(blanks));
+  const std::size_t begin = line.find_first_not_of(blanks, word_end);
+  if (begin == std::string::npos) return "";
+  return line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
+}
+
+void refuse_more_words(const std::vector<std::string>& words) {
+  std::size_t most = 1;
+  for (const char* const with_one : {"drives", "mode", "restart", "link"})
+    if (words[0] == with_one) most = 2;
+  if (words[0] == "fault") most = 4;
+  if (words.size() <= most) return;
+  throw InvalidParameter(words[0], "'" + words[most] + "'", "leave it out, see help");
 }
 
 bool one_of(const std::string& word, const char* yes, const char* no) {
@@ -55,7 +74,7 @@ std::string Panel::carry_out(const std::string& line) {
   for (std::string word; stream >> word;)
     words.push_back(word);
   if (words.empty()) return "";
-  words.resize(std::max<std::size_t>(words.size(), 4));  // what is left out is empty
+  if (words[0] == "fail") words = {"fail", rest_of(line)};
   try {
     return perform(words);
   } catch (const std::runtime_error& error) {
@@ -63,9 +82,11 @@ std::string Panel::carry_out(const std::string& line) {
   }
 }
 
-std::string Panel::perform(const Words& words) {
+std::string Panel::perform(Words words) {
   constexpr double kMilliseconds = 1e-3;
-  const std::string& what = words[0];
+  const std::string what = words[0];
+  if (what != "fail") refuse_more_words(words);
+  words.resize(4);  // what is left out is empty
   if (what == "e_stop") {
     controller_.press_e_stop();
   } else if (what == "release") {
@@ -109,7 +130,7 @@ void Panel::change_fault(const Words& words) {
 
 std::string Panel::tell() const {
   const MotionState state = controller_.state();
-  const WireSix pose = to_wire(state.flange);
+  const WireSix pose = shown(state.flange);
   std::ostringstream text;
   text << name_of(state.status) << ", mode " << name_of(state.readiness.mode()) << ", drives "
        << (state.readiness.drives() ? "on" : "off")

@@ -26,7 +26,7 @@ class Panel {
  private:
   using Words = std::vector<std::string>;
 
-  std::string perform(const Words& words);
+  std::string perform(Words words);
   void change_fault(const Words& words);
   std::string tell() const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <time.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +13,7 @@
 
 #include "opencv_peaks.h"
 #include "peak_accuracy.h"
+#include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 namespace {
@@ -122,9 +124,13 @@ void bench(int columns, int rows) {
 
 }  // namespace
 
-int main() {
-  cv::setNumThreads(1);
-  bench(1024, 512);
-  bench(1696, 1710);
-  tecnogamma_camera::print_peak_accuracy();
+int main(int argc, char** argv) {
+  CLI::App app("Speed and accuracy of the peak detectors");
+  return scan_cell_common::tool_main("bench_tecnogamma_camera", app, argc, argv, [] {
+    cv::setNumThreads(1);
+    bench(1024, 512);
+    bench(1696, 1710);
+    tecnogamma_camera::print_peak_accuracy();
+    return 0;
+  });
 }

@@ -74,7 +74,6 @@ TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int
   return low - 0.5 + (wanted - below) / std::max(1, at_most - below);
 }
 
-/// @param guess background and noise of another tile
 /// Takes a slope about the middle, and an offset, out of a row.
 template <class Pixel>
 void take_out(double slope, double offset, int columns, Pixel* pixels) {
@@ -105,6 +104,7 @@ TECNOGAMMA_INLINE TileLight light_of_clipped(const Sample<Pixel>& sample, double
   return light;
 }
 
+/// @param guess background and noise of another tile
 template <class Pixel>
 TECNOGAMMA_INLINE TileLight light_of(const Sample<Pixel>& sample, const TileLight& guess) {
   const double black = count_at_most(sample, Pixel{0}) / static_cast<double>(sample.size);

@@ -9,12 +9,16 @@
 
 /// The nodelet tecnogamma_camera/Camera as a node of its own.
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(argc, argv, "tecnogamma_camera", [] {
-    nodelet::Loader loader(false);
-    if (!loader.load(ros::this_node::getName(), "tecnogamma_camera/Camera",
-                     ros::names::getRemappings(), {})) {
-      throw std::runtime_error("the camera could not be set up; the reason stands above");
-    }
-    ros::spin();
-  });
+  return scan_cell_common::node_main(
+      argc, argv, "tecnogamma_camera",
+      "Grabs from a GigE Vision camera, or a recording, and publishes images and laser line "
+      "profiles.",
+      [] {
+        nodelet::Loader loader(false);
+        if (!loader.load(ros::this_node::getName(), "tecnogamma_camera/Camera",
+                         ros::names::getRemappings(), {})) {
+          throw std::runtime_error("the camera could not be set up; the reason stands above");
+        }
+        ros::spin();
+      });
 }

@@ -39,12 +39,13 @@ void extract(const std::string& image_path, const std::string& output_path,
 
 /// Peaks of one image to a CSV file. Exits 0, or 1 on unusable input.
 int main(int argc, char** argv) {
+  scan_cell_common::Outputs outputs;
   CLI::App app("Finds the laser line in an image: one peak a row, written as CSV");
   app.option_defaults()->always_capture_default();
   std::string image, output, detector = "fir_derivative", choice = "brightest";
   DetectorSettings settings;
   app.add_option("--image", image, "8 or 16 bit grey pixels; the line runs vertically")->required();
-  app.add_option("--output", output, "CSV: row,position,width,intensity")->required();
+  outputs.add(app, "--output", output, "CSV: row,position,width,intensity")->required();
   app.add_option("--detector", detector, "threshold, center_of_gravity or fir_derivative");
   app.add_option("--trigger-level", settings.trigger_level,
                  "grey value of the image's own pixels; -1: above the noise of the background");
@@ -54,9 +55,12 @@ int main(int argc, char** argv) {
   app.add_option("--most-width", settings.most_width,
                  "pixels: wider spots (shiny objects) are passed over; 0: any width");
   app.add_option("--choice", choice, "of several spots in a row: brightest, first or last");
-  return scan_cell_common::tool_main("extract_peaks", app, argc, argv, [&] {
-    settings.choice = tecnogamma_camera::to_choice(choice);
-    extract(image, output, detector, settings);
-    return 0;
-  });
+  return scan_cell_common::tool_main(
+      "extract_peaks", app, argc, argv,
+      [&] {
+        settings.choice = tecnogamma_camera::to_choice(choice);
+        extract(image, output, detector, settings);
+        return 0;
+      },
+      scan_cell_common::kUnusable, outputs);
 }

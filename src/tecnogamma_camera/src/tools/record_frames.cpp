@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <condition_variable>
-#include <csignal>
 #include <cstdio>
 #include <mutex>
 
+#include "scan_cell_common/interrupts.h"
 #include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/acquisition.h"
 #include "tecnogamma_camera/folder_recorder.h"
@@ -25,8 +25,6 @@ struct Options {
   bool payload = false;
   tecnogamma_camera::AcquisitionParameters acquisition;
 };
-
-volatile std::sig_atomic_t interrupted = 0;
 
 /// Writes what the acquisition delivers, until there is enough of it or something is wrong.
 class Writer : public tecnogamma_camera::AcquisitionListener {
@@ -61,7 +59,7 @@ class Writer : public tecnogamma_camera::AcquisitionListener {
   void wait(const tecnogamma_camera::Acquisition& acquisition) {
     std::unique_lock<std::mutex> lock(mutex_);
     constexpr std::chrono::milliseconds kLook(100);
-    while (!done_ && interrupted == 0) {
+    while (!done_ && !scan_cell_common::CatchInterrupts::interrupted()) {
       changed_.wait_for(lock, kLook);
       const auto state = acquisition.state();
       if (done_ || state.times_lost == 0) continue;
@@ -133,7 +131,7 @@ int main(int argc, char** argv) {
   app.add_option("--region-y", settings.region.y, "[px]");
   app.add_option("--region-width", settings.region.width, "[px] 0: to the sensor's edge");
   app.add_option("--region-height", settings.region.height, "[px] 0: to the sensor's edge");
-  std::signal(SIGINT, [](int) { interrupted = 1; });
+  const scan_cell_common::CatchInterrupts catch_interrupts;
   return scan_cell_common::tool_main("record_frames", app, argc, argv, [&] {
     record(options);
     return 0;

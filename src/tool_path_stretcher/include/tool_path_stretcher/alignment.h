@@ -36,6 +36,11 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
                                        const Prior& prior, PartialSearch& partial,
                                        const AlignmentProgress& progress);
 
+/// The poses that are found from the principal frames alone, and those turned in themselves: enough
+/// where a reference nearly fits.
+std::vector<Candidate> find_near_candidates(const Surface& reference, const Surface& object,
+                                            const ScalePrior& scale);
+
 /// Refines a pose by robust point-to-plane ICP in both directions (Chen and Medioni 1992; Tukey's
 /// biweight), with the rims held on each other. The scale of the start must lie in the prior's
 /// range.
@@ -46,6 +51,16 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
 /// the surfaces resist least.
 std::vector<Similarity> slides(const Surface& reference, const Surface& object,
                                const Similarity& similarity, double step);
+
+/// A line in the object's space [m], its direction of unit length.
+struct Axis {
+  Eigen::Vector3d at;
+  Eigen::Vector3d along;
+};
+
+/// The axes, two at most, about which the surfaces resist a turn of the reference least.
+std::vector<Axis> freest_axes(const Surface& reference, const Surface& object,
+                              const Similarity& similarity);
 
 /// Initial scale of the thesis (9.3): the ratio of the deviations along the principal axes, of
 /// points spread evenly.

@@ -2,17 +2,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "tool_path_stretcher/path_conventions.h"
 #include "tool_path_stretcher/stretcher.h"
 
 namespace tool_path_stretcher {
 
-/// The report of docs/tool_path_stretcher.md as JSON text.
-std::string report_to_json(const StretchResult& result);
+/// A file that a run read or wrote.
+struct FileRecord {
+  std::string name;
+  std::string sha256;  //!< of its bytes, in lower case hexadecimal digits
+  std::string units;   //!< of its lengths: m, mm or inch
+};
+
+/// @throw scan_cell_common::FileError if it cannot be read
+FileRecord record_of(const std::string& file, const std::string& units);
+
+/// What belongs to a run besides its result.
+struct RunRecord {
+  std::optional<PathContents> path;  //!< as it was understood; none: it could not be read
+  std::optional<FileRecord> reference, object, path_file, output;  //!< none: not from files
+  double seconds_reading = 0;
+  double seconds_writing = 0;  //!< the adapted path
+};
+
+/// [s] reading, adapting and writing.
+double total_seconds(const StretchResult& result, const RunRecord& record);
+
+/// How an adapted path is founded on the scan, over all its waypoints. NaN: not known.
+struct QualitySummary {
+  std::size_t measured = 0;
+  std::size_t inferred = 0;
+  double largest_displacement = kUnknown;               //!< [m]
+  double largest_expected_error_normal = kUnknown;      //!< [m]
+  double largest_expected_error_tangential = kUnknown;  //!< [m]
+};
+
+QualitySummary summary_of(const std::vector<WaypointQuality>& quality);
+
+/// In a line for a person.
+std::string to_string(const QualitySummary& summary);
+
+/// The report of docs/tool_path_stretcher.md as JSON text, in SI units.
+std::string report_to_json(const StretchResult& result, const RunRecord& record = {});
 
 /// Writes it, whole or not at all.
 /// @throw scan_cell_common::FileError if it cannot be written
-void save_report(const std::string& path, const StretchResult& result);
+void save_report(const std::string& path, const StretchResult& result,
+                 const RunRecord& record = {});
 
 }  // namespace tool_path_stretcher

@@ -76,13 +76,14 @@ struct StretchResult {
   ToolPath reference_path;               //!< the same waypoints on the reference
   std::vector<WaypointQuality> quality;  //!< empty where it did not come to that
   Method method = Method::kGeneral;
+  bool aligned = false;  //!< false: similarity, deformation, rms and ratios are not known
   Similarity similarity;
   std::size_t deformation_nodes = 0;  //!< of the graph that was justified; 0: none
   double rms = 0;                     //!< [m] object to aligned reference
   double inlier_ratio = 0;            //!< share of object points that the reference explains
   double overlap = 0;                 //!< share of reference points that the object covers
-  double seconds = 0;
-  std::size_t reference_points = 0;  //!< after reduction
+  double seconds = 0;                 //!< of stretch() alone
+  std::size_t reference_points = 0;   //!< after reduction
   std::size_t object_points = 0;
 };
 

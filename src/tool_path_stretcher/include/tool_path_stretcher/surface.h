@@ -31,6 +31,7 @@ struct Samples {
   std::vector<std::size_t> some;    //!< at most 3000
   std::vector<std::size_t> many;    //!< at most 6000
   std::vector<std::size_t> most;    //!< at most 20,000
+  std::vector<std::size_t> patch;   //!< of each of `most`: number of the patch that it lies in
 
   const std::vector<std::size_t>& of(Density density) const;
 };
@@ -40,8 +41,12 @@ struct Surface {
   Points points;          //!< [m]
   Points normals;         //!< unit length
   bool oriented = false;  //!< all normals point out of the part (meshes); otherwise signs are free
-  double spacing = 0;     //!< [m] typical distance of neighbouring points
-  double size = 0;        //!< [m] root mean square distance from the centroid
+  /// [m] of each point: how far sampling and grid leave open where the surface is there. Its
+  /// neighbours lie so far off its plane: nothing on a face, much beside an edge, half a spacing at
+  /// most.
+  std::vector<double> blur;
+  double spacing = 0;  //!< [m] typical distance of neighbouring points
+  double size = 0;     //!< [m] root mean square distance from the centroid
   std::shared_ptr<const KdTree> tree;
   Samples samples;
   Rim rim;
@@ -61,9 +66,12 @@ Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
 Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& leaf,
                           const std::string& name);
 
-/// A surface from a file: PLY and PCD as clouds, STL and OBJ as meshes.
+/// A surface from a file that scan_cell_common::load_mesh() or load_cloud() reads.
+/// @param leaf [m]
+/// @param metres_per_unit of the file's lengths
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput
-Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf);
+Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf,
+                     double metres_per_unit = 1);
 
 Points to_points(const scan_cell_common::Cloud& cloud);
 

@@ -41,6 +41,11 @@ void check(const ToolPath& path);
 /// @throw scan_cell_common::UnusableInput if that makes too many waypoints
 ToolPath resampled(const ToolPath& path, double spacing);
 
+/// The one range of a spacing to resample to [m]; 0 leaves a path its own waypoints.
+/// @param name of the parameter that holds it
+/// @throw scan_cell_common::InvalidParameter if it is neither 0 nor in the range
+void check_resample_spacing(const std::string& name, double spacing);
+
 /// The rotations of a segment as unit quaternions, each in the hemisphere of the one before, so
 /// that what interpolates them goes the short way. The first has w >= 0.
 std::vector<Eigen::Quaterniond> continuous_quaternions(const Segment& segment);

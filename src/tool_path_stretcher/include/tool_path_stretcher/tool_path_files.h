@@ -4,29 +4,43 @@
 
 #include <string>
 
+#include "tool_path_stretcher/path_conventions.h"
 #include "tool_path_stretcher/tool_path.h"
 
 namespace tool_path_stretcher {
 
-/// Reads a tool path in metres from CSV or YAML, by the file's ending. docs/tool_path_stretcher.md
-/// describes both formats.
+/// Reads a tool path from CSV or YAML, by the file's ending. docs/tool_path_stretcher.md describes
+/// both formats.
 /// @throw scan_cell_common::FileError if it is missing or unreadable
-/// @throw scan_cell_common::UnusableInput naming file and line of what makes no sense
-ToolPath load_tool_path(const std::string& path);
+/// @throw scan_cell_common::UnusableInput naming file and line of what makes no sense: also of what
+/// could be an orientation, and is not known to be
+/// @throw scan_cell_common::InvalidParameter if the conventions make no sense or do not fit the
+/// file
+ToolPathFile load_tool_path_file(const std::string& path, const PathConventions& conventions = {});
 
-/// Writes a tool path as CSV or YAML, by the file's ending; whole or not at all. Numbers come back
-/// to the last digit.
+/// The path of it alone.
+ToolPath load_tool_path(const std::string& path, const PathConventions& conventions = {});
+
+/// Writes a tool path as CSV or YAML, by the file's ending; whole or not at all. Numbers in metres
+/// and radians come back to the last digit.
+/// @param layout of the file it came from: the same units, orientations, columns or YAML. Where
+/// that file was of the other format, the names and conventions of its poses are kept.
 /// @throw scan_cell_common::FileError if it cannot be written or the ending is neither
-void save_tool_path(const std::string& path, const ToolPath& tool_path);
+void save_tool_path(const std::string& path, const ToolPath& tool_path,
+                    const PathLayout& layout = {});
 
-/// @throw scan_cell_common::FileError unless a tool path can be kept under this name: .csv or .yaml
+/// What save_tool_path() would refuse, before there is anything to save.
+/// @throw scan_cell_common::FileError if the ending is neither .csv nor .yaml, or the folder is not
+/// there
 void check_tool_path_name(const std::string& path);
 
-/// The parsers behind load_tool_path(); `source` names the text in errors.
-ToolPath parse_tool_path_csv(const std::string& text, const std::string& source);
-ToolPath parse_tool_path_yaml(const std::string& text, const std::string& source);
+/// The parsers behind load_tool_path_file(); `source` names the text in errors.
+ToolPathFile parse_tool_path_csv(const std::string& text, const std::string& source,
+                                 const PathConventions& conventions = {});
+ToolPathFile parse_tool_path_yaml(const std::string& text, const std::string& source,
+                                  const PathConventions& conventions = {});
 
-std::string tool_path_to_csv(const ToolPath& path);
-std::string tool_path_to_yaml(const ToolPath& path);
+std::string tool_path_to_csv(const ToolPath& path, const PathLayout& layout = {});
+std::string tool_path_to_yaml(const ToolPath& path, const PathLayout& layout = {});
 
 }  // namespace tool_path_stretcher

@@ -23,6 +23,7 @@ enum class Reason {
   kToleranceExceeded = 9,
   kCancelled = 10,
   kFoldOver = 11,
+  kMirroredPart = 12,
 };
 
 /// In lower case with underscores, as in reports.

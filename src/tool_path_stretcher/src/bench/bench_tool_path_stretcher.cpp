@@ -11,6 +11,7 @@
 #include "growth.h"
 #include "registration.h"
 #include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/tool_main.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace {
@@ -49,31 +50,33 @@ int main(int argc, char** argv) {
   CLI::App app("Figures of the stretcher beside their yardsticks. Without options: all of them.");
   std::string word, folder;
   std::size_t growth_of = 0;
-  bool only_registration = false, only_growth = false, reduced = false;
+  bool only_registration = false, only_growth = false, reduced = false, only_ours = false;
   app.add_option("--cases", word, "only the cases whose name holds this");
+  app.add_flag("--only-ours", only_ours, "the cases without the yardsticks beside them");
   app.add_option("--write", folder, "write clouds and path of the first such case here instead");
   app.add_option("--growth-of", growth_of, "only this size of the growth, in this process");
   app.add_flag("--reduced", reduced, "with --growth-of: on the default grid");
   app.add_flag("--registration", only_registration, "only car and bunny");
   app.add_flag("--growth", only_growth, "only the growth");
-  CLI11_PARSE(app, argc, argv);
-  const char* variable = std::getenv("SCAN_CELL_DATA");
-  const std::string data = variable == nullptr ? "" : variable;
-  if (growth_of > 0) {
-    bench::run_growth(growth_of, reduced);
+  return scan_cell_common::tool_main("bench_tool_path_stretcher", app, argc, argv, [&] {
+    const char* variable = std::getenv("SCAN_CELL_DATA");
+    const std::string data = variable == nullptr ? "" : variable;
+    if (growth_of > 0) {
+      bench::run_growth(growth_of, reduced);
+      return 0;
+    }
+    const std::vector<cases::Case> chosen = cases_named(word, data);
+    if (!folder.empty()) {
+      if (chosen.empty()) return 1;
+      write(chosen.front(), folder);
+      return 0;
+    }
+    if (data.empty()) {
+      std::printf("Without the real parts: SCAN_CELL_DATA names no folder that holds parts/\n");
+    }
+    if (!only_registration && !only_growth) bench::print_case_table(chosen, !only_ours);
+    if (word.empty() && !only_growth) bench::print_registration(data);
+    if (word.empty() && !only_registration) bench::print_growth();
     return 0;
-  }
-  const std::vector<cases::Case> chosen = cases_named(word, data);
-  if (!folder.empty()) {
-    if (chosen.empty()) return 1;
-    write(chosen.front(), folder);
-    return 0;
-  }
-  if (data.empty()) {
-    std::printf("Without the real parts: SCAN_CELL_DATA names no folder that holds parts/\n");
-  }
-  if (!only_registration && !only_growth) bench::print_case_table(chosen);
-  if (word.empty() && !only_growth) bench::print_registration(data);
-  if (word.empty() && !only_registration) bench::print_growth();
-  return 0;
+  });
 }

@@ -146,10 +146,7 @@ void run_theirs(const cases::Case& each, const cases::Scene& scene, const ToolPa
   std::printf("| %.2f | %.2f ", 1e3 * worst, sums.seconds.back());
 }
 
-void run(const cases::Case& each, Sums& sums) {
-  const cases::Scene scene = cases::scene_of(each);
-  ++(must_be_accepted(each) ? sums.to_accept : sums.to_refuse);
-  run_ours(each, scene, sums.ours);
+void run_yardsticks(const cases::Case& each, const cases::Scene& scene, Sums& sums) {
   ToolPath thesis;
   sums.thesis.seconds.push_back(seconds_of(
       [&] { thesis = cases::thesis_method(scene.reference, scene.object, scene.path); }));
@@ -159,6 +156,13 @@ void run(const cases::Case& each, Sums& sums) {
       seconds_of([&] { pcl = cases::pcl_pipeline(scene.reference, scene.object, scene.path); }));
   std::printf("| %s ", pcl.converged ? "converged" : "not");
   run_theirs(each, scene, pcl.path, pcl.converged, sums.pcl);
+}
+
+void run(const cases::Case& each, bool yardsticks, Sums& sums) {
+  const cases::Scene scene = cases::scene_of(each);
+  ++(must_be_accepted(each) ? sums.to_accept : sums.to_refuse);
+  run_ours(each, scene, sums.ours);
+  if (yardsticks) run_yardsticks(each, scene, sums);
   std::printf("|\n");
   std::fflush(stdout);
 }
@@ -170,7 +174,7 @@ void print_theirs(const char* name, const Theirs& theirs, const Sums& sums, doub
               median / our_median);
 }
 
-void print_sums(const Sums& sums) {
+void print_sums(const Sums& sums, bool yardsticks) {
   const double median = middle_of(sums.ours.seconds);
   const std::size_t rightly = sums.ours.accepted - sums.ours.wrong_accepted;
   std::printf("\n### All cases together\n\n");
@@ -190,13 +194,14 @@ void print_sums(const Sums& sums) {
       "to be refused | median s | ratio |\n|---|---|---|---|---|---|\n");
   std::printf("| here | %zu of %zu | %zu | %zu of %zu | %.2f | 1 |\n", rightly - sums.ours.gross,
               sums.to_accept, sums.ours.gross, sums.ours.wrong_accepted, sums.to_refuse, median);
+  if (!yardsticks) return;
   print_theirs("thesis' general method (never refuses)", sums.thesis, sums, median);
   print_theirs("PCL: FPFH, prerejective RANSAC, ICP with scale", sums.pcl, sums, median);
 }
 
 }  // namespace
 
-void print_case_table(const std::vector<cases::Case>& all) {
+void print_case_table(const std::vector<cases::Case>& all, bool yardsticks) {
   std::printf(
       "### Cases\n\nRMS error of the path along the normal and along the surface [mm] and of its "
       "orientation [deg], and its farthest waypoint [mm]. The thesis' method has no verdict; PCL's "
@@ -207,8 +212,8 @@ void print_case_table(const std::vector<cases::Case>& all) {
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   Sums sums;
   for (const cases::Case& each : all)
-    run(each, sums);
-  print_sums(sums);
+    run(each, yardsticks, sums);
+  print_sums(sums, yardsticks);
 }
 
 }  // namespace bench

@@ -11,6 +11,7 @@ namespace bench {
 
 /// Runs each case by the suite, by the thesis' general method and by PCL's own tools, and prints a
 /// table in Markdown, a line a case, and what they came to.
-void print_case_table(const std::vector<cases::Case>& all);
+/// @param yardsticks whether the two others run as well
+void print_case_table(const std::vector<cases::Case>& all, bool yardsticks);
 
 }  // namespace bench

@@ -94,7 +94,8 @@ Agreement Comparison::under(const Mapping& mapping) const {
   agreement.known = std::min(forth.share(), back.share());
   agreement.agreeing =
       std::min(share_within(forth.distances, tolerance), share_within(back.distances, tolerance));
-  agreement.noise = forth.off.empty() ? 0 : robust_deviation(forth.off);
+  agreement.noise = std::max(robust_deviation(forth.off),
+                             resolution(reference_, object_, mapping.similarity.scale));
   agreement.cost = cost.of(static_cast<double>(forth.all + back.all));
   agreement.object_off = std::move(forth.off);
   agreement.reference_off = std::move(back.off);

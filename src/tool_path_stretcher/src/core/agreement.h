@@ -13,7 +13,8 @@ struct Agreement {
   double known = 0;         //!< lesser share of either's points that are
   double object_known = 0;  //!< share of the object's points that are
   double agreeing = 0;      //!< lesser share, of the known points of either, that lie on the other
-  double noise = 0;         //!< [m] robust standard deviation of the known points of the object
+  double noise = 0;         //!< [m] robust standard deviation of the known points of the object, or
+                            //!< the resolution
   double cost = 0;          //!< [m] RMS distance of all, capped; of points not known a middling one
   std::vector<double> object_off;     //!< [m] of the known points; 0 where an edge may be to blame
   std::vector<double> reference_off;  //!< [m] the same of the reference's

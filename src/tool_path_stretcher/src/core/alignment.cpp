@@ -11,6 +11,7 @@
 #include "partial_search.h"
 #include "robust.h"
 #include "tool_path_stretcher/residuals.h"
+#include "turns.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -44,7 +45,8 @@ double mean_of_least(std::vector<double>& values, double share) {
 
 /// Sets the costs of a candidate: the root mean square residual of both directions, each point
 /// counted up to a cap; of the object without the share that may be none of the part, of the
-/// reference only the share that any scan covers.
+/// reference only the share that any scan covers. To that comes what the surfaces cannot resolve:
+/// without noise one pose is not many times as good as another because it was refined further.
 void judge(const Surface& reference, const Surface& object, Density density, Candidate& candidate) {
   constexpr double kCap = 0.05;  // of the object's size
   constexpr double kObjectShare = 0.9;
@@ -68,8 +70,10 @@ void judge(const Surface& reference, const Surface& object, Density density, Can
     back.push_back(capped_square(std::max(0.0, std::sqrt(squared) - object.spacing)));
   }
   const double of_reference = mean_of_least(back, kReferenceShare);
-  candidate.cost = std::sqrt((mean_of_least(forth, kObjectShare) + of_reference) / 2);
-  candidate.bulk_cost = std::sqrt((mean_of_least(forth, kBulkShare) + of_reference) / 2);
+  const double unresolved = std::pow(resolution(reference, object, similarity.scale), 2);
+  candidate.cost = std::sqrt((mean_of_least(forth, kObjectShare) + of_reference) / 2 + unresolved);
+  candidate.bulk_cost =
+      std::sqrt((mean_of_least(forth, kBulkShare) + of_reference) / 2 + unresolved);
 }
 
 /// Candidates that cost many times what the best does will not win.
@@ -83,29 +87,6 @@ void drop_hopeless(std::vector<Candidate>& candidates,
       std::remove_if(candidates.begin(), candidates.end(),
                      [&](const Candidate& each) { return !(each.bulk_cost <= kHopeless * best); }),
       candidates.end());
-}
-
-/// The best pose, with the reference turned within itself as a cube is, and in small steps about
-/// each principal axis: the poses that a nearly symmetric part is most easily taken for. They must
-/// have been looked at before one is believed.
-std::vector<Similarity> turned_in_itself(const PrincipalFrame& frame, const Similarity& best) {
-  constexpr int kSteps = 24;
-  std::vector<Eigen::Matrix3d> turns = cube_turns();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 1; i < kSteps; ++i) {
-      turns.push_back(
-          Eigen::AngleAxisd(2 * M_PI * i / kSteps, Eigen::Vector3d::Unit(axis)).toRotationMatrix());
-    }
-  }
-  const Eigen::Vector3d centre = best * frame.centroid;
-  std::vector<Similarity> turned;
-  for (const Eigen::Matrix3d& turn : turns) {
-    Similarity guess = best;
-    guess.rotation = best.rotation * frame.axes * turn * frame.axes.transpose();
-    guess.translation = centre - guess.scale * (guess.rotation * frame.centroid);
-    turned.push_back(guess);
-  }
-  return turned;
 }
 
 /// The search over all poses, in stages of which each keeps the better candidates.
@@ -129,12 +110,12 @@ class Search {
           improve_coarsely(coarse_reference_, coarse_object_, guess, scales, kFirstIterations));
     }
     drop_hopeless(tried);
-    tried = distinct(std::move(tried), probes(), 0.1 * object_.size, 40);
+    tried = distinct(std::move(tried), probes(), 0.1 * object_.size, most_coarse_);
     for (Candidate& each : tried) {
       each = improve_coarsely(coarse_reference_, coarse_object_, each.similarity, scales,
                               kMoreIterations);
     }
-    for (const Candidate& each : distinct(tried, probes(), 0.05 * object_.size, 12))
+    for (const Candidate& each : distinct(tried, probes(), 0.05 * object_.size, most_tried_))
       untried_.push_back(each);
   }
 
@@ -144,22 +125,53 @@ class Search {
       untried_.push_back({fit.similarity, fit.agreement.cost, fit.agreement.cost});
   }
 
-  /// Tries the best pose turned in itself, where that is not hopeless from the start.
+  /// Tries the best pose turned in itself, where that is not hopeless from the start. Of a part
+  /// that is explained already all are kept that explain it as well: there may be many.
   void try_turned() {
-    const Similarity& best = candidates_.front().similarity;
+    constexpr double kTurnedHopeless = 5;  // even rotations are up to 10 degrees off
+    const Similarity best = candidates_.front().similarity;
+    if (settled()) {
+      most_coarse_ = 150;  // those that are only half refined yet are among them
+      most_tried_ = 50;
+      most_kept_ = 24;   // as many as a cube has
+      refined_.clear();  // of those only few were kept
+    }
     std::vector<Similarity> promising;
     const double cost = cost_as_it_is(best);
     for (const Similarity& turned : turned_in_itself(coarse_reference_.frame, best)) {
-      if (cost_as_it_is(turned) < kHopeless * cost) promising.push_back(turned);
+      if (cost_as_it_is(turned) < kTurnedHopeless * cost) promising.push_back(turned);
     }
     try_coarsely(promising);
+  }
+
+  /// Takes the best pose turned about an axis that it is nearly round about, and the best of those
+  /// that were turned over.
+  void try_turned_to_marks() {
+    const Similarity best = candidates_.front().similarity;
+    std::vector<Similarity> starts = {best};
+    for (const Axis& axis : freest_axes(reference_, object_, best)) {
+      const Eigen::Vector3d in_reference = best.rotation.transpose() * axis.along;
+      const auto over =
+          std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& each) {
+            constexpr double kOver = -0.9;  // cosine
+            return (each.similarity.rotation * in_reference).dot(axis.along) < kOver;
+          });
+      if (over != candidates_.end()) starts.push_back(over->similarity);
+    }
+    for (const Similarity& start : starts) {
+      for (const Similarity& turned : turned_to_marks(reference_, object_, start)) {
+        Candidate candidate{turned, 0, 0};
+        judge(reference_, object_, Density::kSome, candidate);
+        candidates_.push_back(candidate);
+      }
+    }
   }
 
   /// Refines what was tried coarsely since the last time, and did not lead to a known pose.
   void refine_tried() {
     constexpr int kFirstIterations = 5;
     constexpr int kMoreIterations = 15;
-    untried_ = new_ones(std::move(untried_), refined_, 0.05 * object_.size, 12);
+    untried_ = new_ones(std::move(untried_), refined_, 0.05 * object_.size, most_tried_);
     for (const Candidate& each : untried_)
       refined_.push_back(each.similarity);
     improve(untried_, Density::kFewest, kFirstIterations);
@@ -167,7 +179,7 @@ class Search {
     std::vector<Similarity> known;
     for (const Candidate& each : candidates_)
       known.push_back(each.similarity);
-    untried_ = new_ones(std::move(untried_), known, 0.02 * object_.size, 12);
+    untried_ = new_ones(std::move(untried_), known, 0.02 * object_.size, most_tried_);
     improve(untried_, Density::kFew, kFirstIterations);
     drop_hopeless(untried_, candidates_.empty() ? std::numeric_limits<double>::infinity()
                                                 : candidates_.front().bulk_cost);
@@ -175,7 +187,7 @@ class Search {
     for (const Candidate& each : untried_)
       candidates_.push_back(each);
     untried_.clear();
-    candidates_ = distinct(std::move(candidates_), probes(), 0.03 * object_.size, 5);
+    candidates_ = distinct(std::move(candidates_), probes(), 0.03 * object_.size, most_kept_);
   }
 
   /// Whether the best pose leaves nothing to explain, as it is or slightly deformed: most of the
@@ -192,7 +204,7 @@ class Search {
     constexpr int kIterations = 30;
     drop_hopeless(candidates_);
     improve(candidates_, Density::kSome, kIterations);
-    candidates_ = distinct(std::move(candidates_), probes(), 0.01 * object_.size, 5);
+    candidates_ = distinct(std::move(candidates_), probes(), 0.01 * object_.size, most_kept_);
   }
 
   const CoarseSurface& reference() const { return coarse_reference_; }
@@ -266,6 +278,9 @@ class Search {
   const Surface& reference_;
   const Surface& object_;
   const Prior& prior_;
+  std::size_t most_coarse_ = 40;
+  std::size_t most_tried_ = 12;
+  std::size_t most_kept_ = 5;
   CoarseSurface coarse_reference_;
   CoarseSurface coarse_object_;
   std::vector<Candidate> untried_;
@@ -300,8 +315,22 @@ std::vector<Candidate> find_candidates(const Surface& reference, const Surface& 
   search.try_turned();
   search.refine_tried();
   progress(0.85);
+  search.try_turned_to_marks();
   search.finish();
   progress(1);
+  return search.candidates();
+}
+
+std::vector<Candidate> find_near_candidates(const Surface& reference, const Surface& object,
+                                            const ScalePrior& scale) {
+  const Prior prior{scale, {}};
+  Search search(reference, object, prior);
+  search.try_coarsely(principal_guesses(search.reference().frame, search.object().frame));
+  search.refine_tried();
+  if (search.candidates().empty()) return {};
+  search.try_turned();
+  search.refine_tried();
+  search.finish();
   return search.candidates();
 }
 

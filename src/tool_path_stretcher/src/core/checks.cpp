@@ -10,6 +10,7 @@
 #include "ambiguity.h"
 #include "robust.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/units.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -46,9 +47,10 @@ void check_enough(const Surface& surface, const std::string& name, int least) {
 void check_unit(const Surface& surface, const std::string& name) {
   constexpr double kLargest = 10;  // [m]
   if (surface.size < kLargest) return;
-  refuse(Reason::kUnusableInput, name,
-         "its points lie " + number(surface.size) + " m from their middle (RMS)",
-         "give it in metres; it seems to be in millimetres");
+  refuse(
+      Reason::kUnusableInput, name,
+      "its points lie " + number(surface.size) + " m from their middle (RMS)",
+      "give it in metres, or say its unit (--units mm); it seems to be in millimetres or inches");
 }
 
 /// Whether the path lies on the reference once it is scaled.
@@ -126,7 +128,8 @@ void check_surfaces(const Surface& reference, const Surface& object,
   }
   refuse(Reason::kUnusableInput, "object",
          "its size is " + number(ratio) + " times the reference's",
-         "give both in metres; a ratio near 1000 or 0.001 means that one is in millimetres");
+         "give both in metres, or say their units (--reference-units mm); a ratio near 1000 or "
+         "0.001 means that one is in millimetres");
 }
 
 void check_path(const ToolPath& path, const Surface& reference,
@@ -152,13 +155,14 @@ void check_path(const ToolPath& path, const Surface& reference,
     }
   }
   if (off.empty()) return;
-  constexpr double kMillimetre = 1e-3;
   constexpr double kFar =
       10;  // sizes of the reference: any path shrinks to a point that lies on it
-  if (worst > kFar * reference.size && lies_on(reference, path, kMillimetre, most)) {
+  for (const char* const unit : {"inch", "mm"}) {  // what is shrunk too far lies on anything
+    const double factor = scan_cell_common::metres_per(unit);
+    if (!(worst > kFar * reference.size) || !lies_on(reference, path, factor, most)) continue;
     refuse(Reason::kUnusableInput, "tool path",
-           "it lies on the reference only once it is divided by 1000",
-           "give it in metres; it seems to be in millimetres", off);
+           "it lies on the reference only once it is divided by " + number(1 / factor),
+           std::string("give it in metres, or say its unit (--path-units ") + unit + ")", off);
   }
   refuse(Reason::kPathOffReference, "tool path",
          std::to_string(off.size()) + " of " + std::to_string(index) +
@@ -171,6 +175,14 @@ void check_path(const ToolPath& path, const Surface& reference,
 void refuse_wrong_part(const std::string& why) {
   refuse(Reason::kWrongPart, "object", why,
          "check that it is the part of the reference, and alone in the scan");
+}
+
+void refuse_mirrored(const Explanation& mirrored, const Explanation& explanation) {
+  refuse(Reason::kMirroredPart, "object",
+         "the mirror image of the reference explains " + number(100 * mirrored.inlier_ratio) +
+             " % of its points, the reference itself " + number(100 * explanation.inlier_ratio) +
+             " %, and only the mirror image explains its features",
+         "give the part of the other hand, or the reference and the path of this one");
 }
 
 void refuse_search_at_bound(double scale, const StretchParameters& parameters) {

@@ -22,6 +22,9 @@ void check_path(const ToolPath& path, const Surface& reference,
 
 [[noreturn]] void refuse_wrong_part(const std::string& why);
 
+/// @param mirrored how well the reference's mirror image explains the object
+[[noreturn]] void refuse_mirrored(const Explanation& mirrored, const Explanation& explanation);
+
 [[noreturn]] void refuse_search_at_bound(double scale, const StretchParameters& parameters);
 
 /// WRONG_PART: too little of the object lies on the reference

@@ -297,6 +297,21 @@ double common_share(const Surface& reference, const std::vector<Residual>& resid
   return total > 0 ? common / total : 0;
 }
 
+/// Whether so few residuals are more than sampling and grid make of a surface that there is nothing
+/// for a graph to explain: those share their errors, too.
+bool is_resolved(const Surface& reference, const std::vector<Residual>& residuals,
+                 double resolution) {
+  constexpr double kDeviations = 3;
+  constexpr double kBlurs = 2;  // the object's, too
+  constexpr double kShare = 0.01;
+  const auto off = std::count_if(residuals.begin(), residuals.end(), [&](const Residual& each) {
+    return lies_on_reference(each, reference) &&
+           std::abs(each.along_normal) >
+               std::max(kDeviations * resolution, kBlurs * reference.blur[each.reference]);
+  });
+  return static_cast<double>(off) < kShare * static_cast<double>(residuals.size());
+}
+
 constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, by level
 
 }  // namespace
@@ -331,6 +346,9 @@ Mapping justified_deformation(const Surface& reference, const Surface& object,
   if (halves.training.points.empty() || halves.held_out.empty()) return rigid;
   const double cut = 0.02 * reference.size;
   const std::vector<Residual> at_first = residuals_of(reference, rigid, halves.held_out);
+  const double unresolved =
+      resolution(reference, object, similarity.scale) / similarity.scale;  // [m, reference]
+  if (is_resolved(reference, at_first, unresolved)) return rigid;
   if (common_share(reference, at_first) < kLeastCommon) return rigid;
   std::vector<double> best = held_out_squares(reference, at_first, halves, cut);
   Mapping trained = rigid;

@@ -8,9 +8,7 @@
 #include "robust.h"
 
 namespace tool_path_stretcher {
-namespace {
 
-/// An even cover of all rotations: the super-Fibonacci spiral (Alexa 2022).
 std::vector<Eigen::Matrix3d> even_rotations(int count) {
   const double phi = std::sqrt(2.0);
   constexpr double kPsi = 1.533751168755204288118041;
@@ -28,8 +26,6 @@ std::vector<Eigen::Matrix3d> even_rotations(int count) {
   }
   return rotations;
 }
-
-}  // namespace
 
 std::vector<Eigen::Matrix3d> cube_turns() {
   std::vector<Eigen::Matrix3d> turns;

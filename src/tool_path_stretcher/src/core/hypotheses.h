@@ -20,6 +20,9 @@ CoarseSurface coarsen(const Surface& surface);
 /// The 24 turns of a cube.
 std::vector<Eigen::Matrix3d> cube_turns();
 
+/// An even cover of all rotations: the super-Fibonacci spiral (Alexa 2022).
+std::vector<Eigen::Matrix3d> even_rotations(int count);
+
 /// Poses to start from: the principal frames in all the turns of a cube (flips and near equal axes
 /// included).
 std::vector<Similarity> principal_guesses(const PrincipalFrame& reference,

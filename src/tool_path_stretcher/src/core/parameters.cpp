@@ -70,9 +70,7 @@ void check(const Prior& prior) {
 
 void check(const StretchParameters& parameters) {
   check(parameters.prior);
-  if (parameters.resample_spacing != 0) {
-    check_range("resample_spacing", parameters.resample_spacing, 1e-6, 10);
-  }
+  check_resample_spacing("resample_spacing", parameters.resample_spacing);
   for (const double leaf : parameters.leaf)
     check_range("leaf", leaf, 1e-6, 1);
   check_range("min_scale", parameters.min_scale, 0.01, 100);

@@ -242,8 +242,9 @@ bool PartialSearch::agrees_to_the_noise() const {
   constexpr double kContradicted = 0.02;
   constexpr double kRough = 2;  // times the roughness of both surfaces
   const PartialFit& best = fits_.front();
-  const double rough =
-      std::hypot(best.similarity.scale * roughness(reference_), roughness(object_));
+  const double scale = best.similarity.scale;
+  const double rough = std::max(std::hypot(scale * roughness(reference_), roughness(object_)),
+                                resolution(reference_, object_, scale));
   return best.agreement.agreeing >= kAgreeing &&
          best.agreement.contradicted(best.agreement.noise) <= kContradicted &&
          best.agreement.noise <= kRough * rough;

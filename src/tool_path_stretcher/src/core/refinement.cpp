@@ -206,7 +206,9 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
   constexpr double kConverged = 0.01;  // of the residuals' deviation: their mean is known no better
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   const Eigen::Vector3d centre = principal_frame(object.points).centroid;
-  const double least = 1e-7 * object.size;
+  // Where there is no noise the faces fit far better than edges and holes do, sampled as they are:
+  // those must not be taken for outliers, for they may be all that shows a turn.
+  const double least = resolution(reference, object, start.scale);
   Pairing pairing(reference, object, density);
   for (int i = 0; i < iterations; ++i) {
     const Constraints forth = pairing.object_to_reference(start);
@@ -227,20 +229,44 @@ Similarity refine(const Surface& reference, const Surface& object, Similarity st
   return start;
 }
 
-std::vector<Similarity> slides(const Surface& reference, const Surface& object,
-                               const Similarity& similarity, double step) {
-  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
-  const double least = 1e-7 * object.size;
+namespace {
+
+/// The two rigid motions of a pose that the object's points resist least.
+std::array<Vector7d, 2> weakest_motions(const Surface& reference, const Surface& object,
+                                        const Similarity& similarity,
+                                        const Eigen::Vector3d& centre) {
   const Constraints forth =
       Pairing(reference, object, Density::kMany).object_to_reference(similarity);
   Equations equations(centre);
-  equations.add(forth, deviation_of(forth, least));
+  equations.add(forth, deviation_of(forth, resolution(reference, object, similarity.scale)));
+  return equations.weakest(object.size);
+}
+
+}  // namespace
+
+std::vector<Similarity> slides(const Surface& reference, const Surface& object,
+                               const Similarity& similarity, double step) {
+  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
   std::vector<Similarity> result;
-  for (const Vector7d& motion : equations.weakest(object.size)) {
+  for (const Vector7d& motion : weakest_motions(reference, object, similarity, centre)) {
     result.push_back(moved(similarity, centre, step * motion));
     result.push_back(moved(similarity, centre, -step * motion));
   }
   return result;
+}
+
+std::vector<Axis> freest_axes(const Surface& reference, const Surface& object,
+                              const Similarity& similarity) {
+  constexpr double kTurns = 0.7;  // of a motion of one: more a turn than a shift
+  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
+  std::vector<Axis> axes;
+  for (const Vector7d& motion : weakest_motions(reference, object, similarity, centre)) {
+    const Eigen::Vector3d turn = motion.head<3>();
+    if (turn.norm() * object.size < kTurns) continue;
+    const Eigen::Vector3d shift = motion.segment<3>(3);
+    axes.push_back({centre + turn.cross(shift) / turn.squaredNorm(), turn.normalized()});
+  }
+  return axes;
 }
 
 }  // namespace tool_path_stretcher

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -62,37 +62,83 @@ Json to_json(const WaypointQuality& quality) {
           {"position_measured", quality.position_measured}};
 }
 
-}  // namespace
+Json to_json(const PathContents& contents) {
+  return {{"waypoints", contents.waypoints},           {"segments", contents.segments},
+          {"orientations", contents.orientations},     {"units", contents.units},
+          {"process_values", contents.process_values}, {"kept", contents.kept}};
+}
 
-std::string report_to_json(const StretchResult& result) {
-  Json report;
+Json to_json(const std::optional<FileRecord>& file) {
+  if (!file) return nullptr;
+  return {{"name", file->name}, {"sha256", file->sha256}, {"units", file->units}};
+}
+
+/// What to look at first.
+void add_head(const StretchResult& result, Json& report) {
+  const QualitySummary summary = summary_of(result.quality);
+  const bool known = !result.quality.empty();
   report["verdict"] = result.verdict.accepted() ? "accepted" : "refused";
   report["reason"] = to_string(result.verdict.reason);
   report["message"] = result.verdict.message;
+  report["measured_waypoints"] = known ? Json(summary.measured) : Json(nullptr);
+  report["inferred_waypoints"] = known ? Json(summary.inferred) : Json(nullptr);
+  report["largest_displacement"] = number(summary.largest_displacement);
+  report["largest_expected_error_normal"] = number(summary.largest_expected_error_normal);
+  report["largest_expected_error_tangential"] = number(summary.largest_expected_error_tangential);
+}
+
+void add_record(const StretchResult& result, const RunRecord& record, Json& report) {
+  report["path"] = record.path ? to_json(*record.path) : Json(nullptr);
+  report["files"] = {{"reference", to_json(record.reference)},
+                     {"object", to_json(record.object)},
+                     {"path", to_json(record.path_file)},
+                     {"output", to_json(record.output)}};
+  report["seconds"] = number(total_seconds(result, record));
+  report["seconds_of"] = {{"reading", number(record.seconds_reading)},
+                          {"adapting", number(result.seconds)},
+                          {"writing", number(record.seconds_writing)}};
+}
+
+/// @param known false: it did not come to that
+template <class Value>
+Json if_known(bool known, const Value& value) {
+  return known ? Json(value) : Json(nullptr);
+}
+
+void add_alignment(const StretchResult& result, Json& report) {
+  const bool known = result.aligned;
+  report["scale"] = if_known(known, number(result.similarity.scale));
+  report["translation"] = if_known(known, list(result.similarity.translation));
+  report["rotation"] = if_known(known, rows(result.similarity.rotation));
+  report["transform"] = if_known(known, rows(result.similarity.matrix()));
+  report["deformation_nodes"] = if_known(known, result.deformation_nodes);
+  report["rms"] = if_known(known, number(result.rms));
+  report["inlier_ratio"] = if_known(known, number(result.inlier_ratio));
+  report["overlap"] = if_known(known, number(result.overlap));
+  report["reference_points"] = if_known(result.reference_points > 0, result.reference_points);
+  report["object_points"] = if_known(result.object_points > 0, result.object_points);
+}
+
+}  // namespace
+
+std::string report_to_json(const StretchResult& result, const RunRecord& record) {
+  Json report;
+  add_head(result, report);
   report["waypoints_concerned"] = result.verdict.waypoints;
   report["candidates"] = Json::array();
   for (const PoseCandidate& candidate : result.verdict.candidates)
     report["candidates"].push_back(to_json(candidate));
   report["method"] = to_string(result.method);
-  report["scale"] = number(result.similarity.scale);
-  report["translation"] = list(result.similarity.translation);
-  report["rotation"] = rows(result.similarity.rotation);
-  report["transform"] = rows(result.similarity.matrix());
-  report["deformation_nodes"] = result.deformation_nodes;
-  report["rms"] = number(result.rms);
-  report["inlier_ratio"] = number(result.inlier_ratio);
-  report["overlap"] = number(result.overlap);
-  report["seconds"] = number(result.seconds);
-  report["reference_points"] = result.reference_points;
-  report["object_points"] = result.object_points;
+  add_alignment(result, report);
+  add_record(result, record, report);
   report["quality"] = Json::array();
   for (const WaypointQuality& quality : result.quality)
     report["quality"].push_back(to_json(quality));
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void save_report(const std::string& path, const StretchResult& result) {
-  scan_cell_common::save_text(path, report_to_json(result));
+void save_report(const std::string& path, const StretchResult& result, const RunRecord& record) {
+  scan_cell_common::save_text(path, report_to_json(result, record));
 }
 
 }  // namespace tool_path_stretcher

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/residuals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,14 +11,80 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// [m] a mapped point of the reference to the scanned surface; NaN where that was not scanned.
-double distance_to_scan(const Surface& object, const Eigen::Vector3d& point) {
+/// A mapped point of the reference, and the scanned surface.
+struct FromScan {
+  double off;           // [m] NaN where it was not scanned
+  std::size_t nearest;  // point of the object
+};
+
+FromScan from_scan(const Surface& object, const Eigen::Vector3d& point) {
   constexpr double kReach = 2.5;  // spacings between which the scanned surface is still known
   const KdTree::Neighbour nearest = object.tree->nearest(point);
   const double along = object.normals[nearest.index].dot(point - object.points[nearest.index]);
   const double beside = std::sqrt(std::max(0.0, nearest.squared_distance - along * along));
-  if (beside > kReach * object.spacing) return std::numeric_limits<double>::quiet_NaN();
-  return std::abs(along);
+  const bool known = beside <= kReach * object.spacing;
+  return {known ? std::abs(along) : std::numeric_limits<double>::quiet_NaN(), nearest.index};
+}
+
+Distances object_distances(const Surface& reference, const Surface& object,
+                           const Mapping& mapping) {
+  Distances distances;
+  distances.patch = object.samples.patch;
+  const double scale = mapping.similarity.scale;
+  for (const std::size_t i : object.samples.most) {
+    const Residual residual = residual_of(reference, mapping, object.points[i]);
+    distances.off.push_back(scale * std::hypot(residual.along_normal, residual.beside));
+    distances.blur.push_back(scale * reference.blur[residual.reference] + object.blur[i]);
+  }
+  return distances;
+}
+
+Distances reference_distances(const Surface& reference, const Surface& object,
+                              const Mapping& mapping) {
+  Distances distances;
+  distances.patch = reference.samples.patch;
+  for (const std::size_t i : reference.samples.most) {
+    const FromScan from = from_scan(object, mapping * reference.points[i]);
+    distances.off.push_back(from.off);
+    distances.blur.push_back(mapping.similarity.scale * reference.blur[i] +
+                             object.blur[from.nearest]);
+  }
+  return distances;
+}
+
+/// Whether a point lies on the other surface, as far as noise, sampling and grid let that be seen.
+bool is_explained(const Distances& distances, std::size_t i, double noise) {
+  constexpr double kDeviations = 3;
+  return distances.off[i] <= std::max(kDeviations * noise, distances.blur[i]);
+}
+
+/// What the points of one patch say.
+struct Patch {
+  double lead = 0;
+  double points = 0;
+};
+
+Patch& patch_of(const Distances& distances, std::size_t i, std::vector<Patch>& patches) {
+  if (distances.patch[i] >= patches.size()) patches.resize(distances.patch[i] + 1);
+  patches[distances.patch[i]].points += 1;
+  return patches[distances.patch[i]];
+}
+
+/// Adds what the points of one surface say.
+void add(const Distances& first, const Distances& second, double noise, Evidence& sum) {
+  std::vector<Patch> patches;
+  for (std::size_t i = 0; i < first.off.size(); ++i) {
+    if (std::isnan(first.off[i]) || std::isnan(second.off[i])) continue;
+    patch_of(first, i, patches).lead += static_cast<double>(is_explained(first, i, noise)) -
+                                        static_cast<double>(is_explained(second, i, noise));
+  }
+  for (const Patch& patch : patches) {
+    if (patch.points == 0) continue;
+    const double share = patch.lead / patch.points;
+    (share > 0 ? sum.only_first : sum.only_second) += std::abs(share);
+    sum.squares += share * share;
+    sum.compared += 1;
+  }
 }
 
 }  // namespace
@@ -50,21 +117,17 @@ Explanation explain(const Surface& reference, const Surface& object, const Mappi
   Explanation result;
   double squares = 0;
   std::size_t inliers = 0;
-  for (const Residual& residual :
-       residuals_of(reference, mapping, select(object.points, object.samples.most))) {
-    const double distance =
-        mapping.similarity.scale * std::hypot(residual.along_normal, residual.beside);
-    result.object_distance.push_back(distance);
+  result.object = object_distances(reference, object, mapping);
+  for (const double distance : result.object.off) {
     if (distance > inlier_distance) continue;
     squares += distance * distance;
     ++inliers;
   }
-  std::size_t covered = 0;
-  for (const std::size_t i : reference.samples.most) {
-    result.reference_distance.push_back(distance_to_scan(object, mapping * reference.points[i]));
-    if (result.reference_distance.back() <= inlier_distance) ++covered;
-  }
-  result.noise = robust_deviation(result.object_distance);
+  result.reference = reference_distances(reference, object, mapping);
+  const auto covered = std::count_if(result.reference.off.begin(), result.reference.off.end(),
+                                     [=](double off) { return off <= inlier_distance; });
+  result.noise = std::max(robust_deviation(result.object.off),
+                          resolution(reference, object, mapping.similarity.scale));
   result.rms = inliers == 0 ? 0 : std::sqrt(squares / static_cast<double>(inliers));
   result.inlier_ratio =
       static_cast<double>(inliers) / static_cast<double>(object.samples.most.size());
@@ -73,27 +136,39 @@ Explanation explain(const Surface& reference, const Surface& object, const Mappi
   return result;
 }
 
-bool clearly_better(const Explanation& better, const Explanation& other) {
-  constexpr double kDeviations = 3;     // of the noise, and a point counts as not explained
-  constexpr double kSignificance = 4;   // standard deviations of the count
-  constexpr double kLeastShare = 5e-4;  // of the points compared
-  const double threshold = kDeviations * better.noise;
-  double only_better = 0;
-  double only_other = 0;
-  double compared = 0;
-  const auto count = [&](const std::vector<double>& a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      if (std::isnan(a[i]) || std::isnan(b[i])) continue;
-      compared += 1;
-      if (a[i] <= threshold && b[i] > threshold) only_better += 1;
-      if (b[i] <= threshold && a[i] > threshold) only_other += 1;
+double resolution(const Surface& reference, const Surface& object, double scale) {
+  constexpr double kShare = 0.025;
+  return kShare * (scale * reference.spacing + object.spacing);
+}
+
+Evidence evidence(const Explanation& first, const Explanation& second) {
+  Evidence sum;
+  const double noise = std::min(first.noise, second.noise);
+  add(first.object, second.object, noise, sum);
+  add(first.reference, second.reference, noise, sum);
+  return sum;
+}
+
+double unexplained_patches(const Explanation& explanation) {
+  double count = 0;
+  for (const Distances* distances : {&explanation.object, &explanation.reference}) {
+    std::vector<Patch> patches;
+    for (std::size_t i = 0; i < distances->off.size(); ++i) {
+      if (std::isnan(distances->off[i])) continue;
+      patch_of(*distances, i, patches).lead += !is_explained(*distances, i, explanation.noise);
     }
-  };
-  count(better.object_distance, other.object_distance);
-  count(better.reference_distance, other.reference_distance);
-  const double lead = only_better - only_other;
-  return lead > kSignificance * std::sqrt(only_better + only_other) &&
-         lead > kLeastShare * compared;
+    for (const Patch& patch : patches)
+      count += patch.lead > patch.points / 2;
+  }
+  return count;
+}
+
+bool clearly_better(const Explanation& better, const Explanation& other) {
+  constexpr double kSignificance = 3.5;  // standard deviations of the count
+  constexpr double kLeastShare = 5e-4;   // of the patches compared
+  const Evidence found = evidence(better, other);
+  const double lead = found.only_first - found.only_second;
+  return lead > kSignificance * std::sqrt(found.squares) && lead > kLeastShare * found.compared;
 }
 
 }  // namespace tool_path_stretcher

@@ -29,7 +29,7 @@ double score_of(const Surface& reference, const Surface& object, const Similarit
     }
     return sum / static_cast<double>(distances.size());
   };
-  return share(explanation.object_distance) + share(explanation.reference_distance);
+  return share(explanation.object.off) + share(explanation.reference.off);
 }
 
 struct Scored {

@@ -10,6 +10,7 @@
 #include "ambiguity.h"
 #include "checks.h"
 #include "expected_error.h"
+#include "handedness.h"
 #include "partial_verdict.h"
 #include "robust.h"
 #include "scan_cell_common/errors.h"
@@ -44,19 +45,21 @@ class Stages {
   const Progress& progress_;
 };
 
-/// Mean square residual of both directions, each point counted up to `cap`.
-double capped_cost(const Explanation& explanation, double cap) {
-  const auto mean = [cap](const std::vector<double>& distances) {
+/// Mean square residual of both directions, each point counted up to what is noise, sampling or
+/// grid at most, and as a share of that.
+double capped_cost(const Explanation& explanation, double noise) {
+  const auto mean = [noise](const Distances& distances) {
     double sum = 0;
     double count = 0;
-    for (const double distance : distances) {
-      if (std::isnan(distance)) continue;
-      sum += std::min(distance * distance, cap * cap);
+    for (std::size_t i = 0; i < distances.off.size(); ++i) {
+      if (std::isnan(distances.off[i])) continue;
+      const double share = distances.off[i] / std::max(noise, distances.blur[i]);
+      sum += std::min(share * share, 1.0);
       count += 1;
     }
-    return count > 0 ? sum / count : cap * cap;
+    return count > 0 ? sum / count : 1;
   };
-  return mean(explanation.object_distance) + mean(explanation.reference_distance);
+  return mean(explanation.object) + mean(explanation.reference);
 }
 
 void sort_best_first(std::vector<Fitted>& fitted) {
@@ -64,16 +67,37 @@ void sort_best_first(std::vector<Fitted>& fitted) {
   double noise = fitted.front().explanation.noise;
   for (const Fitted& each : fitted)
     noise = std::min(noise, each.explanation.noise);
-  const double cap = kDeviations * noise;
-  std::stable_sort(fitted.begin(), fitted.end(), [cap](const Fitted& a, const Fitted& b) {
-    return capped_cost(a.explanation, cap) < capped_cost(b.explanation, cap);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (const Fitted& each : fitted)
+    order.emplace_back(capped_cost(each.explanation, kDeviations * noise), order.size());
+  std::sort(order.begin(), order.end());
+  std::vector<Fitted> sorted;
+  for (const auto& [cost, index] : order)
+    sorted.push_back(std::move(fitted[index]));
+  fitted = std::move(sorted);
+}
+
+/// Of what explains the object about as well as the first does, so much that the rest of the work
+/// stays short: first what lays the path elsewhere, since that decides.
+void keep_few(const ToolPath& path, double tolerance, std::vector<Fitted>& fitted) {
+  constexpr std::size_t kMost = 4;
+  const Explanation& best = fitted.front().explanation;
+  fitted.erase(
+      std::remove_if(fitted.begin() + 1, fitted.end(),
+                     [&](const Fitted& each) { return clearly_better(best, each.explanation); }),
+      fitted.end());
+  if (fitted.size() <= kMost) return;
+  const Mapping first = fitted.front().mapping;
+  std::stable_partition(fitted.begin() + 1, fitted.end(), [&](const Fitted& each) {
+    return !same_path(path, first, each.mapping, tolerance);
   });
+  fitted.resize(kMost);
 }
 
 /// Fits the deformation graph to the candidates that may yet win, best first: a coarse one to all,
 /// the finest to those that it does not rule out. A pose is judged after it: a bend must not decide
 /// between two poses that a small feature tells apart.
-std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
+std::vector<Fitted> fit_all(const Surface& reference, const Surface& object, const ToolPath& path,
                             const std::vector<Candidate>& candidates,
                             const StretchParameters& parameters, const Stages& stages) {
   constexpr double kHopeless = 5;  // times the cost of the best
@@ -93,9 +117,8 @@ std::vector<Fitted> fit_all(const Surface& reference, const Surface& object,
                                       static_cast<double>(candidates.size()));
   }
   sort_best_first(fitted);
-  const Explanation coarse_best = fitted.front().explanation;
+  keep_few(path, parameters.ambiguity_distance, fitted);
   for (std::size_t i = 0; i < fitted.size(); ++i) {
-    if (i > 0 && clearly_better(coarse_best, fitted[i].explanation)) continue;
     Similarity start = fitted[i].mapping.similarity;
     if (fitted[i].mapping.graph.empty()) {
       start = refine(reference, object, start, scale, Density::kMany, kIterations);
@@ -146,6 +169,7 @@ ToolPath waypoints_of(const ToolPath& path, double spacing) {
 }
 
 void tell(const Mapping& mapping, const Explanation& explanation, StretchResult& result) {
+  result.aligned = true;
   result.similarity = mapping.similarity;
   result.deformation_nodes = mapping.graph.nodes().size();
   result.rms = explanation.rms;
@@ -186,14 +210,21 @@ Fitted choose(const Surface& reference, const Surface& object, const ToolPath& p
                           : "no pose of the reference fits the object at all");
   }
   const Eigen::Vector3d centroid = principal_frame(reference.points).centroid;
-  std::vector<Fitted> fitted = fit_all(reference, object, candidates, parameters, stages);
+  std::vector<Fitted> fitted = fit_all(reference, object, path, candidates, parameters, stages);
   if (parameters.prior.pose) prefer_given_pose(*parameters.prior.pose, centroid, fitted);
   tell(fitted.front().mapping, fitted.front().explanation, result);
   if (fitted.front().explanation.inlier_ratio < parameters.min_inlier_ratio) {
     const auto whole = partial_reference(reference, object, path, partial, parameters);
     if (whole) fitted = {*whole};
     tell(fitted.front().mapping, fitted.front().explanation, result);
-    if (!whole) check_explained(fitted.front().explanation, parameters);
+    if (!whole) {
+      check_handedness(reference, object, fitted.front().mapping, fitted.front().explanation,
+                       parameters);
+      check_explained(fitted.front().explanation, parameters);
+    }
+  } else {
+    check_handedness(reference, object, fitted.front().mapping, fitted.front().explanation,
+                     parameters);
   }
   const Fitted& best = fitted.front();
   check_overlap(best.explanation, best.mapping.similarity, parameters);

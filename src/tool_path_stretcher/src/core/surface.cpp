@@ -4,7 +4,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "complete_surface.h"
 #include "scan_cell_common/errors.h"
@@ -24,7 +26,7 @@ void check_finite(const Points& points, const std::string& name) {
     throw UnusableInput(name,
                         std::to_string(bad) + " of " + std::to_string(points.size()) +
                             " points are not finite (NaN or infinite)",
-                        "remove them, for instance with cloud_preprocess");
+                        "remove them, for instance with rosrun cloud_preprocess clean_cloud");
   }
 }
 
@@ -88,6 +90,32 @@ bool is_flat_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Ve
   });
 }
 
+/// [m] farthest of the nearest neighbours from the plane of the surface at a point
+double blur_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
+               const std::vector<KdTree::Neighbour>& neighbours) {
+  constexpr std::size_t kNearest = 9;  // the point itself is one
+  double most = 0;
+  for (std::size_t i = 0; i < std::min(kNearest, neighbours.size()); ++i)
+    most = std::max(most, std::abs(normal.dot(points[neighbours[i].index] - at)));
+  return most;
+}
+
+/// The number of the patch that each point lies in: two spacings wide, of one face.
+std::vector<std::size_t> patches_of(const Surface& surface) {
+  constexpr double kWide = 2;  // spacings
+  std::map<std::array<long, 4>, std::size_t> numbers;
+  std::vector<std::size_t> patches;
+  for (const std::size_t i : surface.samples.most) {
+    const Eigen::Array3d cell = (surface.points[i] / (kWide * surface.spacing)).array().floor();
+    Eigen::Index axis = 0;
+    surface.normals[i].cwiseAbs().maxCoeff(&axis);
+    const std::array<long, 4> at = {std::lround(cell.x()), std::lround(cell.y()),
+                                    std::lround(cell.z()), static_cast<long>(axis)};
+    patches.push_back(numbers.emplace(at, numbers.size()).first->second);
+  }
+  return patches;
+}
+
 double middle_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -145,6 +173,7 @@ void complete(Surface& surface) {
     spacings.push_back(std::sqrt(M_PI * neighbours.back().squared_distance /
                                  static_cast<double>(neighbours.size())));
     if (needs_normals) surface.normals.push_back(normal_of(surface.points, neighbours));
+    surface.blur.push_back(blur_at(surface.points, point, surface.normals[i], neighbours));
     const Eigen::Vector3d outward =
         outward_at(surface.points, point, surface.normals[i], neighbours);
     if (outward.isZero()) continue;
@@ -156,7 +185,10 @@ void complete(Surface& surface) {
   if (!surface.rim.points.empty()) {
     surface.rim.tree = std::make_shared<const KdTree>(surface.rim.points);
   }
+  for (double& blur : surface.blur)
+    blur = std::min(blur, surface.spacing / 2);
   surface.samples = samples_of(surface.points, spacings, surface.spacing);
+  surface.samples.patch = patches_of(surface);
 }
 
 namespace {
@@ -200,7 +232,7 @@ void check_together(const Points& points, const std::string& name) {
                           " points lie far away from all others, up to " +
                           std::to_string(*std::max_element(distances.begin(), distances.end())) +
                           " m",
-                      "remove them, for instance with cloud_preprocess");
+                      "remove them, for instance with rosrun cloud_preprocess clean_cloud");
 }
 
 }  // namespace
@@ -217,11 +249,12 @@ Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
   return surface;
 }
 
-Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf) {
+Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf, double metres_per_unit) {
   if (scan_cell_common::is_mesh_file(path)) {
-    return surface_from_mesh(scan_cell_common::load_mesh(path), leaf, path);
+    return surface_from_mesh(scan_cell_common::load_mesh(path, metres_per_unit), leaf, path);
   }
-  return surface_from_cloud(to_points(scan_cell_common::load_cloud(path)), leaf, path);
+  return surface_from_cloud(to_points(scan_cell_common::load_cloud(path, metres_per_unit)), leaf,
+                            path);
 }
 
 Points to_points(const scan_cell_common::Cloud& cloud) {

@@ -29,24 +29,29 @@ void refuse_utf16(const std::string& text, const std::string& path) {
 }  // namespace
 
 void check_tool_path_name(const std::string& path) {
-  format_of(path);
+  scan_cell_common::check_output(path, {".csv", ".yaml", ".yml"},
+                                 "give a tool path as .csv or .yaml");
 }
 
-ToolPath load_tool_path(const std::string& path) {
+ToolPathFile load_tool_path_file(const std::string& path, const PathConventions& conventions) {
   const Format format = format_of(path);
   const std::string text = scan_cell_common::read_file(path);
   refuse_utf16(text, path);
-  ToolPath result =
-      format == Format::kCsv ? parse_tool_path_csv(text, path) : parse_tool_path_yaml(text, path);
-  if (result.name == path) result.name = std::filesystem::path(path).stem().string();
-  return result;
+  ToolPathFile file = format == Format::kCsv ? parse_tool_path_csv(text, path, conventions)
+                                             : parse_tool_path_yaml(text, path, conventions);
+  if (file.path.name == path) file.path.name = std::filesystem::path(path).stem().string();
+  return file;
 }
 
-void save_tool_path(const std::string& path, const ToolPath& tool_path) {
+ToolPath load_tool_path(const std::string& path, const PathConventions& conventions) {
+  return load_tool_path_file(path, conventions).path;
+}
+
+void save_tool_path(const std::string& path, const ToolPath& tool_path, const PathLayout& layout) {
   const Format format = format_of(path);
   check(tool_path);
-  scan_cell_common::save_text(
-      path, format == Format::kCsv ? tool_path_to_csv(tool_path) : tool_path_to_yaml(tool_path));
+  scan_cell_common::save_text(path, format == Format::kCsv ? tool_path_to_csv(tool_path, layout)
+                                                           : tool_path_to_yaml(tool_path, layout));
 }
 
 }  // namespace tool_path_stretcher

@@ -28,6 +28,8 @@ std::string to_string(Reason reason) {
       return "cancelled";
     case Reason::kFoldOver:
       return "fold_over";
+    case Reason::kMirroredPart:
+      return "mirrored_part";
   }
   return "unknown";
 }

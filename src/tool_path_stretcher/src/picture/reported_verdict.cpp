@@ -26,18 +26,39 @@ Similarity similarity_of(const Json& rows) {
   return {scale, scaled / scale, matrix.topRightCorner<3, 1>()};
 }
 
+std::optional<FileRecord> file_of(const Json& file) {
+  if (file.is_null()) return {};
+  return FileRecord{file.at("name").get<std::string>(), file.at("sha256").get<std::string>(),
+                    file.at("units").get<std::string>()};
+}
+
+std::size_t count_of(const Json& count) {
+  return count.is_null() ? 0 : count.get<std::size_t>();
+}
+
 ReportedVerdict verdict_of(const Json& report) {
   ReportedVerdict verdict;
   verdict.accepted = report.at("verdict").get<std::string>() == "accepted";
   verdict.reason = report.at("reason").get<std::string>();
   verdict.message = report.at("message").get<std::string>();
   verdict.waypoints = report.at("waypoints_concerned").get<std::vector<std::size_t>>();
-  const bool aligned = report.at("inlier_ratio").get<double>() > 0;
+  const bool aligned = !report.at("transform").is_null();
   const Json& candidates = report.at("candidates");
   for (const Json& candidate : candidates)
     verdict.similarities.push_back(similarity_of(candidate.at("transform")));
   if (aligned && candidates.empty())
     verdict.similarities.push_back(similarity_of(report.at("transform")));
+  const Json& files = report.at("files");
+  verdict.reference = file_of(files.at("reference"));
+  verdict.object = file_of(files.at("object"));
+  verdict.path = file_of(files.at("path"));
+  verdict.output = file_of(files.at("output"));
+  verdict.reference_points = count_of(report.at("reference_points"));
+  verdict.object_points = count_of(report.at("object_points"));
+  const Json& given = report.at("path");
+  if (!given.is_null()) verdict.waypoints_given = given.at("waypoints").get<std::size_t>();
+  for (const Json& quality : report.at("quality"))
+    verdict.displacements.push_back(quality.at("displacement").get<double>());
   return verdict;
 }
 

@@ -204,9 +204,12 @@ void draw_paths(Canvas& canvas, const PictureInput& input, const Layout& layout)
   draw_red(canvas, input.verdict.waypoints, end);
 }
 
-void draw_words(Canvas& canvas, const ReportedVerdict& verdict) {
+/// @param adapted whether the adapted path is shown
+void draw_words(Canvas& canvas, const ReportedVerdict& verdict, bool adapted) {
   constexpr std::size_t kLongest = 105;
-  const std::string head = verdict.accepted ? "accepted" : "refused: " + verdict.reason;
+  const std::string accepted =
+      adapted ? "accepted" : "accepted; not shown: the adapted path (--adapted)";
+  const std::string head = verdict.accepted ? accepted : "refused: " + verdict.reason;
   canvas.text(head, 16, 28, 13, verdict.accepted ? darker(kGreen, 0.6) : kRed);
   std::istringstream words(verdict.message);
   std::string word, line;
@@ -257,7 +260,7 @@ void save_picture(const std::string& file, const PictureInput& input) {
   draw_surface(canvas, input.object, layout.object_turn, layout.shift,
                [&](std::size_t i) { return aligned ? heat_of(deviations[i]) : kPlain; });
   draw_paths(canvas, input, layout);
-  draw_words(canvas, input.verdict);
+  draw_words(canvas, input.verdict, input.adapted.has_value());
   draw_legend(canvas, brightest, aligned);
   canvas.save(file);
 }

@@ -6,7 +6,6 @@
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
-#include "tool_path_stretcher/report.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -205,7 +204,8 @@ scan_cell_msgs::WaypointQuality to_message(const WaypointQuality& quality) {
 }  // namespace
 
 scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
-                                                 const std_msgs::Header& header) {
+                                                 const std_msgs::Header& header,
+                                                 const RunRecord& record) {
   scan_cell_msgs::StretchToolPathResult message;
   message.verdict = to_message(result.verdict);
   message.path = to_message(result.path, header);
@@ -214,8 +214,8 @@ scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
   message.similarity = to_message(result.similarity);
   message.rms = result.rms;
   message.inlier_ratio = result.inlier_ratio;
-  message.seconds = result.seconds;
-  message.report = report_to_json(result);
+  message.seconds = total_seconds(result, record);
+  message.report = report_to_json(result, record);
   return message;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.h"
 
+#include <limits>
+
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/parameter_reader.h"
 
@@ -42,7 +44,9 @@ StretchParameters load_parameters(const ros::NodeHandle& private_node) {
   reader.read("scale", p.prior.scale.value, Range{0, 100});
   reader.read("scale_deviation", p.prior.scale.deviation, Range{0, 10});
   read_initial_pose(reader, p.prior);
-  reader.read("resample_spacing", p.resample_spacing, Range{0, 10});
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  reader.read("resample_spacing", p.resample_spacing, Range{-kInfinite, kInfinite});
+  check_resample_spacing(private_node.resolveName("resample_spacing"), p.resample_spacing);
   std::string stand_off = to_string(p.stand_off);
   reader.read_choice("stand_off", stand_off, {"keep", "scale"});
   p.stand_off = stand_off_from_string(stand_off);

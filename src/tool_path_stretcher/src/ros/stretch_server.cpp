@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stretch_server.h"
 
+#include <chrono>
+
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "tool_path_stretcher/ros/conversions.h"
@@ -53,7 +55,8 @@ bool StretchServer::on_progress(const std::string& stage, double progress) {
 }
 
 StretchResult StretchServer::run(const scan_cell_msgs::StretchToolPathGoal& goal,
-                                 const ToolPath& path) {
+                                 const ToolPath& path, RunRecord& record) {
+  const auto start = std::chrono::steady_clock::now();
   const StretchParameters parameters = with_goal(parameters_, goal);
   check_frame("object", goal.object.header, goal.reference.header);
   if (!goal.path.header.frame_id.empty()) {
@@ -64,27 +67,36 @@ StretchResult StretchServer::run(const scan_cell_msgs::StretchToolPathGoal& goal
     return surface_from_cloud(to_points(scan_cell_common::from_message(cloud)), parameters.leaf,
                               name);
   };
+  const Surface reference = surface(goal.reference, "reference");
+  const Surface object = surface(goal.object, "object");
+  record.seconds_reading =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return stretch(
-      surface(goal.reference, "reference"), surface(goal.object, "object"), path, parameters,
+      reference, object, path, parameters,
       [this](const std::string& stage, double done) { return on_progress(stage, done); });
 }
 
 void StretchServer::execute(const scan_cell_msgs::StretchToolPathGoalConstPtr& goal) {
   show_input(*goal);
   StretchResult result;
+  RunRecord record;
   ToolPath path;
   try {
     path = from_message(goal->path);
-    result = run(*goal, path);
+    record.path = contents_of(path);
+    ROS_INFO("path: %s", to_string(*record.path).c_str());
+    result = run(*goal, path, record);
   } catch (const scan_cell_common::Error& error) {
     result.verdict = {Reason::kUnusableInput, error.what(), {}};
   }
   show_paths(result.verdict.accepted() ? result.reference_path : path, result.path, *goal);
-  const scan_cell_msgs::StretchToolPathResult message = to_message(result, goal->object.header);
+  const scan_cell_msgs::StretchToolPathResult message =
+      to_message(result, goal->object.header, record);
   const Verdict& verdict = result.verdict;
   if (verdict.accepted()) {
-    ROS_INFO("path adapted in %.2f s: scale %.4f, rms %.3f mm", result.seconds,
-             result.similarity.scale, 1e3 * result.rms);
+    ROS_INFO("path adapted in %.2f s: %s; scale %.4f, rms %.3f mm", message.seconds,
+             to_string(summary_of(result.quality)).c_str(), result.similarity.scale,
+             1e3 * result.rms);
     server_.setSucceeded(message, verdict.message);
   } else if (verdict.reason == Reason::kCancelled) {
     server_.setPreempted(message, verdict.message);

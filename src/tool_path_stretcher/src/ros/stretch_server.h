@@ -7,6 +7,7 @@
 #include <scan_cell_msgs/StretchToolPathAction.h>
 
 #include "parameters.h"
+#include "tool_path_stretcher/report.h"
 
 namespace tool_path_stretcher {
 
@@ -18,7 +19,8 @@ class StretchServer {
 
  private:
   void execute(const scan_cell_msgs::StretchToolPathGoalConstPtr& goal);
-  StretchResult run(const scan_cell_msgs::StretchToolPathGoal& goal, const ToolPath& path);
+  StretchResult run(const scan_cell_msgs::StretchToolPathGoal& goal, const ToolPath& path,
+                    RunRecord& record);
   bool on_progress(const std::string& stage, double progress);
   void show_input(const scan_cell_msgs::StretchToolPathGoal& goal);
   void show_paths(const ToolPath& reference, const ToolPath& adapted,

@@ -4,8 +4,10 @@
 #include "stretch_server.h"
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(argc, argv, "tool_path_stretcher", [] {
-    const tool_path_stretcher::StretchServer server(ros::NodeHandle("~"));
-    ros::spin();
-  });
+  return scan_cell_common::node_main(
+      argc, argv, "tool_path_stretcher",
+      "Adapts a tool path proven on a reference part to a scanned object: an action.", [] {
+        const tool_path_stretcher::StretchServer server(ros::NodeHandle("~"));
+        ros::spin();
+      });
 }

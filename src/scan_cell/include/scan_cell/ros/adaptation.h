@@ -5,6 +5,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <string>
+#include <vector>
 
 #include "scan_cell/ros/cell_client.h"
 
@@ -16,6 +17,9 @@ struct AdaptationFiles {
   std::string path;       //!< tool path proven on it, CSV or YAML
   std::string output;     //!< folder for object.ply, adapted_path.csv and report.json
 };
+
+/// Of the results in that folder.
+std::vector<std::string> result_names();
 
 /// Makes the folder and removes what an earlier run left in it, so that nothing of it can be taken
 /// for a result of this one. Call it before anything else is done.

@@ -10,6 +10,7 @@
 #include <functional>
 #include <string>
 
+#include "scan_cell/ros/cell_watcher.h"
 #include "scan_cell/scan_program.h"
 
 namespace scan_cell {
@@ -17,11 +18,13 @@ namespace scan_cell {
 /// Uses a running cell the way a person does: scan, take the clean cloud, adapt a path.
 /// Its calls block; callbacks of the node must be served by another thread (ros::AsyncSpinner).
 /// While a goal is under way SIGINT, SIGTERM and SIGHUP cancel it, and the call returns its result.
+/// Where this process dies, SIGKILL too, the cell cancels a scan or a calibration by itself.
 class CellClient {
  public:
   struct Names {
     std::string scan = "/scan_cell/scan";                  //!< action
     std::string calibrate = "/scan_cell/calibrate";        //!< action
+    std::string state = "/scan_cell/state";                //!< topic
     std::string stretch = "/tool_path_stretcher/stretch";  //!< action
     std::string clean_cloud = "/preprocess/clean_cloud";   //!< topic, end of the preprocessing
     std::string report = "/preprocess/report";             //!< topic, reports of its stages
@@ -56,6 +59,7 @@ class CellClient {
  private:
   ros::NodeHandle node_;
   Names names_;
+  CellWatcher watcher_;
 };
 
 }  // namespace scan_cell

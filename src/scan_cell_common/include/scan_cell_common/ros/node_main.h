@@ -5,10 +5,23 @@
 #include <functional>
 #include <string>
 
+#include "scan_cell_common/tool_main.h"
+
 namespace scan_cell_common {
 
-/// The main() of a node: initialises ROS, runs `body` (which makes the node and spins), and turns
-/// an error into one fatal line and exit code 1.
-int node_main(int argc, char** argv, const std::string& name, const std::function<void()>& body);
+/// The main() of a node: answers --help and --version without ROS, initialises ROS, runs `body`
+/// (which makes the node and spins), and turns an error into one fatal line and exit code 1. Any
+/// other word on its command line that is not one of ROS (NAME:=VALUE) is refused. SIGTERM and
+/// SIGHUP end the node as Ctrl-C does: ROS shuts down, `body` returns, what it made is destroyed.
+/// @param description one sentence for --help
+/// @param before_threads what must be done while the process has one thread, such as a fork
+int node_main(int argc, char** argv, const std::string& name, const std::string& description,
+              const std::function<void()>& body, const std::function<void()>& before_threads = {});
+
+/// tool_main() of a tool that is a client of a running cell: takes ROS' own words (NAME:=VALUE) off
+/// the command line, and runs `body` under an anonymous node name with two threads for callbacks.
+int ros_tool_main(const std::string& name, CLI::App& options, int argc, char** argv,
+                  const std::function<int()>& body, int refused = kUnusable,
+                  const Outputs& outputs = {});
 
 }  // namespace scan_cell_common

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "scan_cell_common/ros/node_main.h"
+#include "scan_cell_common/ros/shutdown_request.h"
 
 /// A node's topics and services, as a class with a constructor (node, private node, parameters),
 /// where they run: in a process of their own, or in a nodelet manager's.
@@ -19,10 +20,10 @@ namespace scan_cell_common {
 /// Of the calls: diagnostics, and a second call while one waits.
 constexpr int kServiceThreads = 3;
 
-/// The main() of a node.
+/// The main() of a node; as node_main().
 template <class Services, class Parameters>
-int services_main(int argc, char** argv, const std::string& name) {
-  return node_main(argc, argv, name, [] {
+int services_main(int argc, char** argv, const std::string& name, const std::string& description) {
+  return node_main(argc, argv, name, description, [] {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     ros::AsyncSpinner spinner(kServiceThreads);
@@ -37,6 +38,7 @@ int services_main(int argc, char** argv, const std::string& name) {
 template <class Services, class Parameters>
 class ServicesNodelet : public nodelet::Nodelet {
   void onInit() override {
+    shut_down_on_signals();
     try {
       ros::NodeHandle node = getNodeHandle();
       ros::NodeHandle private_node = getPrivateNodeHandle();

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "scan_cell_sim/controller/motion_control.h"
-#include "scan_cell_sim/controller/wire_pose.h"
 
 namespace scan_cell_sim {
 
@@ -16,8 +16,9 @@ class ControllerParameters {
   /// @param stream_period [s]
   ControllerParameters(MotionControl& motion, double stream_period);
 
+  /// What was set reads back as it was set, to the last digit.
   /// @throw ControllerRefusal if there is no such parameter
-  nlohmann::json get(const std::string& name) const;
+  const nlohmann::json& get(const std::string& name) const;
 
   /// @throw ControllerRefusal if there is none, it is read-only, or the value makes no sense
   void set(const std::string& name, const nlohmann::json& value, scan_cell_common::Nanoseconds now);
@@ -25,11 +26,12 @@ class ControllerParameters {
   double stream_period() const { return stream_period_; }  //!< [s]
 
  private:
+  void set_motion(const std::string& name, const nlohmann::json& value,
+                  scan_cell_common::Nanoseconds now);
+
   MotionControl& motion_;
   double stream_period_;
-  WireSix base_frame_{};
-  WireSix tool_frame_{};
-  WireSix user_frame_{};
+  std::map<std::string, nlohmann::json> values_;
 };
 
 }  // namespace scan_cell_sim

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 
 namespace scan_cell_sim {
 
@@ -14,6 +15,9 @@ struct Peer {
 
   bool operator==(const Peer& other) const {
     return address == other.address && port == other.port;
+  }
+  bool operator<(const Peer& other) const {
+    return std::tie(address, port) < std::tie(other.address, other.port);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace scan_cell_sim {
 
@@ -28,8 +29,22 @@ std::string outside_limits(const Joints& joints);
 /// Pose of the flange (tool0) in base_link.
 Eigen::Isometry3d flange_of(const Joints& joints);
 
-/// Joints that bring the flange there, in the posture nearest to `near`; checked by forward
-/// kinematics to a nanometre and a nanoradian. Ranges are not regarded.
+/// All postures that bring the flange there, up to eight, in closed form: none where it is out of
+/// reach. Ranges are not regarded.
+/// @param near each axis is by full turns as near to it as its range allows; it also decides what
+/// a singular posture leaves open
+std::vector<Joints> postures_of(const Eigen::Isometry3d& flange, const Joints& near);
+
+/// The nearest of them; none where the flange is out of reach.
 std::optional<Joints> joints_of(const Eigen::Isometry3d& flange, const Joints& near);
+
+/// How far this arm is from its three singular postures; each changes its sign where the arm passes
+/// through. Their product vanishes where the determinant of the Jacobian does.
+struct SingularPostures {
+  double wrist;     //!< [rad] J5: at 0, axes 4 and 6 lie in line
+  double elbow;     //!< [rad] bend of the elbow: at 0, the arm is stretched out to the wrist
+  double shoulder;  //!< [m] of the wrist's centre from axis 1, forward
+};
+SingularPostures distance_to_singular(const Joints& joints);
 
 }  // namespace scan_cell_sim

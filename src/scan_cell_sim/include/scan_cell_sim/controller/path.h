@@ -39,8 +39,11 @@ struct LineSettings {
 /// @throw ControllerRefusal if `to` is outside the ranges
 PlannedPath plan_joint_path(const Joints& from, const Joints& to);
 
-/// A straight line of the flange from where `from` puts it.
-/// @throw ControllerRefusal if any part of it is out of reach, outside the ranges or singular
+/// A straight line of the flange from where `from` puts it, in the posture of `from`.
+/// @throw ControllerRefusal if any part of it, its ends too, is out of reach, outside the ranges or
+/// singular: J5 or the bend of the elbow within half a degree of 0, the wrist's centre within 5 mm
+/// of axis 1, or passing there; or where an axis turns by more than 20 degrees while the flange
+/// goes 10 mm or turns by 2 degrees
 PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
                       const LineSettings& settings);
 
@@ -48,7 +51,7 @@ PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
 /// second.
 double flange_travel(const Path& path);
 
-/// Joints for a pose that is far away, in the posture nearest to `near`.
+/// Joints for a pose that is far away: of the postures within the ranges the nearest to `near`.
 /// @throw ControllerRefusal if it is out of reach or outside the ranges
 Joints reach(const Eigen::Isometry3d& flange, const Joints& near);
 

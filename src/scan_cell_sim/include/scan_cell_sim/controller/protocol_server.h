@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <random>
@@ -60,7 +61,8 @@ class ProtocolServer {
   using Json = nlohmann::json;
 
   Json reply(const Json& request, const Datagram& datagram, Nanoseconds now);
-  void open(const Json& request, const Peer& from, Nanoseconds now);
+  void open(const Json& request, std::uint64_t session, std::uint64_t seq, const Peer& from,
+            Nanoseconds now);
   Json take_up(const Json& request, const std::string& datagram, Nanoseconds now);
   Json perform(const Json& request, Nanoseconds now);
   Json state(const MotionState& truth, Nanoseconds now);
@@ -74,8 +76,8 @@ class ProtocolServer {
   Witness witness_;
 
   std::optional<Peer> client_;
-  std::optional<Peer> last_client_;  // session_ is its latest, open or ended
   std::uint64_t session_ = 0;
+  std::map<Peer, std::uint64_t> latest_sessions_;  // of each client, open or ended
   std::uint64_t last_seq_ = 0;
   std::string last_answer_;
   Nanoseconds last_heard_ = 0;

@@ -26,6 +26,7 @@ enum class ControllerErrorCode {
   MotionFailed = 15,
   Mode = 16,
   Alarm = 17,
+  OutOfTurn = 18,
 };
 
 /// What the controller complains of: why a motion did not arrive, or an alarm.

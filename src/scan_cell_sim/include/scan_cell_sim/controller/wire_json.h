@@ -23,6 +23,8 @@ const nlohmann::json& entry(const nlohmann::json& request, const std::string& na
 double number(const nlohmann::json& value, const std::string& name, double least, double most);
 std::string text(const nlohmann::json& value, const std::string& name);
 WireSix six(const nlohmann::json& value, const std::string& name);
+/// x, y, z, A, E, R in the ranges that are taken.
+WireSix pose(const nlohmann::json& value, const std::string& name);
 bool truth(const nlohmann::json& value, const std::string& name);
 std::uint64_t whole(const nlohmann::json& value, const std::string& name);
 

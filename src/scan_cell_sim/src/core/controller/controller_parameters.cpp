@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/controller/controller_parameters.h"
 
+#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "scan_cell_sim/controller/wire_json.h"
 
@@ -18,64 +18,99 @@ constexpr double kPercent = 0.01;
 constexpr double kMillimetre = 1e-3;
 constexpr double kDegree = M_PI / 180;
 
+/// A setting of motions that is a number.
+struct NumberSetting {
+  const char* name;
+  double least, most;  // in its unit on the wire
+  double unit;         // in SI
+  double& (*of)(MotionSettings&);
+};
+
+const std::array<NumberSetting, 4> kNumbers = {
+    {{"override", 0.01, 100, kPercent, [](MotionSettings& s) -> double& { return s.override; }},
+     {"linear_speed", 0.01, 1500, kMillimetre,
+      [](MotionSettings& s) -> double& { return s.line.speed; }},
+     {"linear_acceleration", 10, 5000, kMillimetre,
+      [](MotionSettings& s) -> double& { return s.line.acceleration; }},
+     {"rotational_speed", 1, 180, kDegree,
+      [](MotionSettings& s) -> double& { return s.line.rotational_speed; }}}};
+
+/// A setting of motions that is "linear" or another word.
+struct WordSetting {
+  const char* name;
+  const char* other;
+  bool& (*is_other)(MotionSettings&);
+};
+
+const std::array<WordSetting, 2> kWords = {
+    {{"motion_type", "joint", [](MotionSettings& s) -> bool& { return s.in_joints; }},
+     {"interpolation", "euler", [](MotionSettings& s) -> bool& { return s.line.euler; }}}};
+
+/// A default as a person would write it.
+double without_rounding(double value) {
+  constexpr double kSteps = 1e9;
+  return std::round(value * kSteps) / kSteps;
+}
+
+bool is_frame(const std::string& name) {
+  return name == "base_frame" || name == "tool_frame" || name == "user_frame";
+}
+
 }  // namespace
 
 ControllerParameters::ControllerParameters(MotionControl& motion, double stream_period)
-    : motion_(motion), stream_period_(stream_period) {}
+    : motion_(motion), stream_period_(stream_period) {
+  MotionSettings settings = motion.settings();
+  for (const NumberSetting& number : kNumbers)
+    values_[number.name] = without_rounding(number.of(settings) / number.unit);
+  for (const WordSetting& word : kWords)
+    values_[word.name] = word.is_other(settings) ? word.other : "linear";
+  for (const char* const frame : {"base_frame", "tool_frame", "user_frame"})
+    values_[frame] = WireSix{};
+  values_["stream_period"] = without_rounding(stream_period / kMillimetre);
+  values_["model"] = "smart5_six (simulated)";
+  values_["joint_lower"] = shown(joint_limits().lower);
+  values_["joint_upper"] = shown(joint_limits().upper);
+  values_["joint_speed"] = shown(joint_limits().speed);
+}
 
-json ControllerParameters::get(const std::string& name) const {
-  const MotionSettings settings = motion_.settings();
-  if (name == "motion_type") return settings.in_joints ? "joint" : "linear";
-  if (name == "interpolation") return settings.line.euler ? "euler" : "linear";
-  if (name == "override") return settings.override / kPercent;
-  if (name == "linear_speed") return settings.line.speed / kMillimetre;
-  if (name == "linear_acceleration") return settings.line.acceleration / kMillimetre;
-  if (name == "rotational_speed") return settings.line.rotational_speed / kDegree;
-  if (name == "stream_period") return stream_period_ * 1000;
-  if (name == "base_frame") return base_frame_;
-  if (name == "tool_frame") return tool_frame_;
-  if (name == "user_frame") return user_frame_;
-  if (name == "model") return "smart5_six (simulated)";
-  if (name == "joint_lower") return to_wire(joint_limits().lower);
-  if (name == "joint_upper") return to_wire(joint_limits().upper);
-  if (name == "joint_speed") return to_wire(joint_limits().speed);
+const json& ControllerParameters::get(const std::string& name) const {
+  const auto found = values_.find(name);
+  if (found != values_.end()) return found->second;
   throw ControllerRefusal(Code::UnknownParameter, "no parameter " + name);
 }
 
 void ControllerParameters::set(const std::string& name, const json& value, Nanoseconds now) {
-  MotionSettings settings = motion_.settings();
-  if (name == "motion_type" || name == "interpolation") {
-    const std::string word = text(value, name);
-    const std::string other = name == "motion_type" ? "joint" : "euler";
-    if (word != "linear" && word != other) {
-      throw ControllerRefusal(Code::OutOfRange, name + " is linear or " + other);
-    }
-    (name == "motion_type" ? settings.in_joints : settings.line.euler) = word == other;
-    motion_.set(settings, now);
-  } else if (name == "base_frame") {
-    base_frame_ = six(value, name);
-  } else if (name == "tool_frame") {
-    tool_frame_ = six(value, name);
-  } else if (name == "user_frame") {
-    user_frame_ = six(value, name);
-  } else if (name == "override") {
-    settings.override = number(value, name, 0.01, 100) * kPercent;
-    motion_.set(settings, now);
-  } else if (name == "linear_speed") {
-    settings.line.speed = number(value, name, 0.01, 1500) * kMillimetre;
-    motion_.set(settings, now);
-  } else if (name == "linear_acceleration") {
-    settings.line.acceleration = number(value, name, 10, 5000) * kMillimetre;
-    motion_.set(settings, now);
-  } else if (name == "rotational_speed") {
-    settings.line.rotational_speed = number(value, name, 1, 180) * kDegree;
-    motion_.set(settings, now);
+  get(name);  // throws where there is none
+  if (is_frame(name)) {
+    pose(value, name);
   } else if (name == "stream_period") {
-    stream_period_ = number(value, name, 2, 10) / 1000;
+    stream_period_ = number(value, name, 2, 10) * kMillimetre;
   } else {
-    get(name);  // throws where there is none
-    throw ControllerRefusal(Code::ReadOnly, name + " is read-only");
+    set_motion(name, value, now);
   }
+  values_[name] = value;
+}
+
+void ControllerParameters::set_motion(const std::string& name, const json& value, Nanoseconds now) {
+  MotionSettings settings = motion_.settings();
+  bool known = false;
+  for (const NumberSetting& setting : kNumbers) {
+    if (name != setting.name) continue;
+    known = true;
+    setting.of(settings) = number(value, name, setting.least, setting.most) * setting.unit;
+  }
+  for (const WordSetting& setting : kWords) {
+    if (name != setting.name) continue;
+    known = true;
+    const std::string word = text(value, name);
+    if (word != "linear" && word != setting.other) {
+      throw ControllerRefusal(Code::OutOfRange, name + " is linear or " + setting.other);
+    }
+    setting.is_other(settings) = word == setting.other;
+  }
+  if (!known) throw ControllerRefusal(Code::ReadOnly, name + " is read-only");
+  motion_.set(settings, now);
 }
 
 }  // namespace scan_cell_sim

@@ -5,26 +5,25 @@
 #include <cmath>
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
-#include <kdl/chainiksolverpos_lma.hpp>
-#include <kdl/chainjnttojacsolver.hpp>
 #include <sstream>
+
+#include "arm.h"
 
 namespace scan_cell_sim {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-// Made from the data sheet's lengths and not from the URDF, so that an error in one of them shows.
 KDL::Chain make_chain() {
   using KDL::Frame;
   using KDL::Joint;
   using KDL::Rotation;
   using KDL::Segment;
   using KDL::Vector;
-  constexpr double kD1 = 0.450, kA1 = 0.150, kA2 = 0.590, kA3 = 0.130, kD4 = 0.64707, kD6 = 0.095;
   const Rotation forearm_up = Rotation::RotY(-M_PI / 2);
-  // z of the flange along the forearm; with the wrist straight and the forearm level, x is up
-  const Rotation flange(Vector(0, 0, 1), Vector(0, -1, 0), Vector(1, 0, 0));
+  const Eigen::Matrix3d turn = flange_turn();
+  const auto column = [&turn](int i) { return Vector(turn(0, i), turn(1, i), turn(2, i)); };
+  const Rotation flange(column(0), column(1), column(2));
   const auto axis = [](const Vector& direction) {
     return Joint(Vector::Zero(), direction, Joint::RotAxis);
   };
@@ -71,32 +70,6 @@ Eigen::Isometry3d from_kdl(const KDL::Frame& frame) {
   return pose;
 }
 
-KDL::Frame to_kdl(const Eigen::Isometry3d& pose) {
-  KDL::Frame frame;
-  for (int row = 0; row < 3; ++row) {
-    frame.p[row] = pose.translation()[row];
-    for (int column = 0; column < 3; ++column)
-      frame.M(row, column) = pose.linear()(row, column);
-  }
-  return frame;
-}
-
-/// Small motion from one pose to the other: translation [m], then rotation vector [rad], in
-/// base_link.
-Eigen::Matrix<double, 6, 1> twist(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
-  const Eigen::AngleAxisd turn(to.linear() * from.linear().transpose());
-  Eigen::Matrix<double, 6, 1> result;
-  result << to.translation() - from.translation(), turn.angle() * turn.axis();
-  return result;
-}
-
-Eigen::Matrix<double, 6, 6> jacobian(const Joints& joints) {
-  KDL::ChainJntToJacSolver solver(chain());
-  KDL::Jacobian result(6);
-  solver.JntToJac(to_kdl(joints), result);
-  return result.data;
-}
-
 }  // namespace
 
 const JointLimits& joint_limits() {
@@ -125,22 +98,10 @@ Eigen::Isometry3d flange_of(const Joints& joints) {
   return from_kdl(frame);
 }
 
-std::optional<Joints> joints_of(const Eigen::Isometry3d& flange, const Joints& near) {
-  constexpr double kPrecision = 1e-9;  // [m] and [rad]
-  constexpr double kNear = 1e-5;       // KDL takes smaller rotations for none: Newton does the rest
-  constexpr int kIterations = 100;
-  constexpr int kNewtonSteps = 4;
-  const Eigen::Matrix<double, 6, 1> weights = Eigen::Matrix<double, 6, 1>::Ones();
-  KDL::ChainIkSolverPos_LMA solver(chain(), weights, kNear, kIterations);
-  KDL::JntArray found(6);
-  solver.CartToJnt(to_kdl(near), to_kdl(flange), found);
-  Joints joints = found.data;
-  for (int step = 0; step <= kNewtonSteps && joints.allFinite(); ++step) {
-    const Joints error = twist(flange_of(joints), flange);
-    if (error.head<3>().norm() < kPrecision && error.tail<3>().norm() < kPrecision) return joints;
-    joints += jacobian(joints).fullPivLu().solve(error);
-  }
-  return std::nullopt;
+SingularPostures distance_to_singular(const Joints& joints) {
+  const double bend = joints[2] + kForearmAngle;
+  const double reached = kA1 + kA2 * std::sin(joints[1]) + kForearm * std::sin(joints[1] - bend);
+  return {joints[4], bend, reached};
 }
 
 }  // namespace scan_cell_sim

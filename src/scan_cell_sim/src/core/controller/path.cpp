@@ -56,20 +56,25 @@ class LinePath : public Path {
 
   double length() const { return (to_.translation() - from_.translation()).norm(); }
 
-  /// [rad] the way of the rotation
-  double angle() const {
-    if (!euler_) return Eigen::AngleAxisd(from_.linear().transpose() * to_.linear()).angle();
-    double sum = 0;
-    for (int i = 3; i < 6; ++i)
-      sum += std::abs(wire_to_[i] - wire_from_[i]) * M_PI / 180;
-    return sum;
-  }
+  /// [rad] what the rotational speed is of: the turn about the one axis, or of A, E and R the most
+  double angle() const { return euler_ ? changes().maxCoeff() : turn(); }
 
   /// Follows the line from knot to knot.
   /// @return [1/s] the most that the axes allow
   double follow(const Joints& from);
 
  private:
+  double turn() const {
+    return Eigen::AngleAxisd(from_.linear().transpose() * to_.linear()).angle();
+  }
+
+  /// [rad] of A, E, R
+  Eigen::Vector3d changes() const {
+    const Eigen::Vector3d degrees(wire_to_[3] - wire_from_[3], wire_to_[4] - wire_from_[4],
+                                  wire_to_[5] - wire_from_[5]);
+    return degrees.cwiseAbs() * M_PI / 180;
+  }
+
   Eigen::Isometry3d from_;
   Eigen::Isometry3d to_;
   bool euler_;
@@ -78,32 +83,61 @@ class LinePath : public Path {
   std::vector<Joints> knots_;
 };
 
+/// True where the arm stands in a singular posture, or passed one since `before`.
+bool singular(const Joints& before, const Joints& joints) {
+  constexpr double kAngle = 0.5 * M_PI / 180;
+  constexpr double kDistance = 0.005;  // [m]
+  const SingularPostures was = distance_to_singular(before);
+  const SingularPostures is = distance_to_singular(joints);
+  const auto met = [](double then, double now, double least) {
+    return std::abs(now) < least || (then < 0) != (now < 0);
+  };
+  return met(was.wrist, is.wrist, kAngle) || met(was.elbow, is.elbow, kAngle) ||
+         met(was.shoulder, is.shoulder, kDistance);
+}
+
+void refuse_singular(const Joints& before, const Joints& joints) {
+  constexpr double kMostTurn = 0.35;  // [rad] more from knot to knot turns the wrist over
+  if (singular(before, joints)) {
+    throw ControllerRefusal(ControllerErrorCode::Singular, "the line passes a singular posture");
+  }
+  if ((joints - before).cwiseAbs().maxCoeff() > kMostTurn) {
+    throw ControllerRefusal(ControllerErrorCode::Singular, "the line turns the wrist over");
+  }
+}
+
 double LinePath::follow(const Joints& from) {
   constexpr double kKnotLength = 0.01;  // [m]
   constexpr double kKnotAngle = 0.035;  // [rad]
-  constexpr double kJump = 0.35;  // [rad] an axis that turns more from knot to knot flips over
+  const double turned = euler_ ? changes().sum() : turn();
   const double steps =
-      std::ceil(std::max({1.0, length() / kKnotLength, angle() / kKnotAngle}) - kNothing);
+      std::ceil(std::max({1.0, length() / kKnotLength, turned / kKnotAngle}) - kNothing);
   double most_speed = std::numeric_limits<double>::infinity();
+  refuse_singular(from, from);
   knots_.assign(1, from);
   for (double step = 1; step <= steps; ++step) {
     const auto next = joints_of(flange(step / steps), knots_.back());
     if (!next) {
       throw ControllerRefusal(ControllerErrorCode::OutOfReach, "the line leaves the robot's reach");
     }
+    refuse_singular(knots_.back(), *next);
     const std::string outside = outside_limits(*next);
     if (!outside.empty()) {
       throw ControllerRefusal(ControllerErrorCode::JointLimit, "on the line " + outside);
     }
     const Joints turn = (*next - knots_.back()).cwiseAbs();
-    if (turn.maxCoeff() > kJump) {
-      throw ControllerRefusal(ControllerErrorCode::Singular, "the line passes a singular posture");
-    }
     const double share = (turn * steps).cwiseQuotient(joint_limits().speed).maxCoeff();
     most_speed = std::min(most_speed, 1 / std::max(share, kNothing));
     knots_.push_back(*next);
   }
   return most_speed;
+}
+
+/// @return the postures that reach the pose
+std::vector<Joints> refuse_out_of_reach(const Eigen::Isometry3d& flange, const Joints& near) {
+  std::vector<Joints> postures = postures_of(flange, near);
+  if (!postures.empty()) return postures;
+  throw ControllerRefusal(ControllerErrorCode::OutOfReach, "no posture reaches the pose");
 }
 
 }  // namespace
@@ -122,6 +156,7 @@ PlannedPath plan_joint_path(const Joints& from, const Joints& to) {
 
 PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
                       const LineSettings& settings) {
+  refuse_out_of_reach(to, from);  // before it is followed, however far away it is
   const auto line = std::make_shared<LinePath>(flange_of(from), to, settings.euler);
   constexpr double kSpinUp = 4;  // [1/s] full rotational speed in a quarter of a second
   PlannedPath plan;
@@ -148,19 +183,14 @@ double flange_travel(const Path& path) {
 }
 
 Joints reach(const Eigen::Isometry3d& flange, const Joints& near) {
-  constexpr double kDegree = M_PI / 180;
-  const Joints upright = kDegree * (Joints() << 0, 0, -90, 0, 60, 0).finished();
-  Joints turned = upright;
-  turned[0] = -std::atan2(flange.translation().y(), flange.translation().x());
-  std::string outside;
-  for (const Joints& guess : {near, upright, turned}) {
-    const auto found = joints_of(flange, guess);
-    if (!found) continue;
-    outside = outside_limits(*found);
-    if (outside.empty()) return *found;
+  std::vector<Joints> postures = refuse_out_of_reach(flange, near);
+  std::sort(postures.begin(), postures.end(), [&near](const Joints& one, const Joints& other) {
+    return (one - near).norm() < (other - near).norm();
+  });
+  for (const Joints& joints : postures) {
+    if (outside_limits(joints).empty()) return joints;
   }
-  if (!outside.empty()) throw ControllerRefusal(ControllerErrorCode::JointLimit, outside);
-  throw ControllerRefusal(ControllerErrorCode::OutOfReach, "no posture reaches the pose");
+  throw ControllerRefusal(ControllerErrorCode::JointLimit, outside_limits(postures.front()));
 }
 
 }  // namespace scan_cell_sim

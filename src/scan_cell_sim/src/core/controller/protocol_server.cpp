@@ -3,7 +3,6 @@
 #include "scan_cell_sim/controller/protocol_server.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_sim/controller/wire_json.h"
@@ -18,8 +17,6 @@ using scan_cell_common::Nanoseconds;
 constexpr int kVersion = 1;
 constexpr Nanoseconds kClientSilence = 1'000'000'000;
 constexpr Nanoseconds kStreamTail = 200'000'000;
-constexpr double kPercent = 0.01;
-constexpr double kMillimetre = 1e-3;
 
 /// [Hz]
 double camera_rate(const json& request) {
@@ -27,13 +24,14 @@ double camera_rate(const json& request) {
   return number(entry(request, "camera_fps"), "camera_fps", 0, kMost);
 }
 
-/// @param linear, angular steps in a unit @param first_angle where the angles begin
-WireSix rounded(WireSix values, double linear, double angular, int first_angle) {
-  for (int i = 0; i < 6; ++i) {
-    const double steps = i < first_angle ? linear : angular;
-    values[i] = std::round(values[i] * steps) / steps;
+void require_version(const json& request) {
+  if (whole(entry(request, "c4g"), "c4g") != kVersion) {
+    throw ControllerRefusal(Code::Version, "this controller speaks version 1");
   }
-  return values;
+}
+
+std::string command_of(const json& request) {
+  return text(entry(request, "cmd"), "cmd");
 }
 
 /// @param what may repeat what a client sent: it is cut so that any answer fits into a datagram
@@ -94,23 +92,21 @@ std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nano
 
 json ProtocolServer::reply(const json& request, const Datagram& datagram, Nanoseconds now) {
   const Peer& from = datagram.peer;
-  if (entry(request, "c4g") != kVersion) {
-    throw ControllerRefusal(Code::Version, "this controller speaks version 1");
-  }
-  const std::string command = text(entry(request, "cmd"), "cmd");
   const std::uint64_t session = whole(entry(request, "session"), "session");
   const std::uint64_t seq = whole(entry(request, "seq"), "seq");
-  const bool from_client = client_ && from == *client_;
-  if (command == "OPEN" && !(from_client && session == session_)) open(request, from, now);
   if (!client_ || !(from == *client_) || session != session_) {
-    throw ControllerRefusal(client_ && !(from == *client_) ? Code::Busy : Code::Session,
-                            "this session is not open");
+    open(request, session, seq, from, now);
   }
   last_heard_ = now;
   if (seq == last_seq_ && !last_answer_.empty()) return last_answer_;
   if (seq <= last_seq_) {
     throw ControllerRefusal(Code::Straggler, "request " + std::to_string(seq) + " comes after " +
                                                  std::to_string(last_seq_));
+  }
+  if (seq - last_seq_ > 1) {
+    throw ControllerRefusal(Code::OutOfTurn, "request " + std::to_string(seq) +
+                                                 " is out of turn, the next is " +
+                                                 std::to_string(last_seq_ + 1));
   }
   last_seq_ = seq;
   last_answer_.clear();
@@ -133,32 +129,39 @@ json ProtocolServer::take_up(const json& request, const std::string& datagram, N
   }
 }
 
-void ProtocolServer::open(const json& request, const Peer& from, Nanoseconds now) {
-  const std::uint64_t session = whole(entry(request, "session"), "session");
+/// @throw ControllerRefusal if the request does not begin a session
+void ProtocolServer::open(const json& request, std::uint64_t session, std::uint64_t seq,
+                          const Peer& from, Nanoseconds now) {
+  require_version(request);
+  const bool opens = command_of(request) == "OPEN";
   if (client_ && !(from == *client_)) {
     throw ControllerRefusal(Code::Busy, "another client has the controller");
   }
-  if (last_client_ && from == *last_client_ && session <= session_) {
+  if (!opens) throw ControllerRefusal(Code::Session, "this session is not open");
+  const auto latest = latest_sessions_.find(from);
+  if (latest != latest_sessions_.end() && session <= latest->second) {
     throw ControllerRefusal(Code::Session, "not a newer session than the client's last one");
   }
+  if (seq != 1) throw ControllerRefusal(Code::OutOfTurn, "the seq of OPEN is 1");
   motion_.forget(now);
-  client_ = last_client_ = from;
-  session_ = session;
+  client_ = from;
+  session_ = latest_sessions_[from] = session;
   last_seq_ = 0;
   last_answer_.clear();
   streamed_ = 0;
 }
 
 json ProtocolServer::perform(const json& request, Nanoseconds now) {
-  const std::string command = request["cmd"].get<std::string>();
-  if (command.compare(0, 4, "MOVE") == 0)
-    last_moving_ = now;  // the shortest motion is streamed too
+  require_version(request);
+  const std::string command = command_of(request);
   if (command == "MOVE_CARTESIAN") {
-    motion_.move_to_pose(last_seq_, pose_from_wire(six(entry(request, "pose"), "pose")),
+    motion_.move_to_pose(last_seq_, pose_from_wire(pose(entry(request, "pose"), "pose")),
                          camera_rate(request), now);
+    last_moving_ = now;  // the shortest motion is streamed too
   } else if (command == "MOVE_JOINT") {
     motion_.move_to_joints(last_seq_, joints_from_wire(six(entry(request, "joints"), "joints")),
                            camera_rate(request), now);
+    last_moving_ = now;
   } else if (command == "STOP") {
     motion_.stop(std::nullopt, now);
   } else if (command == "SET_OVERRIDE") {
@@ -177,7 +180,9 @@ json ProtocolServer::perform(const json& request, Nanoseconds now) {
   } else if (command == "CLOSE") {
     motion_.forget(now);
     client_.reset();
-  } else if (command != "OPEN" && command != "GET_STATIC_POSE") {
+  } else if (command == "OPEN") {
+    if (last_seq_ != 1) throw ControllerRefusal(Code::OutOfTurn, "this session is open already");
+  } else if (command != "GET_STATIC_POSE") {
     throw ControllerRefusal(Code::UnknownCommand, "unknown command " + command);
   }
   return json::object();
@@ -199,11 +204,9 @@ Eigen::Isometry3d ProtocolServer::measured(const Eigen::Isometry3d& flange) {
 }
 
 json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
-  constexpr double kMicrometres = 1000;  // in a millimetre
-  constexpr double kAngleSteps = 10000;  // in a degree
   json result = {{"t", clock_.microseconds(now)},
-                 {"pose", rounded(to_wire(measured(truth.flange)), kMicrometres, kAngleSteps, 3)},
-                 {"joints", rounded(to_wire(truth.joints), kAngleSteps, kAngleSteps, 0)},
+                 {"pose", shown(measured(truth.flange))},
+                 {"joints", shown(truth.joints)},
                  {"status", name_of(truth.status)},
                  {"motion", truth.motion},
                  {"progress", truth.progress},
@@ -211,8 +214,8 @@ json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
                  {"e_stop", truth.readiness.e_stop()},
                  {"drives", truth.readiness.drives()},
                  {"mode", name_of(truth.readiness.mode())},
-                 {"override", truth.settings.override / kPercent},
-                 {"linear_speed", truth.settings.line.speed / kMillimetre},
+                 {"override", parameters_.get("override")},
+                 {"linear_speed", parameters_.get("linear_speed")},
                  {"error", nullptr},
                  {"alarms", alarms_json(truth.readiness.alarms())}};
   if (truth.why) result["error"] = error_json(truth.why->code, truth.why->text);

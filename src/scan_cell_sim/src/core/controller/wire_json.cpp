@@ -3,7 +3,9 @@
 #include "scan_cell_sim/controller/wire_json.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
+#include <limits>
 
 #include "scan_cell_sim/controller/refusal.h"
 
@@ -57,13 +59,31 @@ std::string text(const json& value, const std::string& name) {
 }
 
 WireSix six(const json& value, const std::string& name) {
-  constexpr double kMost = 1e6;
+  constexpr double kAny = std::numeric_limits<double>::infinity();
   if (!value.is_array() || value.size() != 6) {
     throw ControllerRefusal(Code::Malformed, name + " is not six numbers");
   }
   WireSix result{};
   for (std::size_t i = 0; i < 6; ++i)
-    result[i] = number(value[i], name, -kMost, kMost);
+    result[i] = number(value[i], name, -kAny, kAny);
+  return result;
+}
+
+WireSix pose(const json& value, const std::string& name) {
+  constexpr double kFar = 1e5;  // [mm]
+  struct Range {
+    const char* name;
+    double least, most;
+  };
+  constexpr std::array<Range, 6> kRanges = {{{" x", -kFar, kFar},
+                                             {" y", -kFar, kFar},
+                                             {" z", -kFar, kFar},
+                                             {" A", -180, 180},
+                                             {" E", 0, 180},
+                                             {" R", -180, 180}}};
+  const WireSix result = six(value, name);
+  for (std::size_t i = 0; i < 6; ++i)
+    number(value[i], name + kRanges[i].name, kRanges[i].least, kRanges[i].most);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <scan_cell_msgs/ToolPath.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "tool_path_stretcher/report.h"
 #include "tool_path_stretcher/stretcher.h"
 
 namespace tool_path_stretcher {
@@ -32,6 +33,7 @@ visualization_msgs::MarkerArray correspondence_markers(const ToolPath& from, con
 
 /// @param header of the object's cloud
 scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
-                                                 const std_msgs::Header& header);
+                                                 const std_msgs::Header& header,
+                                                 const RunRecord& record = {});
 
 }  // namespace tool_path_stretcher

@@ -1,0 +1,44 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "laser_trigger/trigger_port.h"
+#include "scan_cell_common/timed_pose.h"
+
+namespace laser_trigger {
+
+/// The other end of a LoopbackPort, in the place of the simulator's circuit: hears what the
+/// register is set to. Not safe for use from several threads.
+class LoopbackCircuit {
+ public:
+  struct Write {
+    std::uint8_t data = 0;                   //!< the register
+    scan_cell_common::Nanoseconds time = 0;  //!< when the kernel received it, on host_now()'s clock
+  };
+
+  /// @param port 0: any free one
+  /// @throw scan_cell_common::ConnectionError if the address cannot be had, such as a taken port
+  LoopbackCircuit(const std::string& host, std::uint16_t port);
+  ~LoopbackCircuit();
+  LoopbackCircuit(const LoopbackCircuit&) = delete;
+  LoopbackCircuit& operator=(const LoopbackCircuit&) = delete;
+
+  PortAddress address() const { return PortAddress::loopback(host_, port_); }
+
+  /// The next write, if one comes within `timeout` [s]. Datagrams that are not one byte are counted
+  /// and change nothing.
+  std::optional<Write> take(double timeout = 0);
+
+  std::uint64_t refused() const { return refused_; }  //!< datagrams that were not one byte
+
+ private:
+  std::string host_;
+  std::uint16_t port_ = 0;
+  int socket_ = -1;
+  std::uint64_t refused_ = 0;
+};
+
+}  // namespace laser_trigger

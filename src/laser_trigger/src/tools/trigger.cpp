@@ -1,0 +1,106 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// The trigger circuit from the command line: no ROS master is needed.
+#include <CLI/CLI.hpp>
+
+#include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/tool_main.h"
+#include "trigger_orders.h"
+
+namespace {
+
+using laser_trigger::Order;
+using laser_trigger::PortAddress;
+
+/// As the node's parameters.
+struct Port {
+  std::string kind = "parallel";
+  std::string device = PortAddress().device;
+  std::string host = PortAddress().host;
+  std::uint16_t number = PortAddress().port;
+
+  PortAddress address() const {
+    return kind == "parallel" ? PortAddress::parallel(device) : PortAddress::loopback(host, number);
+  }
+};
+
+void add_port(CLI::App& app, Port& port) {
+  app.add_option("--port", port.kind, "parallel: a PC's parallel port; loopback: the simulator")
+      ->check(CLI::IsMember({"parallel", "loopback"}))
+      ->capture_default_str();
+  app.add_option("--device", port.device, "of the parallel port")->capture_default_str();
+  app.add_option("--loopback-host", port.host, "IPv4 address")->capture_default_str();
+  app.add_option("--loopback-port", port.number, "UDP port")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+}
+
+CLI::App* add_pulses(CLI::App& app, Order& order, std::vector<int>& lasers) {
+  CLI::App* const pulses =
+      app.add_subcommand("pulses", "Pulses the camera, for so many or so long");
+  pulses->add_option("--rate", order.rate, "[Hz] 0.1 .. 1000")
+      ->check(CLI::PositiveNumber)
+      ->required();
+  CLI::Option_group* const end = pulses->add_option_group("end", "One of these");
+  end->add_option("--count", order.pulses, "pulses")->check(CLI::PositiveNumber);
+  end->add_option("--seconds", order.seconds, "[s] up to 300");
+  end->require_option(1);
+  pulses->add_option("--laser", lasers, "0 or 1, or both: on meanwhile; without, none")
+      ->check(CLI::IsMember({0, 1}));
+  return pulses;
+}
+
+CLI::App* add_laser(CLI::App& app, Order& order, std::vector<int>& lasers) {
+  CLI::App* const laser = app.add_subcommand("laser", "Switches one laser on, without pulses");
+  laser->add_option("number", lasers, "0 or 1")
+      ->check(CLI::IsMember({0, 1}))
+      ->expected(1)
+      ->required();
+  laser->add_option("--seconds", order.seconds, "[s] up to 300")->required();
+  return laser;
+}
+
+std::uint8_t mask_of(const std::vector<int>& lasers) {
+  std::uint8_t mask = 0;
+  for (const int laser : lasers)
+    mask = static_cast<std::uint8_t>(mask | 1 << laser);
+  return mask;
+}
+
+}  // namespace
+
+/// Exits 0 when it was done, 2 when the order made no sense or a signal ended it early, 1
+/// otherwise.
+int main(int argc, char** argv) {
+  Port port;
+  Order order;
+  std::vector<int> lasers;
+  double watched = 0;
+  CLI::App app(
+      "Pulses the camera and switches the lasers on and off. However it ends, the lines are low "
+      "then. The node laser_trigger must not run meanwhile.");
+  app.require_subcommand(1);
+  add_port(app, port);
+  CLI::App* const pulses = add_pulses(app, order, lasers);
+  CLI::App* const laser = add_laser(app, order, lasers);
+  CLI::App* const watch = app.add_subcommand(
+      "watch", "Prints the pulses and the lasers as they come, in the place of the simulator");
+  watch->add_option("--seconds", watched, "[s] for so long; without: until Ctrl-C")
+      ->check(CLI::NonNegativeNumber);
+  for (CLI::App* command : {pulses, laser, watch})
+    command->fallthrough();
+  return scan_cell_common::tool_main(
+      "trigger", app, argc, argv,
+      [&] {
+        const scan_cell_common::CatchInterrupts catch_interrupts;
+        order.lasers = mask_of(lasers);
+        if (watch->parsed()) {
+          laser_trigger::watch(port.address(), watched);
+        } else {
+          laser_trigger::carry_out(order, port.address());
+        }
+        return 0;
+      },
+      scan_cell_common::kRefused);
+}

@@ -1,0 +1,32 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "laser_trigger/pulse_generator.h"
+
+/// What the program trigger does; each ends early where a signal asks for it.
+namespace laser_trigger {
+
+/// The longest that anything is switched on [s], as the node has it.
+constexpr double kLongestOn = 300;
+
+struct Order {
+  double rate = 0;           //!< [Hz] 0: no pulses
+  std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
+  std::uint64_t pulses = 0;  //!< it is over after so many; 0: after `seconds`
+  double seconds = 0;        //!< [s]
+};
+
+/// Switches on, waits for the end of it, and says what was done. A guardian process sets the lines
+/// low should this one die.
+/// @throw scan_cell_common::Refused if the order makes no sense, or a signal ended it early
+/// @throw scan_cell_common::ConnectionError if port or guardian cannot be reached, or were lost
+void carry_out(const Order& order, const PortAddress& address);
+
+/// Prints what the lines do, as the circuit at the other end of a loopback port.
+/// @param seconds for so long; 0: until a signal comes
+/// @throw scan_cell_common::Refused for a parallel port, which cannot be watched
+/// @throw scan_cell_common::ConnectionError if another program is the circuit
+void watch(const PortAddress& address, double seconds);
+
+}  // namespace laser_trigger

@@ -1,0 +1,70 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace scan_cell_common {
+
+/// Removes a file that an earlier run left.
+/// @throw FileError if it is no regular file (a folder, a device, a link), or cannot be removed
+void remove_old(const std::string& path);
+
+/// The options of a tool that name what it writes. tool_main() removes what an earlier run left
+/// there before the tool works, and also where the options are bad: a result that lies there after
+/// a run is always this run's.
+class Outputs {
+ public:
+  enum class Clearing {
+    kBeforeWork,
+    kByTool  //!< which tells in its own way what is wrong with their names
+  };
+
+  Outputs() = default;
+  explicit Outputs(Clearing clearing) : clearing_(clearing) {}
+
+  /// A file.
+  /// @param path keeps the option's value
+  /// @return the option, for required() and the like
+  CLI::Option* add(CLI::App& app, const std::string& name, std::string& path,
+                   const std::string& description);
+
+  /// A folder, in which the tool writes these files.
+  CLI::Option* add_folder(CLI::App& app, const std::string& name, std::string& path,
+                          const std::string& description, const std::vector<std::string>& files);
+
+  /// Removes the files of all outputs, unless the tool does. Nothing is removed unless all may be.
+  /// @param words of the command line
+  /// @throw FileError as refuse_overwriting() of files.h, for any other word, and remove_old() do
+  void clear(const std::vector<std::string>& words) const;
+
+  /// The same where the options are bad: leaves what is no regular file, or is named by any other
+  /// word, as it is.
+  void clear_where_possible(const std::vector<std::string>& words) const;
+
+ private:
+  struct Output {
+    const CLI::App* app;
+    const CLI::Option* option;
+    std::vector<std::string> files;  // in the folder; none: it is a file
+  };
+
+  /// A file to be written, and the words that name other things.
+  struct Named {
+    std::string path;
+    std::vector<std::string> others;
+  };
+
+  std::vector<Named> find(const std::vector<std::string>& words) const;
+
+  Clearing clearing_ = Clearing::kBeforeWork;
+  std::vector<Output> outputs_;
+};
+
+}  // namespace scan_cell_common

@@ -1,0 +1,17 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace scan_cell_common {
+
+/// The units of length a file may be in: m, mm, inch. Inside the suite it is metres.
+const std::vector<std::string>& length_units();
+
+/// Metres in one of them: 1, 0.001, 0.0254.
+/// @throw InvalidParameter if it is none of length_units()
+double metres_per(const std::string& unit);
+
+}  // namespace scan_cell_common

@@ -1,0 +1,96 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+#include "verdict_picture.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+using scan_cell_common::UnusableInput;
+
+constexpr const char* kCure = "give the files of the run that wrote the report";
+
+void check_same(const std::string& file, const std::optional<FileRecord>& reported,
+                const std::string& role) {
+  if (!reported || record_of(file, reported->units).sha256 == reported->sha256) return;
+  throw UnusableInput(file, "not the " + role + " of the report, which was " + reported->name,
+                      kCure);
+}
+
+void check_points(const Surface& surface, std::size_t reported, const std::string& role) {
+  if (reported == 0 || surface.points.size() == reported) return;
+  throw UnusableInput(role,
+                      std::to_string(surface.points.size()) + " points after the grid reduction, " +
+                          std::to_string(reported) + " in the report",
+                      std::string(kCure) + ", and its --leaf and --units");
+}
+
+Points positions_of(const ToolPath& path) {
+  Points points;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints)
+      points.push_back(waypoint.pose.translation());
+  }
+  return points;
+}
+
+void check_waypoints(const ToolPath& path, std::size_t reported, const std::string& role) {
+  const std::size_t count = waypoint_count(path);
+  if (count == reported) return;
+  throw UnusableInput(
+      role, std::to_string(count) + " waypoints, " + std::to_string(reported) + " in the report",
+      kCure);
+}
+
+/// The report says how far each waypoint is from where the similarity puts it, but for a stand-off
+/// that was kept: no more than what the waypoint stands off the reference.
+void check_displacements(const PictureInput& input) {
+  constexpr double kRounding = 1e-6;  // [m]
+  const Points from = positions_of(input.path);
+  const Points to = positions_of(*input.adapted);
+  const std::vector<double>& reported = input.verdict.displacements;
+  check_waypoints(*input.adapted, reported.size(), "adapted path");
+  if (from.size() != to.size() || input.verdict.similarities.empty()) return;  // resampled
+  const Similarity& similarity = input.verdict.similarities[0];
+  double highest = 0;
+  for (const Eigen::Vector3d& at : from)
+    highest = std::max(highest, std::sqrt(input.reference.tree->nearest(at).squared_distance));
+  const double stand_off = std::abs(1 - similarity.scale) * highest;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const double moved = (to[i] - similarity * from[i]).norm();
+    if (std::abs(moved - reported[i]) <= stand_off + kRounding) continue;
+    throw UnusableInput("adapted path",
+                        "waypoint " + std::to_string(i) + " lies " + std::to_string(1e3 * moved) +
+                            " mm from where the similarity puts it, " +
+                            std::to_string(1e3 * reported[i]) + " mm in the report",
+                        kCure);
+  }
+}
+
+}  // namespace
+
+void check_same_files(const ReportedVerdict& verdict, const PictureFiles& files) {
+  check_same(files.reference, verdict.reference, "reference");
+  check_same(files.object, verdict.object, "object");
+  check_same(files.path, verdict.path, "tool path");
+  if (files.adapted.empty()) return;
+  if (!verdict.accepted) {
+    throw UnusableInput(files.adapted, "an adapted path beside a report that refuses",
+                        "leave --adapted out");
+  }
+  check_same(files.adapted, verdict.output, "adapted path");
+}
+
+void check_figures(const PictureInput& input) {
+  const ReportedVerdict& verdict = input.verdict;
+  if (!verdict.reference) check_points(input.reference, verdict.reference_points, "reference");
+  if (!verdict.object) check_points(input.object, verdict.object_points, "object");
+  if (!verdict.path && verdict.waypoints_given > 0)
+    check_waypoints(input.path, verdict.waypoints_given, "tool path");
+  if (!verdict.output && input.adapted) check_displacements(input);
+}
+
+}  // namespace tool_path_stretcher

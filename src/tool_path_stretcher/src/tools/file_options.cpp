@@ -1,0 +1,52 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "file_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace tool_path_stretcher {
+namespace {
+
+std::string first_given(const std::string& own, const std::string& of_all) {
+  if (!own.empty()) return own;
+  return of_all.empty() ? "m" : of_all;
+}
+
+}  // namespace
+
+std::string FileOptions::units_of_reference() const {
+  return first_given(reference_units, units);
+}
+
+std::string FileOptions::units_of_object() const {
+  return first_given(object_units, units);
+}
+
+PathConventions FileOptions::path_conventions() const {
+  PathConventions result = conventions;
+  result.units = path_units.empty() ? units : path_units;
+  if (degrees) result.angles = AngleUnit::kDegrees;
+  if (radians) result.angles = AngleUnit::kRadians;
+  return result;
+}
+
+void add_file_options(CLI::App& app, FileOptions& options) {
+  app.add_option("--units", options.units,
+                 "lengths in the files: m, mm or inch; all other options and the report are in m");
+  app.add_option("--reference-units", options.reference_units, "of the reference, if others");
+  app.add_option("--object-units", options.object_units, "of the object, if others");
+  app.add_option("--path-units", options.path_units, "of the tool paths, if others");
+  PathConventions& path = options.conventions;
+  app.add_option("--euler", path.euler,
+                 "angles in the path: axes in the order of the turns, each about the turned frame "
+                 "(zyx: Kuka, Fanuc, roll-pitch-yaw; zyz: Comau)");
+  app.add_flag("--rotation-vector", path.rotation_vector,
+               "angles in the path are a rotation vector (Universal Robots)");
+  CLI::Option* const degrees = app.add_flag("--degrees", options.degrees, "angles in the path");
+  app.add_flag("--radians", options.radians, "angles in the path")->excludes(degrees);
+  app.add_option("--process-values", path.process_values,
+                 "names in the path, by commas, that are no orientation though they look so")
+      ->delimiter(',');
+}
+
+}  // namespace tool_path_stretcher

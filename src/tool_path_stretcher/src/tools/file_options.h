@@ -1,0 +1,35 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "tool_path_stretcher/path_conventions.h"
+
+namespace CLI {
+class App;
+}
+
+namespace tool_path_stretcher {
+
+/// Options about what the files do not say of themselves.
+struct FileOptions {
+  std::string units;  //!< of all files; empty: metres
+  std::string reference_units;
+  std::string object_units;
+  std::string path_units;
+  bool degrees = false;
+  bool radians = false;
+  PathConventions conventions;
+
+  /// The unit of a file: its own, else that of all files, else metres.
+  std::string units_of_reference() const;
+  std::string units_of_object() const;
+
+  /// Of the tool path.
+  PathConventions path_conventions() const;
+};
+
+void add_file_options(CLI::App& app, FileOptions& options);
+
+}  // namespace tool_path_stretcher
