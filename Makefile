@@ -52,7 +52,7 @@ fuzz: build
 test: build
 	@cmake --build $(BUILD) --parallel $(JOBS) --target tests
 	@rm -rf $(BUILD)/test_results
-	@$(IN_WORKSPACE) cmake --build $(BUILD) --parallel 1 --target run_tests
+	@$(IN_WORKSPACE) ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --timeout 1200 || true  # counted below
 	@[ -n "$$SCAN_CELL_DATA" ] || echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"
 	@$(IN_WORKSPACE) set -o pipefail && catkin_test_results --all $(BUILD)/test_results | awk '{ print } \
 	  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $$2 - $$4 - $$6 - $$8, $$4 + $$6, $$8 }'; \

@@ -192,13 +192,14 @@ TEST(Nodelets, RefuseToStartOnABadParameterByItsName) {
   };
   EXPECT_NE(said_by("Floor __name:=bad_floor _margin:=-1").find("/bad_floor/margin"),
             std::string::npos);
-  EXPECT_NE(said_by("Floor __name:=lost_floor _up:='[0, 0, 0]'").find("up: (0, 0, 0)"),
-            std::string::npos);
+  ros::param::set("/lost_floor/up", std::vector<double>{0, 0, 0});  // no list on a command line
+  EXPECT_NE(said_by("Floor __name:=lost_floor").find("up: (0, 0, 0)"), std::string::npos);
   EXPECT_NE(said_by("Outliers __name:=bad_outliers _neighbors:=4").find("/bad_outliers/neighbors"),
             std::string::npos);
   EXPECT_NE(said_by("Isolate __name:=bad_isolate _select:=best").find("/bad_isolate/select"),
             std::string::npos);
-  EXPECT_NE(said_by("Grid __name:=bad_grid _leaf:='[0.1, 0.1]'").find("leaf"), std::string::npos);
+  ros::param::set("/bad_grid/leaf", std::vector<double>{0.1, 0.1});
+  EXPECT_NE(said_by("Grid __name:=bad_grid").find("leaf"), std::string::npos);
   std::filesystem::remove(log);
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "example_sessions.h"
-#include "scan_calibration/calibration.h"
+#include "scan_calibration/calibrate.h"
 
 using Eigen::Vector3d;
 using scan_calibration::calibrate;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "example_sessions.h"
-#include "scan_calibration/calibration.h"
+#include "scan_calibration/calibrate.h"
 #include "scan_calibration/sequential.h"
 #include "scan_cell_common/errors.h"
 

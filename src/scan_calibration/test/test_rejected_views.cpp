@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "example_sessions.h"
-#include "scan_calibration/calibration.h"
+#include "scan_calibration/calibrate.h"
 #include "scan_calibration/sequential.h"
 
 using Eigen::Vector2d;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "scan_calibration/calibration.h"
+#include "scan_calibration/calibrate.h"
 #include "scan_cell_common/errors.h"
 #include "synthetic_session.h"
 

@@ -1,3 +1,5 @@
+set(_scan_cell_cmake ${CMAKE_CURRENT_LIST_DIR})
+
 # scan_cell_package(): C++17 and warnings as errors for all targets of the calling package.
 macro(scan_cell_package)
   set(CMAKE_CXX_STANDARD 17)
@@ -47,4 +49,25 @@ function(scan_cell_export_core)
     DESTINATION lib/cmake/${name})
   install(FILES ${folder}/${name}Config.cmake ${folder}/${name}ConfigVersion.cmake
     DESTINATION lib/cmake/${name})
+endfunction()
+
+# scan_cell_tests(): before the tests of the calling package. They run in networks of their own (own_network.py), so
+# that ctest may run them beside each other.
+macro(scan_cell_tests)
+  find_package(rostest REQUIRED)
+  # catkin begins the command of every test with it.
+  set(CATKIN_ENV ${PYTHON_EXECUTABLE} ${_scan_cell_cmake}/own_network.py ${CATKIN_ENV})
+endmacro()
+
+# scan_cell_run_alone(TEST...): these gtests (test_x) and rostests (x.test) of the calling package measure time, or need
+# all processors to keep up with the hardware: ctest runs nothing beside them.
+function(scan_cell_run_alone)
+  foreach(test ${ARGN})
+    if(test MATCHES "\\.test$")
+      set(test rostest_test_${test})
+    else()
+      set(test gtest_${test})
+    endif()
+    set_tests_properties(_ctest_${PROJECT_NAME}_${test} PROPERTIES RUN_SERIAL TRUE)
+  endforeach()
 endfunction()

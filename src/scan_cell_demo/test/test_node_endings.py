@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 import rosgraph
 import roslib.packages
 import rospkg
+import rosservice
 import rostest
 from catkin.find_in_workspaces import find_in_workspaces
 
@@ -105,11 +106,13 @@ class NodeEndings(unittest.TestCase):
     def is_known(self, name):
         return any(name in nodes for kind in self.master.getSystemState() for _, nodes in kind)
 
-    def is_bound(self, loader, manager):
-        """The manager has answered that it loaded the nodelet: what it loads while it ends may crash it,
-        by any signal."""
-        published, _, _ = self.master.getSystemState()
-        return any(loader in nodes for topic, nodes in published if topic == manager + '/bond')
+    def has_loaded(self, manager, nodelet):
+        """What a manager still loads while it ends may crash it, by any signal. It answers this only after it
+        has loaded what it was asked for."""
+        try:
+            return nodelet in rosservice.call_service(manager + '/list', [])[1].nodelets
+        except rosservice.ROSServiceException:  # not there yet
+            return False
 
     def wait_until_it_runs(self, process, name):
         looks = []
@@ -149,8 +152,8 @@ class NodeEndings(unittest.TestCase):
         for number in SIGNALS:
             manager, name = self.start('nodelet', 'nodelet', 'manager')
             for nodelet, words in NODELETS.items():
-                _, loader = self.start('nodelet', 'nodelet', 'load', nodelet, name, *words)
-                wait_for(lambda: self.is_bound(loader, name) or manager.poll() is not None,
+                _, loaded = self.start('nodelet', 'nodelet', 'load', nodelet, name, *words)
+                wait_for(lambda: self.has_loaded(name, loaded) or manager.poll() is not None,
                          '%s is loaded' % nodelet)
             self.end(manager, name, number, 'manager')
 

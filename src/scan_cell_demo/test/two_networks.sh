@@ -6,6 +6,7 @@ folder=$1
 root=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../..")
 here=10.77.0.1 there=10.77.0.2
 sim=$(rospack find scan_cell_sim)/config
+unset ROS_HOSTNAME  # each side says its address by ROS_IP
 export ROS_MASTER_URI=http://$here:11311 ROS_HOME=$folder/ros
 
 unshare --net sleep infinity &

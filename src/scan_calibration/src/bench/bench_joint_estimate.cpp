@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "laser_triangulation/triangulator.h"
-#include "scan_calibration/calibration.h"
+#include "scan_calibration/calibrate.h"
 #include "scan_calibration/sequential.h"
 #include "scan_cell_common/tool_main.h"
 #include "synthetic_session.h"

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scan_calibration/calibrate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -8,7 +10,6 @@
 #include "advice.h"
 #include "figures.h"
 #include "hand_eye.h"
-#include "scan_calibration/calibration.h"
 #include "scan_cell_common/errors.h"
 #include "statistics.h"
 

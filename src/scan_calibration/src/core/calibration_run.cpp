@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scan_calibration/calibrate.h"
 #include "scan_cell_common/errors.h"
 
 namespace scan_calibration {

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "calibration_markers.h"
+#include "scan_calibration/calibrate.h"
 #include "scan_calibration/calibration_files.h"
 #include "scan_calibration/taught_poses.h"
 

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "tool_path_stretcher/placement.h"
 #include "tool_path_stretcher/residuals.h"
-#include "tool_path_stretcher/stretcher.h"
+#include "tool_path_stretcher/stretch_parameters.h"
+#include "tool_path_stretcher/tool_path.h"
+#include "tool_path_stretcher/verdict.h"
 
 namespace tool_path_stretcher {
 

@@ -9,7 +9,6 @@
 #include "graph_equations.h"
 #include "nearest_cache.h"
 #include "robust.h"
-#include "tool_path_stretcher/alignment.h"
 #include "tool_path_stretcher/residuals.h"
 
 namespace tool_path_stretcher {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tool_path_stretcher/residuals.h"
-#include "tool_path_stretcher/stretcher.h"
+#include "tool_path_stretcher/stretch_parameters.h"
 
 namespace tool_path_stretcher {
 

@@ -1,11 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_stretcher/stretch_parameters.h"
+
 #include <Eigen/LU>
 #include <cmath>
 #include <sstream>
 
 #include "scan_cell_common/errors.h"
-#include "tool_path_stretcher/stretcher.h"
+#include "tool_path_stretcher/tool_path.h"
 
 namespace tool_path_stretcher {
 namespace {
