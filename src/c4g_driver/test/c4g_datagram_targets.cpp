@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "c4g_driver/codec.h"
-#include "c4g_driver/seal.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_sim/controller/controller.h"
+#include "wire/seal.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "c4g_driver/seal.h"
+#include "wire/seal.h"
 
 FakeController::FakeController(std::uint16_t port)
     : socket_(socket(AF_INET, SOCK_DGRAM, 0)),

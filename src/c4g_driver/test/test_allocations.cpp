@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "allocations.h"
-#include "c4g_driver/seal.h"
 #include "client_test.h"
+#include "wire/seal.h"
 
 using namespace c4g_driver;  // NOLINT
 using nlohmann::json;

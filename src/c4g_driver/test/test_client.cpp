@@ -7,9 +7,9 @@
 #include <limits>
 #include <set>
 
-#include "c4g_driver/inverse_kinematics.h"
 #include "c4g_driver/wire_units.h"
 #include "client_test.h"
+#include "robot/inverse_kinematics.h"
 #include "scan_cell_common/errors.h"
 
 using namespace c4g_driver;  // NOLINT

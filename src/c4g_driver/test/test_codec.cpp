@@ -6,8 +6,8 @@
 #include <random>
 
 #include "c4g_driver/codec.h"
-#include "c4g_driver/seal.h"
 #include "scan_cell_common/errors.h"
+#include "wire/seal.h"
 
 using c4g_driver::Acknowledgement;
 using c4g_driver::StreamedState;

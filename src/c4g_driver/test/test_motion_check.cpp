@@ -4,9 +4,9 @@
 
 #include <functional>
 
-#include "c4g_driver/inverse_kinematics.h"
 #include "c4g_driver/motion_check.h"
 #include "closed_form.h"
+#include "robot/inverse_kinematics.h"
 #include "scan_cell_common/errors.h"
 #include "smart5_six.h"
 

@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "c4g_driver/codec.h"
-#include "c4g_driver/seal.h"
 #include "scan_cell_sim/controller/controller.h"
+#include "wire/seal.h"
 
 using nlohmann::json;
 

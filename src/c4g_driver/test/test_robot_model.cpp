@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "c4g_driver/inverse_kinematics.h"
 #include "closed_form.h"
+#include "robot/inverse_kinematics.h"
 #include "scan_cell_common/errors.h"
 #include "smart5_six.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "laser_triangulation/ros/cloud_builder.h"
+#include "cloud_builder.h"
 #include "scan_cell_common/errors.h"
 
 using laser_triangulation::CloudBuilder;

@@ -10,7 +10,7 @@
 #include <opencv2/calib3d.hpp>
 #include <optional>
 
-#include "laser_triangulation/cloud_file.h"
+#include "cloud_file.h"
 #include "laser_triangulation/triangulator.h"
 #include "scan_cell_common/errors.h"
 

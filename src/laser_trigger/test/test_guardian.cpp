@@ -10,8 +10,8 @@
 #include <functional>
 
 #include "laser_trigger/guardian.h"
-#include "laser_trigger/parallel_port.h"
 #include "laser_trigger/pulse_generator.h"
+#include "parallel_port.h"
 #include "test_circuit.h"
 
 using namespace laser_trigger;  // NOLINT

@@ -9,8 +9,8 @@
 
 #include <random>
 
-#include "pose_frame_binder/lookup_server.h"
-#include "pose_frame_binder/pose_table.h"
+#include "lookup_server.h"
+#include "poses/pose_table.h"
 #include "scan_cell_common/errors.h"
 
 using namespace pose_frame_binder;  // NOLINT

@@ -7,8 +7,8 @@
 #include <functional>
 #include <random>
 
-#include "pose_frame_binder/time_offset.h"
 #include "scan_cell_common/errors.h"
+#include "time_offset/time_offset.h"
 
 using namespace pose_frame_binder;  // NOLINT
 using scan_cell_common::from_seconds;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "../src/core/board_line.h"
+#include "images/board_line.h"
 #include "rendered_session.h"
 
 using Eigen::Isometry3d;

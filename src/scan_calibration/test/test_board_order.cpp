@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "../src/core/board_order.h"
+#include "images/board_order.h"
 
 using Eigen::AngleAxisd;
 using Eigen::Matrix3d;

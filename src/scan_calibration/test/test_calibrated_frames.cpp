@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "scan_calibration/calibrated_frames.h"
 #include "scan_cell_common/errors.h"
+#include "teaching/calibrated_frames.h"
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera_calibration.h"
 #include "example_sessions.h"
 #include "laser_triangulation/triangulator.h"
 #include "scan_calibration/calibrate.h"
-#include "scan_calibration/camera_calibration.h"
 #include "scan_calibration/sequential.h"
 #include "scan_cell_common/errors.h"
 

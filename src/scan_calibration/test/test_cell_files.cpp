@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_calibration/cell_file.h"
 #include "scan_calibration/taught_poses.h"
 #include "scan_cell_common/errors.h"
+#include "teaching/cell_file.h"
 
 namespace fs = std::filesystem;
 using scan_calibration::Cell;

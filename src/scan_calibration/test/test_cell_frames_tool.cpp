@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_calibration/cell_file.h"
+#include "teaching/cell_file.h"
 
 namespace fs = std::filesystem;
 using Eigen::AngleAxisd;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "scan_calibration/tool_tip.h"
 #include "scan_cell_common/errors.h"
+#include "teaching/tool_tip.h"
 
 using Eigen::AngleAxisd;
 using Eigen::Isometry3d;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "scan_calibration/world_frame.h"
 #include "scan_cell_common/errors.h"
+#include "teaching/world_frame.h"
 
 using Eigen::Vector3d;
 using scan_calibration::world_from_points;

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_cell/ros/adaptation.h"
+#include "client/adaptation.h"
 #include "scan_cell_common/errors.h"
 
 namespace fs = std::filesystem;

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "scan_cell/ros/bag_replay.h"
+#include "client/bag_replay.h"
 #include "scan_cell_common/errors.h"
 
 namespace fs = std::filesystem;

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "scan_cell/scan_sequence.h"
 #include "scan_cell_common/errors.h"
+#include "sequence/scan_sequence.h"
 
 using scan_cell::Motion;
 using scan_cell::Outcome;

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "scan_cell/session_sequence.h"
 #include "scan_cell_common/errors.h"
+#include "sequence/session_sequence.h"
 
 using scan_cell::Motion;
 using scan_cell::Outcome;

@@ -7,7 +7,7 @@
 #include <boost/asio.hpp>
 #include <string>
 
-#include "scan_cell/videe_server.h"
+#include "videe/videe_server.h"
 
 namespace videe_test {
 

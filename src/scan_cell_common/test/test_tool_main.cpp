@@ -9,7 +9,7 @@
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_common/tool_main.h"
-#include "scan_cell_common/version.h"
+#include "tools/version.h"
 
 using namespace scan_cell_common;  // NOLINT
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "scan_cell_demo/goals.h"
+#include "goals.h"
 
 using scan_cell_demo::Figures;
 using scan_cell_demo::missed_goals;

@@ -25,11 +25,11 @@
 #include <functional>
 #include <mutex>
 
+#include "comparison.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/conversions.h"
-#include "scan_cell_demo/comparison.h"
 #include "scan_cell_sim/cell.h"
 #include "tool_path_stretcher/ros/conversions.h"
 

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "controller/wire/wire_json.h"
 #include "loopback.h"
 #include "scan_cell_sim/controller/controller.h"
-#include "scan_cell_sim/controller/wire_json.h"
 
 /// The controller asked on its real wire, with packets written out by hand.
 

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "arm_truth.h"
+#include "controller/arm/wire_pose.h"
 #include "scan_cell_sim/controller/motion_control.h"
-#include "scan_cell_sim/controller/wire_pose.h"
 
 using Eigen::AngleAxisd;
 using Eigen::Isometry3d;

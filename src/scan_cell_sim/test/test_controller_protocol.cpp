@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "bare_client.h"
-#include "scan_cell_sim/controller/wire_pose.h"
+#include "controller/arm/wire_pose.h"
 
 using scan_cell_sim::Controller;
 using scan_cell_sim::MotionStatus;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "part/moulding.h"
 #include "scan_cell_common/errors.h"
-#include "scan_cell_sim/moulding.h"
 #include "scan_cell_sim/scene.h"
 #include "test_worlds.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "payloads.h"
-#include "tecnogamma_camera/folder_recording.h"
+#include "recording/folder_recording.h"
 #include "tecnogamma_camera/photonfocus_3d03.h"
 #include "tecnogamma_camera/tecnogamma_relief.h"
 

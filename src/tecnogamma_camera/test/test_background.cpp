@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "../src/core/background.h"
+#include "peaks/background.h"
 #include "stripes.h"
 
 using tecnogamma_camera::Background;

@@ -4,8 +4,8 @@
 
 #include <deque>
 
+#include "payload/decoding_camera.h"
 #include "payloads.h"
-#include "tecnogamma_camera/decoding_camera.h"
 #include "tecnogamma_camera/photonfocus_3d03.h"
 #include "tecnogamma_camera/tecnogamma_relief.h"
 

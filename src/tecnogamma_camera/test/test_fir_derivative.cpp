@@ -6,7 +6,7 @@
 #include <random>
 
 #include "../src/bench/peak_accuracy.h"
-#include "../src/core/fir_derivative.h"
+#include "peaks/fir_derivative.h"
 #include "stripes.h"
 #include "tecnogamma_camera/peak_detector.h"
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "tecnogamma_camera/folder_recording.h"
+#include "recording/folder_recording.h"
 
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "../src/core/lit_pixels.h"
+#include "peaks/lit_pixels.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 using tecnogamma_camera::LitPixels;

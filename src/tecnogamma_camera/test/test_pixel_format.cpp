@@ -4,8 +4,8 @@
 
 #include <random>
 
+#include "frame/pixel_format.h"
 #include "scan_cell_common/errors.h"
-#include "tecnogamma_camera/pixel_format.h"
 
 using tecnogamma_camera::pixel_format;
 using tecnogamma_camera::PixelFormat;

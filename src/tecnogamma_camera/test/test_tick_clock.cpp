@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "tecnogamma_camera/tick_clock.h"
+#include "frame/tick_clock.h"
 
 using scan_cell_common::Nanoseconds;
 using tecnogamma_camera::TickClock;

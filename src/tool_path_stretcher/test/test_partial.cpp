@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "agreement.h"
 #include "cases/case_list.h"
+#include "search/agreement.h"
 #include "tool_path_stretcher/stretcher.h"
 
 using namespace tool_path_stretcher;

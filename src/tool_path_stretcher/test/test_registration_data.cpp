@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "cases/registration_data.h"
-#include "tool_path_stretcher/alignment.h"
+#include "search/alignment.h"
 
 using namespace tool_path_stretcher;
 

@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "checks.h"
 #include "scan_cell_common/errors.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/report.h"
+#include "verdict/checks.h"
 
 using namespace tool_path_stretcher;
 using synthetic::Part;

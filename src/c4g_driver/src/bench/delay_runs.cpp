@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "allocations.h"
-#include "c4g_driver/ros/driver_node.h"
-#include "c4g_driver/ros/messages.h"
+#include "driver_node.h"
+#include "messages.h"
 #include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"

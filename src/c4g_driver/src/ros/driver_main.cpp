@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "c4g_driver/ros/driver_node.h"
+#include "driver_node.h"
 #include "scan_cell_common/ros/node_main.h"
 
 int main(int argc, char** argv) {

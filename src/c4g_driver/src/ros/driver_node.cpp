@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "c4g_driver/ros/driver_node.h"
+#include "driver_node.h"
 
-#include "c4g_driver/ros/messages.h"
+#include "messages.h"
 #include "scan_cell_common/errors.h"
 
 namespace c4g_driver {

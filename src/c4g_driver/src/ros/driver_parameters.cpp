@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "c4g_driver/ros/driver_parameters.h"
+#include "driver_parameters.h"
 
 #include <ros/package.h>
 

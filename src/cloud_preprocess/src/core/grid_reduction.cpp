@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "grid_cells.h"
+#include "geometry/grid_cells.h"
 
 namespace cloud_preprocess {
 

@@ -1,13 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_preprocess/input_check.h"
+#include "input_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
 
-#include "kd_tree.h"
+#include "geometry/kd_tree.h"
 #include "scan_cell_common/units.h"
 
 namespace cloud_preprocess {

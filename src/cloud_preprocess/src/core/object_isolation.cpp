@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "clusters.h"
-#include "grid_cells.h"
+#include "geometry/clusters.h"
+#include "geometry/grid_cells.h"
 
 namespace cloud_preprocess {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "kd_tree.h"
+#include "geometry/kd_tree.h"
 
 namespace cloud_preprocess {
 namespace {

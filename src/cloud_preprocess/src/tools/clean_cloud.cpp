@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "cloud_preprocess/clean.h"
-#include "cloud_preprocess/input_check.h"
+#include "input_check.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_common/text.h"
 #include "scan_cell_common/tool_main.h"

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laser_triangulation/cloud_file.h"
+#include "cloud_file.h"
 
 #include <algorithm>
 #include <fstream>

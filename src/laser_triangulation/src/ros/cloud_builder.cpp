@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laser_triangulation/ros/cloud_builder.h"
+#include "cloud_builder.h"
 
 #include <chrono>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "laser_triangulation/cloud_file.h"
+#include "cloud_file.h"
 #include "scan_cell_common/errors.h"
 
 namespace laser_triangulation {

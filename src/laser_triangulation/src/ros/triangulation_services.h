@@ -14,7 +14,7 @@
 #include <mutex>
 #include <string>
 
-#include "laser_triangulation/ros/cloud_builder.h"
+#include "cloud_builder.h"
 #include "parameters.h"
 
 namespace laser_triangulation {

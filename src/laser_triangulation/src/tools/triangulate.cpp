@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "laser_triangulation/cloud_file.h"
-#include "laser_triangulation/ros/cloud_builder.h"
+#include "cloud_builder.h"
+#include "cloud_file.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/bag_errors.h"
 #include "scan_cell_common/tool_main.h"

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "laser_trigger/loopback_circuit.h"
+#include "loopback_circuit.h"
 #include "scan_cell_common/timed_pose.h"
 
 namespace laser_trigger {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laser_trigger/loopback_port.h"
+#include "loopback_port.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

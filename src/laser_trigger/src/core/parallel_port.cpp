@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laser_trigger/parallel_port.h"
+#include "parallel_port.h"
 
 #include <fcntl.h>
 #include <linux/ppdev.h>

@@ -4,8 +4,8 @@
 
 #include <cstring>
 
-#include "laser_trigger/loopback_port.h"
-#include "laser_trigger/parallel_port.h"
+#include "loopback_port.h"
+#include "parallel_port.h"
 
 namespace laser_trigger {
 namespace {

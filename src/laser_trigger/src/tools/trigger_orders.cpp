@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "laser_trigger/loopback_circuit.h"
+#include "loopback_circuit.h"
 #include "scan_cell_common/interrupts.h"
 
 namespace laser_trigger {

@@ -3,7 +3,7 @@
 #include <cinttypes>
 #include <cstdio>
 
-#include "laser_trigger/loopback_circuit.h"
+#include "loopback_circuit.h"
 #include "scan_cell_common/interrupts.h"
 #include "trigger_orders.h"
 

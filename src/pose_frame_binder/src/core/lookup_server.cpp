@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pose_frame_binder/lookup_server.h"
+#include "lookup_server.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <string>
 
-#include "pose_frame_binder/lookup_server.h"
-#include "pose_frame_binder/pose_table.h"
+#include "lookup_server.h"
+#include "poses/pose_table.h"
 
 namespace pose_frame_binder {
 

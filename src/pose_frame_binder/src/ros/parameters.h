@@ -7,7 +7,7 @@
 #include <string>
 
 #include "frame_lookup.h"
-#include "pose_frame_binder/ros/profile_binder.h"
+#include "profile_binder.h"
 
 namespace pose_frame_binder {
 

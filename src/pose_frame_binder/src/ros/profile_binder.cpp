@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pose_frame_binder/ros/profile_binder.h"
+#include "profile_binder.h"
 
 #include <boost/make_shared.hpp>
 #include <cmath>

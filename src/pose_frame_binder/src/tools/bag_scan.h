@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "pose_frame_binder/ros/profile_binder.h"
+#include "profile_binder.h"
 
 namespace pose_frame_binder {
 

@@ -6,9 +6,9 @@
 
 #include "bag_scan.h"
 #include "laser_triangulation/triangulator.h"
-#include "pose_frame_binder/time_offset.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/tool_main.h"
+#include "time_offset/time_offset.h"
 
 namespace {
 

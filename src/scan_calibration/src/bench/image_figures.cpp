@@ -12,8 +12,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "images/board_detection.h"
 #include "rendered_session.h"
-#include "scan_calibration/board_detection.h"
 #include "scan_calibration/observations.h"
 #include "scan_calibration/session_recorder.h"
 #include "session_figures.h"

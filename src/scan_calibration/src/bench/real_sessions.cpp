@@ -7,9 +7,9 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "scan_calibration/board_detection.h"
+#include "camera_calibration.h"
+#include "images/board_detection.h"
 #include "scan_calibration/calibration_run.h"
-#include "scan_calibration/camera_calibration.h"
 #include "scan_cell_common/errors.h"
 #include "session_figures.h"
 #include "tecnogamma_camera/grey_image_file.h"

@@ -7,11 +7,11 @@
 #include <future>
 #include <limits>
 
-#include "advice.h"
-#include "figures.h"
-#include "hand_eye.h"
+#include "checks/hand_eye.h"
+#include "geometry/statistics.h"
+#include "quality/advice.h"
+#include "quality/figures.h"
 #include "scan_cell_common/errors.h"
-#include "statistics.h"
 
 namespace scan_calibration {
 namespace {

@@ -1,11 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_calibration/camera_calibration.h"
+#include "camera_calibration.h"
 
 #include <cmath>
 
-#include "start.h"
-#include "uncertainty.h"
+#include "estimate/start.h"
+#include "quality/uncertainty.h"
 
 namespace scan_calibration {
 namespace {

@@ -6,9 +6,9 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
-#include "figures.h"
-#include "hand_eye.h"
-#include "laser_start.h"
+#include "checks/hand_eye.h"
+#include "estimate/laser_start.h"
+#include "quality/figures.h"
 #include "scan_cell_common/errors.h"
 
 namespace scan_calibration {

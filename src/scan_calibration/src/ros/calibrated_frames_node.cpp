@@ -6,7 +6,7 @@
 #include <scan_cell_common/ros/parameter_reader.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include "scan_calibration/calibrated_frames.h"
+#include "teaching/calibrated_frames.h"
 
 namespace {
 

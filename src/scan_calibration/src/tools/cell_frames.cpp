@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scan_calibration/cell_file.h"
 #include "scan_calibration/taught_poses.h"
-#include "scan_calibration/tool_tip.h"
-#include "scan_calibration/world_frame.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/tool_main.h"
+#include "teaching/cell_file.h"
+#include "teaching/tool_tip.h"
+#include "teaching/world_frame.h"
 
 using scan_calibration::TaughtPoses;
 using scan_cell_common::UnusableInput;

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "client/adaptation.h"
 #include "scan_cell/progress_bar.h"
-#include "scan_cell/ros/adaptation.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/node_main.h"
 

@@ -4,11 +4,11 @@
 
 #include <cstdio>
 
+#include "client/adaptation.h"
+#include "client/bag_replay.h"
+#include "client/clean_cloud_watch.h"
+#include "devices/ros_stages.h"
 #include "scan_cell/progress_bar.h"
-#include "scan_cell/ros/adaptation.h"
-#include "scan_cell/ros/bag_replay.h"
-#include "scan_cell/ros/clean_cloud_watch.h"
-#include "scan_cell/ros/ros_stages.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/parameter_reader.h"

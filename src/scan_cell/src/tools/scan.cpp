@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "client/clean_cloud_watch.h"
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
-#include "scan_cell/ros/clean_cloud_watch.h"
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"

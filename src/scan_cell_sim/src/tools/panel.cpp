@@ -4,8 +4,8 @@
 
 #include <sstream>
 
+#include "controller/arm/wire_pose.h"
 #include "scan_cell_common/errors.h"
-#include "scan_cell_sim/controller/wire_pose.h"
 
 namespace scan_cell_sim {
 namespace {

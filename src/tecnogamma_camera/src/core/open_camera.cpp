@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tecnogamma_camera/open_camera.h"
 
-#include "tecnogamma_camera/decoding_camera.h"
-#include "tecnogamma_camera/folder_recording.h"
+#include "payload/decoding_camera.h"
+#include "recording/folder_recording.h"
 
 namespace tecnogamma_camera {
 namespace {

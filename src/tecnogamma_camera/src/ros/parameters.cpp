@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.h"
 
+#include "frame/pixel_format.h"
 #include "scan_cell_common/ros/parameter_reader.h"
-#include "tecnogamma_camera/pixel_format.h"
 
 namespace tecnogamma_camera {
 namespace {

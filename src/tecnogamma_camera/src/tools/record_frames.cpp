@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <mutex>
 
+#include "recording/folder_recorder.h"
 #include "scan_cell_common/interrupts.h"
 #include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/acquisition.h"
-#include "tecnogamma_camera/folder_recorder.h"
 #include "tecnogamma_camera/open_camera.h"
 
 namespace {

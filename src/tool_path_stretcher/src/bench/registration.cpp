@@ -9,8 +9,8 @@
 
 #include "cases/pcl_pipeline.h"
 #include "cases/registration_data.h"
+#include "search/alignment.h"
 #include "stopwatch.h"
-#include "tool_path_stretcher/alignment.h"
 
 namespace bench {
 namespace {

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <optional>
 
-#include "ambiguity.h"
-#include "checks.h"
-#include "expected_error.h"
-#include "handedness.h"
-#include "partial_verdict.h"
-#include "robust.h"
+#include "geometry/robust.h"
+#include "placement/expected_error.h"
 #include "scan_cell_common/errors.h"
-#include "tool_path_stretcher/alignment.h"
+#include "search/alignment.h"
+#include "verdict/ambiguity.h"
+#include "verdict/checks.h"
+#include "verdict/handedness.h"
+#include "verdict/partial_verdict.h"
 
 namespace tool_path_stretcher {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "scan_cell_sim/controller/wire_json.h"
+#include "controller/wire/wire_json.h"
 
 namespace scan_cell_sim {
 namespace {

@@ -1,0 +1,96 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/inverse_kinematics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <kdl/chainiksolverpos_lma.hpp>
+#include <limits>
+
+namespace c4g_driver {
+namespace {
+
+/// The i-th number of van der Corput's sequence, spread over 0 .. 1; Halton (1960) takes one with
+/// another prime for each dimension.
+double spread(unsigned i, unsigned prime) {
+  double result = 0;
+  for (double digit = 1.0 / prime; i > 0; i /= prime, digit /= prime)
+    result += digit * (i % prime);
+  return result;
+}
+
+Joints start_of(unsigned i, const RobotModel& robot) {
+  constexpr std::array<unsigned, 6> kPrimes = {2, 3, 5, 7, 11, 13};
+  Joints joints;
+  for (int k = 0; k < 6; ++k) {
+    const double least = std::max(robot.lower()[k], -M_PI);
+    const double most = std::min(robot.upper()[k], M_PI);
+    joints[k] = least + (most - least) * spread(i, kPrimes[static_cast<std::size_t>(k)]);
+  }
+  return joints;
+}
+
+/// Each joint by full turns as near as its range allows.
+Joints turned_near(Joints joints, const RobotModel& robot, const Joints& near) {
+  constexpr double kTurn = 2 * M_PI;
+  for (int k = 0; k < 6; ++k) {
+    double best = joints[k] + kTurn * std::round((near[k] - joints[k]) / kTurn);
+    while (best > robot.upper()[k] && best - kTurn >= robot.lower()[k])
+      best -= kTurn;
+    while (best < robot.lower()[k] && best + kTurn <= robot.upper()[k])
+      best += kTurn;
+    joints[k] = best;
+  }
+  return joints;
+}
+
+}  // namespace
+
+std::optional<Joints> step_to(const RobotModel& robot, const Eigen::Isometry3d& flange,
+                              const Joints& near) {
+  constexpr double kPrecision = 1e-9;  // [m] and [rad]
+  constexpr double kMostStep = 0.3;    // [rad]
+  constexpr int kSteps = 15;
+  Joints joints = near;
+  for (int step = 0; step < kSteps && joints.allFinite(); ++step) {
+    const Joints error = twist(robot.flange_at(joints), flange);
+    if (error.head<3>().norm() < kPrecision && error.tail<3>().norm() < kPrecision) return joints;
+    const Joints change = robot.jacobian_at(joints).partialPivLu().solve(error);
+    joints += change * std::min(1.0, kMostStep / change.cwiseAbs().maxCoeff());
+  }
+  return std::nullopt;
+}
+
+Postures postures_for(const RobotModel& robot, const Eigen::Isometry3d& flange,
+                      const Joints& near) {
+  constexpr unsigned kStarts = 48;
+  constexpr double kClose = 1e-5;  // KDL takes smaller rotations for none: step_to does the rest
+  constexpr int kIterations = 60;
+  constexpr double kSame = 1e-4;  // [rad]
+  const Joints weights = (Joints() << 1, 1, 1, 0.1, 0.1, 0.1).finished();
+  KDL::ChainIkSolverPos_LMA solver(robot.chain(), weights, kClose, kIterations);
+  Postures found;
+  found.gap = std::numeric_limits<double>::infinity();
+  for (unsigned i = 0; i <= kStarts; ++i) {
+    KDL::JntArray ended(6);
+    solver.CartToJnt(to_kdl(i == 0 ? near : start_of(i, robot)), to_kdl(flange), ended);
+    const Joints close = ended.data;
+    if (!close.allFinite()) continue;
+    found.gap = std::min(found.gap, twist(robot.flange_at(close), flange).head<3>().norm());
+    const auto exact = step_to(robot, flange, close);
+    if (!exact) continue;
+    const Joints joints = turned_near(*exact, robot, near);
+    const bool known = std::any_of(
+        found.joints.begin(), found.joints.end(),
+        [&](const Joints& other) { return (other - joints).cwiseAbs().maxCoeff() < kSame; });
+    if (!known) found.joints.push_back(joints);
+  }
+  if (!found.joints.empty()) found.gap = 0;
+  return found;
+}
+
+double excess(const Joints& joints, const Joints& lower, const Joints& upper) {
+  return ((lower - joints).cwiseMax(0) + (joints - upper).cwiseMax(0)).sum();
+}
+
+}  // namespace c4g_driver

@@ -1,0 +1,142 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_preprocess/floor_removal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "floor/floor_plane.h"
+
+namespace cloud_preprocess {
+namespace {
+
+using scan_cell_common::UnusableInput;
+
+double degrees(double radians) {
+  return radians * 180 / M_PI;
+}
+
+/// [rad] between two directions of length 1
+double angle_between(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+  return std::acos(std::clamp(one.dot(other), -1.0, 1.0));
+}
+
+std::string text_of(const Eigen::Vector3d& vector, const char* format = "(%.4g, %.4g, %.4g)") {
+  char text[120];
+  constexpr double kShown = 5e-5;  // less would be written as -0.0000
+  const Eigen::Vector3d clean = (vector.array().abs() < kShown).select(0, vector);
+  std::snprintf(text, sizeof(text), format, clean.x(), clean.y(), clean.z());
+  return text;
+}
+
+int percent(std::size_t points, const OrientedPoints& sample) {
+  return static_cast<int>(
+      std::lround(100 * static_cast<double>(points) / static_cast<double>(sample.size())));
+}
+
+/// Whether a limit has cut something off on the side where the floor is.
+bool cuts_floor(const Cloud& cloud, const Limits& limits, const Eigen::Vector3d& up) {
+  Eigen::Index axis = 0;
+  up.cwiseAbs().maxCoeff(&axis);
+  const double least[] = {limits.x_min, limits.y_min, limits.z_min};
+  const double most[] = {limits.x_max, limits.y_max, limits.z_max};
+  return std::any_of(cloud.begin(), cloud.end(), [&](const pcl::PointXYZ& point) {
+    const auto value = static_cast<double>(point.data[axis]);
+    return up[axis] > 0 ? value < least[axis] : value > most[axis];
+  });
+}
+
+constexpr const char* kNoFloorHere =
+    "automatic: false (clean_cloud: --floor off) if there is no floor";
+
+[[noreturn]] void refuse_table(const Floor& table, const Eigen::Vector3d& up,
+                               const OrientedPoints& sample) {
+  const Eigen::Vector3d& found = table.plane.normal;
+  char value[200];
+  std::snprintf(value, sizeof(value),
+                "%s, but %.1f deg from it a plane of %d %% of the points looks like a table",
+                text_of(up).c_str(), degrees(angle_between(found, up)),
+                percent(table.points, sample));
+  throw UnusableInput("up", value,
+                      "set up: " + text_of(found, "[%.4f, %.4f, %.4f]") + " (clean_cloud: --up " +
+                          text_of(found, "%.4f,%.4f,%.4f") + ", or --up auto) if it is one, or " +
+                          kNoFloorHere);
+}
+
+[[noreturn]] void refuse_objects(const std::vector<std::size_t>& objects,
+                                 const OrientedPoints& sample, const FloorParameters& parameters) {
+  std::string shares;
+  for (const std::size_t points : objects)
+    shares += (shares.empty() ? "" : ", ") + std::to_string(percent(points, sample));
+  char value[160];
+  std::snprintf(value, sizeof(value), "%s, but no floor is within %.1f deg of it, and %zu objects",
+                text_of(parameters.up).c_str(), degrees(parameters.tilt), objects.size());
+  throw UnusableInput("up", value + (" stand there (" + shares + " % of the points)"),
+                      "one of them may be the floor: set up, away from it (clean_cloud: --up x,y,z "
+                      "or --up auto), a limit that cuts it off, or " +
+                          std::string(kNoFloorHere));
+}
+
+/// What was taken for the floor is none where a larger table stands in another direction: on its
+/// side, the lowest face of the part looks like a floor.
+bool contradicts(const Floor& table, const std::optional<Floor>& floor) {
+  constexpr double kOtherDirection = 0.17;  // [rad]
+  return !floor || (angle_between(table.plane.normal, floor->plane.normal) > kOtherDirection &&
+                    table.points > floor->points);
+}
+
+/// The floor; none where there is none, and nothing that could be one.
+std::optional<Plane> floor_of(const OrientedPoints& sample, const FloorParameters& parameters,
+                              bool is_cut) {
+  const Eigen::Vector3d up = parameters.up.normalized();
+  const std::optional<Floor> table = find_table(sample, parameters);
+  if (parameters.any_direction && table) {
+    const std::optional<Floor> floor = find_floor(sample, table->plane.normal, parameters);
+    return floor ? floor->plane : table->plane;
+  }
+  const std::optional<Floor> floor = find_floor(sample, up, parameters);
+  if (!is_cut && table && contradicts(*table, floor)) refuse_table(*table, up, sample);
+  if (floor) return floor->plane;
+  if (!is_cut) {
+    const std::vector<std::size_t> objects = find_objects(sample, parameters);
+    if (objects.size() > 1) refuse_objects(objects, sample, parameters);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_up(const Eigen::Vector3d& up) {
+  constexpr double kLeast = 1e-6;
+  if (up.norm() >= kLeast) return;
+  throw scan_cell_common::InvalidParameter("up", text_of(up),
+                                           "give the direction away from the floor: 0, 0, 1");
+}
+
+FloorRemoval::FloorRemoval(const FloorParameters& parameters) : parameters_(parameters) {
+  check(parameters_);
+}
+
+std::string FloorRemoval::apply(Cloud& cloud) const {
+  const bool is_cut = cuts_floor(cloud, parameters_.limits, parameters_.up);
+  const std::string message = cut(cloud, parameters_.limits);
+  if (!parameters_.automatic) return message + "not looked for a floor";
+
+  const OrientedPoints sample = sample_with_normals(cloud);
+  const std::optional<Plane> floor = floor_of(sample, parameters_, is_cut);
+  if (!floor) return message + "no floor found";
+  const std::size_t before = cloud.size();
+  const auto on_floor = [&](const pcl::PointXYZ& point) {
+    return floor->height(point) <= parameters_.margin;
+  };
+  cloud.erase(std::remove_if(cloud.begin(), cloud.end(), on_floor), cloud.end());
+  char text[200];
+  std::snprintf(text, sizeof(text), "%zu on or below the floor through %s m, which leans %.2f deg",
+                before - cloud.size(), text_of(floor->point, "(%.4f, %.4f, %.4f)").c_str(),
+                degrees(angle_between(floor->normal, parameters_.up.normalized())));
+  return message + text;
+}
+
+}  // namespace cloud_preprocess

@@ -1,0 +1,21 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "scan_cloud.h"
+
+namespace laser_triangulation {
+
+/// Writes binary PLY with x, y, z, intensity (float), laser (uchar) and width (float), whole or not
+/// at all.
+/// @param metres_per_unit of x, y, z in the file
+/// @throw scan_cell_common::FileError if it cannot be written or the ending is not .ply
+void save_ply(const std::string& path, const ScanCloud& points, double metres_per_unit = 1);
+
+/// What save_ply() would refuse, before there is anything to save.
+/// @throw scan_cell_common::FileError if the ending is not .ply, or the folder is not there
+void check_ply_output(const std::string& path);
+
+}  // namespace laser_triangulation

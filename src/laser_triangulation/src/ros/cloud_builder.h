@@ -1,0 +1,47 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/BoundProfile.h>
+#include <scan_cell_msgs/CloudStatistics.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <string>
+#include <vector>
+
+#include "scan_cloud.h"
+
+namespace laser_triangulation {
+
+/// The cloud of one scan, from messages.
+class CloudBuilder {
+ public:
+  /// @param most_points held in memory (24 bytes each)
+  CloudBuilder(const ScannerModel& model, const PeakLimits& limits, std::size_t most_points);
+
+  /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame make no
+  /// sense; nothing was added
+  /// @throw scan_cell_common::Refused if the points do not fit
+  void add(const scan_cell_msgs::BoundProfile& profile);
+
+  std::uint64_t profiles() const { return triangulator_.counts().profiles; }
+  const ScanCloud& points() const { return points_; }
+
+  /// The points from `first` on. Frame: the profiles'; stamp: the last pulse's.
+  sensor_msgs::PointCloud2 cloud(std::size_t first = 0) const;
+  scan_cell_msgs::CloudStatistics statistics(const std::string& scan_id) const;
+
+  /// For a person: what became of every row.
+  std::string summary() const;
+
+ private:
+  Triangulator triangulator_;
+  std::vector<std::uint64_t> points_of_laser_;
+  std::size_t most_points_;
+  ScanCloud points_;
+  std::vector<ScanPoint> profile_;  // the points of the last
+  std_msgs::Header header_;
+  double seconds_ = 0;
+};
+
+}  // namespace laser_triangulation

@@ -1,0 +1,91 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "poses/pose_rules.h"
+#include "scan_cell_common/errors.h"
+
+namespace pose_frame_binder {
+
+using scan_cell_common::to_seconds;
+
+namespace {
+
+double length(const ConstantSpeed& motion) {
+  return (motion.end.translation() - motion.start.translation()).norm();
+}
+
+void check_number(const char* name, double value, double most) {
+  if (value > 0 && value <= most) return;
+  throw scan_cell_common::InvalidParameter(std::string("constant_speed/") + name,
+                                           std::to_string(value),
+                                           "give a number above 0, up to " + std::to_string(most));
+}
+
+}  // namespace
+
+void check(const ConstantSpeed& motion) {
+  constexpr double kMostSpeed = 100;     // [m/s]
+  constexpr double kMostRate = 1e5;      // [Hz]
+  constexpr double kLeastLength = 1e-4;  // [m]
+  constexpr double kHalfTurn = 1e-6;     // [rad]
+  check_number("speed", motion.speed, kMostSpeed);
+  check_number("frame_rate", motion.frame_rate, kMostRate);
+  if (!motion.start.matrix().allFinite() || !motion.end.matrix().allFinite()) {
+    throw scan_cell_common::InvalidParameter(
+        "constant_speed/start, end", "not given, or no poses",
+        "give x, y, z [m] and a unit quaternion qx, qy, qz, qw");
+  }
+  if (length(motion) < kLeastLength) {
+    throw scan_cell_common::InvalidParameter("constant_speed/start, end", "at the same place",
+                                             "give two: they say the direction");
+  }
+  const Eigen::AngleAxisd turn(motion.start.linear().transpose() * motion.end.linear());
+  if (M_PI - std::abs(turn.angle()) < kHalfTurn) {
+    throw scan_cell_common::InvalidParameter("constant_speed/start, end", "half a turn apart",
+                                             "turn by less: there are two ways to go");
+  }
+}
+
+ConstantSpeedRule::ConstantSpeedRule(const Settings& settings)
+    : motion_(settings.constant_speed),
+      most_off_(settings.most_pose_gap),
+      length_(length(settings.constant_speed)) {}
+
+std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const PulseLog& pulses,
+                                                  const PoseLog&) const {
+  const Pulse& pulse = pulses[index];
+  const Pulse& first = pulses[0];
+  if (pulses.run(index) != pulses.run(0)) {
+    return refuse(DropReason::NoPoseBefore,
+                  "the trigger was armed again: when that motion began is not known");
+  }
+  const double since_start = static_cast<double>(pulse.count - 1) / motion_.frame_rate;
+  const double since_first = static_cast<double>(pulse.count - first.count) / motion_.frame_rate;
+  const double off = to_seconds(pulse.time - first.time) - since_first;
+  if (std::abs(off) > most_off_) {
+    return refuse(DropReason::PoseGap, "its pulse came " + std::to_string(off) +
+                                           " s off a constant frame rate, at most " +
+                                           std::to_string(most_off_) + " s allowed");
+  }
+  const double fraction = since_start * motion_.speed / length_;
+  constexpr double kRounding = 1e-9;
+  if (fraction > 1 + kRounding) {
+    return refuse(DropReason::NoPoseAfter, "the motion has ended before it");
+  }
+  const Eigen::Isometry3d moved =
+      scan_cell_common::interpolate(motion_.start, motion_.end, std::min(fraction, 1.0));
+  PoseAnswer answer;
+  Match& match = answer.match.emplace();
+  match.rule = Rule::ConstantSpeed;
+  match.pulse = pulse;
+  // What moved an object from start to `moved` moves the scanner the other way, seen from it.
+  match.pose = motion_.object_moves ? motion_.start * moved.inverse() * motion_.start : moved;
+  match.time_to_before = match.time_to_after = std::numeric_limits<double>::quiet_NaN();
+  match.position_error_bound = motion_.speed * std::abs(off);
+  return answer;
+}
+
+}  // namespace pose_frame_binder

@@ -1,0 +1,33 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "residuals/joint_fit.h"
+
+namespace scan_calibration {
+
+/// The camera alone: intrinsics, and where it had the board in each view.
+struct CameraFit {
+  ScannerState state;  //!< only the camera is meant
+  std::vector<Eigen::Isometry3d> camera_to_board;
+  std::vector<double> rms_px;  //!< a view
+  double corner_px = 0;        //!< robust standard deviation along each axis
+};
+
+/// From Zhang's closed form and the perspective pose of each view, then least squares.
+/// @param views their corners are weighted anew, if `robust`
+/// @throw scan_cell_common::UnusableInput if no camera sees the board as the views say
+CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, int height,
+                     bool square_pixels, bool robust);
+
+/// Where a camera that is known, or nearly right, had the board in each view; robustly.
+/// @param views their corners are weighted anew
+/// @param keep whether the camera stays as it is
+/// @throw scan_cell_common::UnusableInput if it cannot see the board as the views say
+CameraFit fit_near(BoardViews& views, const BoardSurface& surface,
+                   const laser_triangulation::CameraIntrinsics& camera, bool keep);
+
+/// RMS [px] of residuals, each weighted 0 left out.
+double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<double>& weights);
+
+}  // namespace scan_calibration

@@ -1,0 +1,197 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimate/start.h"
+
+#include <cmath>
+#include <optional>
+
+#include "estimate/known_camera.h"
+#include "estimate/laser_start.h"
+#include "geometry/statistics.h"
+#include "residuals/noise_components.h"
+#include "scan_cell_common/errors.h"
+
+namespace scan_calibration {
+namespace {
+
+using Eigen::Isometry3d;
+
+PosePairs pairs_of(const BoardViews& views, const CameraFit& camera) {
+  PosePairs pairs;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    pairs.names.push_back(views[i].name);
+    pairs.flange.push_back(views[i].measured);
+    pairs.board.push_back(camera.camera_to_board[i]);
+  }
+  return pairs;
+}
+
+/// Leaves out what does not fit, and puts right what was counted from the board's other end.
+void keep_agreeing(const HandEye& hand_eye, const BoardSurface& surface, Start& start,
+                   CameraFit& camera) {
+  BoardViews kept;
+  std::vector<Isometry3d> boards;
+  for (std::size_t i = 0; i < start.views.size(); ++i) {
+    BoardView& view = start.views[i];
+    if (!hand_eye.fits[i]) {
+      start.rejected.push_back({view.name, "",
+                                "by its pose the board is " +
+                                    figure(hand_eye.offset[i] * 1e3, " mm") + " and " +
+                                    figure(hand_eye.angle[i] * 180 / M_PI, " deg") +
+                                    " from where the other views have it"});
+      continue;
+    }
+    Isometry3d board = camera.camera_to_board[i];
+    if (hand_eye.turned[i]) {
+      turn_half(view, surface);
+      board = board * surface.half_turn();
+    }
+    kept.push_back(std::move(view));
+    boards.push_back(board);
+  }
+  start.views = std::move(kept);
+  camera.camera_to_board = std::move(boards);
+}
+
+/// Motion from one pose to another.
+Vector6d motion_between(const Isometry3d& from, const Isometry3d& to) {
+  const Isometry3d step = from.inverse() * to;
+  Vector6d motion;
+  motion << step.translation(), rotation_vector(step.linear());
+  return motion;
+}
+
+void start_lasers(const Observations& observations, const CameraFit& camera,
+                  const BoardSurface& surface, Start& start) {
+  for (std::size_t laser = 0; laser < observations.lasers.size(); ++laser) {
+    std::vector<Eigen::Vector3d> points;
+    LineOffset offset;
+    for (std::size_t i = 0; i < start.views.size(); ++i)
+      for (const Eigen::Vector2d& pixel : start.views[i].lines[laser].pixels)
+        if (line_offset(start.state, surface, board_sight(camera.camera_to_board[i]), pixel,
+                        Eigen::Vector3d::UnitX(), offset)) {
+          points.push_back(offset.point);
+        }
+    if (points.size() < 3) {
+      throw scan_cell_common::UnusableInput(observations.lasers[laser],
+                                            "its line meets the board nowhere",
+                                            "check that its peaks are of these views");
+    }
+    const PlaneFit plane = fit_plane(points);
+    check_plane(plane, observations.lasers[laser]);
+    start.state.planes.emplace_back(plane.normal / plane.distance);
+  }
+}
+
+/// Robust deviations of what each view alone shows.
+NoiseLevels start_noise(const Start& start, const CameraFit& camera, const BoardSurface& surface) {
+  constexpr double kGaussian = 1.4826;  // deviation over the median of the absolute value
+  constexpr double kChi3 = 1.5382;      // median length of a vector of unit noise
+  NoiseLevels noise = least_noise(start.state.planes.size());
+  noise.corner_px = std::max(noise.corner_px, camera.corner_px);
+  std::vector<double> shifts, turns;
+  for (const Vector6d& correction : start.state.corrections) {
+    shifts.push_back(correction.head<3>().norm() / kChi3);
+    turns.push_back(correction.tail<3>().norm() / kChi3);
+  }
+  noise.robot_m = std::max(noise.robot_m, median(shifts));
+  noise.robot_rad = std::max(noise.robot_rad, median(turns));
+  for (std::size_t laser = 0; laser < start.state.planes.size(); ++laser) {
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < start.views.size(); ++i)
+      for (const double residual :
+           line_residuals(start.state, surface, sight_of(start.state, start.views[i], i),
+                          start.views[i].lines[laser], laser))
+        if (std::isfinite(residual)) lengths.push_back(std::abs(residual) * kGaussian);
+    noise.line_px[laser] = std::max(noise.line_px[laser], median(lengths));
+  }
+  return noise;
+}
+
+/// Where the camera sits on the flange, and the board in the base.
+HandEye sight_hand_eye(const PosePairs& pairs, const BoardSurface& surface, const Board& board,
+                       std::optional<KnownCamera>& known, std::string& note) {
+  if (known) {
+    const HandEye hand_eye = known->hand_eye(pairs);
+    note = known->note();
+    return hand_eye;
+  }
+  check_tilts(pairs);
+  const HandEye hand_eye = agreed_hand_eye(pairs, surface);
+  check_board_size(hand_eye, pairs, board.square_size);
+  return hand_eye;
+}
+
+}  // namespace
+
+CameraFit fit_and_reject(BoardViews& views, const BoardSurface& surface,
+                         const std::function<CameraFit(BoardViews&)>& fit,
+                         std::vector<RejectedView>& rejected) {
+  constexpr double kDeviations = 6;
+  constexpr double kFactor = 2.5;
+  constexpr double kLeast = 0.01;  // [px] below which nobody minds
+  CameraFit camera = fit(views);
+  // Unweighted: what was left out speaks against a view
+  std::vector<double> rms;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    ScannerState state = camera.state;
+    rms.push_back(std::max(
+        kLeast,
+        rms_of(corner_residuals(state, surface, board_sight(camera.camera_to_board[i]), views[i]),
+               std::vector<double>(views[i].pixels.size(), 1))));
+  }
+  const std::vector<bool> misfit = outstanding(rms, kDeviations, kFactor);
+  BoardViews kept;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (!misfit[i]) {
+      kept.push_back(std::move(views[i]));
+      continue;
+    }
+    rejected.push_back({views[i].name, "",
+                        "its corners miss the camera by " + figure(rms[i], " px") +
+                            " (RMS), those of the other views by " + figure(median(rms), " px")});
+  }
+  const bool same = kept.size() == views.size();
+  views = std::move(kept);
+  if (same) return camera;
+  check_enough(views, rejected);
+  return fit(views);
+}
+
+Start closed_form_start(const Observations& observations, const CalibrationOptions& options) {
+  const BoardSurface surface(observations.board);
+  std::optional<KnownCamera> known;
+  if (options.lasers_alone) known.emplace(*options.existing, observations);
+  UsableViews usable = usable_views(observations);
+  Start start{std::move(usable.views), {}, {}, std::move(usable.rejected), {}};
+  CameraFit camera = fit_and_reject(
+      start.views, surface,
+      [&](BoardViews& views) {
+        return known ? known->fit(views)
+                     : fit_camera(views, surface, observations.width, observations.height, false,
+                                  true);
+      },
+      start.rejected);
+  if (known) known->check_lens(start.views, camera);
+  for (BoardView& view : start.views)  // a fit of the camera alone has its own
+    view.measured = observations.views[view.source].base_to_flange;
+  const HandEye hand_eye =
+      sight_hand_eye(pairs_of(start.views, camera), surface, observations.board, known, start.note);
+  keep_agreeing(hand_eye, surface, start, camera);
+  check_enough(start.views, start.rejected);
+
+  start.state = camera.state;
+  start.state.flange_to_camera = hand_eye.flange_to_camera;
+  start.state.base_to_board = hand_eye.base_to_board;
+  start.state.corrections.clear();
+  for (std::size_t i = 0; i < start.views.size(); ++i) {
+    const Isometry3d flange = start.state.base_to_board * camera.camera_to_board[i].inverse() *
+                              start.state.flange_to_camera.inverse();
+    start.state.corrections.push_back(motion_between(start.views[i].measured, flange));
+  }
+  start_lasers(observations, camera, surface, start);
+  start.noise = start_noise(start, camera, surface);
+  return start;
+}
+
+}  // namespace scan_calibration

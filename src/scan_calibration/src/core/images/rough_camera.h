@@ -1,0 +1,24 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "images/board_detection.h"
+#include "laser_triangulation/scanner_model.h"
+
+namespace scan_calibration {
+
+/// A camera good enough to tell a straight line and which way a board is turned: from some of the
+/// corners of some of the views.
+/// @param views some empty; three that are not are needed
+/// @throw scan_cell_common::UnusableInput if the views do not give a camera
+laser_triangulation::CameraIntrinsics rough_camera(const std::vector<BoardCorners>& views,
+                                                   const Board& board, int width, int height);
+
+/// Pose of the board in camera_optical_frame [m].
+Eigen::Isometry3d rough_board_pose(const laser_triangulation::CameraIntrinsics& camera,
+                                   const BoardCorners& corners, const Board& board);
+
+}  // namespace scan_calibration

@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sequence/session_request.h"
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell {
+
+using scan_cell_common::Refused;
+
+namespace {
+
+constexpr int kLasers = 2;  // lines of the trigger circuit
+
+void check_exposure(const std::string& what, double exposure, const SessionLimits& limits) {
+  if (exposure >= limits.least_exposure && exposure <= limits.most_exposure) return;
+  throw Refused(what, std::to_string(exposure) + " s",
+                "give " + std::to_string(limits.least_exposure) + " to " +
+                    std::to_string(limits.most_exposure) + " s");
+}
+
+}  // namespace
+
+std::vector<int> lasers_in(std::uint8_t mask) {
+  std::vector<int> lasers;
+  for (int laser = 0; laser < 8; ++laser) {
+    if ((mask >> laser & 1) != 0) lasers.push_back(laser);
+  }
+  return lasers;
+}
+
+void check(const SessionRequest& request, const SessionLimits& limits) {
+  if (request.poses.empty()) throw Refused("taught poses", "none", "teach some");
+  const std::vector<int> lasers = lasers_in(request.lasers);
+  if (!lasers.empty() && lasers.back() >= kLasers) {
+    throw Refused("lasers", "mask " + std::to_string(request.lasers),
+                  "give 1 (laser_0), 2 (laser_1), 3 (both, in turn) or 0 (the camera alone)");
+  }
+  check_exposure("exposure for the board", request.board_exposure, limits);
+  check_exposure("exposure for the lines", request.line_exposure, limits);
+}
+
+}  // namespace scan_cell

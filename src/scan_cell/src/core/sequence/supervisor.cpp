@@ -1,0 +1,144 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sequence/supervisor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace scan_cell {
+
+double monotonic_now() {
+  const auto time = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(time).count();
+}
+
+Supervisor::Supervisor(Robot& robot, Trigger& trigger, std::vector<Watched> others,
+                       const Timing& timing)
+    : robot_(robot), trigger_(trigger), watched_(std::move(others)), timing_(timing) {
+  watched_.insert(watched_.begin(), Watched{&robot_, Outcome::RobotLost});
+  watched_.push_back({&trigger_, Outcome::TriggerLost});
+}
+
+void Supervisor::begin(WhyToCancel why_to_cancel) {
+  why_to_cancel_ = std::move(why_to_cancel);
+  moving_ = armed_ = unseen_before_ = false;
+  last_keep_alive_ = 0;
+}
+
+void Supervisor::wait_until_well() {
+  const double deadline = monotonic_now() + timing_.readiness;
+  while (!robot_.trouble().empty() && monotonic_now() < deadline && why_to_cancel_().empty()) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(timing_.poll));
+  }
+  watch();
+}
+
+void Supervisor::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
+  watch();  // no motion begins after a cancel
+  moving_ = true;
+  on_robot([&] { robot_.start_move(flange, camera_rate); });
+}
+
+void Supervisor::wait_until_moving() {
+  const double deadline = monotonic_now() + timing_.stall;
+  Motion motion = robot_.motion();
+  while (motion.state == Motion::State::Moving && motion.progress <= 0) {
+    end_if_stalled(deadline);
+    sleep_and_watch();
+    motion = robot_.motion();
+  }
+  end_if_failed(motion);
+}
+
+void Supervisor::wait_for_motion(const std::function<void(double)>& on_progress) {
+  double deadline = monotonic_now() + timing_.stall;
+  double progress = 0;
+  Motion motion = robot_.motion();
+  while (motion.state == Motion::State::Moving) {
+    end_if_stalled(deadline);
+    sleep_and_watch();
+    motion = robot_.motion();
+    if (motion.progress > progress) deadline = monotonic_now() + timing_.stall;
+    progress = std::max(progress, motion.progress);
+    on_progress(progress);
+  }
+  end_if_failed(motion);
+  moving_ = false;
+}
+
+void Supervisor::arm(double rate, std::uint8_t lasers) {
+  watch();
+  armed_ = true;  // before: a circuit that did not answer may have heard it
+  on(Outcome::TriggerLost, [&] { trigger_.arm(rate, lasers); });
+}
+
+Disarmed Supervisor::disarm() noexcept {
+  if (!armed_) return {};
+  armed_ = false;
+  return trigger_.disarm();
+}
+
+void Supervisor::stop_robot() noexcept {
+  if (moving_) robot_.stop();
+  moving_ = false;
+}
+
+void Supervisor::end_if_failed(const Motion& motion) {
+  switch (motion.state) {
+    case Motion::State::Moving:
+    case Motion::State::Reached:
+      return;
+    case Motion::State::Failed:
+    case Motion::State::Stopped:
+      throw EndEarly{Outcome::MotionFailed, motion.message};
+    case Motion::State::Lost:
+      throw EndEarly{Outcome::RobotLost, motion.message};
+  }
+}
+
+void Supervisor::end_if_stalled(double deadline) const {
+  if (monotonic_now() < deadline) return;
+  throw EndEarly{Outcome::MotionFailed, "the robot made no way for " +
+                                            std::to_string(timing_.stall) +
+                                            " s; check drives, override and obstacles"};
+}
+
+void Supervisor::end_if_unseen() {
+  const std::string unseen = armed_ && moving_ ? robot_.unseen() : "";
+  // At two looks in a row: where this process was held up, the poses that wait for it come between.
+  if (!unseen.empty() && unseen_before_) throw EndEarly{Outcome::RobotLost, unseen};
+  unseen_before_ = !unseen.empty();
+}
+
+void Supervisor::sleep_and_watch() {
+  std::this_thread::sleep_for(std::chrono::duration<double>(timing_.poll));
+  watch();
+}
+
+bool Supervisor::wait_for(double time, const std::function<bool()>& condition) {
+  const double deadline = monotonic_now() + time;
+  watch();
+  while (!condition()) {
+    if (monotonic_now() >= deadline) return false;
+    sleep_and_watch();
+  }
+  return true;
+}
+
+void Supervisor::watch() {
+  const std::string why_to_cancel = why_to_cancel_();
+  if (!why_to_cancel.empty()) throw EndEarly{Outcome::Cancelled, why_to_cancel};
+  for (const Watched& watched : watched_) {
+    const std::string trouble = watched.device->trouble();
+    if (!trouble.empty()) throw EndEarly{watched.outcome, trouble};
+  }
+  end_if_unseen();
+  if (armed_ && monotonic_now() - last_keep_alive_ >= timing_.keep_alive) {
+    trigger_.keep_alive();
+    last_keep_alive_ = monotonic_now();
+  }
+}
+
+}  // namespace scan_cell

@@ -1,0 +1,78 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <vector>
+
+#include "sequence/devices.h"
+#include "sequence/sequence_end.h"
+
+namespace scan_cell {
+
+/// [s] on a clock that never goes back
+double monotonic_now();
+
+/// Moves the robot and arms the trigger under watch: whoever waits, waits here, where every device
+/// is looked at, a cancel is heard and the trigger is told that somebody is there. All but begin(),
+/// disarm() and stop_robot() throw EndEarly.
+class Supervisor {
+ public:
+  struct Timing {
+    double poll = 0.005;      //!< [s] between two looks at the devices
+    double keep_alive = 0.1;  //!< [s] between two signs of life to the trigger
+    double readiness = 1.0;   //!< [s] to hear of the robot, before anything moves
+    double stall = 5.0;       //!< [s] without progress after which a motion has failed
+  };
+
+  /// What else is watched, and how a sequence ends that cannot rely on it.
+  struct Watched {
+    const Device* device;
+    Outcome outcome;
+  };
+
+  /// @param others watched beside robot and trigger
+  Supervisor(Robot& robot, Trigger& trigger, std::vector<Watched> others, const Timing& timing);
+
+  /// A new sequence begins, with nothing moving and nothing armed.
+  void begin(WhyToCancel why_to_cancel);
+
+  void wait_until_well();
+  void start_move(const Eigen::Isometry3d& flange, double camera_rate);
+  void wait_until_moving();
+
+  /// @param on_progress hears 0 .. 1
+  void wait_for_motion(const std::function<void(double)>& on_progress);
+
+  void arm(double rate, std::uint8_t lasers);
+
+  /// Pulses stop, lasers go off; does nothing where arm() was not called.
+  Disarmed disarm() noexcept;
+
+  /// Stops a motion under way.
+  void stop_robot() noexcept;
+
+  void watch();
+  void sleep_and_watch();
+
+  /// @return whether the condition came true within this time [s]
+  bool wait_for(double time, const std::function<bool()>& condition);
+
+ private:
+  static void end_if_failed(const Motion& motion);
+  void end_if_stalled(double deadline) const;
+  void end_if_unseen();
+
+  Robot& robot_;
+  Trigger& trigger_;
+  std::vector<Watched> watched_;
+  Timing timing_;
+  WhyToCancel why_to_cancel_;
+  bool moving_ = false;
+  bool armed_ = false;
+  bool unseen_before_ = false;  // the robot, at the last look
+  double last_keep_alive_ = 0;
+};
+
+}  // namespace scan_cell

@@ -1,0 +1,133 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "actions/scan_action.h"
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include <cmath>
+
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell {
+
+using scan_cell_common::Refused;
+using scan_cell_msgs::CellState;
+using scan_cell_msgs::ScanResult;
+
+ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
+                       CellInUse& cell, const StateTopic& state)
+    : parameters_(parameters),
+      camera_(devices.camera),
+      stages_(parameters.binder, parameters.triangulation, parameters.call_timeout),
+      sequence_(devices.robot, devices.camera, devices.trigger, stages_, *this, parameters.limits,
+                parameters.timing),
+      state_(state),
+      action_(node, "scan", cell, state, *this) {
+  const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> count =
+      [this](const sensor_msgs::PointCloud2ConstPtr& cloud) {
+        points_ += static_cast<std::uint64_t>(cloud->width) * cloud->height;
+      };
+  cloud_subscriber_ =
+      node.subscribe<sensor_msgs::PointCloud2>(parameters.triangulation + "/cloud", 100, count);
+  publish_state(CellState::IDLE, "");
+  action_.start();
+}
+
+ScanAction::~ScanAction() {
+  action_.end();
+}
+
+std::string ScanAction::accept(const scan_cell_msgs::ScanGoal& goal) {
+  request_ = request_from(goal);
+  points_ = 0;
+  camera_.clear();
+  stages_.clear();
+  return request_.scan_id;
+}
+
+ScanResult ScanAction::run(const WhyToCancel& why_to_cancel) {
+  const ros::WallTime start = ros::WallTime::now();
+  const SequenceEnd end = sequence_.run(request_, why_to_cancel);
+  ScanResult result;
+  result.outcome = static_cast<std::uint8_t>(end.outcome);
+  result.scan_id = request_.scan_id;
+  result.audit = stages_.audit();
+  result.statistics = stages_.statistics();
+  result.cloud = stages_.cloud();
+  result.cloud_file = stages_.cloud_file();
+  result.seconds = (ros::WallTime::now() - start).toSec();
+  const bool finished = end.outcome == Outcome::Finished;
+  result.message = finished ? stages_.binding() : end.message;
+  publish_state(finished ? CellState::FINISHED : CellState::FAILED, end.message);
+  if (!finished)
+    ROS_WARN("Scan '%s' ended early: %s", request_.scan_id.c_str(), end.message.c_str());
+  return result;
+}
+
+ScanRequest ScanAction::request_from(const scan_cell_msgs::ScanGoal& goal) const {
+  ScanRequest request;
+  request.scan_id = goal.scan_id.empty()
+                        ? "scan_" + std::to_string(ros::Time::now().toNSec() / 1000000)
+                        : goal.scan_id;
+  request.start = in_base_frame(goal.start);
+  request.end = in_base_frame(goal.end);
+  request.speed = goal.speed;
+  request.rate = goal.rate;
+  request.lasers = goal.lasers;
+  check(request, parameters_.limits);
+  return request;
+}
+
+Eigen::Isometry3d ScanAction::in_base_frame(const geometry_msgs::PoseStamped& pose) const {
+  const geometry_msgs::Quaternion& q = pose.pose.orientation;
+  const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  constexpr double kUnit = 1e-3;
+  if (!(std::abs(norm - 1) < kUnit)) {
+    throw Refused("orientation of the flange", "quaternion of length " + std::to_string(norm),
+                  "give a unit quaternion");
+  }
+  const Eigen::Isometry3d flange = scan_cell_common::from_ros(pose.pose);
+  if (pose.header.frame_id == parameters_.base_frame) return flange;
+  try {
+    const auto base = transforms_.lookupTransform(parameters_.base_frame, pose.header.frame_id,
+                                                  ros::Time(0), ros::Duration(1.0));
+    return scan_cell_common::from_ros(base.transform) * flange;
+  } catch (const tf2::TransformException& error) {
+    throw Refused("frame '" + pose.header.frame_id + "'", error.what(),
+                  "give the poses in " + parameters_.base_frame +
+                      ", or start the node that publishes the calibrated frames");
+  }
+}
+
+void ScanAction::on_progress(int step, const std::string& name, double progress) {
+  constexpr double kPeriod = 0.1;  // [s]
+  const ros::WallTime now = ros::WallTime::now();
+  if (step == last_step_ && (now - last_feedback_).toSec() < kPeriod) return;
+  last_feedback_ = now;
+  last_step_ = step;
+  scan_cell_msgs::ScanFeedback feedback;
+  feedback.step = static_cast<std::uint8_t>(step);
+  feedback.step_name = name;
+  feedback.progress = progress;
+  feedback.frames = camera_.profiles();
+  feedback.points = points_;
+  action_.publish(feedback);
+}
+
+void ScanAction::on_capture_begins() {
+  publish_state(CellState::SCANNING, "");
+}
+
+void ScanAction::on_capture_ends() {}
+
+void ScanAction::publish_state(std::uint8_t state, const std::string& message) {
+  CellState cell;
+  cell.header.stamp = ros::Time::now();
+  cell.state = state;
+  cell.scan_id = request_.scan_id;
+  cell.message = message;
+  state_.publish(cell);
+}
+
+}  // namespace scan_cell

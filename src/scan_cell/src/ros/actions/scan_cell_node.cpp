@@ -1,0 +1,33 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include "actions/calibrate_action.h"
+#include "actions/grab_image.h"
+#include "actions/scan_action.h"
+#include "scan_cell_common/ros/node_main.h"
+#include "scan_cell_common/ros/shutdown_request.h"
+
+int main(int argc, char** argv) {
+  return scan_cell_common::node_main(
+      argc, argv, "scan_cell", "Directs the cell: the actions of a scan and of a calibration.", [] {
+        ros::NodeHandle node("~");
+        const scan_cell::Parameters parameters = scan_cell::Parameters::load(node);
+        constexpr int kThreads =
+            4;  // goals and cancels are heard while a service call is under way
+        ros::AsyncSpinner spinner(kThreads);
+        scan_cell::CellDevices devices(node, parameters);
+        scan_cell::CellInUse cell;
+        const scan_cell::StateTopic state(node);
+        scan_cell::ScanAction scan(node, parameters, devices, cell, state);
+        scan_cell::CalibrateAction calibrate(node, parameters, devices, cell, state);
+        const scan_cell::GrabImage grab_image(node, parameters, cell);
+        scan_cell_common::take_over_shutdown();
+        spinner.start();
+        bool dropped = false;
+        while (!scan_cell_common::shutdown_requested() && ros::ok()) {
+          dropped = dropped || devices.robot.drop_earlier_goals();
+          ros::WallDuration(0.02).sleep();
+        }
+      });
+}

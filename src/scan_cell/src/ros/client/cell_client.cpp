@@ -1,0 +1,164 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell/ros/cell_client.h"
+
+#include <actionlib/client/simple_action_client.h>
+
+#include "client/clean_cloud_watch.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell {
+namespace {
+
+using scan_cell_common::CatchInterrupts;
+using scan_cell_common::ConnectionError;
+
+constexpr double kCleaningTimeout = 60;  // [s]
+
+constexpr double kSlice = 0.1;         // [s] between two looks
+constexpr double kCancelTimeout = 15;  // [s] for a scan to be made safe and its data to be kept
+
+/// @throw ConnectionError if there is no server within `timeout` [s]
+/// @throw Refused if interrupted before
+template <class Client>
+void wait_for_server(Client& client, const std::string& name, double timeout) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (!client.waitForServer(ros::Duration(kSlice))) {
+    if (CatchInterrupts::interrupted())
+      throw scan_cell_common::Refused(name, "interrupted", "start it again");
+    if (ros::WallTime::now() < deadline) continue;
+    throw ConnectionError(name, "no action server within " + std::to_string(timeout) + " s",
+                          "start the cell with launch/scan_cell.launch");
+  }
+}
+
+/// Waits for the end of the goal; an interrupt cancels it, and its end is waited for as well.
+/// @throw ConnectionError if the server goes away; the goal is cancelled in case it is still there
+template <class Client>
+void wait_for_end(Client& client, const std::string& name) {
+  ros::WallTime deadline;  // zero: not cancelled
+  while (!client.waitForResult(ros::Duration(kSlice))) {
+    if (CatchInterrupts::interrupted() && deadline.isZero()) {
+      client.cancelGoal();
+      deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
+    }
+    const bool late = !deadline.isZero() && ros::WallTime::now() > deadline;
+    if (late || !ros::ok() || !client.isServerConnected()) {
+      client.cancelGoal();
+      throw ConnectionError(name,
+                            late ? "did not end when cancelled" : "the action server went away",
+                            "look at the cell's log");
+    }
+  }
+}
+
+bool has_begun(const scan_cell_msgs::StretchToolPathResult& result) {
+  return result.verdict.reason != scan_cell_msgs::StretchVerdict::NONE;
+}
+
+template <class Result>
+bool has_begun(const Result& result) {
+  return result.outcome != Result::NOT_BEGUN;
+}
+
+/// Sends a goal and waits for its end. The result is that of the server whatever the terminal
+/// state: it says itself how things ended.
+/// @param complete called with the goal once the server is there
+/// @throw ConnectionError if there is no server, or it goes away
+/// @throw Refused if another client's cancel, or goal, came before it began
+template <class Action, class Goal, class Complete, class Feedback>
+auto run_action(ros::NodeHandle node, const std::string& name, Goal goal, double timeout,
+                const Complete& complete, const Feedback& on_feedback) {
+  using Client = actionlib::SimpleActionClient<Action>;
+  const CatchInterrupts catch_interrupts;  // nobody may leave robot and laser running by Ctrl-C
+  Client client(node, name, false);
+  wait_for_server(client, name, timeout);
+  complete(goal);
+  client.sendGoal(goal, typename Client::SimpleDoneCallback(),
+                  typename Client::SimpleActiveCallback(), on_feedback);
+  wait_for_end(client, name);
+  if (client.getState() == actionlib::SimpleClientGoalState::LOST) {
+    throw ConnectionError(name, "the action server lost the goal; it was probably restarted",
+                          "look at the cell's log");
+  }
+  if (!has_begun(*client.getResult())) {
+    throw scan_cell_common::Refused(name, "did not begin", client.getState().getText());
+  }
+  return *client.getResult();
+}
+
+geometry_msgs::PoseStamped stamped(const Eigen::Isometry3d& pose, const std::string& frame) {
+  geometry_msgs::PoseStamped result;
+  result.header.frame_id = frame;
+  result.pose = scan_cell_common::to_ros_pose(pose);
+  return result;
+}
+
+}  // namespace
+
+CellClient::CellClient(ros::NodeHandle node, const Names& names)
+    : node_(node), names_(names), watcher_(node, names.state) {}
+
+scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const std::string& scan_id,
+                                            double timeout, const Progress& progress) {
+  scan_cell_msgs::ScanGoal goal;
+  goal.scan_id = scan_id;
+  goal.start = stamped(program.request.start, program.frame);
+  goal.end = stamped(program.request.end, program.frame);
+  goal.speed = program.request.speed;
+  goal.rate = program.request.rate;
+  goal.lasers = program.request.lasers;
+  const auto feedback = [&](const scan_cell_msgs::ScanFeedbackConstPtr& news) {
+    progress(news->step_name + ", " + std::to_string(news->frames) + " frames, " +
+                 std::to_string(news->points) + " points",
+             news->progress);
+  };
+  const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
+  const auto result =
+      run_action<scan_cell_msgs::ScanAction>(node_, names_.scan, goal, timeout, watched, feedback);
+  progress("scanned, " + std::to_string(result.audit.frames_bound) + " frames, " +
+               std::to_string(result.statistics.points) + " points",
+           1);
+  return result;
+}
+
+sensor_msgs::PointCloud2 CellClient::scan_clean(const ScanProgram& program,
+                                                const std::string& scan_id, double timeout,
+                                                const Progress& progress,
+                                                scan_cell_msgs::ScanResult& result) {
+  CleanCloudWatch watch(node_, names_.clean_cloud, names_.report);
+  result = scan(program, scan_id, timeout, progress);
+  if (result.outcome != scan_cell_msgs::ScanResult::FINISHED) {
+    throw scan_cell_common::Refused("scan '" + scan_id + "'", "ended early", result.message);
+  }
+  check_published(result.cloud_file);
+  return watch.wait(result.cloud.header.stamp, kCleaningTimeout);
+}
+
+scan_cell_msgs::CalibrateResult CellClient::calibrate(const scan_cell_msgs::CalibrateGoal& goal,
+                                                      double timeout, const Progress& progress) {
+  const auto feedback = [&](const scan_cell_msgs::CalibrateFeedbackConstPtr& news) {
+    const std::string where =
+        "pose " + std::to_string(news->pose) + " of " + std::to_string(news->poses) + ": ";
+    progress((news->pose > 0 ? where : "") + news->doing, news->progress);
+  };
+  const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
+  const auto result = run_action<scan_cell_msgs::CalibrateAction>(node_, names_.calibrate, goal,
+                                                                  timeout, watched, feedback);
+  progress(std::to_string(result.views) + " views recorded", 1);
+  return result;
+}
+
+scan_cell_msgs::StretchToolPathResult CellClient::stretch(
+    const scan_cell_msgs::StretchToolPathGoal& goal, double timeout, const Progress& progress) {
+  const auto feedback = [&](const scan_cell_msgs::StretchToolPathFeedbackConstPtr& news) {
+    progress(news->stage, news->progress);
+  };
+  const auto nothing = [](scan_cell_msgs::StretchToolPathGoal&) {};  // nothing moves
+  return run_action<scan_cell_msgs::StretchToolPathAction>(node_, names_.stretch, goal, timeout,
+                                                           nothing, feedback);
+}
+
+}  // namespace scan_cell

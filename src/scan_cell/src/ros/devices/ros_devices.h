@@ -1,0 +1,117 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+#include <scan_cell_msgs/MoveAction.h>
+#include <scan_cell_msgs/PeakProfile.h>
+#include <scan_cell_msgs/RobotStatus.h>
+#include <scan_cell_msgs/TriggerEvent.h>
+#include <scan_cell_msgs/TriggerState.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <atomic>
+#include <mutex>
+#include <string>
+
+#include "devices/last_heard.h"
+#include "devices/parameters.h"
+#include "sequence/devices.h"
+
+namespace scan_cell {
+
+/// The robot behind a node with c4g_driver's interface.
+class RosRobot : public Robot {
+ public:
+  RosRobot(ros::NodeHandle node, const Parameters& parameters);
+
+  std::string trouble() const override;
+  void set_linear_motion(double speed) override;
+  void start_move(const Eigen::Isometry3d& flange, double camera_rate) override;
+  Motion motion() const override;
+  std::string unseen() const override;
+  std::string hindrance() const override;
+  Eigen::Isometry3d static_pose() override;
+  void stop() noexcept override;
+
+  /// Drops what the robot was told before this object was made, by an earlier life of this node:
+  /// nobody watches over that.
+  /// @return false where the driver is not there yet: ask again
+  bool drop_earlier_goals();
+
+ private:
+  using Client = actionlib::SimpleActionClient<scan_cell_msgs::MoveAction>;
+
+  void on_status(const scan_cell_msgs::RobotStatus& status);
+  void on_transforms(const tf2_msgs::TFMessage& transforms);
+  void on_done(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
+               const scan_cell_msgs::MoveResultConstPtr& result);
+  void on_feedback(std::uint64_t move, const scan_cell_msgs::MoveFeedbackConstPtr& feedback);
+
+  const Parameters parameters_;
+  const ros::Time made_ = ros::Time::now();
+  LastHeard status_;
+  LastHeard pose_;       // status with a pose that is newer than the one before
+  LastHeard transform_;  // of the flange
+  mutable std::mutex mutex_;
+  scan_cell_msgs::RobotStatus last_status_;
+  Motion motion_;
+  std::uint64_t move_ =
+      0;           // number of the motion that counts; late news of earlier ones is ignored
+  Client client_;  // last, as the subscriber: their callbacks use all the rest
+  ros::Subscriber status_subscriber_;
+  ros::Subscriber transform_subscriber_;
+};
+
+/// The camera behind a node with tecnogamma_camera's interface.
+class RosCamera : public Camera {
+ public:
+  RosCamera(ros::NodeHandle node, const Parameters& parameters);
+
+  std::string trouble() const override;
+  void start() override;
+  void expect_profiles(double rate) override;
+  void stop() noexcept override;
+
+  /// Profiles since clear().
+  std::uint64_t profiles() const { return profiles_; }
+  void clear() { profiles_ = 0; }
+
+ private:
+  void set_acquisition(std::uint8_t mode, double timeout) const;
+
+  const Parameters parameters_;
+  LastHeard profile_;
+  std::atomic<std::uint64_t> profiles_{0};
+  std::atomic<double> silence_allowed_{0};  // [s]; 0: nothing is expected
+  ros::Subscriber subscriber_;              // last: its callbacks use all the rest
+};
+
+/// The trigger circuit behind a node with laser_trigger's interface.
+class RosTrigger : public Trigger {
+ public:
+  RosTrigger(ros::NodeHandle node, const Parameters& parameters);
+
+  std::string trouble() const override;
+  void arm(double rate, std::uint8_t lasers) override;
+  Disarmed disarm() noexcept override;
+  void keep_alive() override;
+
+ private:
+  void on_event(const scan_cell_msgs::TriggerEvent& event);
+  void on_state(const scan_cell_msgs::TriggerState& state);
+
+  const Parameters parameters_;
+  ros::Publisher keep_alive_publisher_;
+  LastHeard event_;
+  mutable std::mutex mutex_;
+  std::uint32_t arming_ = 0;          // the arming of ours; 0: none
+  std::uint64_t pulses_ = 0;          // events heard in it
+  std::string disarmed_because_;      // what the node said when it disarmed by itself
+  double silence_allowed_ = 0;        // [s]
+  ros::Subscriber event_subscriber_;  // last, as the other one: their callbacks use all the rest
+  ros::Subscriber state_subscriber_;
+};
+
+}  // namespace scan_cell

@@ -1,0 +1,188 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/this_node.h>
+#include <scan_cell_msgs/GetStaticPose.h>
+#include <scan_cell_msgs/SetControllerParameter.h>
+#include <scan_cell_msgs/SetLinearSpeed.h>
+
+#include "devices/ros_devices.h"
+#include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell {
+
+using scan_cell_msgs::MoveGoal;
+using scan_cell_msgs::MoveResult;
+
+namespace {
+
+/// How a motion ended that did not reach its target.
+Motion::State state_of(std::uint8_t outcome) {
+  switch (outcome) {
+    case MoveResult::LINK_LOST:
+      return Motion::State::Lost;
+    case MoveResult::STOPPED:
+      return Motion::State::Stopped;
+    default:
+      return Motion::State::Failed;
+  }
+}
+
+/// @throw ConnectionError where the driver lost the controller, Refused where one of them refuses
+template <class Service>
+typename Service::Response call_driver(const std::string& name,
+                                       const typename Service::Request& request, double timeout) {
+  const typename Service::Response response = ask<Service>(name, request, timeout);
+  if (response.link_lost) {
+    throw scan_cell_common::ConnectionError(name, "link lost", response.message);
+  }
+  check_answer(name, response);
+  return response;
+}
+
+}  // namespace
+
+RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
+    : parameters_(parameters), client_(node, parameters.robot + "/move", false) {
+  status_subscriber_ = node.subscribe(parameters.robot + "/status", 10, &RosRobot::on_status, this);
+  transform_subscriber_ = node.subscribe("/tf", 100, &RosRobot::on_transforms, this,
+                                         ros::TransportHints().tcpNoDelay());
+}
+
+void RosRobot::on_status(const scan_cell_msgs::RobotStatus& status) {
+  status_.now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (status.header.stamp != last_status_.header.stamp) pose_.now();
+  last_status_ = status;
+}
+
+void RosRobot::on_transforms(const tf2_msgs::TFMessage& transforms) {
+  for (const auto& transform : transforms.transforms) {
+    if (transform.child_frame_id == parameters_.flange_frame) transform_.now();
+  }
+}
+
+std::string RosRobot::unseen() const {
+  if (!transform_.ever()) {
+    return "robot: never a pose of " + parameters_.flange_frame +
+           "; set flange_frame to that of the driver";
+  }
+  const double age = transform_.age();
+  if (age <= parameters_.unseen_after) return "";
+  return "robot: no pose for " + std::to_string(age) +
+         " s in mid motion; check the controller, its cable and its driver";
+}
+
+std::string RosRobot::trouble() const {
+  if (!client_.isServerConnected()) {
+    return "robot: no action server " + parameters_.robot + "/move; is its driver running?";
+  }
+  if (!status_.ever() || status_.age() > parameters_.lost_after) {
+    return "robot: no status on " + parameters_.robot + "/status; is its driver running?";
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!last_status_.connected) {
+    return "robot: the driver has no connection to the controller (" + last_status_.message +
+           "); check the controller and the cable";
+  }
+  if (pose_.age() > parameters_.lost_after) {
+    return "robot: no new pose for " + std::to_string(parameters_.lost_after) +
+           " s; check the controller's program and the driver's diagnostics";
+  }
+  return "";
+}
+
+void RosRobot::set_linear_motion(double speed) {
+  scan_cell_msgs::SetLinearSpeed::Request linear_speed;
+  linear_speed.speed = speed;
+  call_driver<scan_cell_msgs::SetLinearSpeed>(parameters_.robot + "/set_linear_speed", linear_speed,
+                                              parameters_.call_timeout);
+  for (const char* name : {"motion_type", "interpolation"}) {
+    scan_cell_msgs::SetControllerParameter::Request parameter;
+    parameter.name = name;
+    parameter.value = "\"linear\"";
+    call_driver<scan_cell_msgs::SetControllerParameter>(parameters_.robot + "/set_parameter",
+                                                        parameter, parameters_.call_timeout);
+  }
+}
+
+void RosRobot::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
+  MoveGoal goal;
+  goal.kind = MoveGoal::CARTESIAN;
+  goal.pose.header.frame_id = parameters_.base_frame;
+  goal.pose.header.stamp = ros::Time::now();
+  goal.pose.pose = scan_cell_common::to_ros_pose(flange);
+  goal.camera_rate = camera_rate;
+  goal.watcher = ros::this_node::getName();
+  std::uint64_t move = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    motion_ = Motion();
+    move = ++move_;
+  }
+  client_.sendGoal(
+      goal, [this, move](const auto& state, const auto& result) { on_done(move, state, result); },
+      Client::SimpleActiveCallback(),
+      [this, move](const auto& feedback) { on_feedback(move, feedback); });
+}
+
+void RosRobot::on_feedback(std::uint64_t move,
+                           const scan_cell_msgs::MoveFeedbackConstPtr& feedback) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (move == move_ && motion_.state == Motion::State::Moving) {
+    motion_.progress = feedback->progress;
+  }
+}
+
+void RosRobot::on_done(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
+                       const scan_cell_msgs::MoveResultConstPtr& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (move != move_) return;
+  if (state == actionlib::SimpleClientGoalState::SUCCEEDED) {
+    motion_ = {Motion::State::Reached, 1, ""};
+    return;
+  }
+  motion_.state = !result ? Motion::State::Lost : state_of(result->outcome);
+  motion_.message = result && !result->message.empty() ? result->message : state.getText();
+}
+
+Motion RosRobot::motion() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return motion_;
+}
+
+std::string RosRobot::hindrance() const {
+  using scan_cell_msgs::RobotStatus;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (last_status_.e_stopped == RobotStatus::YES) return "the emergency stop is pressed";
+  if (!last_status_.alarm_texts.empty()) return "alarm: " + last_status_.alarm_texts.front();
+  if (last_status_.drives_powered == RobotStatus::NO) return "the drives are off";
+  if (last_status_.motion_possible == RobotStatus::NO) {
+    return "the controller takes no motion in mode " + last_status_.controller_mode;
+  }
+  return "";
+}
+
+Eigen::Isometry3d RosRobot::static_pose() {
+  const auto answer = call_driver<scan_cell_msgs::GetStaticPose>(
+      parameters_.robot + "/get_static_pose", {}, parameters_.call_timeout);
+  if (answer.pose.header.frame_id != parameters_.base_frame) {
+    throw scan_cell_common::Refused("static pose", "in frame '" + answer.pose.header.frame_id + "'",
+                                    "set base_frame to the driver's");
+  }
+  return scan_cell_common::from_ros(answer.pose.pose);
+}
+
+bool RosRobot::drop_earlier_goals() {
+  if (!client_.isServerConnected()) return false;
+  client_.cancelGoalsAtAndBeforeTime(made_);
+  return true;
+}
+
+void RosRobot::stop() noexcept {
+  // By its number, however the clock was set meanwhile; and what was told before it.
+  client_.cancelGoal();
+  client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
+}
+
+}  // namespace scan_cell

@@ -1,0 +1,59 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/service_client.h>
+#include <scan_cell_msgs/BindingAudit.h>
+#include <scan_cell_msgs/CloudStatistics.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <string>
+
+#include "sequence/devices.h"
+
+namespace scan_cell {
+
+/// Binder and triangulation behind nodes with the interfaces of pose_frame_binder and
+/// laser_triangulation.
+class RosStages : public Stages {
+ public:
+  /// @param binder node with ~start and ~finish
+  /// @param triangulation node with ~start and ~finish
+  /// @param call_timeout [s] the longest a call may take beyond what it waits for late data
+  RosStages(const std::string& binder, const std::string& triangulation, double call_timeout);
+
+  std::string trouble() const override;
+  void start(const std::string& scan_id) override;
+  std::uint64_t bind(std::uint64_t pulses, double patience) override;
+  void triangulate(bool whole, double patience) override;
+
+  /// Forgets the results of the last scan.
+  void clear();
+
+  /// Of the scan that ended last, also where it failed; empty since clear() or start().
+  const scan_cell_msgs::BindingAudit& audit() const { return audit_; }
+  const std::string& binding() const { return binding_; }  //!< the audit for a person
+  const scan_cell_msgs::CloudStatistics& statistics() const { return statistics_; }
+  const sensor_msgs::PointCloud2& cloud() const { return cloud_; }
+  /// With the cloud, where that is too large for a message; else empty.
+  const std::string& cloud_file() const { return cloud_file_; }
+
+ private:
+  double longest(double patience) const;  // [s] that a call may take
+  std::string finish_binding() const { return binder_ + "/finish"; }
+  std::string finish_cloud() const { return triangulation_ + "/finish"; }
+
+  const std::string binder_;
+  const std::string triangulation_;
+  const double call_timeout_;
+  bool under_way_ = false;          // from start() to bind()
+  ros::ServiceClient binder_line_;  // held from start() on: it breaks where the node dies
+  ros::ServiceClient triangulation_line_;
+  scan_cell_msgs::BindingAudit audit_;
+  std::string binding_;
+  scan_cell_msgs::CloudStatistics statistics_;
+  sensor_msgs::PointCloud2 cloud_;
+  std::string cloud_file_;
+};
+
+}  // namespace scan_cell

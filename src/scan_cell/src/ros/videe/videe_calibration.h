@@ -1,0 +1,69 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+#include <scan_cell_msgs/CalibrateAction.h>
+
+#include <string>
+
+#include "scan_cell/ros/cell_watcher.h"
+#include "scan_cell_common/ros/parameter_reader.h"
+#include "videe/videe_server.h"
+
+namespace scan_cell {
+
+/// What a calibration over ViDeE is made of: parameters of videe_node under calibration/.
+struct VideeCalibrationParameters {
+  std::string poses;              //!< taught poses; empty: calibration is not served
+  std::string sessions = "/tmp";  //!< each calibration makes a session folder in it
+  std::string output;             //!< scanner model to write; empty: only record
+  int board_columns = 15;         //!< inner corners
+  int board_rows = 25;            //!< inner corners
+  double square_size = 0.020;     //!< [m]
+  int lasers = 3;                 //!< bit mask; 0: the camera alone
+  std::string scanner;  //!< existing model, which gives what is not calibrated anew; empty: none
+  bool lasers_alone = false;     //!< camera and its pose on the flange are those of `scanner`
+  double board_exposure = 0.05;  //!< [s] lasers off
+  double line_exposure = 0.001;  //!< [s]
+
+  /// @throw scan_cell_common::InvalidParameter
+  static VideeCalibrationParameters load(scan_cell_common::ParameterReader& reader);
+};
+
+/// INIT_CALIBRATION and PERFORM_CALIBRATION.
+class VideeCalibration {
+ public:
+  /// @param action of the cell
+  /// @param watcher must outlive this object
+  VideeCalibration(ros::NodeHandle node, const VideeCalibrationParameters& parameters,
+                   const std::string& action, const CellWatcher& watcher, double call_timeout);
+
+  /// Reads the taught poses.
+  /// @return how many, as poses=N
+  /// @throw scan_cell_common::Error if they cannot be used
+  std::string init();
+
+  /// Records and computes.
+  /// @return the figures
+  /// @throw scan_cell_common::Error, also where the client goes while it waits
+  std::string perform(const VideeServer::ClientThere& client_there);
+
+  /// Ends what is under way; INIT_CALIBRATION is needed again.
+  /// @throw scan_cell_common::ConnectionError if it does not end
+  void reset();
+
+ private:
+  scan_cell_msgs::CalibrateGoal goal() const;
+
+  const VideeCalibrationParameters parameters_;
+  const std::string action_;
+  const CellWatcher& watcher_;
+  const double call_timeout_;
+  actionlib::SimpleActionClient<scan_cell_msgs::CalibrateAction> client_;
+  bool ready_ = false;    // the taught poses were read
+  bool running_ = false;  // a goal is under way
+};
+
+}  // namespace scan_cell

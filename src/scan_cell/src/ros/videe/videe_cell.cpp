@@ -1,0 +1,169 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "videe/videe_cell.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <scan_cell_msgs/GrabImage.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+
+#include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/ros/parameter_reader.h"
+#include "videe/videe_wait.h"
+
+namespace scan_cell {
+
+using scan_cell_common::Refused;
+
+namespace {
+
+constexpr double kCallsInside = 4;  // timeouts: three calls inside of grab_image, and its own
+
+/// Whether a command only ends things.
+bool is_end(VideeCommandKind kind) {
+  return kind == VideeCommandKind::InitCycle || kind == VideeCommandKind::Reset;
+}
+
+}  // namespace
+
+VideeParameters VideeParameters::load(const ros::NodeHandle& node) {
+  scan_cell_common::ParameterReader reader(node);
+  VideeParameters parameters;
+  int port = parameters.server.port;
+  reader.read("address", parameters.server.address);
+  reader.read("port", port, {1, 65535});
+  parameters.server.port = static_cast<std::uint16_t>(port);
+  reader.read("client", parameters.server.client);
+  reader.read("idle_time", parameters.server.idle_time, {1, 86400});
+  reader.require("program", parameters.program);
+  reader.read("image_folder", parameters.image_folder);
+  reader.read("scan", parameters.scan);
+  reader.read("grab_image", parameters.grab_image);
+  reader.read("calibrate", parameters.calibrate);
+  reader.read("state", parameters.state);
+  parameters.calibration = VideeCalibrationParameters::load(reader);
+  reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
+  reader.refuse_unknown();
+  return parameters;
+}
+
+VideeCell::VideeCell(ros::NodeHandle node, const VideeParameters& parameters)
+    : node_(node),
+      parameters_(parameters),
+      program_(load_scan_program(parameters.program)),
+      watcher_(node, parameters.state),
+      scans_(node, parameters.scan),
+      calibrations_(node, parameters.calibrate),
+      client_(node, parameters.scan, false),
+      calibration_(node, parameters.calibration, parameters.calibrate, watcher_,
+                   parameters.call_timeout) {}
+
+std::string VideeCell::carry_out(const VideeCommand& command,
+                                 const VideeServer::ClientThere& client_there) {
+  if (!is_end(command.kind) && !client_there()) {
+    throw scan_cell_common::ConnectionError("ViDeE client", "gone", "connect again");
+  }
+  switch (command.kind) {
+    case VideeCommandKind::InitCycle:
+      end_own();
+      return "";
+    case VideeCommandKind::Reset:
+      end_all();
+      return "";
+    case VideeCommandKind::InitCalibration:
+      return calibration_.init();
+    case VideeCommandKind::PerformCalibration:
+      return calibration_.perform(client_there);
+    case VideeCommandKind::GrabImage:
+      return grab_image();
+    case VideeCommandKind::SetPosition:
+      return set_position(command);
+    case VideeCommandKind::StartScan:
+      return start_scan();
+    case VideeCommandKind::StopScan:
+      return stop_scan(client_there);
+  }
+  throw Refused("command", "unknown", "send a ViDeE command");
+}
+
+void VideeCell::end_own() {
+  positions_.clear();
+  calibration_.reset();
+  if (!running_) return;
+  running_ = false;
+  cancel_and_wait(client_, parameters_.scan);
+}
+
+void VideeCell::end_all() {
+  end_own();
+  scans_.cancel(parameters_.call_timeout);
+  calibrations_.cancel(parameters_.call_timeout);
+  scans_.wait_until_ended(kCancelTimeout);
+  calibrations_.wait_until_ended(kCancelTimeout);
+}
+
+std::string VideeCell::set_position(const VideeCommand& command) {
+  if (running_) {
+    throw Refused("SET_POSITION", "a scan is running", "send STOP_SCAN or RESET first");
+  }
+  positions_ = command.poses;
+  return "";
+}
+
+std::string VideeCell::start_scan() {
+  if (positions_.empty()) {
+    throw Refused("START_SCAN", "no positions", "send SET_POSITION first");
+  }
+  if (running_) throw Refused("START_SCAN", "a scan is running", "send STOP_SCAN or RESET first");
+  wait_for_server(client_, parameters_.scan, parameters_.call_timeout);
+  scan_cell_msgs::ScanGoal goal;
+  goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
+  goal.start.pose = scan_cell_common::to_ros_pose(positions_[0]);
+  goal.end.pose = scan_cell_common::to_ros_pose(positions_[1]);
+  goal.speed = program_.request.speed;
+  goal.rate = program_.request.rate;
+  goal.lasers = program_.request.lasers;
+  goal.watcher = watcher_.name(parameters_.call_timeout);
+  client_.sendGoal(goal);
+  wait_until_taken(client_, parameters_.scan, parameters_.call_timeout);
+  running_ = true;
+  return "";
+}
+
+std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
+  if (!running_) throw Refused("STOP_SCAN", "no scan is running", "send START_SCAN first");
+  const auto result = wait_for_result(client_, parameters_.scan, client_there, running_);
+  if (result->outcome != scan_cell_msgs::ScanResult::FINISHED) {
+    throw Refused("scan '" + result->scan_id + "'", "ended early", result->message);
+  }
+  return "scan=" + result->scan_id + " frames=" + std::to_string(result->audit.frames_bound) +
+         " points=" + std::to_string(result->statistics.points);
+}
+
+std::string VideeCell::grab_image() {
+  const auto answer = call<scan_cell_msgs::GrabImage>(parameters_.grab_image, {},
+                                                      kCallsInside * parameters_.call_timeout);
+  const auto image = cv_bridge::toCvCopy(answer.image, sensor_msgs::image_encodings::MONO8);
+  std::string path;
+  do {
+    path = parameters_.image_folder + "/image_" + std::to_string(++images_) + ".png";
+  } while (std::filesystem::exists(path));  // of an earlier run of this node
+  if (!cv::imwrite(path, image->image)) {
+    throw scan_cell_common::FileError(path, "cannot be written", "check image_folder");
+  }
+  return path;
+}
+
+void VideeCell::on_client_lost() {
+  ROS_INFO("The ViDeE client is gone; what it had under way is cancelled");
+  try {
+    end_own();
+  } catch (const scan_cell_common::Error& error) {
+    ROS_ERROR("%s", error.what());
+  }
+}
+
+}  // namespace scan_cell

@@ -1,0 +1,73 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+#include <scan_cell_msgs/ScanAction.h>
+
+#include <string>
+#include <vector>
+
+#include "scan_cell/ros/cell_watcher.h"
+#include "scan_cell/scan_program.h"
+#include "scan_cell/videe_command.h"
+#include "videe/goals_under_way.h"
+#include "videe/videe_calibration.h"
+#include "videe/videe_server.h"
+
+namespace scan_cell {
+
+/// Parameters of videe_node.
+struct VideeParameters {
+  VideeServer::Options server;
+  std::string program;                   //!< scan program: frame, speed, rate and laser are used
+  std::string image_folder = "/tmp";     //!< where GRAB_IMAGE leaves its pictures
+  std::string scan = "/scan_cell/scan";  //!< action
+  std::string grab_image = "/scan_cell/grab_image";  //!< service
+  std::string calibrate = "/scan_cell/calibrate";    //!< action
+  std::string state = "/scan_cell/state";            //!< topic
+  VideeCalibrationParameters calibration;
+  double call_timeout = 5.0;  //!< [s]
+
+  /// @throw scan_cell_common::InvalidParameter
+  static VideeParameters load(const ros::NodeHandle& node);
+};
+
+/// What the ViDeE commands do to the cell.
+class VideeCell {
+ public:
+  /// @throw scan_cell_common::Error if the scan program cannot be used
+  VideeCell(ros::NodeHandle node, const VideeParameters& parameters);
+
+  /// @return what follows OK
+  /// @throw scan_cell_common::Error, also where the client goes while it waits
+  std::string carry_out(const VideeCommand& command, const VideeServer::ClientThere& client_there);
+
+  /// A client that is gone no longer watches: its scan or calibration is cancelled.
+  void on_client_lost();
+
+ private:
+  using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
+
+  std::string grab_image();
+  std::string set_position(const VideeCommand& command);
+  std::string start_scan();
+  std::string stop_scan(const VideeServer::ClientThere& client_there);
+  void end_own();
+  void end_all();
+
+  ros::NodeHandle node_;
+  const VideeParameters parameters_;
+  const ScanProgram program_;
+  const CellWatcher watcher_;
+  GoalsUnderWay scans_;
+  GoalsUnderWay calibrations_;
+  Client client_;
+  VideeCalibration calibration_;
+  std::vector<Eigen::Isometry3d> positions_;
+  bool running_ = false;
+  int images_ = 0;
+};
+
+}  // namespace scan_cell

@@ -1,0 +1,260 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <lzf.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "files/scalars.h"
+#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/text.h"
+
+namespace scan_cell_common {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+struct Field {
+  std::string name;
+  std::uint64_t size = 4;  // [bytes] of one value
+  std::string_view type = "F";
+  std::uint64_t count = 1;
+};
+
+struct Header {
+  std::vector<Field> fields;
+  std::uint64_t width = 0;
+  std::uint64_t height = 1;
+  std::optional<std::uint64_t> points;
+  std::string_view data;
+};
+
+/// Where x, y or z stands.
+struct Coordinate {
+  std::size_t word = 0;    // of a line
+  std::size_t offset = 0;  // [bytes] of the fields before it in a point
+  Scalar type = Scalar::kFloat;
+};
+
+/// The place and size of everything in a point.
+struct Layout {
+  std::array<Coordinate, 3> xyz;
+  std::size_t words = 0;
+  std::size_t size = 0;  // [bytes]
+};
+
+std::uint64_t count_of(std::string_view word, std::uint64_t most, const std::string& where) {
+  const std::optional<std::uint64_t> count = parse_count(word);
+  if (count && *count <= most) return *count;
+  throw FileError(where, "'" + excerpt(word) + "'",
+                  "give a whole number up to " + std::to_string(most));
+}
+
+void set_fields(Header& header, const Words& words, const std::string& where) {
+  const std::string_view key = words[0];
+  if (key == "FIELDS" || key == "COLUMNS") {
+    header.fields.assign(words.size() - 1, {});
+    for (std::size_t i = 0; i < header.fields.size(); ++i)
+      header.fields[i].name = words[i + 1];
+    return;
+  }
+  if (header.fields.size() != words.size() - 1) {
+    throw FileError(where,
+                    std::to_string(words.size() - 1) + " values for " +
+                        std::to_string(header.fields.size()) + " fields",
+                    "correct the header");
+  }
+  constexpr std::uint64_t kMostSize = 8;
+  constexpr std::uint64_t kMostCount = 1000000;
+  for (std::size_t i = 0; i < header.fields.size(); ++i) {
+    if (key == "SIZE") header.fields[i].size = count_of(words[i + 1], kMostSize, where);
+    if (key == "TYPE") header.fields[i].type = words[i + 1];
+    if (key == "COUNT") header.fields[i].count = count_of(words[i + 1], kMostCount, where);
+  }
+}
+
+void set_size(Header& header, const Words& words, const std::string& where) {
+  constexpr std::uint64_t kMost = 0x7fffffff;
+  const std::string_view key = words[0];
+  if (words.size() != 2) throw FileError(where, "no single number", "correct the header");
+  const std::uint64_t count = count_of(words[1], kMost, where);
+  if (key == "WIDTH") header.width = count;
+  if (key == "HEIGHT") header.height = count;
+  if (key == "POINTS") header.points = count;
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> known) {
+  return std::find(known.begin(), known.end(), word) != known.end();
+}
+
+Header header_of(LineReader& lines, const std::string& source) {
+  Header header;
+  while (lines.next_filled()) {
+    const Words& words = lines.words();
+    const std::string_view key = words[0];
+    if (key[0] == '#' || is_one_of(key, {"VERSION", "VIEWPOINT"})) continue;
+    if (is_one_of(key, {"FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT"})) {
+      set_fields(header, words, lines.where());
+    } else if (is_one_of(key, {"WIDTH", "HEIGHT", "POINTS"})) {
+      set_size(header, words, lines.where());
+    } else if (key == "DATA" && words.size() == 2) {
+      header.data = words[1];
+      return header;
+    } else {
+      throw FileError(lines.where(), "'" + excerpt(key) + "' in the header of a PCD file",
+                      "give a cloud as PLY or PCD");
+    }
+  }
+  throw FileError(source, "no PCD file, or one whose header has no end", "write the file again");
+}
+
+/// @return the points that the header promises
+std::uint64_t points_of(const Header& header, const std::string& source) {
+  const std::uint64_t points = header.width * header.height;
+  if (!header.points || *header.points == points) return points;
+  throw FileError(source,
+                  std::to_string(*header.points) + " points in " + std::to_string(header.width) +
+                      " x " + std::to_string(header.height),
+                  "correct WIDTH, HEIGHT and POINTS");
+}
+
+Layout layout_of(const Header& header, const std::string& source) {
+  Layout layout;
+  std::array<int, 3> times{};
+  for (const Field& field : header.fields) {
+    const std::size_t axis = std::string_view("xyz").find(field.name);
+    const bool usable =
+        field.type == "F" && field.count == 1 && (field.size == 4 || field.size == 8);
+    if (field.name.size() == 1 && axis != std::string_view::npos && usable) {
+      const Scalar type = field.size == 8 ? Scalar::kDouble : Scalar::kFloat;
+      layout.xyz[axis] = {layout.words, layout.size, type};
+      ++times[axis];
+    }
+    layout.words += field.count;
+    layout.size += field.count * field.size;
+  }
+  if (times == std::array<int, 3>{1, 1, 1}) return layout;
+  throw FileError(source, "no single x, y and z as float or double",
+                  "write it again with x, y and z as float or double");
+}
+
+[[noreturn]] void refuse_truncated(const std::string& source, std::uint64_t points,
+                                   std::size_t bytes) {
+  throw FileError(source,
+                  "truncated: its header promises " + std::to_string(points) + " points, it has " +
+                      std::to_string(bytes) + " bytes for them",
+                  "write the file again");
+}
+
+/// A header that promises more than the file can hold is refused before anything is made for it.
+void check_count(std::uint64_t points, std::size_t size, std::size_t bytes,
+                 const std::string& source) {
+  if (points > bytes / size) refuse_truncated(source, points, bytes);
+}
+
+void read_ascii(LineReader& lines, const Layout& layout, std::uint64_t points,
+                const std::string& source, Cloud& cloud) {
+  check_count(points, 2 * layout.words, lines.left() + 1, source);
+  const auto number = [&lines](std::string_view word) {
+    const std::optional<double> value = parse_number(word);
+    if (!value) throw FileError(lines.where(), "'" + excerpt(word) + "'", "give a number");
+    return to_float(*value);
+  };
+  for (std::uint64_t i = 0; i < points; ++i) {
+    if (!lines.next_filled()) {
+      throw FileError(
+          source,
+          "truncated: " + std::to_string(i) + " of " + std::to_string(points) + " points are there",
+          "write the file again");
+    }
+    const Words& words = lines.words();
+    if (words.size() != layout.words) {
+      throw FileError(lines.where(), std::to_string(words.size()) + " values",
+                      "give " + std::to_string(layout.words) + ", as the header says");
+    }
+    cloud.points.emplace_back(number(words[layout.xyz[0].word]), number(words[layout.xyz[1].word]),
+                              number(words[layout.xyz[2].word]));
+  }
+  if (lines.next_filled()) {
+    throw FileError(lines.where(), "more than the header promises", "correct the header");
+  }
+}
+
+void read_binary(std::string_view bytes, const Layout& layout, std::uint64_t points,
+                 const std::string& source, Cloud& cloud) {
+  check_count(points, layout.size, bytes.size(), source);
+  const auto number = [&](std::uint64_t point, const Coordinate& at) {
+    return load_float(bytes.data() + point * layout.size + at.offset, at.type, false);
+  };
+  for (std::uint64_t i = 0; i < points; ++i) {
+    cloud.points.emplace_back(number(i, layout.xyz[0]), number(i, layout.xyz[1]),
+                              number(i, layout.xyz[2]));
+  }
+  const std::string_view rest = bytes.substr(points * layout.size);
+  if (rest.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos) {
+    throw FileError(source, std::to_string(rest.size()) + " bytes more than its header promises",
+                    "write the file again");
+  }
+}
+
+/// LZF: two sizes, then each field of all points as a whole.
+std::string unpacked(std::string_view bytes, std::uint64_t wanted, const std::string& source) {
+  constexpr std::size_t kSizes = 8;
+  constexpr std::uint64_t kMostRatio = 264 / 3;  // what three bytes of LZF can stand for
+  if (bytes.size() <= kSizes) refuse_truncated(source, wanted, bytes.size());
+  const auto packed_size = load_as<std::uint32_t>(bytes.data(), false);
+  const auto size = load_as<std::uint32_t>(bytes.data() + 4, false);
+  const std::string_view packed = bytes.substr(kSizes);
+  if (packed_size == 0 || packed_size > packed.size() || size != wanted ||
+      size > kMostRatio * packed_size) {
+    throw FileError(source, "truncated, or its sizes contradict each other",
+                    "write the file again");
+  }
+  std::string result(size, '\0');
+  if (lzf_decompress(packed.data(), packed_size, result.data(), size) != size) {
+    throw FileError(source, "its compressed points are broken", "write the file again");
+  }
+  return result;
+}
+
+void read_compressed(std::string_view bytes, const Layout& layout, std::uint64_t points,
+                     const std::string& source, Cloud& cloud) {
+  check_count(points, layout.size, std::numeric_limits<std::uint32_t>::max(), source);
+  const std::string fields = unpacked(bytes, points * layout.size, source);
+  const auto number = [&](std::uint64_t point, const Coordinate& at) {
+    return load_float(fields.data() + at.offset * points + point * size_of(at.type), at.type,
+                      false);
+  };
+  for (std::uint64_t i = 0; i < points; ++i) {
+    cloud.points.emplace_back(number(i, layout.xyz[0]), number(i, layout.xyz[1]),
+                              number(i, layout.xyz[2]));
+  }
+}
+
+}  // namespace
+
+Cloud parse_pcd(std::string_view file, const std::string& source) {
+  const std::string_view bytes = without_byte_order_mark(file);
+  LineReader lines(bytes, source);
+  const Header header = header_of(lines, source);
+  const std::uint64_t points = points_of(header, source);
+  const Layout layout = layout_of(header, source);
+  Cloud cloud;
+  if (header.data == "ascii") {
+    read_ascii(lines, layout, points, source, cloud);
+  } else if (header.data == "binary") {
+    read_binary(bytes.substr(lines.position()), layout, points, source, cloud);
+  } else if (header.data == "binary_compressed" && points > 0) {
+    read_compressed(bytes.substr(lines.position()), layout, points, source, cloud);
+  } else if (header.data != "binary_compressed") {
+    throw FileError(source, "DATA '" + excerpt(header.data) + "'",
+                    "write it as ascii, binary or binary_compressed");
+  }
+  cloud.width = static_cast<std::uint32_t>(header.width);
+  cloud.height = static_cast<std::uint32_t>(header.height);
+  return cloud;
+}
+
+}  // namespace scan_cell_common

@@ -1,0 +1,92 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "camera/udp_socket.h"
+#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_sim/laser_line_renderer.h"
+
+struct _ArvFakeCamera;
+
+namespace scan_cell_sim::gige {
+
+/// The camera's side of the GigE Vision control protocol (GVCP 1.2) over Aravis' register file and
+/// GenICam description: discovery, registers, memory, control by one client with its heartbeat,
+/// test packets and requests to send packets again. To be used from one thread.
+class ControlServer {
+ public:
+  static constexpr std::uint16_t kPort = 3956;
+
+  /// Packets that a client missed, first and last included.
+  struct ResendRequest {
+    std::uint16_t block;
+    std::uint32_t first;
+    std::uint32_t last;
+  };
+
+  /// @param genicam_file readable
+  /// @throw as UdpSocket
+  ControlServer(const std::string& address, const std::string& serial,
+                const std::string& genicam_file);
+  ~ControlServer();
+
+  ControlServer(const ControlServer&) = delete;
+  ControlServer& operator=(const ControlServer&) = delete;
+
+  /// Answers all that waits. A client that was silent for longer than its heartbeat allows loses
+  /// control, and acquisition stops.
+  void serve(scan_cell_common::Nanoseconds now,
+             const std::function<void(const ResendRequest&)>& on_resend);
+
+  /// To wait on for commands.
+  std::array<int, 2> handles() const { return {unicast_.handle(), broadcast_.handle()}; }
+
+  void set_register(std::uint32_t address, std::uint32_t value);
+
+  bool acquires() const;
+  bool in_trigger_mode() const;
+  bool triggered_by_line() const;  //!< not by software
+  Region region() const;
+  double exposure() const;  //!< [s]
+  double gain() const;      //!< factor
+  double period() const;    //!< [s] of the free run
+
+  /// Whether the client asked for a frame since the last time.
+  bool take_software_trigger();
+
+  std::uint32_t packet_size() const;  //!< [bytes] with IP and UDP headers
+  sockaddr_in stream_peer() const;
+
+ private:
+  struct Command;
+
+  void answer(const Command& command, const sockaddr_in& peer,
+              const std::function<void(const ResendRequest&)>& on_resend);
+  void read_registers(const Command& command, const sockaddr_in& peer);
+  void write_registers(const Command& command, const sockaddr_in& peer);
+  void read_memory(const Command& command, const sockaddr_in& peer);
+  void write_memory(const Command& command, const sockaddr_in& peer);
+  void acknowledge(const Command& command, std::uint32_t status,
+                   const std::vector<std::uint8_t>& data, const sockaddr_in& peer);
+  void after_write(const sockaddr_in& peer);
+  void fire_test_packet();
+  void release();
+  bool controls(const sockaddr_in& peer) const;
+  std::uint32_t get(std::uint32_t address) const;
+  std::size_t memory_size() const;
+
+  UdpSocket unicast_;
+  UdpSocket broadcast_;
+  std::unique_ptr<_ArvFakeCamera, void (*)(_ArvFakeCamera*)> registers_;
+  std::optional<sockaddr_in> controller_;
+  scan_cell_common::Nanoseconds now_ = 0;
+  scan_cell_common::Nanoseconds heard_ = 0;  // from the controller
+};
+
+}  // namespace scan_cell_sim::gige

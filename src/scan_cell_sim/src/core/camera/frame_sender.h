@@ -1,0 +1,61 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "camera/control_server.h"
+#include "camera/stream_packets.h"
+
+namespace scan_cell_sim::gige {
+
+/// Packets that never reach the client, the same ones for the same seed.
+struct PacketFaults {
+  double lost = 0;       //!< share that is lost however often it is sent
+  double lost_once = 0;  //!< share that is lost the first time
+  std::uint64_t seed = 1;
+};
+
+/// Sends frames packet by packet, no faster than a wire would take them, and keeps the last ones to
+/// send packets of them again. To be used from one thread.
+class FrameSender {
+ public:
+  /// @param rate [bytes/s] of the wire
+  /// @throw as UdpSocket
+  FrameSender(const std::string& address, double rate);
+
+  bool busy() const { return next_packet_.has_value() || !requests_.empty(); }
+
+  /// Room for the next frame's pixels: those of a frame that is kept no longer.
+  std::vector<std::uint8_t> spare_pixels();
+
+  /// Begins to send a frame; the one before must have gone.
+  void begin(Frame frame, std::uint32_t packet_size, const PacketFaults& faults);
+  void request(const ControlServer::ResendRequest& request);
+  void abort();
+
+  /// Sends what the wire takes now.
+  void send(scan_cell_common::Nanoseconds now, const sockaddr_in& peer);
+
+  /// When the wire is free for more.
+  scan_cell_common::Nanoseconds next() const { return next_; }
+
+ private:
+  std::size_t send_packet(const Frame& frame, std::uint32_t packet, bool again,
+                          const sockaddr_in& peer);
+  std::size_t send_requested(const sockaddr_in& peer);
+  std::size_t send_next(const sockaddr_in& peer);
+
+  UdpSocket socket_;
+  double rate_;
+  StreamPackets packets_{0};
+  PacketFaults faults_;
+  std::deque<Frame> frames_;  // the last is under way
+  std::optional<std::uint32_t> next_packet_;
+  std::deque<ControlServer::ResendRequest> requests_;
+  scan_cell_common::Nanoseconds next_ = 0;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace scan_cell_sim::gige

@@ -1,0 +1,63 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <arv.h>
+
+#include <string>
+#include <vector>
+
+#include "frame/pixel_format.h"
+#include "tecnogamma_camera/camera.h"
+
+/// Writes what Camera::configure() takes to a GenICam camera. All throw as it does.
+namespace tecnogamma_camera {
+
+constexpr double kMicroseconds = 1e6;  // in a second: GenICam's unit of the exposure
+
+Region read_region(ArvCamera* arv);
+
+/// A region that is refused leaves the camera as it was.
+/// @return with width and height
+Region write_region(ArvCamera* arv, const Region& wanted);
+
+/// Of a camera whose rows are not those of its sensor: writes the columns alone, and takes the rows
+/// that it says it will send (HeightInterface, where it has that).
+/// @return what it sends
+Region write_payload_region(ArvCamera* arv, const Region& wanted);
+
+/// @throw MissingFeature naming the pixel format if the camera does not have it
+const PixelFormat& write_pixel_format(ArvCamera* arv, const std::string& name);
+
+void write_exposure(ArvCamera* arv, double exposure);
+void write_gain(ArvCamera* arv, double gain);
+void write_rate(ArvCamera* arv, double rate);
+void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source);
+
+/// Drives an output of the camera while it lives: reads how the line was set, makes it an output of
+/// `source`, and sets all back in the end, the selector too. Other lines are left alone.
+class StrobeOutput {
+ public:
+  /// @throw MissingFeature if the camera has no lines to set; InvalidParameter if not this one
+  StrobeOutput(ArvCamera* arv, const std::string& line, const std::string& source);
+  ~StrobeOutput() { restore(); }
+  StrobeOutput(const StrobeOutput&) = delete;
+  StrobeOutput& operator=(const StrobeOutput&) = delete;
+
+  /// Nothing is set back: the camera is lost.
+  void forget() { changed_.clear(); }
+
+ private:
+  void change(const char* feature, const std::string& value);
+  void restore();
+
+  struct Change {
+    const char* feature;
+    std::string before;
+  };
+
+  ArvCamera* arv_;
+  std::vector<Change> changed_;
+};
+
+}  // namespace tecnogamma_camera

@@ -1,0 +1,174 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_stretcher/residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/robust.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// A mapped point of the reference, and the scanned surface.
+struct FromScan {
+  double off;           // [m] NaN where it was not scanned
+  std::size_t nearest;  // point of the object
+};
+
+FromScan from_scan(const Surface& object, const Eigen::Vector3d& point) {
+  constexpr double kReach = 2.5;  // spacings between which the scanned surface is still known
+  const KdTree::Neighbour nearest = object.tree->nearest(point);
+  const double along = object.normals[nearest.index].dot(point - object.points[nearest.index]);
+  const double beside = std::sqrt(std::max(0.0, nearest.squared_distance - along * along));
+  const bool known = beside <= kReach * object.spacing;
+  return {known ? std::abs(along) : std::numeric_limits<double>::quiet_NaN(), nearest.index};
+}
+
+Distances object_distances(const Surface& reference, const Surface& object,
+                           const Mapping& mapping) {
+  Distances distances;
+  distances.patch = object.samples.patch;
+  const double scale = mapping.similarity.scale;
+  for (const std::size_t i : object.samples.most) {
+    const Residual residual = residual_of(reference, mapping, object.points[i]);
+    distances.off.push_back(scale * std::hypot(residual.along_normal, residual.beside));
+    distances.blur.push_back(scale * reference.blur[residual.reference] + object.blur[i]);
+  }
+  return distances;
+}
+
+Distances reference_distances(const Surface& reference, const Surface& object,
+                              const Mapping& mapping) {
+  Distances distances;
+  distances.patch = reference.samples.patch;
+  for (const std::size_t i : reference.samples.most) {
+    const FromScan from = from_scan(object, mapping * reference.points[i]);
+    distances.off.push_back(from.off);
+    distances.blur.push_back(mapping.similarity.scale * reference.blur[i] +
+                             object.blur[from.nearest]);
+  }
+  return distances;
+}
+
+/// Whether a point lies on the other surface, as far as noise, sampling and grid let that be seen.
+bool is_explained(const Distances& distances, std::size_t i, double noise) {
+  constexpr double kDeviations = 3;
+  return distances.off[i] <= std::max(kDeviations * noise, distances.blur[i]);
+}
+
+/// What the points of one patch say.
+struct Patch {
+  double lead = 0;
+  double points = 0;
+};
+
+Patch& patch_of(const Distances& distances, std::size_t i, std::vector<Patch>& patches) {
+  if (distances.patch[i] >= patches.size()) patches.resize(distances.patch[i] + 1);
+  patches[distances.patch[i]].points += 1;
+  return patches[distances.patch[i]];
+}
+
+/// Adds what the points of one surface say.
+void add(const Distances& first, const Distances& second, double noise, Evidence& sum) {
+  std::vector<Patch> patches;
+  for (std::size_t i = 0; i < first.off.size(); ++i) {
+    if (std::isnan(first.off[i]) || std::isnan(second.off[i])) continue;
+    patch_of(first, i, patches).lead += static_cast<double>(is_explained(first, i, noise)) -
+                                        static_cast<double>(is_explained(second, i, noise));
+  }
+  for (const Patch& patch : patches) {
+    if (patch.points == 0) continue;
+    const double share = patch.lead / patch.points;
+    (share > 0 ? sum.only_first : sum.only_second) += std::abs(share);
+    sum.squares += share * share;
+    sum.compared += 1;
+  }
+}
+
+}  // namespace
+
+Residual residual_of(const Surface& reference, const Mapping& mapping,
+                     const Eigen::Vector3d& object_point) {
+  Residual residual;
+  residual.pulled_back = mapping.pull_back(object_point);
+  const KdTree::Neighbour nearest = reference.tree->nearest(residual.pulled_back);
+  residual.reference = nearest.index;
+  residual.along_normal =
+      reference.normals[nearest.index].dot(residual.pulled_back - reference.points[nearest.index]);
+  const double beside = std::sqrt(
+      std::max(0.0, nearest.squared_distance - residual.along_normal * residual.along_normal));
+  residual.beside = std::max(0.0, beside - reference.spacing);
+  return residual;
+}
+
+std::vector<Residual> residuals_of(const Surface& reference, const Mapping& mapping,
+                                   const Points& object_points) {
+  std::vector<Residual> residuals;
+  residuals.reserve(object_points.size());
+  for (const Eigen::Vector3d& point : object_points)
+    residuals.push_back(residual_of(reference, mapping, point));
+  return residuals;
+}
+
+Explanation explain(const Surface& reference, const Surface& object, const Mapping& mapping,
+                    double inlier_distance) {
+  Explanation result;
+  double squares = 0;
+  std::size_t inliers = 0;
+  result.object = object_distances(reference, object, mapping);
+  for (const double distance : result.object.off) {
+    if (distance > inlier_distance) continue;
+    squares += distance * distance;
+    ++inliers;
+  }
+  result.reference = reference_distances(reference, object, mapping);
+  const auto covered = std::count_if(result.reference.off.begin(), result.reference.off.end(),
+                                     [=](double off) { return off <= inlier_distance; });
+  result.noise = std::max(robust_deviation(result.object.off),
+                          resolution(reference, object, mapping.similarity.scale));
+  result.rms = inliers == 0 ? 0 : std::sqrt(squares / static_cast<double>(inliers));
+  result.inlier_ratio =
+      static_cast<double>(inliers) / static_cast<double>(object.samples.most.size());
+  result.overlap =
+      static_cast<double>(covered) / static_cast<double>(reference.samples.most.size());
+  return result;
+}
+
+double resolution(const Surface& reference, const Surface& object, double scale) {
+  constexpr double kShare = 0.025;
+  return kShare * (scale * reference.spacing + object.spacing);
+}
+
+Evidence evidence(const Explanation& first, const Explanation& second) {
+  Evidence sum;
+  const double noise = std::min(first.noise, second.noise);
+  add(first.object, second.object, noise, sum);
+  add(first.reference, second.reference, noise, sum);
+  return sum;
+}
+
+double unexplained_patches(const Explanation& explanation) {
+  double count = 0;
+  for (const Distances* distances : {&explanation.object, &explanation.reference}) {
+    std::vector<Patch> patches;
+    for (std::size_t i = 0; i < distances->off.size(); ++i) {
+      if (std::isnan(distances->off[i])) continue;
+      patch_of(*distances, i, patches).lead += !is_explained(*distances, i, explanation.noise);
+    }
+    for (const Patch& patch : patches)
+      count += patch.lead > patch.points / 2;
+  }
+  return count;
+}
+
+bool clearly_better(const Explanation& better, const Explanation& other) {
+  constexpr double kSignificance = 3.5;  // standard deviations of the count
+  constexpr double kLeastShare = 5e-4;   // of the patches compared
+  const Evidence found = evidence(better, other);
+  const double lead = found.only_first - found.only_second;
+  return lead > kSignificance * std::sqrt(found.squares) && lead > kLeastShare * found.compared;
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,328 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "placement/expected_error.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+
+namespace tool_path_stretcher {
+namespace {
+
+constexpr Eigen::Index kUnknowns = GraphEquations::kUnknowns;
+
+/// How far the links of a graph are strained, root mean square.
+struct Strain {
+  double along;   // stretched
+  double across;  // bent and sheared
+};
+
+/// How far the part may be strained where the scan does not show it: as far as it was seen to be,
+/// and a little even where it was not.
+Strain strain_of(const DeformationGraph& graph) {
+  constexpr double kLeastAlong = 5e-4;
+  constexpr double kLeastAcross = 2e-3;
+  constexpr double kWithin = 3;  // times its links, what lies between two nodes is strained
+  double along = 0;
+  double across = 0;
+  double count = 1;
+  for (const auto& [one, other] : graph.links()) {
+    const DeformationGraph::Node& from = graph.nodes()[one];
+    const DeformationGraph::Node& to = graph.nodes()[other];
+    const Eigen::Vector3d way = to.at - from.at;
+    const Eigen::Vector3d moved = way + to.shift - from.shift;
+    const Eigen::Vector3d error = moved - from.rotation * way;
+    along += std::pow(moved.norm() / way.norm() - 1, 2);
+    across += error.squaredNorm() / way.squaredNorm() / 2;
+    count += 1;
+  }
+  return {std::max(kLeastAlong, kWithin * std::sqrt(along / count)),
+          std::max(kLeastAcross, std::sqrt(across / count))};
+}
+
+/// The pose as a whole is known from before, if only to the size of the part: by the mean of the
+/// nodes' turns and shifts.
+void add_pose(const DeformationGraph& graph, double angle, double distance,
+              GraphEquations& equations) {
+  const auto nodes = static_cast<Eigen::Index>(graph.nodes().size());
+  for (Eigen::Index axis = 0; axis < kUnknowns; ++axis) {
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index i = 0; i < nodes; ++i)
+      columns.push_back(kUnknowns * i + axis);
+    const std::vector<double> shares(columns.size(), 1 / static_cast<double>(nodes));
+    equations.add_observation(columns, shares, 0, axis < 3 ? angle : distance);
+  }
+}
+
+struct NormalEquations {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right_side;
+};
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// One standard deviation of the pose as it is known from before: of the turn [rad] and of the
+/// shift [m].
+struct PoseDeviation {
+  double angle;
+  double distance;
+};
+
+PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, const Prior& prior) {
+  constexpr double kAnyAngle = 1;             // [rad]
+  const double uniform = 1 / std::sqrt(3.0);  // of what may be anywhere up to a limit
+  if (!prior.pose) return {kAnyAngle, reference.size};
+  return {std::min(kAnyAngle, uniform * prior.pose->angle),
+          std::min(reference.size, uniform * prior.pose->distance / mapping.similarity.scale)};
+}
+
+/// What is taken for granted: that the part is stiff, and what was known before.
+NormalEquations assumptions(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
+                            const Eigen::Vector3d& centre) {
+  constexpr double kGrowth = 0.5;
+  const Strain strain = strain_of(mapping.graph);
+  GraphEquations equations(mapping.graph, centre);
+  equations.add_rigidity(strain.along, strain.across);
+  equations.add_prior(prior.scale, mapping.similarity.scale);
+  equations.add_observation({equations.matrix().rows() - 1}, {1.0}, 0, kGrowth);
+  add_pose(mapping.graph, pose.angle, pose.distance, equations);
+  return {equations.matrix().selfadjointView<Eigen::Lower>(), equations.right_side()};
+}
+
+/// Replaces the directions of constraints along normals by those of a wider neighbourhood, and says
+/// how far off each may still be [rad].
+std::vector<double> steady_directions(const Surface& object, const Mapping& mapping,
+                                      std::vector<GraphConstraint>& constraints) {
+  constexpr double kReach = 4;  // spacings
+  constexpr std::size_t kLeast = 6;
+  constexpr double kSameFace = 0.9;  // cosine
+  const Similarity& outer = mapping.similarity;
+  std::vector<KdTree::Neighbour> neighbours;
+  std::vector<double> deviations;
+  for (GraphConstraint& constraint : constraints) {
+    object.tree->within(outer * constraint.target, kReach * object.spacing, neighbours);
+    if (neighbours.size() < kLeast) {
+      deviations.push_back(1);
+      continue;
+    }
+    Points around;
+    for (const KdTree::Neighbour& neighbour : neighbours)
+      around.push_back(object.points[neighbour.index]);
+    const PrincipalFrame frame = principal_frame(around);
+    const Eigen::Vector3d normal = outer.rotation.transpose() * frame.axes.col(2);
+    const double agreement = normal.dot(constraint.direction);
+    if (std::abs(agreement) > kSameFace) {
+      constraint.direction = std::copysign(1.0, agreement) * normal;
+    }
+    deviations.push_back(frame.deviation[2] / frame.deviation[1] /
+                         std::sqrt(static_cast<double>(around.size())));
+  }
+  return deviations;
+}
+
+/// The same for the rims.
+std::vector<double> steady_rims(const Surface& object, const Mapping& mapping,
+                                std::vector<GraphConstraint>& constraints) {
+  constexpr double kReach = 6;  // spacings
+  const Similarity& outer = mapping.similarity;
+  std::vector<KdTree::Neighbour> neighbours;
+  std::vector<double> deviations;
+  for (GraphConstraint& constraint : constraints) {
+    object.rim.tree->within(outer * constraint.target, kReach * object.spacing, neighbours);
+    const Eigen::Vector3d outward = outer.rotation * constraint.direction;
+    Eigen::Vector3d sum = outward;
+    double count = 1;
+    for (const KdTree::Neighbour& neighbour : neighbours) {
+      const Eigen::Vector3d& other = object.rim.outward[neighbour.index];
+      if (other.dot(outward) <= 0) continue;
+      sum += other;
+      count += 1;
+    }
+    constraint.direction = outer.rotation.transpose() * sum.normalized();
+    deviations.push_back(std::sqrt(2 * std::max(0.0, 1 - sum.norm() / count) / count));
+  }
+  return deviations;
+}
+
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Motions = Eigen::Matrix<double, 3, 6>;
+
+/// How a point moves with a turn about a centre (of a point at distance `size` by one metre) and a
+/// shift.
+Motions rigid_motions(const Eigen::Vector3d& point, const Eigen::Vector3d& centre, double size) {
+  Motions motions;
+  for (int axis = 0; axis < 3; ++axis) {
+    motions.col(axis) = Eigen::Vector3d::Unit(axis).cross(point - centre) / size;
+    motions.col(3 + axis) = Eigen::Vector3d::Unit(axis);
+  }
+  return motions;
+}
+
+/// What the covariance of the rigid motions is short of, because the noise of the normals seems to
+/// hold what nothing holds: a moulding's normals all lie in one plane, and noise tilts them out of
+/// it.
+/// @param unsteady how far off each normal may be, and each rim's direction [rad]
+/// @param known deviations of the motions from before [m]
+Matrix6d seemingly_held(const GraphObservations& seen, const std::vector<double>& unsteady,
+                        const std::vector<double>& unsteady_rims, double share,
+                        const Eigen::Vector3d& centre, double size, const Vector6d& known) {
+  constexpr double kShared =
+      4;  // neighbouring normals share points: their tilts do not average out
+  Matrix6d held = Matrix6d::Zero();
+  Matrix6d noise = Matrix6d::Zero();
+  const auto add = [&](const std::vector<GraphConstraint>& constraints,
+                       const std::vector<double>& off, double weight) {
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      const Motions motions = rigid_motions(constraints[i].target, centre, size);
+      const Vector6d along = motions.transpose() * constraints[i].direction;
+      const Matrix6d one = weight * along * along.transpose();
+      held += one;
+      noise += std::pow(off[i], 2) * (weight * motions.transpose() * motions - one);
+    }
+  };
+  add(seen.normals, unsteady, share / std::pow(seen.normal_deviation, 2));
+  add(seen.rims, unsteady_rims, 1 / std::pow(seen.rim_deviation, 2));
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(held - kShared * noise);
+  const Vector6d clear = solver.eigenvalues().cwiseMax(0);
+  const Matrix6d really =
+      solver.eigenvectors() * clear.asDiagonal() * solver.eigenvectors().transpose();
+  const Matrix6d prior = known.cwiseAbs2().cwiseInverse().asDiagonal();
+  return Matrix6d((really + prior).inverse() - (held + prior).inverse());
+}
+
+NormalEquations measurements(const Mapping& mapping, const GraphObservations& seen, double share,
+                             const Eigen::Vector3d& centre) {
+  GraphEquations normals(mapping.graph, centre);
+  normals.add(seen.normals, seen.normal_deviation);
+  GraphEquations rims(mapping.graph, centre);
+  rims.add(seen.rims, seen.rim_deviation);
+  const Eigen::MatrixXd matrix = share * normals.matrix() + rims.matrix();
+  return {matrix.selfadjointView<Eigen::Lower>(), share * normals.right_side() + rims.right_side()};
+}
+
+}  // namespace
+
+MappingError::MappingError(const Surface& reference, const Surface& object, const Mapping& mapping,
+                           const Prior& prior)
+    : mapping_(mapping), centre_(principal_frame(reference.points).centroid) {
+  constexpr int kLevel = 2;              // where no graph was justified
+  constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
+  constexpr double kIndependent = 0.25;  // of the points: neighbours share part of their errors
+  constexpr double kCommon = 0.05;       // of the noise: what all points of a face are off alike
+  if (mapping_.graph.empty()) {
+    mapping_.graph = DeformationGraph(reference.points, graph_spacing(reference, kLevel));
+  }
+  GraphObservations seen = observe(reference, object, mapping_);
+  seen.normal_deviation = std::max(seen.normal_deviation, 1e-6 * reference.size);
+  seen.rim_deviation = std::max(seen.rim_deviation, kRimDeviation * reference.spacing);
+  const std::vector<double> unsteady = steady_directions(object, mapping_, seen.normals);
+  const std::vector<double> unsteady_rims = steady_rims(object, mapping_, seen.rims);
+  // The anchors looked at stand for all those that the mapping was fitted to.
+  const double share = kIndependent * static_cast<double>(reference.samples.many.size()) /
+                       static_cast<double>(reference.samples.few.size());
+  const PoseDeviation pose = pose_deviation(reference, mapping, prior);
+  const NormalEquations assumed = assumptions(mapping_, prior, pose, centre_);
+  const NormalEquations measured = measurements(mapping_, seen, share, centre_);
+  const Eigen::MatrixXd all = assumed.matrix + measured.matrix;
+  covariance_ = all.llt().solve(Eigen::MatrixXd::Identity(all.rows(), all.cols()));
+  assumed_ = assumed.matrix.sparseView();
+  pull_ = covariance_ * (assumed.right_side + measured.right_side);
+  size_ = reference.size;
+  Vector6d known;
+  known << Eigen::Vector3d::Constant(pose.angle * size_), Eigen::Vector3d::Constant(pose.distance);
+  slack_ = seemingly_held(seen, unsteady, unsteady_rims, share, centre_, size_, known);
+  common_ = kCommon * mapping.similarity.scale * seen.normal_deviation;
+}
+
+MappingError::Motion MappingError::motion_of(const Eigen::Vector3d& point) const {
+  const DeformationGraph& graph = mapping_.graph;
+  std::vector<DeformationGraph::Influence> influences;
+  graph.influences(point, influences);
+  Motion motion;
+  motion.jacobian.resize(3, kUnknowns * static_cast<Eigen::Index>(influences.size()) + 1);
+  Eigen::Index column = 0;
+  for (const auto& influence : influences) {
+    const DeformationGraph::Node& node = graph.nodes()[influence.node];
+    const Eigen::Vector3d arm = node.rotation * (point - node.at);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis);
+      motion.jacobian.col(column + axis) = influence.weight * unit.cross(arm);
+      motion.jacobian.col(column + 3 + axis) = influence.weight * unit;
+    }
+    for (Eigen::Index i = 0; i < kUnknowns; ++i)
+      motion.unknowns.push_back(kUnknowns * static_cast<Eigen::Index>(influence.node) + i);
+    column += kUnknowns;
+  }
+  motion.jacobian.col(column) = graph.moved(point, influences) - centre_;
+  motion.unknowns.push_back(covariance_.rows() - 1);
+  motion.jacobian = mapping_.similarity.scale * mapping_.similarity.rotation * motion.jacobian;
+  return motion;
+}
+
+MappingError::Covariance MappingError::at(const Eigen::Vector3d& point) const {
+  const Motion motion = motion_of(point);
+  const Eigen::MatrixXd spread =
+      covariance_(Eigen::all, motion.unknowns) * motion.jacobian.transpose();
+  const Eigen::Vector3d pull = motion.jacobian * pull_(motion.unknowns);
+  Covariance result;
+  result.all = motion.jacobian * spread(motion.unknowns, Eigen::all) + pull * pull.transpose();
+  result.assumed = spread.transpose() * (assumed_ * spread);
+  const Similarity& outer = mapping_.similarity;
+  const Motions rigid = outer.scale * outer.rotation * rigid_motions(point, centre_, size_);
+  const Eigen::Matrix3d slack = rigid * slack_ * rigid.transpose();
+  result.all += slack;
+  result.assumed += slack;
+  return result;
+}
+
+namespace {
+
+/// [m^2] of the height that a waypoint was set to, given what was measured and how far the mapping
+/// may be off before it was.
+double height_variance(const PlacedHeight& height, double mapping_variance) {
+  const double before = mapping_variance + height.signal_variance;
+  if (!height.measured) {
+    return before + height.variance + std::pow(height.hole, 2) * height.slope_variance;
+  }
+  const double followed = before / (before + height.variance);
+  return followed * height.variance + std::pow(followed * height.seen - height.applied, 2);
+}
+
+void expect_along(const MappingError::Covariance& covariance, double common,
+                  const PlacedHeight& height, WaypointQuality& quality) {
+  Eigen::Matrix<double, 3, 2> surface;
+  surface.col(0) = height.normal.unitOrthogonal();
+  surface.col(1) = height.normal.cross(surface.col(0));
+  Eigen::Matrix2d flat = surface.transpose() * covariance.all * surface;
+  flat.diagonal().array() += common * common;
+  // What was dented or filed went along the old normal or the new one.
+  const Eigen::Vector2d aside = height.applied * (surface.transpose() * height.slope);
+  flat += aside * aside.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(flat);
+  const Eigen::Vector2d most = solver.eigenvectors().col(1);
+  const Eigen::Matrix2d assumed = surface.transpose() * covariance.assumed * surface;
+  quality.least_known = surface * most;
+  quality.expected_error_tangential = std::sqrt(std::max(0.0, flat.trace()));
+  quality.expected_error_across = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+  quality.position_measured = most.dot(assumed * most) < most.dot(flat * most) / 2;
+}
+
+}  // namespace
+
+void expect_errors(const ToolPath& path, const MappingError& mapping_error, Placement& placement) {
+  std::size_t index = 0;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      const PlacedHeight& height = placement.heights[index];
+      const auto covariance = mapping_error.at(waypoint.pose.translation());
+      WaypointQuality& quality = placement.quality[index];
+      quality.expected_error_normal =
+          std::sqrt(height_variance(height, height.normal.dot(covariance.all * height.normal)));
+      expect_along(covariance, mapping_error.common(), height, quality);
+      ++index;
+    }
+  }
+}
+
+}  // namespace tool_path_stretcher

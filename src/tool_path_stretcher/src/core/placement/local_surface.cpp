@@ -1,0 +1,173 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "placement/local_surface.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/robust.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// Those that have neighbours as points of a surface do, and loose ones do not.
+Points on_surfaces(const Points& points, double spacing) {
+  constexpr double kReach = 2;       // spacings
+  constexpr std::size_t kLeast = 5;  // of about 12 on a surface, itself included
+  Points result;
+  if (points.empty()) return result;
+  const KdTree tree(points);
+  std::vector<KdTree::Neighbour> neighbours;
+  for (const Eigen::Vector3d& point : points) {
+    tree.within(point, kReach * spacing, neighbours);
+    if (neighbours.size() >= kLeast) result.push_back(point);
+  }
+  return result;
+}
+
+}  // namespace
+
+LocalSurfaceFitter::LocalSurfaceFitter(const Surface& reference, const Surface& object,
+                                       const Mapping& mapping, double radius, int min_support,
+                                       double max_stranger)
+    : reference_(reference),
+      object_(object),
+      mapping_(mapping),
+      radius_(radius),
+      min_support_(static_cast<std::size_t>(min_support)),
+      residuals_(residuals_of(reference, mapping, object.points)) {
+  const double scale = mapping.similarity.scale;
+  std::vector<double> along;
+  Points strangers;
+  along.reserve(residuals_.size());
+  for (std::size_t i = 0; i < residuals_.size(); ++i) {
+    const Residual& residual = residuals_[i];
+    along.push_back(scale * residual.along_normal);
+    if (scale * std::hypot(residual.along_normal, residual.beside) > max_stranger) {
+      strangers.push_back(object.points[i]);
+    }
+  }
+  noise_ = robust_deviation(std::move(along));
+  strangers = on_surfaces(strangers, object.spacing);
+  if (!strangers.empty()) strangers_ = std::make_unique<const KdTree>(std::move(strangers));
+}
+
+std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
+    const std::vector<KdTree::Neighbour>& neighbours, const LocalSurface& local,
+    const Eigen::Vector3d& tangent, const Eigen::Vector3d& bitangent) const {
+  constexpr double kSameFace = 0.8;  // cosine between the normals of one face
+  const double scale = mapping_.similarity.scale;
+  std::vector<Height> heights;
+  for (const KdTree::Neighbour& neighbour : neighbours) {
+    const Residual& residual = residuals_[neighbour.index];
+    const double agreement = reference_.normals[residual.reference].dot(local.normal);
+    const bool same_face =
+        reference_.oriented ? agreement > kSameFace : std::abs(agreement) > kSameFace;
+    if (!same_face || residual.beside > reference_.spacing) continue;
+    const Eigen::Vector3d offset = residual.pulled_back - local.base;
+    const double near = 1 - neighbour.squared_distance / (radius_ * radius_);
+    heights.push_back(
+        {scale * Eigen::Vector2d(offset.dot(tangent), offset.dot(bitangent)),
+         scale * std::copysign(residual.along_normal, residual.along_normal * agreement), near});
+  }
+  return heights;
+}
+
+/// Those over and under the waypoint within the radius, and up to several times as far away: what
+/// stands there hides the surface itself.
+std::size_t LocalSurfaceFitter::strangers_beside(const LocalSurface& local) const {
+  constexpr double kReach = 4;  // radii
+  if (!strangers_) return 0;
+  const Eigen::Vector3d at = mapping_ * local.base;
+  const Eigen::Vector3d normal = mapping_.turn(local.base, local.normal) * local.normal;
+  std::vector<KdTree::Neighbour> neighbours;
+  strangers_->within(at, kReach * radius_, neighbours);
+  return static_cast<std::size_t>(
+      std::count_if(neighbours.begin(), neighbours.end(), [&](const KdTree::Neighbour& neighbour) {
+        const Eigen::Vector3d way = strangers_->points()[neighbour.index] - at;
+        return (way - way.dot(normal) * normal).norm() < radius_;
+      }));
+}
+
+namespace {
+
+/// A plane through heights: solution[0] + (solution[1] x + solution[2] y) / radius.
+struct LinearFit {
+  Eigen::Vector3d solution = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // of the normal equations
+  double rms = 0;                                     // [m] weighted
+};
+
+template <class Heights>
+LinearFit fit_linearly(const Heights& heights, double radius) {
+  constexpr int kReweightings = 4;
+  LinearFit fit;
+  double cut = std::numeric_limits<double>::infinity();
+  const auto row_of = [radius](const auto& height) {
+    return Eigen::Vector3d(1, height.at.x() / radius, height.at.y() / radius);
+  };
+  for (int i = 0; i < kReweightings; ++i) {
+    Eigen::Matrix3d matrix = 1e-9 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+    for (const auto& height : heights) {
+      const Eigen::Vector3d row = row_of(height);
+      const double weight =
+          height.weight * tukey_weight(height.height - row.dot(fit.solution), cut);
+      matrix += weight * row * row.transpose();
+      right_side += weight * height.height * row;
+    }
+    fit.inverse = matrix.inverse();
+    fit.solution = fit.inverse * right_side;
+    std::vector<double> errors;
+    for (const auto& height : heights)
+      errors.push_back(height.height - row_of(height).dot(fit.solution));
+    cut = kTukeyCut * robust_deviation(errors) + 1e-9;
+    double weights = 1e-12;
+    double squares = 0;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const double weight = heights[k].weight * tukey_weight(errors[k], cut);
+      weights += weight;
+      squares += weight * errors[k] * errors[k];
+    }
+    fit.rms = std::sqrt(squares / weights);
+  }
+  return fit;
+}
+
+}  // namespace
+
+LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
+  LocalSurface local;
+  const std::size_t nearest = reference_.tree->nearest(point).index;
+  local.base = reference_.points[nearest];
+  local.normal = reference_.normals[nearest];
+  local.residual = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d tangent = local.normal.unitOrthogonal();
+  const Eigen::Vector3d bitangent = local.normal.cross(tangent);
+  std::vector<KdTree::Neighbour> neighbours;
+  object_.tree->within(mapping_ * local.base, radius_, neighbours);
+  local.strangers = strangers_beside(local);
+  const std::vector<Height> heights = heights_of(neighbours, local, tangent, bitangent);
+  local.support = heights.size();
+  if (local.support < min_support_) return local;
+
+  const LinearFit fit = fit_linearly(heights, radius_);
+  local.residual = fit.rms;
+  local.height = fit.solution[0];
+  local.slope = (fit.solution[1] * tangent + fit.solution[2] * bitangent) / radius_;
+  // Errors of neighbouring points are not quite independent: part of the noise stays.
+  constexpr double kCommon = 0.1 * 0.1;
+  const double variance = fit.rms * fit.rms;
+  local.height_variance = variance * (fit.inverse(0, 0) + kCommon);
+  local.slope_variance =
+      variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius_ * radius_);
+  // Points on one side only tell little of the height here, and those of two faces nothing.
+  constexpr double kMostLeverage = 0.5;
+  constexpr double kRough = 5;  // times the noise
+  local.measured = fit.inverse(0, 0) < kMostLeverage && fit.rms < kRough * noise_;
+  return local;
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,126 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/conversions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scan_cell_common/errors.h"
+#include "surface/complete_surface.h"
+#include "tool_path_stretcher/surface.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+using scan_cell_common::UnusableInput;
+
+constexpr double kFewestSamples = 20000;
+constexpr double kMostSamples = 100000;
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Fans of triangles; vertices in the same place become one, as STL repeats them.
+std::vector<Triangle> triangles_of(const pcl::PolygonMesh& mesh, const Points& vertices,
+                                   const std::string& name) {
+  std::vector<std::uint32_t> order(vertices.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  const auto before = [&vertices](std::uint32_t a, std::uint32_t b) {
+    return std::lexicographical_compare(vertices[a].begin(), vertices[a].end(), vertices[b].begin(),
+                                        vertices[b].end());
+  };
+  std::stable_sort(order.begin(), order.end(), before);
+  std::vector<std::uint32_t> merged(vertices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
+    merged[order[i]] = same ? merged[order[i - 1]] : order[i];
+  }
+  std::vector<Triangle> triangles;
+  for (const pcl::Vertices& polygon : mesh.polygons) {
+    for (const auto vertex : polygon.vertices) {
+      if (static_cast<std::size_t>(vertex) >= vertices.size()) {
+        throw UnusableInput(name, "a triangle names vertex " + std::to_string(vertex),
+                            "export the part again");
+      }
+    }
+    for (std::size_t i = 2; i < polygon.vertices.size(); ++i) {
+      triangles.push_back({merged[polygon.vertices[0]], merged[polygon.vertices[i - 1]],
+                           merged[polygon.vertices[i]]});
+    }
+  }
+  return triangles;
+}
+
+/// True where the triangles agree on which side is out: no directed edge occurs twice.
+bool consistently_wound(const std::vector<Triangle>& triangles) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(triangles.size() * 3);
+  for (const Triangle& triangle : triangles) {
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.emplace_back(triangle[i], triangle[(i + 1) % 3]);
+  }
+  std::sort(edges.begin(), edges.end());
+  return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+}
+
+/// The i-th point of the R2 low-discrepancy sequence (Roberts 2018) folded into a triangle.
+Eigen::Vector2d spread_in_triangle(std::size_t i) {
+  constexpr double kFirst = 0.7548776662466927;
+  constexpr double kSecond = 0.5698402909980532;
+  double whole = 0;
+  Eigen::Vector2d uv(std::modf(0.5 + kFirst * static_cast<double>(i), &whole),
+                     std::modf(0.5 + kSecond * static_cast<double>(i), &whole));
+  if (uv.sum() > 1) uv = Eigen::Vector2d::Ones() - uv;
+  return uv;
+}
+
+/// Samples at equal steps of the summed area: each triangle gets its share to within one.
+void sample(const Points& vertices, const std::vector<Triangle>& triangles, double area,
+            std::size_t count, Surface& surface) {
+  const double step = area / static_cast<double>(count);
+  double summed = 0;
+  std::size_t taken = 0;
+  for (const Triangle& triangle : triangles) {
+    const Eigen::Vector3d& a = vertices[triangle[0]];
+    const Eigen::Vector3d ab = vertices[triangle[1]] - a;
+    const Eigen::Vector3d ac = vertices[triangle[2]] - a;
+    const Eigen::Vector3d cross = ab.cross(ac);
+    summed += cross.norm() / 2;
+    for (; (static_cast<double>(taken) + 0.5) * step < summed && taken < count; ++taken) {
+      const Eigen::Vector2d uv = spread_in_triangle(taken);
+      surface.points.push_back(a + uv[0] * ab + uv[1] * ac);
+      surface.normals.push_back(cross.normalized());
+    }
+  }
+}
+
+}  // namespace
+
+Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& leaf,
+                          const std::string& name) {
+  scan_cell_common::Cloud cloud;
+  pcl::fromPCLPointCloud2(mesh.cloud, cloud);
+  const Points vertices = to_points(cloud);
+  for (const Eigen::Vector3d& vertex : vertices) {
+    if (vertex.allFinite()) continue;
+    throw UnusableInput(name, "a vertex is not finite", "export the part again");
+  }
+  const std::vector<Triangle> triangles = triangles_of(mesh, vertices, name);
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    area += (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).norm() / 2;
+  }
+  if (!(area > 0)) {
+    throw UnusableInput(name, "its triangles have no area", "export the part again");
+  }
+  const double wanted = area / (leaf.x() * leaf.y());
+  const auto count = static_cast<std::size_t>(std::clamp(wanted, kFewestSamples, kMostSamples));
+  Surface surface;
+  sample(vertices, triangles, area, count, surface);
+  surface.oriented = consistently_wound(triangles);
+  complete(surface);
+  return surface;
+}
+
+}  // namespace tool_path_stretcher

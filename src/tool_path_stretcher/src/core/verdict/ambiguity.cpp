@@ -1,0 +1,108 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verdict/ambiguity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/robust.h"
+#include "search/alignment.h"
+#include "tool_path_stretcher/residuals.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+struct Laid {
+  Points points;
+  Points axes;  // of the tool
+  std::vector<const Waypoint*> waypoints;
+};
+
+Laid laid(const ToolPath& path, const Mapping& mapping) {
+  Laid result;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      result.points.push_back(mapping * waypoint.pose.translation());
+      result.axes.push_back(mapping.similarity.rotation * waypoint.pose.linear().col(2));
+      result.waypoints.push_back(&waypoint);
+    }
+  }
+  return result;
+}
+
+/// [m] from a point to the line between two others
+double distance_to(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
+                   const Eigen::Vector3d& to) {
+  const Eigen::Vector3d way = to - from;
+  const double length = way.squaredNorm();
+  const double at = length > 0 ? std::clamp(way.dot(point - from) / length, 0.0, 1.0) : 0.0;
+  return (from + at * way - point).norm();
+}
+
+/// Whether each waypoint of `inner` lies on the line of `outer`.
+bool lies_on(const Laid& inner, const Laid& outer, bool has_orientation, double tolerance) {
+  constexpr double kSameAxis = 0.99;
+  const KdTree tree(outer.points);
+  for (std::size_t i = 0; i < inner.points.size(); ++i) {
+    const std::size_t nearest = tree.nearest(inner.points[i]).index;
+    double distance = (outer.points[nearest] - inner.points[i]).norm();
+    if (nearest > 0) {
+      distance = std::min(
+          distance, distance_to(inner.points[i], outer.points[nearest - 1], outer.points[nearest]));
+    }
+    if (nearest + 1 < outer.points.size()) {
+      distance = std::min(
+          distance, distance_to(inner.points[i], outer.points[nearest], outer.points[nearest + 1]));
+    }
+    if (distance > tolerance) return false;
+    if (has_orientation && inner.axes[i].dot(outer.axes[nearest]) < kSameAxis) return false;
+    if (inner.waypoints[i]->process_values != outer.waypoints[nearest]->process_values) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, double tolerance) {
+  const Laid a = laid(path, one);
+  const Laid b = laid(path, other);
+  return lies_on(a, b, path.has_orientation, tolerance) &&
+         lies_on(b, a, path.has_orientation, tolerance);
+}
+
+namespace {
+
+/// [m] robust standard deviation of the scan from the mapped reference
+double misfit(const Surface& reference, const Surface& object, const Mapping& mapping) {
+  std::vector<double> distances;
+  for (const Residual& residual :
+       residuals_of(reference, mapping, select(object.points, object.samples.few)))
+    distances.push_back(mapping.similarity.scale * residual.along_normal);
+  return robust_deviation(std::move(distances));
+}
+
+}  // namespace
+
+std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
+                                       const Mapping& mapping, const ScalePrior& scale) {
+  constexpr double kStep = 0.12;   // of the object's size
+  constexpr double kBack = 0.05;   // of the object's size: it slid back to where it was
+  constexpr double kHopeless = 5;  // times the misfit of the mapping
+  constexpr int kIterations = 30;
+  const Points probes = select(reference.points, reference.samples.few);
+  const double most = kHopeless * misfit(reference, object, mapping);
+  std::vector<Mapping> result;
+  for (Similarity slid : slides(reference, object, mapping.similarity, kStep * object.size)) {
+    for (const Density density : {Density::kFew, Density::kMany}) {
+      slid = refine(reference, object, slid, scale, density, kIterations);
+      if (distance(slid, mapping.similarity, probes) < kBack * object.size) break;
+      if (misfit(reference, object, {slid, mapping.graph}) > most) break;
+      if (density == Density::kMany) result.push_back({slid, mapping.graph});
+    }
+  }
+  return result;
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "search/partial_search.h"
+#include "verdict/checks.h"
+
+namespace tool_path_stretcher {
+
+/// The pose of a reference that shows only a part of the object, where nothing speaks against it:
+/// what both show agrees to the noise, undeformed. A deformation could make other poses agree.
+/// @throw Refusal if another pose agrees as well
+std::optional<Similarity> pose_of_partial_reference(const ToolPath& path, const Surface& reference,
+                                                    const Surface& object, PartialSearch& search,
+                                                    const StretchParameters& parameters);
+
+/// A scan of a part of the object may lie on the wrong end of a reference that is nearly its own
+/// image there, but for features that contradict it, or for a deformation that makes it so. Where
+/// the reference, too, shows only a part, another end may even fit as well.
+/// @throw Refusal if another pose is contradicted less, or as little and needs no deformation or
+/// the reference shows only a part
+void check_rivals(const ToolPath& path, const Surface& reference, const Mapping& best,
+                  PartialSearch& search, const StretchParameters& parameters);
+
+}  // namespace tool_path_stretcher
