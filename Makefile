@@ -29,7 +29,7 @@ src/CMakeLists.txt:
 # catkin keeps the environment of the first configure for the tests, and leaves out directories that are not there yet.
 configure: dependencies src/CMakeLists.txt
 	@mkdir -p $(BUILD) $(DEVEL)/lib/pkgconfig $(DEVEL)/lib/python3/dist-packages
-	@cmake -S src -B $(BUILD) -DCATKIN_DEVEL_PREFIX=$(abspath $(DEVEL)) -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
+	@cmake -S src -B $(BUILD) -G Ninja -DCATKIN_DEVEL_PREFIX=$(abspath $(DEVEL)) -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
 	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='$(FLAGS)' \
 	  -DCATKIN_WHITELIST_PACKAGES='$(WHITELIST)' -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
 	  -DCMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache) > $(BUILD)/configure.log 2>&1 \

@@ -59,12 +59,12 @@ macro(scan_cell_tests)
   set(CATKIN_ENV ${PYTHON_EXECUTABLE} ${_scan_cell_cmake}/own_network.py ${CATKIN_ENV})
 endmacro()
 
-# scan_cell_run_alone(TEST...): these gtests (test_x) and rostests (x.test) of the calling package measure time, or need
+# scan_cell_run_alone(TEST...): these gtests (test_x) and rostests (folder/x.test, in test/) of the calling package measure time, or need
 # all processors to keep up with the hardware: ctest runs nothing beside them.
 function(scan_cell_run_alone)
   foreach(test ${ARGN})
     if(test MATCHES "\\.test$")
-      set(test rostest_test_${test})
+      string(REPLACE "/" "_" test rostest_test_${test})
     else()
       set(test gtest_${test})
     endif()

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "goals.h"
+#include "scan_cell_demo/goals.h"
 
 using scan_cell_demo::Figures;
 using scan_cell_demo::missed_goals;

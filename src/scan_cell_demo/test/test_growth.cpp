@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "growth.h"
+#include "trials/growth.h"
 #include "scan_cell_common/errors.h"
 
 using scan_cell_demo::growth;

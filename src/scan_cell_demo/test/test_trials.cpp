@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "started_cell.h"
-#include "trial.h"
+#include "running_cell/started_cell.h"
+#include "trials/trial.h"
 
 namespace fs = std::filesystem;
 

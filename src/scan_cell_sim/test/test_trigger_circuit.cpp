@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "loopback.h"
+#include "camera/loopback.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"
 #include "scan_cell_sim/trigger_circuit.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/draws.h"
-#include "cases/shapes.h"
+#include "parts/shapes.h"
 
 using namespace tool_path_stretcher;
 

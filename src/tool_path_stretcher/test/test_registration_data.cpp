@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "cases/registration_data.h"
+#include "yardsticks/registration_data.h"
 #include "search/alignment.h"
 
 using namespace tool_path_stretcher;

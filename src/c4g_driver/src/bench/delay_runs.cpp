@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "allocations.h"
+#include "wire/allocations.h"
 #include "driver_node.h"
 #include "messages.h"
 #include "scan_cell_common/child_process.h"

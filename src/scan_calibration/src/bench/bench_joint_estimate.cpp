@@ -11,8 +11,8 @@
 #include "scan_calibration/calibrate.h"
 #include "scan_calibration/sequential.h"
 #include "scan_cell_common/tool_main.h"
-#include "synthetic_session.h"
-#include "truth_comparison.h"
+#include "estimate/synthetic_session.h"
+#include "estimate/truth_comparison.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "images/board_detection.h"
-#include "rendered_session.h"
+#include "session/rendered_session.h"
 #include "scan_calibration/observations.h"
 #include "scan_calibration/session_recorder.h"
 #include "session_figures.h"

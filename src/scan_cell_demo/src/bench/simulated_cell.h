@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "scan_cell_common/timed_pose.h"
-#include "started_cell.h"
+#include "running_cell/started_cell.h"
 
 namespace scan_cell_demo {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "comparison.h"
+#include "scan_cell_demo/comparison.h"
 
 #include <algorithm>
 #include <cmath>

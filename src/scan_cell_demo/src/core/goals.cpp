@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "goals.h"
+#include "scan_cell_demo/goals.h"
 
 #include <sstream>
 

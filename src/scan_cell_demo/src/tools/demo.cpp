@@ -12,8 +12,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "comparison.h"
-#include "goals.h"
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell/ros/service_call.h"
@@ -21,6 +19,8 @@
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/yaml_file.h"
+#include "scan_cell_demo/comparison.h"
+#include "scan_cell_demo/goals.h"
 #include "tool_path_stretcher/ros/conversions.h"
 #include "tool_path_stretcher/tool_path_files.h"
 

@@ -1,12 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trial.h"
+#include "trials/trial.h"
 
 #include <csignal>
 #include <filesystem>
 #include <thread>
 
-#include "nodes.h"
+#include "running_cell/nodes.h"
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "laser_tap.h"
-#include "running_cell.h"
+#include "running_cell/laser_tap.h"
+#include "running_cell/running_cell.h"
 
 namespace scan_cell_demo {
 

@@ -12,8 +12,8 @@
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/tool_main.h"
-#include "started_cell.h"
-#include "trial.h"
+#include "running_cell/started_cell.h"
+#include "trials/trial.h"
 
 using namespace scan_cell_demo;  // NOLINT
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "cases/pcl_pipeline.h"
-#include "cases/thesis_method.h"
+#include "yardsticks/pcl_pipeline.h"
+#include "yardsticks/thesis_method.h"
 #include "stopwatch.h"
 #include "tool_path_stretcher/stretcher.h"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "cases/pcl_pipeline.h"
-#include "cases/registration_data.h"
+#include "yardsticks/pcl_pipeline.h"
+#include "yardsticks/registration_data.h"
 #include "search/alignment.h"
 #include "stopwatch.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "scan.h"
+#include "parts/scan.h"
 #include "tool_path_stretcher/verdict.h"
 
 namespace cases {

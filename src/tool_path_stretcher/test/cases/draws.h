@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "scan.h"
-#include "solids.h"
+#include "parts/scan.h"
+#include "parts/solids.h"
 #include "tool_path_stretcher/stretcher.h"
 
 /// Parts drawn at random: of any size, in any pose, as mesh or cloud, sampled as it happens.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "images/board_line.h"
+#include "laser_lines/board_line.h"
 #include "images/board_order.h"
 #include "images/board_sightings.h"
 #include "images/corner_refinement.h"

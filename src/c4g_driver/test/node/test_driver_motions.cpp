@@ -1,0 +1,153 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <scan_cell_msgs/SetLinearSpeed.h>
+#include <scan_cell_msgs/SetOverride.h>
+
+#include <cmath>
+#include <limits>
+
+#include "node/driver_node_test.h"
+
+using namespace driver_node_test;  // NOLINT
+using scan_cell_common::Nanoseconds;
+
+TEST_F(Driver, MovesAlongALineAndShowsWhereItIs) {
+  const Eigen::Isometry3d target = looking_down(0.85, 0.15, 0.55);
+  double progress = 0;
+  bool forward = true;
+  move_.sendGoal(to_pose(target), {}, {},
+                 [&](const scan_cell_msgs::MoveFeedbackConstPtr& feedback) {
+                   forward = forward && feedback->progress >= progress;
+                   progress = feedback->progress;
+                 });
+  ASSERT_TRUE(move_.waitForResult(kPatience));
+  EXPECT_EQ(move_.getState(), GoalState::SUCCEEDED);
+  EXPECT_EQ(move_.getResult()->outcome, MoveResult::REACHED);
+  EXPECT_LT(distance(from_ros(move_.getResult()->pose.pose), target), 1e-5);
+  EXPECT_LT(distance(truth(), target), 1e-5);
+  EXPECT_TRUE(forward);
+  EXPECT_GT(progress, 0.2);
+  EXPECT_LE(progress, 1.0);
+  EXPECT_EQ(controller_->state().camera_rate, 100);
+}
+
+TEST_F(Driver, RunsAtTheSpeedAndOverrideItWasGiven) {
+  using scan_cell_msgs::SetLinearSpeed;
+  using scan_cell_msgs::SetOverride;
+  EXPECT_TRUE(
+      call<SetLinearSpeed>("set_linear_speed", with(&SetLinearSpeed::Request::speed, 0.1)).success);
+  EXPECT_TRUE(
+      call<SetOverride>("set_override", with(&SetOverride::Request::override, 50.0)).success);
+  move_.sendGoal(to_pose(looking_down(0.80, 0.10, 0.60)));
+  ASSERT_TRUE(eventually([this] { return truth().translation().y() > 0.03; }));
+  const Nanoseconds now = from_ros(ros::Time::now());
+  const double way =
+      distance(controller_->flange_at(now), controller_->flange_at(now - 200'000'000));
+  EXPECT_NEAR(way, 0.2 * 0.05, 1e-6);
+  EXPECT_TRUE(eventually([this] {
+    return status_.is([](const RobotStatus& status) {
+      return status.override == 50 && status.linear_speed == 0.1 && status.in_motion == 1;
+    });
+  }));
+}
+
+TEST_F(Driver, RefusesBadTargetsWithTheReasonAndMovesNothing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  MoveGoal other_frame = to_pose(looking_down(0.8, 0, 0.6));
+  other_frame.pose.header.frame_id = "world";
+  MoveGoal no_rotation = to_pose(looking_down(0.8, 0, 0.6));
+  no_rotation.pose.pose.orientation.x = 0;
+  MoveGoal no_kind = to_pose(looking_down(0.8, 0, 0.6));
+  no_kind.kind = 7;
+  const std::vector<std::pair<MoveGoal, std::string>> bad = {
+      {to_pose(looking_down(nan, 0, 0.6)), "target x"},
+      {to_pose(looking_down(0.8, 9, 0.6)), "target y"},
+      {to_pose(looking_down(0.8, 0, 0.05)), "target z"},
+      {other_frame, "frame"},
+      {no_rotation, "orientation"},
+      {no_kind, "kind"},
+      {to_joints({0, 0, -1}), "joints"},
+      {to_joints({0, 0, 1, 0, 0, 0}), "target J3"},
+      {to_joints({0, 0, nan, 0, 0, 0}), "target J3"},
+      {to_joints({0, 1.3, -M_PI / 2, 0, 0, 0}), "target z"},  // through the floor
+      {to_pose(looking_down(1.35, 0, 1.5)), "reach"}};        // this one the controller refuses
+  for (const auto& [goal, reason] : bad) {
+    const MoveResult result = run(goal);
+    EXPECT_EQ(move_.getState(), GoalState::ABORTED);
+    EXPECT_EQ(result.outcome, MoveResult::REFUSED) << reason;
+    EXPECT_NE(result.message.find(reason), std::string::npos) << result.message;
+  }
+  EXPECT_EQ(controller_->motions_begun(), 0u);
+  using scan_cell_msgs::SetLinearSpeed;
+  using scan_cell_msgs::SetOverride;
+  const auto speed =
+      call<SetLinearSpeed>("set_linear_speed", with(&SetLinearSpeed::Request::speed, 5.0));
+  EXPECT_FALSE(speed.success);
+  EXPECT_FALSE(speed.link_lost);
+  EXPECT_NE(speed.message.find("linear speed"), std::string::npos);
+  EXPECT_FALSE(
+      call<SetOverride>("set_override", with(&SetOverride::Request::override, 120.0)).success);
+}
+
+TEST_F(Driver, StopsWhenTheGoalIsCancelled) {
+  start_long_move();
+  move_.cancelGoal();
+  ASSERT_TRUE(move_.waitForResult(kPatience));
+  EXPECT_EQ(move_.getState(), GoalState::PREEMPTED);
+  EXPECT_EQ(move_.getResult()->outcome, MoveResult::STOPPED);
+  EXPECT_EQ(controller_->state().status, scan_cell_sim::MotionStatus::Stopped);
+  EXPECT_LT(truth().translation().y(), 0.34);
+  EXPECT_LT(distance(from_ros(move_.getResult()->pose.pose), truth()), 1e-5);
+}
+
+TEST_F(Driver, StopsTheMotionUnderWayForANewGoal) {
+  start_long_move();
+  MoveClient second("/c4g_driver/move", true);
+  ASSERT_TRUE(second.waitForServer(kPatience));
+  const Eigen::Isometry3d target = looking_down(0.80, 0, 0.65);
+  second.sendGoal(to_pose(target));
+  ASSERT_TRUE(second.waitForResult(kPatience));
+  EXPECT_EQ(second.getResult()->outcome, MoveResult::REACHED);
+  EXPECT_LT(distance(truth(), target), 1e-5);
+  EXPECT_TRUE(move_.waitForResult(kPatience));
+  EXPECT_EQ(move_.getState(), GoalState::PREEMPTED);
+  EXPECT_EQ(move_.getResult()->outcome, MoveResult::STOPPED);
+  EXPECT_EQ(controller_->motions_begun(), 2u);
+}
+
+TEST_F(Driver, EndsTheGoalOfALostLinkAndDoesNotResumeIt) {
+  start_long_move();
+  scan_cell_sim::ControllerFaults cut;
+  cut.to_client.link_down = cut.from_client.link_down = true;
+  controller_->set_faults(cut);
+  const ros::WallTime lost = ros::WallTime::now();
+  ASSERT_TRUE(move_.waitForResult(kPatience));
+  EXPECT_LT((ros::WallTime::now() - lost).toSec(), 1.0);
+  EXPECT_EQ(move_.getState(), GoalState::ABORTED);
+  EXPECT_EQ(move_.getResult()->outcome, MoveResult::LINK_LOST);
+  ASSERT_TRUE(connected(false));
+  using scan_cell_msgs::SetLinearSpeed;
+  const auto speed =
+      call<SetLinearSpeed>("set_linear_speed", with(&SetLinearSpeed::Request::speed, 0.1));
+  EXPECT_FALSE(speed.success);
+  EXPECT_TRUE(speed.link_lost) << "not a refusal: " << speed.message;
+  controller_->set_faults({});
+  ASSERT_TRUE(connected(true));
+  ASSERT_TRUE(eventually(
+      [this] { return controller_->state().status != scan_cell_sim::MotionStatus::Moving; }));
+  const Eigen::Isometry3d stopped = truth();
+  EXPECT_LT(stopped.translation().y(), 0.349);
+  const std::size_t before = flange_transforms().size();
+  ASSERT_TRUE(eventually([&] { return flange_transforms().size() > before + 10; }));
+  EXPECT_EQ(distance(truth(), stopped), 0);
+  EXPECT_EQ(controller_->motions_begun(), 1u);
+  EXPECT_EQ(run(to_pose(looking_down(0.8, 0, 0.6))).outcome, MoveResult::REACHED);
+}
+
+TEST_F(Driver, ReportsAnErrorOfTheController) {
+  start_long_move();
+  controller_->fail_motion("following error of J2");
+  ASSERT_TRUE(move_.waitForResult(kPatience));
+  EXPECT_EQ(move_.getResult()->outcome, MoveResult::CONTROLLER_ERROR);
+  EXPECT_EQ(move_.getResult()->message, "following error of J2");
+}

@@ -1,0 +1,16 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "clouds/cloud_file_targets.h"
+
+TEST(CloudReaders, TakeOrRefuseWhateverIsInAFile) {
+  for (const auto& target : cloud_file_targets()) {
+    SCOPED_TRACE(target.name);
+    for (const std::string& seed : target.seeds)
+      EXPECT_NO_THROW(target.run(seed)) << seed;
+    const auto count = scan_cell_common::fuzz(target, 1, 20000);
+    EXPECT_GT(count.taken, 500U);
+    EXPECT_GT(count.refused, 5000U);
+  }
+}

@@ -1,0 +1,49 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "running_cell/nodes.h"
+
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/time.h>
+#include <xmlrpcpp/XmlRpc.h>
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_demo {
+
+using scan_cell_common::ConnectionError;
+
+std::optional<pid_t> process_of(const std::string& node) {
+  XmlRpc::XmlRpcValue request, response, uri;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  if (!ros::master::execute("lookupNode", request, response, uri, false)) return std::nullopt;
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(uri, host, port)) return std::nullopt;
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  XmlRpc::XmlRpcValue name, answer;
+  name[0] = ros::this_node::getName();
+  constexpr int kProcess = 2;  // of [code, message, process]
+  if (!client.execute("getPid", name, answer) || client.isFault() || answer.size() <= kProcess)
+    return std::nullopt;
+  return static_cast<int>(answer[kProcess]);
+}
+
+pid_t checked_process_of(const std::string& node) {
+  const auto process = process_of(node);
+  if (!process) throw ConnectionError(node, "does not answer", "is it running?");
+  return *process;
+}
+
+void wait_for_successor(const std::string& node, pid_t killed, double timeout) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (process_of(node).value_or(killed) == killed) {
+    if (ros::WallTime::now() > deadline)
+      throw ConnectionError(node, "was not started again", "start the cell with respawn:=true");
+    ros::WallDuration(0.05).sleep();
+  }
+}
+
+}  // namespace scan_cell_demo

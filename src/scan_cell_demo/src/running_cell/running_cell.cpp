@@ -1,0 +1,217 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "running_cell/running_cell.h"
+
+#include <ros/package.h>
+#include <scan_cell_msgs/GrabImage.h>
+
+#include <algorithm>
+
+#include "scan_cell/ros/service_call.h"
+#include "scan_cell/videe_command.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_sim/cell.h"
+
+namespace scan_cell_demo {
+
+using scan_cell_common::Refused;
+using scan_cell_msgs::SetFaults;
+
+namespace {
+
+constexpr double kPatience = 60;  // [s]
+constexpr double kLook = 0.01;    // [s] between two looks
+constexpr int kStill = 3;         // messages
+constexpr int kSteps = 8;         // of a scan
+
+bool grabs_an_image() {
+  try {
+    return scan_cell::ask<scan_cell_msgs::GrabImage>("/scan_cell/grab_image", {}, kPatience)
+        .success;
+  } catch (const scan_cell_common::ConnectionError&) {
+    return false;  // the cell is not there yet, or again
+  }
+}
+
+}  // namespace
+
+RunningCell::RunningCell(ros::NodeHandle node)
+    : node_(node),
+      program_(scan_cell::load_scan_program(ros::package::getPath("scan_cell") +
+                                            "/config/scan_line.yaml")),
+      base_link_(scan_cell_sim::load_base_link_in_world(ros::package::getPath("scan_cell_sim") +
+                                                        "/config/cell.yaml")) {
+  feedback_ = node_.subscribe("/scan_cell/scan/feedback", 10, &RunningCell::on_feedback, this);
+  results_ = node_.subscribe("/scan_cell/scan/result", 10, &RunningCell::on_result, this);
+  flange_ = node_.subscribe("/scan_cell_sim/true_flange", 10, &RunningCell::on_flange, this);
+  status_ = node_.subscribe("/c4g_driver/status", 10, &RunningCell::on_status, this);
+}
+
+void RunningCell::wait_until_well() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    connected_ = false;  // a driver that died may have said otherwise
+  }
+  videe_.reset();
+  wait_for("the cell", [this] { return scan_.isServerConnected(); });
+  wait_for("the simulator",
+           [] { return ros::service::exists("/scan_cell_sim/set_faults", false); });
+  constexpr bool kStaysConnected = true;
+  faults_ = node_.serviceClient<SetFaults>("/scan_cell_sim/set_faults", kStaysConnected);
+  set_faults({});
+  wait_for("the robot", [this] { return connected(); });
+  wait_for("the trigger", [] { return ros::service::exists("/laser_trigger/arm", false); });
+  wait_for("an image of the camera", [] { return grabs_an_image(); });
+}
+
+scan_cell::ScanRequest RunningCell::line() const {
+  scan_cell::ScanRequest line = program_.request;
+  const Eigen::Vector3d place = look().place;
+  if ((line.start.translation() - place).norm() < (line.end.translation() - place).norm())
+    std::swap(line.start, line.end);
+  return line;
+}
+
+void RunningCell::forget_last_scan() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  step_ = 0;
+  progress_ = 0;
+  result_.reset();
+}
+
+void RunningCell::start_scan(const std::string& scan_id) {
+  forget_last_scan();
+  const scan_cell::ScanRequest request = line();
+  scan_cell_msgs::ScanGoal goal;
+  goal.scan_id = scan_id;
+  goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
+  goal.start.pose = scan_cell_common::to_ros_pose(request.start);
+  goal.end.pose = scan_cell_common::to_ros_pose(request.end);
+  goal.speed = request.speed;
+  goal.rate = request.rate;
+  goal.lasers = request.lasers;
+  scan_.sendGoal(goal);
+}
+
+void RunningCell::start_videe_scan(std::uint16_t port) {
+  forget_last_scan();
+  wait_for("videe_node", [&] {
+    try {
+      videe_.emplace(port);
+      return true;
+    } catch (const scan_cell_common::ConnectionError&) {
+      return false;  // it is not there yet, or again
+    }
+  });
+  const scan_cell::ScanRequest request = line();
+  videe_->ask("SET_POSITION " + scan_cell::pose_to_wire(request.start) + " " +
+              scan_cell::pose_to_wire(request.end));
+  videe_->ask("START_SCAN");
+}
+
+void RunningCell::wait_for_step(int step, double share) {
+  const double wanted = (step - 1 + share) / kSteps;
+  wait_for("step " + std::to_string(step), [&] {
+    const auto end = result();
+    if (end)
+      throw EndedBefore("the scan", "ended before anything was done to it", end->result.message);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return step_ == step && progress_ >= wanted;
+  });
+}
+
+scan_cell_msgs::ScanResultConstPtr RunningCell::end() {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
+  auto end = result();
+  for (; !end && scan_.isServerConnected(); end = result()) {
+    if (ros::WallTime::now() > deadline) throw Refused("the scan", "does not end", "see the log");
+    ros::WallDuration(kLook).sleep();
+  }
+  if (!videe_) scan_.stopTrackingGoal();
+  if (!end) return nullptr;
+  return scan_cell_msgs::ScanResultConstPtr(end, &end->result);  // a part of it, kept alive by it
+}
+
+scan_cell_msgs::ScanActionResultConstPtr RunningCell::result() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return result_;
+}
+
+void RunningCell::set_faults(const SetFaults::Request& faults) {
+  SetFaults service;
+  service.request = faults;
+  if (!faults_.call(service)) throw Refused("the simulator", "does not answer", "see its log");
+  scan_cell::check_answer("set_faults", service.response);
+}
+
+void RunningCell::wait_until_standing() {
+  start_to_look();
+  wait_for("the robot to stand", [this] { return look().still >= kStill; });
+}
+
+double RunningCell::way_within(double time) {
+  start_to_look();
+  wait_for("the robot's true pose", [this] { return look().heard > 0; });
+  const Eigen::Vector3d from = look().place;
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(time);
+  double way = 0;
+  while (ros::WallTime::now() < deadline) {
+    ros::WallDuration(kLook).sleep();
+    way = std::max(way, (look().place - from).norm());
+  }
+  return way;
+}
+
+void RunningCell::start_to_look() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  flange_seen_.heard = flange_seen_.still = 0;
+}
+
+RunningCell::Seen RunningCell::look() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return flange_seen_;
+}
+
+bool RunningCell::connected() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return connected_;
+}
+
+void RunningCell::on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  step_ = feedback.feedback.step;
+  progress_ = feedback.feedback.progress;
+}
+
+void RunningCell::on_result(const scan_cell_msgs::ScanActionResultConstPtr& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  result_ = result;
+}
+
+void RunningCell::on_flange(const geometry_msgs::PoseStamped& flange) {
+  constexpr double kSamePlace = 1e-5;  // [m]
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Eigen::Vector3d place =
+      (base_link_ * scan_cell_common::from_ros(flange.pose)).translation();
+  Seen& seen = flange_seen_;
+  seen.still = (place - seen.place).norm() < kSamePlace ? seen.still + 1 : 0;
+  ++seen.heard;
+  seen.place = place;
+}
+
+void RunningCell::on_status(const scan_cell_msgs::RobotStatus& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  connected_ = status.connected;
+}
+
+void RunningCell::wait_for(const std::string& what, const std::function<bool()>& condition) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (!condition()) {
+    if (ros::WallTime::now() > deadline)
+      throw Refused(what, "not there after a minute", "see the cell's log");
+    ros::WallDuration(kLook).sleep();
+  }
+}
+
+}  // namespace scan_cell_demo

@@ -1,0 +1,106 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/RobotStatus.h>
+#include <scan_cell_msgs/ScanAction.h>
+#include <scan_cell_msgs/SetFaults.h>
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "scan_cell/scan_program.h"
+#include "scan_cell_common/errors.h"
+#include "running_cell/videe_client.h"
+
+namespace scan_cell_demo {
+
+/// A scan ended by itself before it came as far as was wanted.
+class EndedBefore : public scan_cell_common::Refused {
+ public:
+  using Refused::Refused;
+};
+
+/// A running simulated cell as a client uses it, and the simulator's truth of where the robot is.
+/// Callbacks must be served by another thread (ros::AsyncSpinner).
+class RunningCell {
+ public:
+  explicit RunningCell(ros::NodeHandle node);
+
+  /// Waits until robot, camera and cell are there and no fault is set.
+  /// @throw scan_cell_common::Refused if they do not come
+  void wait_until_well();
+
+  /// Starts to scan the shipped line, from that end of it which is farther away.
+  void start_scan(const std::string& scan_id);
+
+  /// The same as a client of videe_node, once that serves. The scan has a name made from the time.
+  /// @throw scan_cell_common::Error if it refuses
+  void start_videe_scan(std::uint16_t port);
+
+  /// Waits for a step of the scan under way (1 .. 8) to be a share of it further.
+  /// @throw EndedBefore if it ends before
+  void wait_for_step(int step, double share);
+
+  /// Waits for the end of the scan.
+  /// @return none where scan_cell_node died and with it the result
+  scan_cell_msgs::ScanResultConstPtr end();
+
+  /// At once: over a connection that wait_until_well() made.
+  /// @throw scan_cell_common::Refused
+  void set_faults(const scan_cell_msgs::SetFaults::Request& faults);
+
+  /// Waits until the true flange stands.
+  /// @throw scan_cell_common::Refused if it does not
+  void wait_until_standing();
+
+  /// Farthest that the true flange gets from where it is [m], for some time [s].
+  double way_within(double time);
+
+  bool connected() const;
+
+ private:
+  using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
+
+  void on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback);
+  void on_result(const scan_cell_msgs::ScanActionResultConstPtr& result);
+  void forget_last_scan();
+  scan_cell::ScanRequest line() const;
+  scan_cell_msgs::ScanActionResultConstPtr result() const;
+  void on_flange(const geometry_msgs::PoseStamped& flange);
+  void on_status(const scan_cell_msgs::RobotStatus& status);
+  static void wait_for(const std::string& what, const std::function<bool()>& condition);
+
+  /// The true flange, in world.
+  struct Seen {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    int heard = 0;  // messages since somebody began to look
+    int still = 0;  // of them, in a row, at the same place
+  };
+  void start_to_look();
+  Seen look() const;
+
+  ros::NodeHandle node_;
+  const scan_cell::ScanProgram program_;
+  const Eigen::Isometry3d base_link_;  // in world
+  mutable std::mutex mutex_;
+  bool connected_ = false;
+  int step_ = 0;
+  double progress_ = 0;                              // of the whole scan
+  scan_cell_msgs::ScanActionResultConstPtr result_;  // none: it has not ended
+  Seen flange_seen_;
+  ros::ServiceClient faults_;
+  std::optional<VideeClient> videe_;  // that started the scan
+  Client scan_{"/scan_cell/scan", false};
+  ros::Subscriber feedback_;  // whoever started the scan
+  ros::Subscriber results_;
+  ros::Subscriber flange_;
+  ros::Subscriber status_;
+};
+
+}  // namespace scan_cell_demo

@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""ViDeE on the simulated cell: the session of docs/videe_protocol.md as it stands there, and one state for all clients."""
+import os
+import re
+import socket
+import subprocess
+import threading
+import time
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from scan_cell_msgs.msg import CellState, ScanAction, ScanGoal, ScanResult, TriggerState
+from scan_cell_msgs.srv import GrabImage
+
+PAGE = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../../docs/videe_protocol.md')
+ADDRESS = ('127.0.0.1', 5998)
+TIMEOUT = 120  # [s] on a busy machine
+
+
+def session_of_the_page():
+    """Pairs of command and answer, as they stand below the nc command."""
+    with open(PAGE) as page:
+        block = page.read().split('    nc 127.0.0.1 5000\n')[1].split('\n\n')[0]
+    lines = [line.strip() for line in block.splitlines()]
+    return list(zip(lines[::2], lines[1::2]))
+
+
+def pattern(answer):
+    """Any number of frames, points and so on will do."""
+    return re.sub(r'\d+', r'\\d+', re.escape(answer)) + '$'
+
+
+class Client:
+    """A ViDeE client, once the server listens."""
+
+    def __init__(self):
+        end = time.time() + TIMEOUT
+        while True:
+            try:
+                self.socket = socket.create_connection(ADDRESS, timeout=TIMEOUT)
+                break
+            except ConnectionRefusedError:
+                assert time.time() < end, 'no ViDeE server'
+                time.sleep(0.1)
+        self.lines = self.socket.makefile('rw', newline='\n')
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.lines.close()
+        self.socket.close()
+
+    def close(self):
+        self.__exit__()
+
+    def send_and_hang_up(self, data):
+        """What the server takes of it within a second."""
+        self.socket.settimeout(1)
+        try:
+            self.socket.sendall(data)
+        except OSError:  # it takes no more, or hung up itself
+            pass
+        self.close()
+
+    def send_and_close_its_direction(self, data):
+        self.socket.sendall(data)
+        self.socket.shutdown(socket.SHUT_WR)
+
+    def ask(self, command):
+        self.lines.write(command + '\n')
+        self.lines.flush()
+        return self.lines.readline().rstrip('\n')
+
+
+class Videe(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('test_videe_session')
+        cls.news = threading.Condition()
+        cls.states, cls.lasers = [], None
+        rospy.Subscriber('/scan_cell/state', CellState, cls.on_state)
+        rospy.Subscriber('/laser_trigger/state', TriggerState, cls.on_trigger)
+        cls.scan = actionlib.SimpleActionClient('/scan_cell/scan', ScanAction)
+        assert cls.scan.wait_for_server(rospy.Duration(TIMEOUT))
+        with Client() as client:  # until robot and camera are up, scans are refused
+            cls.wait_until_up(client)
+
+    @classmethod
+    def wait_until_up(cls, client):
+        end = time.time() + TIMEOUT
+        while not client.ask('GRAB_IMAGE').startswith('OK'):
+            assert time.time() < end, 'no image'
+            time.sleep(0.5)
+        while True:
+            client.ask('SET_POSITION -20,0,595,180,0,0 20,0,595,180,0,0')
+            client.ask('START_SCAN')
+            answer = client.ask('STOP_SCAN')
+            if answer.startswith('OK'):
+                return
+            assert time.time() < end, answer
+
+    @classmethod
+    def on_state(cls, state):
+        with cls.news:
+            cls.states.append(state)
+            cls.news.notify_all()
+
+    @classmethod
+    def on_trigger(cls, state):
+        with cls.news:
+            cls.lasers = state.lasers
+            cls.news.notify_all()
+
+    def wait_for(self, condition, what):
+        with self.news:
+            self.assertTrue(self.news.wait_for(condition, TIMEOUT), what)
+
+    def scanning(self):
+        return self.states and self.states[-1].state == CellState.SCANNING
+
+    def prepared(self):
+        client = Client()
+        self.assertEqual(client.ask('SET_POSITION -180,0,595,180,0,0 180,0,595,180,0,0'), 'OK')
+        return client
+
+    def start_ros_scan(self):
+        """Again and again: the scan of the test before may still be coming to its end."""
+        end = time.time() + TIMEOUT
+        self.scan.send_goal(self.ros_goal())
+        while self.scan.get_state() != actionlib.GoalStatus.ACTIVE:
+            if self.scan.get_state() == actionlib.GoalStatus.REJECTED:
+                self.assertLess(time.time(), end, self.scan.get_goal_status_text())
+                self.scan.send_goal(self.ros_goal())
+            time.sleep(0.05)
+
+    def start(self, client):
+        end = time.time() + TIMEOUT
+        while True:
+            answer = client.ask('START_SCAN')
+            if 'is running' not in answer:
+                break
+            self.assertLess(time.time(), end, answer)
+            time.sleep(0.05)
+        self.assertEqual(answer, 'OK')
+
+    def ros_goal(self):
+        goal = ScanGoal(scan_id='of a ROS client', speed=0.06, rate=100, lasers=1)
+        for pose, x in ((goal.start, -0.18), (goal.end, 0.18)):
+            pose.header.frame_id = 'world'
+            pose.pose.position.x, pose.pose.position.z = x, 0.595
+            pose.pose.orientation.x = 1
+        return goal
+
+    def test_session_of_the_page_runs_as_it_stands_there(self):
+        session = session_of_the_page()
+        commands = [command.split()[0] for command, _ in session]
+        for command in ('INIT_CYCLE', 'SET_POSITION', 'START_SCAN', 'STOP_SCAN', 'GRAB_IMAGE', 'RESET'):
+            self.assertIn(command, commands)
+        with Client() as client:
+            for command, answer in session:
+                self.assertRegex(client.ask(command), pattern(answer), command)
+        self.wait_for(lambda: self.lasers == 0, 'the lasers are off after RESET')
+
+    def test_ros_clients_see_a_scan_of_videe_and_are_refused_by_its_name(self):
+        with self.prepared() as client:
+            self.start(client)
+            self.wait_for(self.scanning, 'the scan is on the state topic')
+            name = self.states[-1].scan_id
+            self.scan.send_goal_and_wait(self.ros_goal(), rospy.Duration(TIMEOUT))
+            self.assertIn("'%s' is running" % name, self.scan.get_result().message)
+            answer = rospy.ServiceProxy('/scan_cell/grab_image', GrabImage)()
+            self.assertIn("'%s' is running" % name, answer.message)
+            self.assertRegex(client.ask('STOP_SCAN'), 'OK scan=%s ' % name)
+
+    def test_videe_clients_are_refused_by_the_name_of_a_scan_of_ros(self):
+        self.start_ros_scan()
+        self.wait_for(self.scanning, 'the scan is on the state topic')
+        with self.prepared() as client:
+            for command in ('START_SCAN', 'GRAB_IMAGE'):
+                self.assertIn("'of a ROS client' is running", client.ask(command))
+        self.assertTrue(self.scan.wait_for_result(rospy.Duration(TIMEOUT)))
+        self.assertEqual(self.scan.get_result().outcome, ScanResult.FINISHED, 'it was not disturbed')
+
+    def test_reset_ends_a_scan_of_a_ros_client_too(self):
+        self.start_ros_scan()
+        self.wait_for(lambda: self.lasers, 'a laser is on')
+        with Client() as client:
+            self.assertEqual(client.ask('RESET'), 'OK')
+        self.assertTrue(self.scan.wait_for_result(rospy.Duration(TIMEOUT)))
+        self.assertEqual(self.scan.get_state(), actionlib.GoalStatus.PREEMPTED)
+        self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
+
+    def test_after_a_reset_the_cell_is_free_for_the_next_scan(self):
+        for _ in range(3):
+            self.start_ros_scan()
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            with Client() as client:
+                self.assertEqual(client.ask('RESET'), 'OK')
+                self.assertEqual(client.ask('SET_POSITION -20,0,595,180,0,0 20,0,595,180,0,0'), 'OK')
+                self.assertEqual(client.ask('START_SCAN'), 'OK')
+                self.assertEqual(client.ask('INIT_CYCLE'), 'OK')
+                client.ask('SET_POSITION -20,0,595,180,0,0 20,0,595,180,0,0')
+                self.assertEqual(client.ask('START_SCAN'), 'OK')
+
+    def test_positions_end_with_the_connection(self):
+        self.prepared().close()
+        with Client() as client:
+            self.assertIn('no positions', client.ask('START_SCAN'))
+
+    def test_lasers_go_off_where_the_client_hangs_up_behind_megabytes(self):
+        for ahead in (b'INIT_CYCLE\n' * 20000, b'A' * 3000000, b'GRAB_IMAGE\n' * 1000):
+            client = self.prepared()
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            client.send_and_hang_up(b'STOP_SCAN\n' + ahead)
+            self.wait_for(lambda: self.lasers == 0, 'the lasers are off behind %d bytes' % len(ahead))
+            self.wait_for(lambda: not self.scanning(), 'the scan has ended')
+            self.assertIn('cancelled', self.states[-1].message)
+
+    def test_a_line_too_long_ends_the_connection_and_its_scan(self):
+        with self.prepared() as client:
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            self.assertIn('ERROR line too long', client.ask('A' * 1024))
+            self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
+
+    def test_of_a_client_that_is_gone_only_what_ends_things_is_carried_out(self):
+        self.start_ros_scan()
+        self.wait_for(lambda: self.lasers, 'a laser is on')
+        with Client() as client:
+            client.send_and_close_its_direction(b'GRAB_IMAGE\nRESET\n')
+            self.assertIn('ERROR', client.lines.readline(), 'that it is gone, or that a scan runs')
+            self.assertEqual(client.lines.readline(), 'OK\n')
+        self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
+
+    def test_lasers_go_off_when_the_client_goes(self):
+        with self.prepared() as client:
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+        self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
+        self.wait_for(lambda: not self.scanning(), 'the scan has ended')
+
+    def test_when_the_node_ends_what_its_client_has_under_way_ends_too(self):  # the last by its name
+        with self.prepared() as client:
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            subprocess.check_call(['rosnode', 'kill', '/videe'])
+            self.wait_for(lambda: not self.scanning(), 'the scan has ended')
+        self.assertIn('cancelled', self.states[-1].message)
+
+
+if __name__ == '__main__':
+    rostest.rosrun('scan_cell_demo', 'videe_session', Videe)

@@ -1,0 +1,25 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "parts/scan.h"
+
+namespace cases {
+
+/// What PCL's own tools make of a case, and whether they say that it went well.
+struct PclResult {
+  ToolPath path;
+  bool converged = false;
+  Similarity similarity;
+};
+
+/// A public yardstick: the size from the clouds' extents, the pose from FPFH features and
+/// pcl::SampleConsensusPrerejective as in PCL's tutorial "Robust pose estimation of rigid objects"
+/// (its settings scaled to the part), refined by pcl::IterativeClosestPoint with free scale; the
+/// path is carried over by the transform. Its only gate is hasConverged().
+PclResult pcl_pipeline(const Points& reference, const Points& object, const ToolPath& path);
+
+/// pcl::IterativeClosestPoint with free scale from where the clouds lie.
+PclResult pcl_icp(const Points& reference, const Points& object, double most_distance);
+
+}  // namespace cases

@@ -1,0 +1,13 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "parts/scan.h"
+
+namespace cases {
+
+/// The thesis' general method (9.7) written plainly with PCL: scale from PCA, ICP, nearest point,
+/// way back. As written it starts from where the clouds lie, and never refuses.
+ToolPath thesis_method(const Points& reference, const Points& object, const ToolPath& path);
+
+}  // namespace cases
