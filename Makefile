@@ -75,6 +75,7 @@ install: build
 
 lint: dependencies
 	@catkin_lint --offline -W2 --strict src
+	@scripts/check_rooms.py
 	@git ls-files '*.cpp' '*.h' | xargs -r clang-format --dry-run -Werror
 
 format: dependencies
