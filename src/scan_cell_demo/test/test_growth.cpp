@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "trials/growth.h"
 #include "scan_cell_common/errors.h"
+#include "trials/growth.h"
 
 using scan_cell_demo::growth;
 using scan_cell_demo::Holdings;

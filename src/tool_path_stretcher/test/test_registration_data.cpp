@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "yardsticks/registration_data.h"
 #include "search/alignment.h"
+#include "yardsticks/registration_data.h"
 
 using namespace tool_path_stretcher;
 

@@ -4,8 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include "c4g_driver/wire_units.h"
-
 namespace c4g_driver {
 
 /// The way of the flange in a MOVE_CARTESIAN along a line, without when. Positions lie on the
@@ -26,7 +24,7 @@ class Line {
   Eigen::Isometry3d from_;
   Eigen::Isometry3d to_;
   bool euler_;
-  EulerAngles angles_;
+  Eigen::Vector3d angles_;  // A, E, R [rad] of from_
   Eigen::Vector3d change_;  // of A, E, R
 };
 

@@ -12,13 +12,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "wire/allocations.h"
 #include "driver_node.h"
 #include "messages.h"
 #include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "wire/allocations.h"
 
 namespace c4g_driver {
 

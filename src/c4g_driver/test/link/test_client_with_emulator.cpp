@@ -11,9 +11,9 @@
 
 #include "c4g_driver/client.h"
 #include "robot/closed_form.h"
+#include "robot/smart5_six.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_sim/controller/controller.h"
-#include "robot/smart5_six.h"
 
 using c4g_driver::Client;
 using c4g_driver::Goal;

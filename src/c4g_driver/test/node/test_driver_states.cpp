@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "robot/closed_form.h"
 #include "node/driver_node_test.h"
+#include "robot/closed_form.h"
 
 using namespace driver_node_test;  // NOLINT
 

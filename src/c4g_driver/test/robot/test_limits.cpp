@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "c4g_driver/limits.h"
-#include "scan_cell_common/errors.h"
 #include "robot/smart5_six.h"
+#include "scan_cell_common/errors.h"
 
 using c4g_driver::RobotLimits;
 using scan_cell_common::Refused;

@@ -6,12 +6,12 @@
 #include <random>
 
 #include "c4g_driver/motion_check.h"
+#include "robot/smart5_six.h"
 #include "scan_cell_common/csv_reader.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_sim/controller/controller.h"
 #include "scan_cell_sim/controller/path.h"
-#include "robot/smart5_six.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "wire/allocations.h"
 #include "link/client_test.h"
+#include "wire/allocations.h"
 #include "wire/seal.h"
 
 using namespace c4g_driver;  // NOLINT

@@ -10,10 +10,10 @@
 #include "c4g_driver/motion_check.h"
 #include "c4g_driver/wire_units.h"
 #include "robot/closed_form.h"
+#include "robot/smart5_six.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_sim/controller/path.h"
-#include "robot/smart5_six.h"
 
 using c4g_driver::Joints;
 using c4g_driver::WireSix;

@@ -10,6 +10,7 @@
 using c4g_driver::WireSix;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using scan_cell_common::comau_angles;
 
 namespace {
 
@@ -59,11 +60,11 @@ TEST(EulerAngles, AreTheProductOfThreeTurns) {
     for (double e = 10; e < 180; e += 25) {
       for (double r = -175; r < 180; r += 50) {
         const Matrix3d product = rz(a * kDegree) * ry(e * kDegree) * rz(r * kDegree);
-        const auto angles = c4g_driver::to_euler(product);
-        EXPECT_NEAR(angles.a, a * kDegree, 1e-12);
-        EXPECT_NEAR(angles.e, e * kDegree, 1e-12);
-        EXPECT_NEAR(angles.r, r * kDegree, 1e-12);
-        expect_same(c4g_driver::from_euler({a * kDegree, e * kDegree, r * kDegree}), product,
+        const auto angles = comau_angles().angles(product);
+        EXPECT_NEAR(angles[0], a * kDegree, 1e-12);
+        EXPECT_NEAR(angles[1], e * kDegree, 1e-12);
+        EXPECT_NEAR(angles[2], r * kDegree, 1e-12);
+        expect_same(comau_angles().rotation({a * kDegree, e * kDegree, r * kDegree}), product,
                     1e-12);
       }
     }
@@ -76,21 +77,21 @@ TEST(EulerAngles, LoseNothingAtAndNearTheirDegenerateEnds) {
     for (double a = -3; a < 3.1; a += 0.7) {
       for (double r = -3; r < 3.1; r += 0.7) {
         const Matrix3d product = rz(a) * ry(e) * rz(r);
-        const auto angles = c4g_driver::to_euler(product);
-        EXPECT_GE(angles.e, 0);
-        EXPECT_LE(angles.e, M_PI);
-        expect_same(rz(angles.a) * ry(angles.e) * rz(angles.r), product, 5e-12);
+        const auto angles = comau_angles().angles(product);
+        EXPECT_GE(angles[1], 0);
+        EXPECT_LE(angles[1], M_PI);
+        expect_same(rz(angles[0]) * ry(angles[1]) * rz(angles[2]), product, 5e-12);
       }
     }
   }
 }
 
 TEST(EulerAngles, HaveNoFirstTurnWhereOnlyTheSumIsDefined) {
-  EXPECT_EQ(c4g_driver::to_euler(rz(0.5)).a, 0);
-  EXPECT_NEAR(c4g_driver::to_euler(rz(0.5)).r, 0.5, 1e-15);
+  EXPECT_EQ(comau_angles().angles(rz(0.5))[0], 0);
+  EXPECT_NEAR(comau_angles().angles(rz(0.5))[2], 0.5, 1e-15);
   const Matrix3d down = Vector3d(1, -1, -1).asDiagonal();
-  EXPECT_EQ(c4g_driver::to_euler(down).a, 0);
-  EXPECT_NEAR(std::abs(c4g_driver::to_euler(down).r), M_PI, 1e-15);
+  EXPECT_EQ(comau_angles().angles(down)[0], 0);
+  EXPECT_NEAR(std::abs(comau_angles().angles(down)[2]), M_PI, 1e-15);
 }
 
 TEST(WireUnits, KeepTheAnglesInTheRangesThatAreSent) {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "estimate/synthetic_session.h"
+#include "estimate/truth_comparison.h"
 #include "laser_triangulation/triangulator.h"
 #include "scan_calibration/calibrate.h"
 #include "scan_calibration/sequential.h"
 #include "scan_cell_common/tool_main.h"
-#include "estimate/synthetic_session.h"
-#include "estimate/truth_comparison.h"
 
 namespace {
 

@@ -13,9 +13,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "images/board_detection.h"
-#include "session/rendered_session.h"
 #include "scan_calibration/observations.h"
 #include "scan_calibration/session_recorder.h"
+#include "session/rendered_session.h"
 #include "session_figures.h"
 #include "tecnogamma_camera/grey_image_file.h"
 

@@ -6,8 +6,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "images/board_detection.h"
 #include "board/rendered_board.h"
+#include "images/board_detection.h"
 
 using Eigen::Isometry3d;
 using Eigen::Vector2d;

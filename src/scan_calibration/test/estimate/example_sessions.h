@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "scan_calibration/calibration.h"
 #include "estimate/synthetic_session.h"
 #include "estimate/truth_comparison.h"
+#include "scan_calibration/calibration.h"
 
 /// Sessions of an ordinary cell, as most tests of the estimate want them.
 namespace synthetic {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "estimate/synthetic_session.h"
 #include "scan_calibration/calibrate.h"
 #include "scan_cell_common/errors.h"
-#include "estimate/synthetic_session.h"
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;

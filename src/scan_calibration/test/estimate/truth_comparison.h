@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "scan_calibration/calibration.h"
 #include "estimate/synthetic_session.h"
+#include "scan_calibration/calibration.h"
 
 namespace synthetic {
 

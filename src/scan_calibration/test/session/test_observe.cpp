@@ -9,9 +9,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "session/rendered_session.h"
 #include "scan_calibration/observations.h"
 #include "scan_cell_common/errors.h"
+#include "session/rendered_session.h"
 #include "tecnogamma_camera/grey_image_file.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"

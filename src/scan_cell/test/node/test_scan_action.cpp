@@ -8,10 +8,10 @@
 #include <csignal>
 #include <filesystem>
 
+#include "node/scan_client.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell_common/child_process.h"
 #include "scan_cell_common/errors.h"
-#include "node/scan_client.h"
 
 namespace fs = std::filesystem;
 

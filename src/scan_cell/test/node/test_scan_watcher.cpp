@@ -6,9 +6,9 @@
 #include <csignal>
 #include <filesystem>
 
+#include "node/scan_client.h"
 #include "scan_cell/ros/cell_watcher.h"
 #include "scan_cell_common/child_process.h"
-#include "node/scan_client.h"
 
 using namespace scan_test;  // NOLINT
 using scan_cell_common::ChildProcess;

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/timed_pose.h"
 #include "running_cell/started_cell.h"
+#include "scan_cell_common/timed_pose.h"
 
 namespace scan_cell_demo {
 

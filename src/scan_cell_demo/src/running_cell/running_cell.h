@@ -14,9 +14,9 @@
 #include <optional>
 #include <string>
 
+#include "running_cell/videe_client.h"
 #include "scan_cell/scan_program.h"
 #include "scan_cell_common/errors.h"
-#include "running_cell/videe_client.h"
 
 namespace scan_cell_demo {
 

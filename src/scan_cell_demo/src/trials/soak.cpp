@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <map>
 
-#include "trials/growth.h"
 #include "running_cell/nodes.h"
 #include "running_cell/running_cell.h"
+#include "running_cell/started_cell.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/tool_main.h"
-#include "running_cell/started_cell.h"
+#include "trials/growth.h"
 
 using namespace scan_cell_demo;  // NOLINT
 

@@ -10,9 +10,9 @@
 #include <map>
 #include <random>
 
+#include "running_cell/started_cell.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/tool_main.h"
-#include "running_cell/started_cell.h"
 #include "trials/trial.h"
 
 using namespace scan_cell_demo;  // NOLINT

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "controller/wire/wire_json.h"
 #include "camera/loopback.h"
+#include "controller/wire/wire_json.h"
 #include "scan_cell_sim/controller/controller.h"
 
 /// The controller asked on its real wire, with packets written out by hand.

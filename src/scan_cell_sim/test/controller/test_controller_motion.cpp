@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "controller/arm_truth.h"
 #include "controller/arm/wire_pose.h"
+#include "controller/arm_truth.h"
 #include "scan_cell_sim/controller/motion_control.h"
 
 using Eigen::AngleAxisd;

@@ -4,8 +4,8 @@
 /// The rules of c4g_protocol.md, sentence by sentence, asked on the wire.
 #include <unistd.h>
 
-#include "controller/bare_client.h"
 #include "controller/arm/wire_pose.h"
+#include "controller/bare_client.h"
 
 using scan_cell_sim::Controller;
 using scan_cell_sim::MotionStatus;

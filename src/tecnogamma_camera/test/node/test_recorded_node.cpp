@@ -18,9 +18,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "aravis/fake_cameras.h"
+#include "node/topic.h"
 #include "payload/payloads.h"
 #include "peaks/stripes.h"
-#include "node/topic.h"
 
 namespace fs = std::filesystem;
 

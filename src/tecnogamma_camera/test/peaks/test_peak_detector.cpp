@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/errors.h"
 #include "peaks/stripes.h"
+#include "scan_cell_common/errors.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 using tecnogamma_camera::Choice;

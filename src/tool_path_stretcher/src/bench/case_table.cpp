@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "yardsticks/pcl_pipeline.h"
-#include "yardsticks/thesis_method.h"
 #include "stopwatch.h"
 #include "tool_path_stretcher/stretcher.h"
+#include "yardsticks/pcl_pipeline.h"
+#include "yardsticks/thesis_method.h"
 
 namespace bench {
 namespace {

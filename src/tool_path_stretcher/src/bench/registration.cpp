@@ -7,10 +7,10 @@
 #include <limits>
 #include <optional>
 
-#include "yardsticks/pcl_pipeline.h"
-#include "yardsticks/registration_data.h"
 #include "search/alignment.h"
 #include "stopwatch.h"
+#include "yardsticks/pcl_pipeline.h"
+#include "yardsticks/registration_data.h"
 
 namespace bench {
 namespace {

@@ -5,9 +5,12 @@
 #include <cmath>
 
 #include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/wire_pose.h"
 
 namespace c4g_driver {
 namespace {
+
+using scan_cell_common::comau_angles;
 
 /// From one angle to the other, the shorter way round [rad].
 double shorter_way(double from, double to) {
@@ -17,18 +20,16 @@ double shorter_way(double from, double to) {
 }  // namespace
 
 Line::Line(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, bool euler)
-    : from_(from), to_(to), euler_(euler), angles_(to_euler(from.linear())) {
-  const EulerAngles end = to_euler(to.linear());
-  change_ << shorter_way(angles_.a, end.a), shorter_way(angles_.e, end.e),
-      shorter_way(angles_.r, end.r);
+    : from_(from), to_(to), euler_(euler), angles_(comau_angles().angles(from.linear())) {
+  const Eigen::Vector3d end = comau_angles().angles(to.linear());
+  for (Eigen::Index i = 0; i < 3; ++i)
+    change_[i] = shorter_way(angles_[i], end[i]);
 }
 
 Eigen::Isometry3d Line::at(double way) const {
   Eigen::Isometry3d pose = scan_cell_common::interpolate(from_, to_, way);
   if (euler_) {
-    const Eigen::Vector3d turned = way * change_;
-    pose.linear() =
-        from_euler({angles_.a + turned[0], angles_.e + turned[1], angles_.r + turned[2]});
+    pose.linear() = comau_angles().rotation(angles_ + way * change_);
   }
   return pose;
 }

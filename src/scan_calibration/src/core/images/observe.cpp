@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "laser_lines/board_line.h"
 #include "images/board_order.h"
 #include "images/board_sightings.h"
 #include "images/corner_refinement.h"
 #include "images/parallel.h"
 #include "images/rough_camera.h"
+#include "laser_lines/board_line.h"
 #include "scan_calibration/observations.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"

@@ -6,16 +6,17 @@
 #include <array>
 #include <cmath>
 
-#include "c4g_driver/wire_units.h"
 #include "scan_cell_common/csv_reader.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
+#include "scan_cell_common/wire_pose.h"
 
 namespace scan_calibration {
 namespace {
 
 using scan_cell_common::CsvReader;
 using scan_cell_common::UnusableInput;
+using scan_cell_common::WireSix;
 
 constexpr const char* kHeads =
     "begin with the header x,y,z or x,y,z,qx,qy,qz,qw or x_mm,y_mm,z_mm,a_deg,e_deg,r_deg";
@@ -30,10 +31,10 @@ Eigen::Isometry3d point(const CsvReader& table) {
   return Eigen::Isometry3d(Eigen::Translation3d(p));
 }
 
-c4g_driver::WireSix wire_numbers(const CsvReader& table) {
+WireSix wire_numbers(const CsvReader& table) {
   constexpr double kReach = 50e3;    // [mm] of any robot
   constexpr double kMostTurn = 720;  // [deg]
-  c4g_driver::WireSix wire{};
+  WireSix wire{};
   for (std::size_t i = 0; i < wire.size(); ++i)
     wire[i] = table.number(i);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -48,10 +49,10 @@ c4g_driver::WireSix wire_numbers(const CsvReader& table) {
 
 /// Metres or radians under a head of millimetres and degrees read without a fault: then all of them
 /// are small.
-void refuse_wrong_units(const std::vector<c4g_driver::WireSix>& wires, const std::string& name) {
+void refuse_wrong_units(const std::vector<WireSix>& wires, const std::string& name) {
   constexpr double kMostMetres = 10;
   double farthest = 0, widest = 0;
-  for (const c4g_driver::WireSix& wire : wires) {
+  for (const WireSix& wire : wires) {
     for (std::size_t i = 0; i < 3; ++i) {
       farthest = std::max(farthest, std::abs(wire[i]));
       widest = std::max(widest, std::abs(wire[i + 3]));
@@ -103,11 +104,11 @@ TaughtPoses parse_taught_poses(const std::string& text, const std::string& name)
   }
   TaughtPoses taught;
   taught.has_orientation = wire || poses;
-  std::vector<c4g_driver::WireSix> wires;
+  std::vector<WireSix> wires;
   while (table.next()) {
     table.expect_fields(head.size());
     if (wire) wires.push_back(wire_numbers(table));
-    taught.poses.push_back(wire    ? c4g_driver::pose_from_wire(wires.back())
+    taught.poses.push_back(wire    ? scan_cell_common::pose_from_wire(wires.back())
                            : poses ? table.pose(0)
                                    : point(table));
     taught.lines.push_back(static_cast<int>(table.line()));

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/euler_angles.h"
 #include "scan_cell_common/text.h"
 
 namespace scan_cell {
@@ -33,6 +34,11 @@ const std::map<std::string, VideeCommandKind>& kinds() {
       {"STOP_SCAN", VideeCommandKind::StopScan},
       {"RESET", VideeCommandKind::Reset}};
   return kinds;
+}
+
+const scan_cell_common::EulerSequence& roll_pitch_yaw() {
+  static const scan_cell_common::EulerSequence sequence("zyx");
+  return sequence;
 }
 
 /// Six numbers between commas.
@@ -89,29 +95,17 @@ Eigen::Isometry3d pose_from_wire(const std::string& text) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() << values[0] / kMillimetres, values[1] / kMillimetres,
       values[2] / kMillimetres;
-  pose.linear() = (Eigen::AngleAxisd(values[5] / kDegrees, Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(values[4] / kDegrees, Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(values[3] / kDegrees, Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
+  pose.linear() =
+      roll_pitch_yaw().rotation(Eigen::Vector3d(values[5], values[4], values[3]) / kDegrees);
   return pose;
 }
 
 std::string pose_to_wire(const Eigen::Isometry3d& pose) {
-  const Eigen::Matrix3d r = pose.linear();
-  const double ry = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
-  constexpr double kDegenerate = 1 - 1e-12;
-  double rx = 0;
-  double rz = 0;
-  if (std::abs(r(2, 0)) < kDegenerate) {
-    rx = std::atan2(r(2, 1), r(2, 2));
-    rz = std::atan2(r(1, 0), r(0, 0));
-  } else {
-    rz = std::atan2(-r(0, 1), r(1, 1));
-  }
+  const Eigen::Vector3d zyx = roll_pitch_yaw().angles(pose.linear()) * kDegrees;
   const Eigen::Vector3d p = pose.translation() * kMillimetres;
   char text[160];
-  std::snprintf(text, sizeof(text), "%.4f,%.4f,%.4f,%.6f,%.6f,%.6f", p.x(), p.y(), p.z(),
-                rx * kDegrees, ry * kDegrees, rz * kDegrees);
+  std::snprintf(text, sizeof(text), "%.4f,%.4f,%.4f,%.6f,%.6f,%.6f", p.x(), p.y(), p.z(), zyx[2],
+                zyx[1], zyx[0]);
   return text;
 }
 
