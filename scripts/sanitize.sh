@@ -32,7 +32,7 @@ addresses() {
   export LSAN_OPTIONS="suppressions=$PWD/scripts/sanitizers/leaks.txt:print_suppressions=0"
   # Eigen has memory of its own under the sanitizer, which it must not: PCL's libraries free what we took.
   # -O2: the simulated cell must keep up with its pulses.
-  make test BUILD=$tree DEVEL=$tree/devel \
+  make test BUILD=$tree DEVEL=$tree/devel CELLS=1 \
     FLAGS='-O2 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined -DEIGEN_MALLOC_ALREADY_ALIGNED=1 -Wno-maybe-uninitialized'
 }
 

@@ -58,16 +58,3 @@ macro(scan_cell_tests)
   # catkin begins the command of every test with it.
   set(CATKIN_ENV ${PYTHON_EXECUTABLE} ${_scan_cell_cmake}/own_network.py ${CATKIN_ENV})
 endmacro()
-
-# scan_cell_run_alone(TEST...): these gtests (test_x) and rostests (folder/x.test, in test/) of the calling package measure time, or need
-# all processors to keep up with the hardware: ctest runs nothing beside them.
-function(scan_cell_run_alone)
-  foreach(test ${ARGN})
-    if(test MATCHES "\\.test$")
-      string(REPLACE "/" "_" test rostest_test_${test})
-    else()
-      set(test gtest_${test})
-    endif()
-    set_tests_properties(_ctest_${PROJECT_NAME}_${test} PROPERTIES RUN_SERIAL TRUE)
-  endforeach()
-endfunction()

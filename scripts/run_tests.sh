@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# run_tests.sh BUILD COMPUTING WAITING   runs every test of a build and names what failed: COMPUTING gtests side by side,
+# then WAITING rostests, which mostly wait for their simulated cell.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=$1 computing=$2 waiting=$3 status=0
+
+run() { ctest --test-dir "$build" --output-on-failure --timeout 1200 "$@" || status=1; }
+
+rm -rf "$build/test_results"
+run --tests-regex _gtest_ --parallel "$computing"
+run --tests-regex _rostest_ --parallel "$waiting"
+
+[ -n "${SCAN_CELL_DATA:-}" ] ||
+  echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"
+catkin_test_results --all "$build/test_results" | awk '{ print }
+  /^Summary:/ { printf "%d passed, %d failed, %d skipped\n", $2 - $4 - $6 - $8, $4 + $6, $8 }' || status=1
+scripts/failed_tests.py "$build/test_results" || status=1
+exit $status
