@@ -9,8 +9,8 @@
 #include "scan_cell_common/errors.h"
 
 using laser_triangulation::CloudBuilder;
-using laser_triangulation::ScannerModel;
 using scan_cell_common::Refused;
+using scan_cell_common::ScannerModel;
 using scan_cell_common::UnusableInput;
 using scan_cell_msgs::BoundProfile;
 
@@ -19,12 +19,12 @@ namespace {
 constexpr std::size_t kRows = 10;
 
 /// One laser whose plane holds the camera's axis x = 0 at z = 0.5 m.
-ScannerModel scanner() {
-  ScannerModel model;
+scan_cell_common::ScannerModel scanner() {
+  scan_cell_common::ScannerModel model;
   model.camera.width = model.camera.height = 1000;
   model.camera.fx = model.camera.fy = 800;
   model.camera.cx = model.camera.cy = 500;
-  laser_triangulation::LaserPlane laser;
+  scan_cell_common::LaserPlane laser;
   laser.origin << 0.25, 0, 0;
   laser.normal = Eigen::Vector3d(2, 0, 1).normalized();
   laser.distance = laser.normal.dot(laser.origin);
@@ -120,9 +120,9 @@ TEST_F(CloudBuilderTest, RefusesMorePointsThanAllowed) {
 namespace {
 
 /// The second laser mirrors the first: from one pixel its plane is met at another depth.
-ScannerModel two_lasers() {
-  ScannerModel model = scanner();
-  laser_triangulation::LaserPlane other = model.laser(0);
+scan_cell_common::ScannerModel two_lasers() {
+  scan_cell_common::ScannerModel model = scanner();
+  scan_cell_common::LaserPlane other = model.laser(0);
   other.origin << -0.3, 0, 0;
   other.normal = Eigen::Vector3d(-2, 0, 1).normalized();
   other.distance = other.normal.dot(other.origin);
@@ -139,7 +139,7 @@ BoundProfile profile_of(std::uint8_t laser) {
 }  // namespace
 
 TEST(CloudOfTwoLasers, RefusesALaserThatWasNotCalibratedByName) {
-  ScannerModel model = two_lasers();
+  scan_cell_common::ScannerModel model = two_lasers();
   model.lasers[0].reset();
   CloudBuilder builder(model, {}, 1000);
   builder.add(profile_of(1));

@@ -21,8 +21,8 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// The camera and lasers of the simulated cell.
-ScannerModel scanner() {
-  ScannerModel model;
+scan_cell_common::ScannerModel scanner() {
+  scan_cell_common::ScannerModel model;
   model.camera.width = 1696;
   model.camera.height = 1710;
   model.camera.fx = 801.3;
@@ -33,7 +33,7 @@ ScannerModel scanner() {
   model.flange_to_camera = Eigen::Translation3d(0.004, -0.003, 0.085) *
                            Eigen::AngleAxisd(0.021, Eigen::Vector3d(0.6, -0.4, 0.7).normalized());
   for (const double side : {-1.0, 1.0}) {
-    LaserPlane laser;
+    scan_cell_common::LaserPlane laser;
     laser.origin << 0.25 * side, 0, 0.012;
     laser.normal = Eigen::Vector3d(-0.89 * side, -0.001, -0.456).normalized();
     laser.distance = laser.normal.dot(laser.origin);
@@ -52,9 +52,9 @@ struct Profile {
 
 /// Where the laser's line on the plane z = depth (camera frame) is seen in a row, found by
 /// bisection of the projection along the line: no undistortion is used.
-std::optional<std::pair<double, Eigen::Vector3d>> see(const ScannerModel& model, std::size_t laser,
-                                                      double depth, double row) {
-  const LaserPlane& plane = model.laser(laser);
+std::optional<std::pair<double, Eigen::Vector3d>> see(const scan_cell_common::ScannerModel& model,
+                                                      std::size_t laser, double depth, double row) {
+  const scan_cell_common::LaserPlane& plane = model.laser(laser);
   const auto on_line = [&](double y) {
     const double x =
         (plane.distance - plane.normal.y() * y - plane.normal.z() * depth) / plane.normal.x();
@@ -74,7 +74,7 @@ std::optional<std::pair<double, Eigen::Vector3d>> see(const ScannerModel& model,
 }  // namespace
 
 TEST(Undistort, AgreesWithOpenCvAndTheProjectionOverTheWholeSensor) {
-  const CameraIntrinsics camera = scanner().camera;
+  const scan_cell_common::CameraIntrinsics camera = scanner().camera;
   const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
   const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
   const cv::TermCriteria exact(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 1000, 1e-15);
@@ -94,7 +94,7 @@ TEST(Undistort, AgreesWithOpenCvAndTheProjectionOverTheWholeSensor) {
 }
 
 TEST(Undistort, SaysWhereTheLensModelFoldsOver) {
-  CameraIntrinsics camera = scanner().camera;
+  scan_cell_common::CameraIntrinsics camera = scanner().camera;
   camera.distortion << -0.5, 0, 0, 0, 0;  // r (1 - r^2 / 2) never exceeds 0.545
   Eigen::Vector2d ray(0.7, 0);
   EXPECT_FALSE(camera.undistort({0.7, 0}, ray));
@@ -108,7 +108,7 @@ struct LongRay {
 
 /// The reference: Newton's method on OpenCV's lens model in 80-bit numbers, with the derivatives by
 /// central differences. Shares nothing with the code under test.
-LongRay reference_ray(const CameraIntrinsics& camera, double u, double v) {
+LongRay reference_ray(const scan_cell_common::CameraIntrinsics& camera, double u, double v) {
   const auto distort = [&camera](LongRay ray) {
     const long double k1 = camera.distortion[0], k2 = camera.distortion[1],
                       p1 = camera.distortion[2], p2 = camera.distortion[3],
@@ -140,7 +140,7 @@ LongRay reference_ray(const CameraIntrinsics& camera, double u, double v) {
 
 TEST(RayTable, IsExactOverTheWholeSensor) {
   for (const double k1 : {-0.081, -0.25, 0.2}) {
-    CameraIntrinsics camera = scanner().camera;
+    scan_cell_common::CameraIntrinsics camera = scanner().camera;
     camera.distortion[0] = k1;
     const RayTable table(camera);
     double worst = 0;
@@ -160,7 +160,7 @@ TEST(RayTable, IsExactOverTheWholeSensor) {
 }
 
 TEST(RayTable, SaysNothingOfPixelsThatTheLensModelDoesNotReach) {
-  CameraIntrinsics camera = scanner().camera;
+  scan_cell_common::CameraIntrinsics camera = scanner().camera;
   camera.distortion << -0.5, 0, 0, 0, 0;  // folds over at 0.545 from the middle, 436 px
   const RayTable table(camera);
   const auto ray = [&table](float column) {
@@ -176,14 +176,14 @@ TEST(RayTable, SaysNothingOfPixelsThatTheLensModelDoesNotReach) {
 }
 
 TEST(RayTable, RefusesALensModelThatCannotBeUndoneAnywhere) {
-  CameraIntrinsics camera = scanner().camera;
+  scan_cell_common::CameraIntrinsics camera = scanner().camera;
   camera.width = camera.height = 64;  // the sensor's corner only
   camera.distortion << -0.5, 0, 0, 0, 0;
   EXPECT_THROW(RayTable{camera}, scan_cell_common::UnusableInput);
 }
 
 TEST(Triangulator, IsExactToAMicrometreOverTheWholeImage) {
-  const ScannerModel model = scanner();
+  const scan_cell_common::ScannerModel model = scanner();
   const Eigen::Isometry3d flange =
       Eigen::Translation3d(0.4, -0.2, 0.9) *
       Eigen::AngleAxisd(2.8, Eigen::Vector3d(1, 0.1, 0.2).normalized());
@@ -204,7 +204,7 @@ TEST(Triangulator, IsExactToAMicrometreOverTheWholeImage) {
       for (std::size_t row = 0; row < 1710 && next < points.size(); row += 19) {
         const LongRay ray = reference_ray(model.camera, static_cast<double>(profile.position[row]),
                                           static_cast<double>(row));
-        const LaserPlane& plane = model.laser(laser);
+        const scan_cell_common::LaserPlane& plane = model.laser(laser);
         const long double depth = plane.distance / (plane.normal.x() * ray.x +
                                                     plane.normal.y() * ray.y + plane.normal.z());
         if (!(depth >= limits.least_range && depth <= limits.most_range)) continue;
@@ -229,7 +229,7 @@ TEST(Triangulator, IsExactToAMicrometreOverTheWholeImage) {
 }
 
 TEST(Triangulator, FindsAPlaneAtAKnownDepthWithBothLasersToAMicrometre) {
-  const ScannerModel model = scanner();
+  const scan_cell_common::ScannerModel model = scanner();
   const Eigen::Isometry3d flange =
       Eigen::Translation3d(0.4, -0.2, 0.9) *
       Eigen::AngleAxisd(2.8, Eigen::Vector3d(1, 0.1, 0.2).normalized());
@@ -263,7 +263,7 @@ TEST(Triangulator, FindsAPlaneAtAKnownDepthWithBothLasersToAMicrometre) {
 }
 
 TEST(Triangulator, CountsWhatItLeavesOutByItsReason) {
-  const ScannerModel model = scanner();
+  const scan_cell_common::ScannerModel model = scanner();
   Profile profile(12);
   for (std::size_t row = 0; row < 12; ++row)
     profile.position[row] = static_cast<float>(see(model, 0, 0.5, 800 + row)->first);

@@ -36,7 +36,7 @@ class Recorder {
       : start_(start),
         bag_(bag, rosbag::bagmode::Write),
         scene_(scan_cell_sim::load_world(world)),
-        renderer_(laser_triangulation::load_scanner_model(sim("scanner.yaml")), {}),
+        renderer_(scan_cell_common::load_scanner_model(sim("scanner.yaml")), {}),
         base_(scan_cell_sim::load_base_link_in_world(sim("cell.yaml"))),
         program_(scan_cell::load_scan_program(ros::package::getPath("scan_cell") +
                                               "/config/scan_line.yaml")) {}

@@ -20,8 +20,8 @@ const Region kSensor = {0, 0, 1696, 1710};
 constexpr double kLong = 0.03;    // [s] shows the room
 constexpr double kShort = 0.001;  // [s] of a scan
 
-laser_triangulation::ScannerModel scanner() {
-  return laser_triangulation::load_scanner_model(kConfig + "/scanner.yaml");
+scan_cell_common::ScannerModel scanner() {
+  return scan_cell_common::load_scanner_model(kConfig + "/scanner.yaml");
 }
 
 Optics noiseless() {

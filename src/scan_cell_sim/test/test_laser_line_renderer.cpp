@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using laser_triangulation::ScannerModel;
+using scan_cell_common::ScannerModel;
 
 const std::string kConfig = CONFIG_FOLDER;
 const Region kRegion = {336, 599, 1024, 512};
@@ -117,7 +117,7 @@ ScannerModel plain_scanner() {
   scanner.camera.cx = 848;
   scanner.camera.cy = 855;
   for (const double side : {-1.0, 1.0}) {
-    laser_triangulation::LaserPlane laser;
+    scan_cell_common::LaserPlane laser;
     laser.origin = {0.25 * side, 0, 0};
     laser.normal = Vector3d(-0.5 * side, 0, -0.25).normalized();
     laser.distance = laser.normal.dot(laser.origin);
@@ -127,7 +127,7 @@ ScannerModel plain_scanner() {
 }
 
 void expect_analytic_line(double height, std::size_t laser, const Vector3d& tilt) {
-  const ScannerModel scanner = laser_triangulation::load_scanner_model(kConfig + "/scanner.yaml");
+  const ScannerModel scanner = scan_cell_common::load_scanner_model(kConfig + "/scanner.yaml");
   Exposure exposure;
   exposure.camera = looking_down(0.5, tilt);
   exposure.lasers = static_cast<std::uint8_t>(1U << laser);

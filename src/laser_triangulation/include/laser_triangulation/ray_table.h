@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace laser_triangulation {
 
@@ -19,7 +19,7 @@ class RayTable {
   static constexpr std::size_t kMostRows = 128;  //!< in one call: room that stays in the cache
 
   /// @throw scan_cell_common::UnusableInput if the lens model cannot be undone anywhere
-  explicit RayTable(const CameraIntrinsics& camera);
+  explicit RayTable(const scan_cell_common::CameraIntrinsics& camera);
 
   /// The rays (x/z, y/z) of one pixel a row, from `first_row` downwards. NaN where the lens model
   /// cannot be undone, or hardly.
@@ -37,9 +37,9 @@ class RayTable {
 
   static constexpr double kHalfPixel = 0.5;
 
-  double choose_width(const CameraIntrinsics& camera);
-  void fill(const CameraIntrinsics& camera, int row, Cell* cells) const;
-  double measure(const CameraIntrinsics& camera, int row, Cell* cells) const;
+  double choose_width(const scan_cell_common::CameraIntrinsics& camera);
+  void fill(const scan_cell_common::CameraIntrinsics& camera, int row, Cell* cells) const;
+  double measure(const scan_cell_common::CameraIntrinsics& camera, int row, Cell* cells) const;
 
   double width_ = 0;       // [px] of a cell
   double per_column_ = 0;  // [1/px]

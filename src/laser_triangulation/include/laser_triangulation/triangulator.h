@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "laser_triangulation/ray_table.h"
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace laser_triangulation {
 
@@ -27,7 +27,7 @@ static_assert(sizeof(ScanPoint) == 24);
 /// The peaks of one frame, one a row from first_row downwards; NaN where a row has none. The arrays
 /// have `rows` elements and stay the caller's.
 struct ProfileView {
-  std::size_t laser = 0;        //!< index into ScannerModel::lasers
+  std::size_t laser = 0;        //!< index into scan_cell_common::ScannerModel::lasers
   std::uint32_t first_row = 0;  //!< [px] sensor row of element 0
   std::size_t rows = 0;
   const float* position = nullptr;   //!< [px] sensor column
@@ -63,7 +63,7 @@ class Triangulator {
  public:
   /// @throw scan_cell_common::UnusableInput if the model makes no sense
   /// @throw scan_cell_common::InvalidParameter if a least limit is above its most
-  Triangulator(const ScannerModel& model, const PeakLimits& limits);
+  Triangulator(const scan_cell_common::ScannerModel& model, const PeakLimits& limits);
 
   bool has_laser(std::size_t index) const { return model_.has_laser(index); }
 
@@ -75,7 +75,7 @@ class Triangulator {
   const PeakCounts& counts() const { return counts_; }
 
  private:
-  const ScannerModel model_;
+  const scan_cell_common::ScannerModel model_;
   const RayTable rays_;
   const PeakLimits limits_;
   PeakCounts counts_;

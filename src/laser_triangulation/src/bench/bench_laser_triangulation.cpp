@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kRows = 1710;
 
-ScannerModel scanner() {
-  ScannerModel model;
+scan_cell_common::ScannerModel scanner() {
+  scan_cell_common::ScannerModel model;
   model.camera.width = 1696;
   model.camera.height = 1710;
   model.camera.fx = 801.3;
@@ -28,7 +28,7 @@ ScannerModel scanner() {
   model.camera.cy = 852.7;
   model.camera.distortion << -0.081, 0.052, 0.0006, -0.0004, 0.0;
   model.flange_to_camera.translation() << 0.004, -0.003, 0.085;
-  LaserPlane laser;
+  scan_cell_common::LaserPlane laser;
   laser.origin << -0.25, 0, 0.012;
   laser.normal = Eigen::Vector3d(0.89, -0.001, -0.456).normalized();
   laser.distance = laser.normal.dot(laser.origin);
@@ -56,7 +56,7 @@ const cv::TermCriteria kOpenCvsOwn(cv::TermCriteria::COUNT, 5, 0.01);
 const cv::TermCriteria kTightest(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 1000, 1e-15);
 
 /// A profile's rays through OpenCV.
-void undistort(const CameraIntrinsics& camera, const std::vector<float>& position,
+void undistort(const scan_cell_common::CameraIntrinsics& camera, const std::vector<float>& position,
                const cv::TermCriteria& end, std::vector<cv::Point2d>& rays) {
   const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
   const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
@@ -66,7 +66,7 @@ void undistort(const CameraIntrinsics& camera, const std::vector<float>& positio
   cv::undistortPoints(pixels, rays, matrix, distortion, cv::noArray(), cv::noArray(), end);
 }
 
-void plain_way(const ScannerModel& model, const std::vector<float>& position,
+void plain_way(const scan_cell_common::ScannerModel& model, const std::vector<float>& position,
                const Eigen::Isometry3d& flange, const cv::TermCriteria& end,
                std::vector<Eigen::Vector3f>& points) {
   std::vector<cv::Point2d> rays;
@@ -101,7 +101,7 @@ class Rate {
 
 int bench() {
   cv::setNumThreads(1);
-  const ScannerModel model = scanner();
+  const scan_cell_common::ScannerModel model = scanner();
   const std::vector<std::vector<float>> position = lines();
   const std::vector<float> width(kRows, 5);
   const std::vector<float> intensity(kRows, 100);

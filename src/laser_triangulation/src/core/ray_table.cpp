@@ -29,7 +29,8 @@ Eigen::Matrix4d from_nodes() {
 }
 
 /// @param ray where to start from, if finite; the solution on return, NaN where there is none
-void solve(const CameraIntrinsics& camera, int row, double column, Eigen::Vector2d& ray) {
+void solve(const scan_cell_common::CameraIntrinsics& camera, int row, double column,
+           Eigen::Vector2d& ray) {
   const Eigen::Vector2d distorted((column - camera.cx) / camera.fx, (row - camera.cy) / camera.fy);
   if (!ray.allFinite()) ray = distorted;
   if (!camera.undistort(distorted, ray)) ray.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -37,7 +38,7 @@ void solve(const CameraIntrinsics& camera, int row, double column, Eigen::Vector
 
 }  // namespace
 
-RayTable::RayTable(const CameraIntrinsics& camera) {
+RayTable::RayTable(const scan_cell_common::CameraIntrinsics& camera) {
   const bool exact = choose_width(camera) < kAllowed;
   cells_.resize(static_cast<std::size_t>(camera.height) * cells_in_row_);
   for (int row = 0; row < camera.height; ++row) {
@@ -69,7 +70,7 @@ void RayTable::find(std::size_t first_row, const float* columns, std::size_t cou
 }
 
 /// @return how far the cubics are off
-double RayTable::choose_width(const CameraIntrinsics& camera) {
+double RayTable::choose_width(const scan_cell_common::CameraIntrinsics& camera) {
   constexpr double kWidest = 16;  // [px]
   constexpr double kNarrowest = 4;
   constexpr int kRows = 32;  // between two that are looked at: distortion changes slowly
@@ -86,7 +87,7 @@ double RayTable::choose_width(const CameraIntrinsics& camera) {
   }
 }
 
-void RayTable::fill(const CameraIntrinsics& camera, int row, Cell* cells) const {
+void RayTable::fill(const scan_cell_common::CameraIntrinsics& camera, int row, Cell* cells) const {
   static const Eigen::Matrix4d kFromNodes = from_nodes();
   Eigen::Vector2d ray = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   for (std::size_t cell = 0; cell < cells_in_row_; ++cell) {
@@ -102,7 +103,8 @@ void RayTable::fill(const CameraIntrinsics& camera, int row, Cell* cells) const 
 
 /// The largest error between the nodes. Where a cell is off by more than is allowed, as where the
 /// lens model is about to fold over, it becomes NaN.
-double RayTable::measure(const CameraIntrinsics& camera, int row, Cell* cells) const {
+double RayTable::measure(const scan_cell_common::CameraIntrinsics& camera, int row,
+                         Cell* cells) const {
   double worst = 0;
   Eigen::Vector2d exact = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < cells_in_row_; ++i) {

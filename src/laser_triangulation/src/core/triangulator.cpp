@@ -19,9 +19,9 @@ void check_order(const char* name, double least, double most) {
       "give a least that is not above " + std::to_string(most));
 }
 
-const ScannerModel& checked(const ScannerModel& model) {
+const scan_cell_common::ScannerModel& checked(const scan_cell_common::ScannerModel& model) {
   check(model);
-  check_can_scan(model);
+  scan_cell_common::check_can_scan(model);
   return model;
 }
 
@@ -63,7 +63,8 @@ class PeakFilter {
 /// in: place + (x, y, z) / w, where (x, y, z, w) is linear in the ray. On the plane
 /// w = 1 / depth = normal . ray / distance.
 struct RayToPoint {
-  RayToPoint(const LaserPlane& plane, const Eigen::Isometry3d& camera, const PeakLimits& limits)
+  RayToPoint(const scan_cell_common::LaserPlane& plane, const Eigen::Isometry3d& camera,
+             const PeakLimits& limits)
       : place(camera.translation()),
         least_inverse_depth(1 / limits.most_range),
         most_inverse_depth(1 / limits.least_range) {
@@ -154,7 +155,7 @@ struct Block {
 
 }  // namespace
 
-Triangulator::Triangulator(const ScannerModel& model, const PeakLimits& limits)
+Triangulator::Triangulator(const scan_cell_common::ScannerModel& model, const PeakLimits& limits)
     : model_(checked(model)), rays_(model_.camera), limits_(checked(limits)) {}
 
 void Triangulator::add(const ProfileView& profile, const Eigen::Isometry3d& flange,
@@ -164,8 +165,9 @@ void Triangulator::add(const ProfileView& profile, const Eigen::Isometry3d& flan
   const auto height = static_cast<std::size_t>(model_.camera.height);
   const std::size_t below = laser_known && profile.first_row < height ? profile.first_row : height;
   const std::size_t on_sensor = std::min(profile.rows, height - below);
-  const RayToPoint to_point(laser_known ? model_.laser(profile.laser) : LaserPlane(),
-                            flange * model_.flange_to_camera, limits_);
+  const RayToPoint to_point(
+      laser_known ? model_.laser(profile.laser) : scan_cell_common::LaserPlane(),
+      flange * model_.flange_to_camera, limits_);
   const PeakFilter filter(limits_, model_.camera.width);
   profile_.resize(std::max(profile_.size(), profile.rows));
   ScanPoint* end = profile_.data();

@@ -37,7 +37,7 @@ bool is_pose(const geometry_msgs::Pose& pose) {
 
 }  // namespace
 
-CloudBuilder::CloudBuilder(const ScannerModel& model, const PeakLimits& limits,
+CloudBuilder::CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
                            std::size_t most_points)
     : triangulator_(model, limits),
       points_of_laser_(model.lasers.size()),
@@ -56,7 +56,7 @@ void CloudBuilder::add(const BoundProfile& bound) {
                             "; scan with one laser at a time, or say which it is");
   }
   if (!triangulator_.has_laser(profile.laser)) {
-    const std::string laser = laser_name(profile.laser);
+    const std::string laser = scan_cell_common::laser_name(profile.laser);
     throw UnusableInput(name, laser + " is not calibrated",
                         "calibrate it, or scan with a laser that the scanner model has");
   }

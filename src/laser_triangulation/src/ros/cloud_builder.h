@@ -17,7 +17,8 @@ namespace laser_triangulation {
 class CloudBuilder {
  public:
   /// @param most_points held in memory (24 bytes each)
-  CloudBuilder(const ScannerModel& model, const PeakLimits& limits, std::size_t most_points);
+  CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
+               std::size_t most_points);
 
   /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame make no
   /// sense; nothing was added

@@ -31,7 +31,7 @@ std::string file_name(std::string scan_id, const ros::Time& stamp) {
 TriangulationServices::TriangulationServices(ros::NodeHandle node, ros::NodeHandle private_node,
                                              const Parameters& parameters)
     : parameters_(parameters),
-      model_(load_scanner_model(parameters.scanner)),
+      model_(scan_cell_common::load_scanner_model(parameters.scanner)),
       diagnostics_(node, private_node, private_node.getNamespace()) {
   Triangulator(model_, parameters.limits);  // refuses limits that contradict each other
   cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("cloud", 100);

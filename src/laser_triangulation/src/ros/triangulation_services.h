@@ -40,7 +40,7 @@ class TriangulationServices {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const Parameters parameters_;
-  const ScannerModel model_;
+  const scan_cell_common::ScannerModel model_;
   ros::CallbackQueue data_queue_;
 
   std::mutex mutex_;

@@ -29,8 +29,8 @@ void triangulate(const Options& options) {
   constexpr std::size_t kMostPoints = 500'000'000;
   laser_triangulation::check_ply_output(options.output);
   const double unit = scan_cell_common::metres_per(options.units);
-  laser_triangulation::CloudBuilder builder(
-      laser_triangulation::load_scanner_model(options.scanner), options.limits, kMostPoints);
+  laser_triangulation::CloudBuilder builder(scan_cell_common::load_scanner_model(options.scanner),
+                                            options.limits, kMostPoints);
   scan_cell_common::name_bag_in_errors(options.bag, [&] {
     const rosbag::Bag bag(options.bag, rosbag::bagmode::Read);
     rosbag::View view(bag, rosbag::TopicQuery(options.topic));

@@ -5,7 +5,7 @@
 #include <scan_cell_msgs/StartScan.h>
 #include <unistd.h>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace pose_frame_binder {
 
@@ -15,8 +15,8 @@ using scan_cell_common::usage_of;
 
 namespace {
 
-laser_triangulation::ScannerModel scanner() {
-  laser_triangulation::ScannerModel model;
+scan_cell_common::ScannerModel scanner() {
+  scan_cell_common::ScannerModel model;
   model.camera.width = 1696;
   model.camera.height = 1710;
   model.camera.fx = 801.3;
@@ -24,7 +24,7 @@ laser_triangulation::ScannerModel scanner() {
   model.camera.cx = 851.2;
   model.camera.cy = 852.7;
   model.camera.distortion << -0.081, 0.052, 0.0006, -0.0004, 0.0;
-  laser_triangulation::LaserPlane laser;
+  scan_cell_common::LaserPlane laser;
   laser.origin << -0.25, 0, 0.012;
   laser.normal = Eigen::Vector3d(0.89, -0.001, -0.456).normalized();
   laser.distance = laser.normal.dot(laser.origin);
@@ -45,7 +45,7 @@ void join_master(const std::string& name) {
 StartedChain::StartedChain(const std::string& program, bool nodelets) {
   const std::string file =
       std::filesystem::temp_directory_path() / ("chain_" + std::to_string(getpid()) + ".yaml");
-  laser_triangulation::save_scanner_model(file, scanner());
+  scan_cell_common::save_scanner_model(file, scanner());
   ros::param::set("/binder/fixed_frame", "base_link");
   ros::param::set("/triangulation/scanner", file);
   if (nodelets) {

@@ -31,7 +31,7 @@ UnboundScan read(const std::string& path, const Options& options) {
   open(bag, path, rosbag::bagmode::Read);
   ProfileBinder binder(options.settings, options.frames, Eigen::Isometry3d::Identity());
   laser_triangulation::Triangulator triangulator(
-      laser_triangulation::load_scanner_model(options.scanner), options.limits);
+      scan_cell_common::load_scanner_model(options.scanner), options.limits);
   UnboundScan scan;
   std::vector<laser_triangulation::ScanPoint> points;
   feed(bag, options.topics, binder, [&] {

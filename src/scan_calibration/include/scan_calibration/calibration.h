@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/existing_scanner.h"
 #include "scan_calibration/observations.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -91,7 +91,7 @@ struct PointUncertainty {
 
 /// A scanner calibrated from one session.
 struct Calibration {
-  laser_triangulation::ScannerModel scanner;
+  scan_cell_common::ScannerModel scanner;
   std::vector<std::string> kept;    //!< parts of the existing model, bit by bit: kept_parts()
   Eigen::Isometry3d base_to_board;  //!< [m]
   std::vector<EstimatedParameter> parameters;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/calibration_run.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -60,7 +60,7 @@ std::string report_page(const CalibrationRun& run, const WrittenFiles& written,
 
 /// Writes a camera as camera_calibration_parsers reads it.
 /// @throw scan_cell_common::FileError if it cannot be written
-void save_camera_info(const std::string& path, const laser_triangulation::CameraIntrinsics& camera);
+void save_camera_info(const std::string& path, const scan_cell_common::CameraIntrinsics& camera);
 
 /// Copies a file beside itself under the time it was written.
 /// @return the copy's path; empty where there is no file

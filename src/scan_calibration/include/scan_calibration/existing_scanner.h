@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -13,7 +13,7 @@ namespace scan_calibration {
 struct ExistingScanner {
   std::string file;
   std::string text;  //!< of the file, so that what is kept is written as it stands there
-  laser_triangulation::ScannerModel model;
+  scan_cell_common::ScannerModel model;
 };
 
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput as load_scanner_model()

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/session.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -64,7 +64,7 @@ struct ObservationOptions {
   /// Lasers to keep, those of the session if not given. None: the board alone.
   std::optional<std::vector<std::string>> lasers;
   /// Where it is known, and the images are of its size; else a rough one is found from the views.
-  std::optional<laser_triangulation::CameraIntrinsics> camera;
+  std::optional<scan_cell_common::CameraIntrinsics> camera;
   int threads = 2;  //!< has no influence on the result
   /// Told what is done, and how much of it, from one thread at a time; may be empty.
   std::function<void(const std::string& what, int done, int total)> progress;

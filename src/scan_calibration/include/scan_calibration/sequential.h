@@ -10,7 +10,7 @@ namespace scan_calibration {
 
 /// A scanner calibrated one step after the other.
 struct SequentialCalibration {
-  laser_triangulation::ScannerModel scanner;
+  scan_cell_common::ScannerModel scanner;
   Eigen::Isometry3d base_to_board;  //!< [m] mean over the views
   Figures fitted;
   Figures held_out;
@@ -24,7 +24,7 @@ struct SequentialCalibration {
 /// @throw scan_cell_common::UnusableInput if there are fewer than three views
 SequentialCalibration calibrate_sequentially(
     const Observations& observations, int folds,
-    const std::optional<laser_triangulation::ScannerModel>& known = std::nullopt);
+    const std::optional<scan_cell_common::ScannerModel>& known = std::nullopt);
 
 /// The views and lines that a calibration used.
 Observations used_views(const Observations& observations, const Calibration& calibration);

@@ -35,9 +35,9 @@ struct Worst {
 };
 
 /// Where a laser's light on a plane falls on a row of the sensor: the column [px].
-double column_of(const laser_triangulation::ScannerModel& scanner, std::size_t laser,
+double column_of(const scan_cell_common::ScannerModel& scanner, std::size_t laser,
                  const Vector3d& normal, double distance, double row) {
-  const laser_triangulation::LaserPlane& light = scanner.laser(laser);
+  const scan_cell_common::LaserPlane& light = scanner.laser(laser);
   Vector2d distorted(0, (row - scanner.camera.cy) / scanner.camera.fy);
   Vector3d point = Vector3d::UnitZ();
   constexpr int kSteps = 50;  // the lens bends the row

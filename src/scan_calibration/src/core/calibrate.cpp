@@ -59,7 +59,7 @@ std::vector<JudgedView> judged_views(const JointEstimate& estimate, const BoardS
 
 /// How far a corner of the sensor would move [px] by what is not known of the lens.
 double edge_deviation(const JointEstimate& estimate, const Knowledge& knowledge) {
-  const laser_triangulation::CameraIntrinsics camera = estimate.state.intrinsics();
+  const scan_cell_common::CameraIntrinsics camera = estimate.state.intrinsics();
   const Eigen::Vector2d distorted(-camera.cx / camera.fx, -camera.cy / camera.fy);
   Eigen::Vector2d ray = distorted;
   if (!camera.undistort(distorted, ray)) return std::numeric_limits<double>::infinity();
@@ -152,7 +152,7 @@ std::vector<Eigen::Vector3d> projectors_of(const Observations& observations,
                                            const CalibrationOptions& options) {
   std::vector<Eigen::Vector3d> projectors = options.projectors;
   for (std::size_t i = projectors.size(); i < observations.lasers.size(); ++i) {
-    const std::size_t laser = laser_triangulation::laser_index(observations.lasers[i]);
+    const std::size_t laser = scan_cell_common::laser_index(observations.lasers[i]);
     if (!options.existing || !options.existing->model.has_laser(laser)) break;
     projectors.push_back(options.existing->model.laser(laser).origin);
   }
@@ -162,7 +162,7 @@ std::vector<Eigen::Vector3d> projectors_of(const Observations& observations,
 /// Puts in what is not calibrated anew.
 void keep(const ExistingScanner& existing, const Observations& observations, bool lasers_alone,
           Calibration& result) {
-  using laser_triangulation::ScannerModel;
+  using scan_cell_common::ScannerModel;
   const ScannerModel found = result.scanner;
   result.scanner = existing.model;
   result.kept = kept_parts(existing, lasers_alone, observations.lasers);

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/calibration.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -17,7 +17,7 @@ struct CameraOptions {
 
 /// A camera calibrated from views of the board alone.
 struct CameraCalibration {
-  laser_triangulation::CameraIntrinsics camera;
+  scan_cell_common::CameraIntrinsics camera;
   std::vector<EstimatedParameter> parameters;  //!< camera.fx ...
   double reprojection_rms_px = 0;              //!< over the corners of the used views
   std::vector<ViewFigures> views;              //!< used ones; only what the camera alone can tell

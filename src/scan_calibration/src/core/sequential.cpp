@@ -68,7 +68,7 @@ std::vector<Isometry3d> calibrate_camera(const BoardViews& views, ScannerState& 
 }
 
 /// A board pose a view in a camera that is known.
-std::vector<Isometry3d> boards_in(const laser_triangulation::CameraIntrinsics& camera,
+std::vector<Isometry3d> boards_in(const scan_cell_common::CameraIntrinsics& camera,
                                   const BoardViews& views) {
   const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
   const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
@@ -138,7 +138,7 @@ Eigen::Vector3d plane_through(const std::vector<Eigen::Vector3d>& points) {
 /// @param known camera and its pose on the flange
 ScannerState calibrate_in_sequence(const BoardViews& views, const BoardSurface& surface,
                                    const Observations& observations,
-                                   const std::optional<laser_triangulation::ScannerModel>& known) {
+                                   const std::optional<scan_cell_common::ScannerModel>& known) {
   ScannerState state;
   state.width = observations.width;
   state.height = observations.height;
@@ -168,7 +168,7 @@ ScannerState calibrate_in_sequence(const BoardViews& views, const BoardSurface& 
 
 SequentialCalibration calibrate_sequentially(
     const Observations& observations, int folds,
-    const std::optional<laser_triangulation::ScannerModel>& known) {
+    const std::optional<scan_cell_common::ScannerModel>& known) {
   const BoardSurface surface(observations.board);
   const std::size_t lasers = observations.lasers.size();
   BoardViews views;

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
       "Publishes the calibrated frames of scanner, tool and world as static transforms.", [] {
         const Parameters parameters = Parameters::load(ros::NodeHandle("~"));
         publish(scan_calibration::calibrated_frames(
-            laser_triangulation::load_scanner_model(parameters.scanner_file),
+            scan_cell_common::load_scanner_model(parameters.scanner_file),
             scan_calibration::load_cell(parameters.cell_file)));
       });
 }

@@ -115,7 +115,7 @@ void complete(Options& options) {
   if (options.camera_alone || !options.lasers.empty()) options.observation.lasers.emplace();
   std::sort(options.lasers.begin(), options.lasers.end());
   for (const std::size_t laser : options.lasers)
-    options.observation.lasers->push_back(laser_triangulation::laser_name(laser));
+    options.observation.lasers->push_back(scan_cell_common::laser_name(laser));
   options.observation.threads = options.calibration.threads;
   options.observation.progress = print_progress;
   options.calibration.progress = [](const std::string& what) {

@@ -66,7 +66,7 @@ std::vector<Vector2d> places_in_pixel(int count) {
 
 }  // namespace
 
-BoardRenderer::BoardRenderer(const laser_triangulation::CameraIntrinsics& camera, int samples)
+BoardRenderer::BoardRenderer(const scan_cell_common::CameraIntrinsics& camera, int samples)
     : camera_(camera), samples_(samples) {
   rays_.reserve(static_cast<std::size_t>(camera.width) * camera.height * samples * samples);
   const std::vector<Vector2d> places = places_in_pixel(samples * samples);
@@ -112,7 +112,7 @@ Eigen::Isometry3d board_pose(const Board& board, const Vector3d& centre, double 
          Eigen::AngleAxisd(turn, Vector3d::UnitZ()) * Eigen::Translation3d(-middle);
 }
 
-Vector2d true_corner(const laser_triangulation::CameraIntrinsics& camera,
+Vector2d true_corner(const scan_cell_common::CameraIntrinsics& camera,
                      const Eigen::Isometry3d& board_in_camera, const Board& board, int column,
                      int row) {
   return camera.project(board_in_camera *

@@ -7,8 +7,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/session.h"
+#include "scan_cell_common/scanner_model.h"
 
 /// Images of a checkerboard on a plate above a table, through a known camera: the truth that the
 /// readers of images are judged by. Nothing of it uses what it judges, save the lens model.
@@ -24,22 +24,22 @@ struct RenderedScene {
   double room_light = 1;     //!< 0: only the laser shows
   double laser_light = 0;    //!< [grey value] of the line's middle on white; 0: laser off
   double line_sigma = 5e-4;  //!< [m] of the line's profile across its plane
-  laser_triangulation::LaserPlane laser;
+  scan_cell_common::LaserPlane laser;
 };
 
 class BoardRenderer {
  public:
   /// @param samples of a pixel, squared
-  explicit BoardRenderer(const laser_triangulation::CameraIntrinsics& camera, int samples = 4);
+  explicit BoardRenderer(const scan_cell_common::CameraIntrinsics& camera, int samples = 4);
 
   /// @param board_in_camera pose of the board (docs of Board) in camera_optical_frame
   cv::Mat render(const RenderedScene& scene, const Eigen::Isometry3d& board_in_camera,
                  std::uint32_t seed) const;
 
-  const laser_triangulation::CameraIntrinsics& camera() const { return camera_; }
+  const scan_cell_common::CameraIntrinsics& camera() const { return camera_; }
 
  private:
-  laser_triangulation::CameraIntrinsics camera_;
+  scan_cell_common::CameraIntrinsics camera_;
   int samples_;
   std::vector<Eigen::Vector2f> rays_;  // of the samples, pixel by pixel
 };
@@ -50,6 +50,6 @@ Eigen::Isometry3d board_pose(const scan_calibration::Board& board, const Eigen::
                              double tilt, double towards, double turn);
 
 /// Where an inner corner truly is [px].
-Eigen::Vector2d true_corner(const laser_triangulation::CameraIntrinsics& camera,
+Eigen::Vector2d true_corner(const scan_cell_common::CameraIntrinsics& camera,
                             const Eigen::Isometry3d& board_in_camera,
                             const scan_calibration::Board& board, int column, int row);

@@ -16,8 +16,8 @@ using namespace scan_calibration;
 
 namespace {
 
-laser_triangulation::CameraIntrinsics camera() {
-  laser_triangulation::CameraIntrinsics result{640, 480, 421, 420, 322.5, 236.2};
+scan_cell_common::CameraIntrinsics camera() {
+  scan_cell_common::CameraIntrinsics result{640, 480, 421, 420, 322.5, 236.2};
   result.distortion << -0.08, 0.05, 0.0006, -0.0004, 0;
   return result;
 }

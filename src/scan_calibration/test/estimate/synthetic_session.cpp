@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using scan_calibration::Observations;
 using scan_calibration::ViewObservation;
 
-Vector2d project(const laser_triangulation::CameraIntrinsics& camera, const Vector3d& point) {
+Vector2d project(const scan_cell_common::CameraIntrinsics& camera, const Vector3d& point) {
   const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
   const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
   std::vector<cv::Point2d> pixels;
@@ -24,7 +24,7 @@ Vector2d project(const laser_triangulation::CameraIntrinsics& camera, const Vect
   return {pixels[0].x, pixels[0].y};
 }
 
-bool within(const laser_triangulation::CameraIntrinsics& camera, const Vector2d& pixel) {
+bool within(const scan_cell_common::CameraIntrinsics& camera, const Vector2d& pixel) {
   return pixel.x() > 0 && pixel.y() > 0 && pixel.x() < camera.width - 1 &&
          pixel.y() < camera.height - 1;
 }
@@ -46,7 +46,7 @@ double height(const Cell& cell, const Vector2d& place) {
 }
 
 /// Where a laser's light lies on the board [m], from one side to the other.
-std::vector<Vector2d> lit(const Cell& cell, const laser_triangulation::LaserPlane& laser,
+std::vector<Vector2d> lit(const Cell& cell, const scan_cell_common::LaserPlane& laser,
                           const Isometry3d& camera_to_board) {
   const Vector2d far =
       Vector2d(cell.board.columns - 1, cell.board.rows - 1) * cell.board.square_size;
@@ -81,7 +81,7 @@ Cell::Cell() : base_to_board(Isometry3d::Identity()), board{25, 15, 0.02} {
       Eigen::Quaterniond(0.99994, 0.006, -0.0045, 0.0075).normalized().toRotationMatrix();
   scanner.flange_to_camera.translation() << 0.004, -0.003, 0.085;
   for (const double side : {-1., 1.}) {
-    laser_triangulation::LaserPlane laser;
+    scan_cell_common::LaserPlane laser;
     laser.origin << 0.25 * side, 0, 0.012;
     laser.normal = Vector3d(-0.89 * side, -0.001, -0.456).normalized();
     laser.distance = laser.normal.dot(laser.origin);

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/observations.h"
+#include "scan_cell_common/scanner_model.h"
 
 /// Sessions with known truth, made with OpenCV's projection and closed-form cuts of planes.
 namespace synthetic {
@@ -14,7 +14,7 @@ namespace synthetic {
 /// What there is to be found.
 struct Cell {
   Cell();  //!< a wide lens, two lasers 0.5 m apart that cross the axis at 0.5 m, a board of 20 mm
-  laser_triangulation::ScannerModel scanner;
+  scan_cell_common::ScannerModel scanner;
   Eigen::Isometry3d base_to_board;
   scan_calibration::Board board;
   Eigen::Vector3d bend = Eigen::Vector3d::Zero();  //!< as Calibration::board_bend

@@ -29,7 +29,7 @@ using synthetic::spoil_corners;
 TEST(Calibration, FindsTheTruthExactlyWithoutNoise) {
   const synthetic::Cell cell;
   const Calibration found = calibrate(observe(cell, some_poses(cell, 15), {}, 1), {});
-  const laser_triangulation::CameraIntrinsics& camera = found.scanner.camera;
+  const scan_cell_common::CameraIntrinsics& camera = found.scanner.camera;
   EXPECT_NEAR(camera.fx, cell.scanner.camera.fx, 1e-5);
   EXPECT_NEAR(camera.fy, cell.scanner.camera.fy, 1e-5);
   EXPECT_NEAR(camera.cx, cell.scanner.camera.cx, 1e-5);
@@ -41,7 +41,7 @@ TEST(Calibration, FindsTheTruthExactlyWithoutNoise) {
     EXPECT_LT((found.scanner.laser(laser).normal - cell.scanner.laser(laser).normal).norm(), 1e-8);
     EXPECT_NEAR(found.scanner.laser(laser).distance, cell.scanner.laser(laser).distance, 1e-8);
   }
-  laser_triangulation::check(found.scanner);
+  scan_cell_common::check(found.scanner);
   EXPECT_LT(found.held_out.reprojection_rms_px, 1e-5);
   EXPECT_LT(found.held_out.board_scatter_mm, 1e-5);
   EXPECT_TRUE(found.rejected.empty());
@@ -109,12 +109,12 @@ TEST(Calibration, StatesForPointsOfTheScanWhatTheyAreOffBy) {
     ASSERT_EQ(found.uncertainty.size(), 30u);
     for (const scan_calibration::PointUncertainty& point : found.uncertainty) {
       const std::size_t laser = point.laser == "laser_1" ? 1 : 0;
-      const auto place = [&](const laser_triangulation::ScannerModel& model) -> Vector3d {
+      const auto place = [&](const scan_cell_common::ScannerModel& model) -> Vector3d {
         Vector2d ray(0, 0);
         EXPECT_TRUE(model.camera.undistort({(point.pixel.x() - model.camera.cx) / model.camera.fx,
                                             (point.pixel.y() - model.camera.cy) / model.camera.fy},
                                            ray));
-        const laser_triangulation::LaserPlane& plane = model.laser(laser);
+        const scan_cell_common::LaserPlane& plane = model.laser(laser);
         const Vector3d direction = ray.homogeneous();
         return model.flange_to_camera *
                (direction * (plane.distance / plane.normal.dot(direction)));
@@ -222,7 +222,7 @@ TEST(Calibration, ScansAPlaneFlat) {
     const double distance = normal.dot(to_camera.translation());
     for (std::size_t laser = 0; laser < 2; ++laser) {
       std::vector<float> columns(1710, NAN), ones(1710, 1.F);
-      const laser_triangulation::LaserPlane& plane = cell.scanner.laser(laser);
+      const scan_cell_common::LaserPlane& plane = cell.scanner.laser(laser);
       Eigen::Matrix3d rows;  // the two planes and the image's row: where the light is seen
       for (std::size_t row = 100; row < 1600; row += 3) {
         double x = 0;

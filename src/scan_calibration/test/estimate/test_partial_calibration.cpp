@@ -10,12 +10,12 @@
 #include "scan_cell_common/errors.h"
 
 using Eigen::Vector3d;
-using laser_triangulation::LaserPlane;
-using laser_triangulation::ScannerModel;
 using scan_calibration::calibrate;
 using scan_calibration::Calibration;
 using scan_calibration::CalibrationOptions;
 using scan_calibration::Observations;
+using scan_cell_common::LaserPlane;
+using scan_cell_common::ScannerModel;
 using synthetic::kNoise;
 using synthetic::some_poses;
 using Names = std::vector<std::string>;
@@ -28,7 +28,7 @@ Observations only(Observations observations, const Names& lasers) {
     const auto lines = view.lines;
     view.lines.clear();
     for (const std::string& laser : lasers)
-      view.lines.push_back(lines[laser_triangulation::laser_index(laser)]);
+      view.lines.push_back(lines[scan_cell_common::laser_index(laser)]);
   }
   observations.lasers = lasers;
   return observations;

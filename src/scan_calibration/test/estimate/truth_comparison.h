@@ -34,12 +34,12 @@ inline std::vector<double> true_parameters(const Cell& cell,
     const Eigen::Vector3d near = vector_near(pose.linear(), vector);
     truth.insert(truth.end(), near.begin(), near.end());
   };
-  const laser_triangulation::CameraIntrinsics& camera = cell.scanner.camera;
+  const scan_cell_common::CameraIntrinsics& camera = cell.scanner.camera;
   truth = {camera.fx, camera.fy, camera.cx, camera.cy};
   truth.insert(truth.end(), camera.distortion.begin(), camera.distortion.end());
   add_pose(cell.scanner.flange_to_camera);
   for (std::size_t i = 0; i < cell.scanner.lasers.size(); ++i) {
-    const laser_triangulation::LaserPlane& laser = cell.scanner.laser(i);
+    const scan_cell_common::LaserPlane& laser = cell.scanner.laser(i);
     truth.insert(truth.end(), laser.normal.begin(), laser.normal.end());
     truth.push_back(laser.distance);
   }

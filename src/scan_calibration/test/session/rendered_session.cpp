@@ -29,7 +29,7 @@ RenderedSession example_session(int views) {
       Translation3d(0.01, -0.02, 0.09) * AngleAxisd(0.3, Vector3d(0.2, -0.1, 1).normalized());
   const double lean = 0.35;
   for (const double side : {-1.0, 1.0}) {
-    laser_triangulation::LaserPlane laser;
+    scan_cell_common::LaserPlane laser;
     laser.normal = Vector3d(std::cos(lean), 0.01, side * std::sin(lean)).normalized();
     laser.distance = laser.normal.dot(Vector3d(0, 0, 0.3));
     laser.origin = laser.normal * laser.distance;
@@ -70,7 +70,7 @@ void record(const RenderedSession& session, const std::string& folder, bool lase
       continue;
     }
     for (std::size_t laser = 0; laser < names.size(); ++laser) {
-      lit.laser = session.truth.laser(laser_triangulation::laser_index(names[laser]));
+      lit.laser = session.truth.laser(scan_cell_common::laser_index(names[laser]));
       lines[laser].image = renderer.render(lit, pose, seed + 1 + static_cast<std::uint32_t>(laser));
     }
     recorder.add(session.base_to_flange(i), renderer.render(scene, pose, seed), lines);

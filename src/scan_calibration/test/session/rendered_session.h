@@ -12,7 +12,7 @@
 /// A session that was taken of a rendered board, and what is true of it.
 struct RenderedSession {
   scan_calibration::Board board{9, 6, 0.02};
-  laser_triangulation::ScannerModel truth;
+  scan_cell_common::ScannerModel truth;
   Eigen::Isometry3d base_to_board = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> boards_in_camera;
 

@@ -9,8 +9,8 @@
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-using laser_triangulation::LaserPlane;
 using scan_calibration::laser_frame;
+using scan_cell_common::LaserPlane;
 
 namespace {
 
@@ -56,7 +56,7 @@ TEST(LaserFrame, IsRefusedByTheLasersNameWhereItsPlaneMissesTheAxis) {
 }
 
 TEST(CalibratedFrames, HangTogetherAsTheCellDoes) {
-  laser_triangulation::ScannerModel scanner;
+  scan_cell_common::ScannerModel scanner;
   scanner.flange_to_camera = Isometry3d(Eigen::Translation3d(0, 0, 0.1));
   scanner.lasers = {left_laser(), left_laser()};
   scan_calibration::Cell cell;

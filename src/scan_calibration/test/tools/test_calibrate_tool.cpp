@@ -54,9 +54,9 @@ class CalibrateTool : public testing::Test {
 
 TEST_F(CalibrateTool, FindsTheScannerThatTheImagesWereTakenWith) {
   ASSERT_EQ(run(session()), 0) << text("out.txt");
-  const auto model = laser_triangulation::load_scanner_model(path("scanner.yaml"));
+  const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   const RenderedSession rendered = example_session(kViews);
-  const laser_triangulation::ScannerModel& truth = rendered.truth;
+  const scan_cell_common::ScannerModel& truth = rendered.truth;
   EXPECT_NEAR(model.camera.fx, truth.camera.fx, 0.5);
   EXPECT_NEAR(model.camera.cx, truth.camera.cx, 0.5);
   EXPECT_LT((model.flange_to_camera.translation() - truth.flange_to_camera.translation()).norm(),
@@ -65,8 +65,8 @@ TEST_F(CalibrateTool, FindsTheScannerThatTheImagesWereTakenWith) {
   ASSERT_EQ(model.lasers.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     const Eigen::Vector3d ray(0.05, -0.03, 1);
-    const auto point = [&](const laser_triangulation::ScannerModel& of) -> Eigen::Vector3d {
-      const laser_triangulation::LaserPlane& laser = of.laser(i);
+    const auto point = [&](const scan_cell_common::ScannerModel& of) -> Eigen::Vector3d {
+      const scan_cell_common::LaserPlane& laser = of.laser(i);
       return of.flange_to_camera * (ray * laser.distance / laser.normal.dot(ray));
     };
     EXPECT_LT((point(model) - point(truth)).norm(), 3e-4) << "laser " << i;
@@ -128,9 +128,9 @@ std::string entry(const std::string& text, const std::string& name, const std::s
 TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit) {
   ASSERT_EQ(run(session()), 0) << text("out.txt");
   const std::string before = text("scanner.yaml");
-  const auto old = laser_triangulation::load_scanner_model(path("scanner.yaml"));
+  const auto old = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   RenderedSession tilted = example_session(8);
-  laser_triangulation::LaserPlane& laser = *tilted.truth.lasers[1];
+  scan_cell_common::LaserPlane& laser = *tilted.truth.lasers[1];
   laser.normal = Eigen::AngleAxisd(0.06, Eigen::Vector3d::UnitY()) * laser.normal;
   laser.distance = laser.normal.dot(Eigen::Vector3d(0, 0, 0.3));
   record(tilted, folder_ / "tilted", false, 3, {"laser_1"});
@@ -140,7 +140,7 @@ TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit
   const std::string after = text("scanner.yaml");
   EXPECT_EQ(entry(after, "camera:", "lasers:"), entry(before, "camera:", "lasers:"));
   EXPECT_EQ(entry(after, "lasers:", "\n  - normal"), entry(before, "lasers:", "\n  - normal"));
-  const auto model = laser_triangulation::load_scanner_model(path("scanner.yaml"));
+  const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   EXPECT_EQ(model.laser(0).normal, old.laser(0).normal);
   EXPECT_EQ(model.laser(0).distance, old.laser(0).distance);
   // Either side of a plane is its normal's
@@ -158,12 +158,12 @@ TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit
 
 TEST_F(CalibrateTool, CalibratesTheCameraAloneOfASessionWithLasers) {
   ASSERT_EQ(run(session()), 0) << text("out.txt");
-  const auto old = laser_triangulation::load_scanner_model(path("scanner.yaml"));
+  const auto old = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   ASSERT_EQ(
       run(session(), "--camera-alone --most-point-deviation 1 --scanner " + path("scanner.yaml")),
       0)
       << text("out.txt");
-  const auto model = laser_triangulation::load_scanner_model(path("scanner.yaml"));
+  const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   EXPECT_NEAR(model.camera.fx, example_session(1).truth.camera.fx, 0.5);
   for (std::size_t laser = 0; laser < 2; ++laser)
     EXPECT_EQ(model.laser(laser).normal, old.laser(laser).normal);
@@ -172,7 +172,7 @@ TEST_F(CalibrateTool, CalibratesTheCameraAloneOfASessionWithLasers) {
 
 TEST_F(CalibrateTool, LeavesALaserOutThatWasNotCalibrated) {
   ASSERT_EQ(run(session(), "--lasers 1"), 0) << text("out.txt");
-  const auto model = laser_triangulation::load_scanner_model(path("scanner.yaml"));
+  const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   EXPECT_FALSE(model.has_laser(0));
   EXPECT_TRUE(model.has_laser(1));
 }

@@ -34,7 +34,7 @@ CalibrationRun example_run() {
   calibration.scanner.camera = {640, 480, 500, 501, 320, 240};
   calibration.scanner.camera.distortion << -0.1, 0.05, 1e-4, 2e-4, 0.003;
   calibration.scanner.lasers = {
-      laser_triangulation::LaserPlane{Eigen::Vector3d(0.8, 0, -0.6), -0.2, {-0.25, 0, 0}}};
+      scan_cell_common::LaserPlane{Eigen::Vector3d(0.8, 0, -0.6), -0.2, {-0.25, 0, 0}}};
   calibration.base_to_board = Eigen::Translation3d(0, 0, 0.4) * Eigen::Isometry3d::Identity();
   for (const char* name : {"a.png", "b <i>.png"}) {
     ViewObservation view;
@@ -115,7 +115,7 @@ TEST_F(CalibrationResults, StateEveryFigureFittedAndHeldOutAndTheSequentialWayBe
 
 TEST_F(CalibrationResults, AreTheModelAndTheCameraAsRosReadsIt) {
   save_calibration(example_run(), files());
-  const auto model = laser_triangulation::load_scanner_model(path("scanner.yaml"));
+  const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   EXPECT_EQ(model.camera.fy, 501);
   EXPECT_EQ(model.lasers.size(), 1U);
   const YAML::Node camera = YAML::LoadFile(path("scanner_camera_info.yaml"));

@@ -108,7 +108,7 @@ void print(const char* motion, const std::string& period, const Scan& scan,
 
 void bench_binding(SimulatedCell& cell) {
   const std::string world = sim("reference_frame.yaml");
-  const auto scanner = laser_triangulation::load_scanner_model(sim("scanner.yaml"));
+  const auto scanner = scan_cell_common::load_scanner_model(sim("scanner.yaml"));
   const scan_cell_sim::Scene part(scan_cell_sim::load_world(world), "frame");
   std::printf(
       "cloud error, r.m.s. distance of the points from the frame's true surface, by the poses of "

@@ -58,7 +58,7 @@ std::map<std::uint64_t, BoundProfileConstPtr> by_time(const Scan::Bound& bound) 
 /// Points of one way of binding; the same peaks give the same points in the same order.
 class CloudMaker {
  public:
-  CloudMaker(const laser_triangulation::ScannerModel& scanner,
+  CloudMaker(const scan_cell_common::ScannerModel& scanner,
              const laser_triangulation::PeakLimits& limits)
       : triangulator_(scanner, limits) {}
 
@@ -102,14 +102,14 @@ CloudError error_of(const CloudMaker& cloud, const CloudMaker& perfect,
 }
 
 /// Where the light meets the camera's axis, in the flange.
-Eigen::Vector3d middle_of_line(const laser_triangulation::ScannerModel& scanner) {
-  const laser_triangulation::LaserPlane& laser = scanner.laser(0);
+Eigen::Vector3d middle_of_line(const scan_cell_common::ScannerModel& scanner) {
+  const scan_cell_common::LaserPlane& laser = scanner.laser(0);
   return scanner.flange_to_camera * Eigen::Vector3d(0, 0, laser.distance / laser.normal.z());
 }
 
 }  // namespace
 
-BindingErrors compare(const Scan& scan, const laser_triangulation::ScannerModel& scanner,
+BindingErrors compare(const Scan& scan, const scan_cell_common::ScannerModel& scanner,
                       const laser_triangulation::PeakLimits& limits,
                       const scan_cell_sim::Scene& part) {
   const auto motion = kinematics(scan.truth, middle_of_line(scanner));

@@ -36,7 +36,7 @@ struct BindingErrors {
 
 /// @param part its surface alone; the board plane is z = 0
 /// @throw scan_cell_common::UnusableInput if no frame or no point is left
-BindingErrors compare(const Scan& scan, const laser_triangulation::ScannerModel& scanner,
+BindingErrors compare(const Scan& scan, const scan_cell_common::ScannerModel& scanner,
                       const laser_triangulation::PeakLimits& limits,
                       const scan_cell_sim::Scene& part);
 

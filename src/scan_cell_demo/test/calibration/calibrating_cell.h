@@ -23,13 +23,13 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace fs = std::filesystem;
 
-using laser_triangulation::LaserPlane;
-using laser_triangulation::ScannerModel;
+using scan_cell_common::LaserPlane;
+using scan_cell_common::ScannerModel;
 using scan_cell_msgs::CalibrateGoal;
 using scan_cell_msgs::CalibrateResult;
 

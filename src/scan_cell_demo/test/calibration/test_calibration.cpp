@@ -40,8 +40,8 @@ TEST_F(Calibration, FindsTheSimulatorsTruthAndNamesTheUnreachablePose) {
   EXPECT_TRUE(fs::is_regular_file(result.report));
   EXPECT_LT(result.held_out.reprojection_rms_px, 0.1586) << "the thesis' figure";
 
-  const ScannerModel model = laser_triangulation::load_scanner_model(result.model);
-  const ScannerModel truth = laser_triangulation::load_scanner_model(config("scanner.yaml"));
+  const ScannerModel model = scan_cell_common::load_scanner_model(result.model);
+  const ScannerModel truth = scan_cell_common::load_scanner_model(config("scanner.yaml"));
   EXPECT_LT(worst_point(model, truth), 0.0001);
   expect_within_stated_bounds(result.report, truth);
   wait_for("the markers", [&] { return shown > 2 * result.views; });

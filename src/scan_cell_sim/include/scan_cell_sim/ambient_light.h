@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 #include "scan_cell_sim/exposure.h"
 #include "scan_cell_sim/scene.h"
 #include "scan_cell_sim/sensor_noise.h"
@@ -21,7 +21,7 @@ class AmbientLight {
  public:
   static constexpr double kLeastLevel = 20;  //!< [grey value]
 
-  AmbientLight(const laser_triangulation::CameraIntrinsics& camera, const Optics& optics);
+  AmbientLight(const scan_cell_common::CameraIntrinsics& camera, const Optics& optics);
   ~AmbientLight();
 
   /// Adds to `pixels` (width x height of the region, row by row).
@@ -34,7 +34,7 @@ class AmbientLight {
 
   std::shared_ptr<const Rays> rays_of(const Region& region) const;
 
-  laser_triangulation::CameraIntrinsics camera_;
+  scan_cell_common::CameraIntrinsics camera_;
   Optics optics_;
   mutable std::mutex mutex_;                  // of rays_
   mutable std::shared_ptr<const Rays> rays_;  // of the region that was asked for last

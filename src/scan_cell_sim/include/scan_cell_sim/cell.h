@@ -13,7 +13,7 @@
 namespace scan_cell_sim {
 
 struct CellOptions {
-  laser_triangulation::ScannerModel scanner;
+  scan_cell_common::ScannerModel scanner;
   Eigen::Isometry3d base_link_in_world = Eigen::Isometry3d::Identity();
   Optics optics;
   CameraOptions camera;  //!< its sensor's size is taken from the scanner

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 #include "scan_cell_sim/ambient_light.h"
 #include "scan_cell_sim/exposure.h"
 #include "scan_cell_sim/scene.h"
@@ -20,13 +20,13 @@ namespace scan_cell_sim {
 /// the same image. Safe to use from several threads at once.
 class LaserLineRenderer {
  public:
-  LaserLineRenderer(const laser_triangulation::ScannerModel& scanner, const Optics& optics);
+  LaserLineRenderer(const scan_cell_common::ScannerModel& scanner, const Optics& optics);
 
   /// Fills `pixels` (width x height of the region, row by row).
   void render(const Scene& scene, const Exposure& exposure, const Region& region,
               std::uint8_t* pixels) const;
 
-  const laser_triangulation::ScannerModel& scanner() const { return scanner_; }
+  const scan_cell_common::ScannerModel& scanner() const { return scanner_; }
 
  private:
   /// Fan of one laser: directions axis + t * across, t being the tangent of the angle in the fan.
@@ -43,7 +43,7 @@ class LaserLineRenderer {
   void draw_row(const Drawing& drawing, int row, double column, double sigma, double peak) const;
   std::pair<double, double> reach(const Fan& fan, const Region& region) const;
 
-  laser_triangulation::ScannerModel scanner_;
+  scan_cell_common::ScannerModel scanner_;
   Optics optics_;
   SensorNoise noise_;
   AmbientLight ambient_;

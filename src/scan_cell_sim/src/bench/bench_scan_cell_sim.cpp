@@ -93,8 +93,8 @@ int main(int argc, char** argv) {
   CLI::App app("What rendering a frame costs beside one plain copy of a frame, in the same run");
   app.add_option("config", config, "folder of scanner.yaml and the worlds")->capture_default_str();
   return scan_cell_common::tool_main("bench_scan_cell_sim", app, argc, argv, [&] {
-    const LaserLineRenderer renderer(
-        laser_triangulation::load_scanner_model(config + "/scanner.yaml"), Optics{});
+    const LaserLineRenderer renderer(scan_cell_common::load_scanner_model(config + "/scanner.yaml"),
+                                     Optics{});
     time_lines(renderer, config + "/object_frame.yaml");
     time_images(renderer, config + "/calibration_board.yaml");
     return 0;

@@ -8,7 +8,7 @@ namespace scan_cell_sim {
 namespace {
 
 CameraOptions on_the_scanners_sensor(CameraOptions options,
-                                     const laser_triangulation::ScannerModel& scanner) {
+                                     const scan_cell_common::ScannerModel& scanner) {
   options.sensor_width = scanner.camera.width;
   options.sensor_height = scanner.camera.height;
   return options;

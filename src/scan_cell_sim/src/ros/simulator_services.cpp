@@ -17,7 +17,7 @@ constexpr std::uint32_t kFramesKept = 1000;  // for a subscriber that is slow
 
 CellOptions cell_options(const Parameters& parameters) {
   CellOptions options = parameters.options;
-  options.scanner = laser_triangulation::load_scanner_model(parameters.scanner);
+  options.scanner = scan_cell_common::load_scanner_model(parameters.scanner);
   options.base_link_in_world = load_base_link_in_world(parameters.cell);
   return options;
 }

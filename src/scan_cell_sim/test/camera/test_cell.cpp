@@ -42,7 +42,7 @@ CellOptions plain_cell() {
   camera.fx = camera.fy = 800;
   camera.cx = 848;
   camera.cy = 855;
-  laser_triangulation::LaserPlane laser;
+  scan_cell_common::LaserPlane laser;
   laser.origin = {-0.25, 0, 0};
   laser.normal = Eigen::Vector3d(0.5, 0, -0.25).normalized();
   laser.distance = laser.normal.dot(laser.origin);

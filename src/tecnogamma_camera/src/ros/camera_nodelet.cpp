@@ -26,7 +26,7 @@ void CameraNodelet::onInit() {
   try {
     parameters_ = Parameters::load(getPrivateNodeHandle());
     if (!parameters_.scanner_model.empty())
-      model_ = laser_triangulation::load_scanner_model(parameters_.scanner_model);
+      model_ = scan_cell_common::load_scanner_model(parameters_.scanner_model);
     detector_ = make_detector(parameters_.detector, parameters_.detection);
   } catch (const std::exception& error) {
     NODELET_FATAL("%s", error.what());

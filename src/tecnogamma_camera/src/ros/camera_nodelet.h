@@ -14,8 +14,8 @@
 #include <optional>
 #include <string>
 
-#include "laser_triangulation/scanner_model.h"
 #include "parameters.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace tecnogamma_camera {
 
@@ -43,7 +43,7 @@ class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
   void publish_diagnostics(const ros::WallTimerEvent& event);
 
   Parameters parameters_;
-  std::optional<laser_triangulation::ScannerModel> model_;
+  std::optional<scan_cell_common::ScannerModel> model_;
   ros::Publisher profiles_;
   ros::Publisher images_;
   ros::Publisher camera_infos_;

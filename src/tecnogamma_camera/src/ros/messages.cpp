@@ -58,7 +58,7 @@ void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info) {
   info.roi.height = image.rows;
 }
 
-std::string find_fault(const laser_triangulation::ScannerModel& model,
+std::string find_fault(const scan_cell_common::ScannerModel& model,
                        const CameraDescription& camera) {
   const auto size = [](int columns, int rows) {
     return std::to_string(columns) + " x " + std::to_string(rows) + " pixels";
@@ -71,7 +71,7 @@ std::string find_fault(const laser_triangulation::ScannerModel& model,
 }
 
 sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
-                                       const laser_triangulation::ScannerModel* model,
+                                       const scan_cell_common::ScannerModel* model,
                                        const std::string& frame_id) {
   sensor_msgs::CameraInfo info;
   info.header.frame_id = frame_id;
@@ -82,7 +82,7 @@ sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
   info.roi.width = camera.region.width;
   info.roi.height = camera.region.height;
   if (!model || !find_fault(*model, camera).empty()) return info;
-  const laser_triangulation::CameraIntrinsics& lens = model->camera;
+  const scan_cell_common::CameraIntrinsics& lens = model->camera;
   info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
   info.D.assign(lens.distortion.begin(), lens.distortion.end());
   info.K = {lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1};

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 #include "tecnogamma_camera/acquisition.h"
 #include "tecnogamma_camera/peak_profile.h"
 
@@ -25,13 +25,13 @@ sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::st
 void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info);
 
 /// Why a scanner model cannot be of this camera; empty where it can.
-std::string find_fault(const laser_triangulation::ScannerModel& model,
+std::string find_fault(const scan_cell_common::ScannerModel& model,
                        const CameraDescription& camera);
 
 /// What does not change from frame to frame: intrinsics where there is a model without a
 /// fault (else zeros, which means uncalibrated), sensor size and region of interest.
 sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
-                                       const laser_triangulation::ScannerModel* model,
+                                       const scan_cell_common::ScannerModel* model,
                                        const std::string& frame_id);
 
 }  // namespace tecnogamma_camera

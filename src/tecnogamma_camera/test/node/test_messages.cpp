@@ -6,7 +6,7 @@
 #include "../src/ros/messages.h"
 
 using diagnostic_msgs::DiagnosticStatus;
-using laser_triangulation::ScannerModel;
+using scan_cell_common::ScannerModel;
 using tecnogamma_camera::AcquisitionState;
 using tecnogamma_camera::CameraDescription;
 

@@ -10,7 +10,7 @@ namespace scan_calibration {
 
 ExistingScanner load_existing_scanner(const std::string& file) {
   const std::string text = scan_cell_common::read_file(file);
-  return {file, text, laser_triangulation::parse_scanner_model(text, file)};
+  return {file, text, scan_cell_common::parse_scanner_model(text, file)};
 }
 
 std::vector<std::string> kept_parts(const ExistingScanner& existing, bool lasers_alone,
@@ -18,7 +18,7 @@ std::vector<std::string> kept_parts(const ExistingScanner& existing, bool lasers
   std::vector<std::string> parts;
   if (lasers_alone) parts = {"camera", "flange_to_camera"};
   for (std::size_t i = 0; i < existing.model.lasers.size(); ++i) {
-    const std::string name = laser_triangulation::laser_name(i);
+    const std::string name = scan_cell_common::laser_name(i);
     const bool anew = std::find(lasers.begin(), lasers.end(), name) != lasers.end();
     if (existing.model.has_laser(i) && !anew) parts.push_back(name);
   }

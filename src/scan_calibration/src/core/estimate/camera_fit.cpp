@@ -72,7 +72,7 @@ Eigen::Isometry3d board_pose(const BoardView& view, const CameraVector& camera) 
 class FreePoses {
  public:
   FreePoses(BoardViews& views, const BoardSurface& surface,
-            const laser_triangulation::CameraIntrinsics& camera)
+            const scan_cell_common::CameraIntrinsics& camera)
       : views_(views), surface_(surface) {
     state_.width = camera.width;
     state_.height = camera.height;
@@ -184,7 +184,7 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
 }
 
 CameraFit fit_near(BoardViews& views, const BoardSurface& surface,
-                   const laser_triangulation::CameraIntrinsics& camera, bool keep) {
+                   const scan_cell_common::CameraIntrinsics& camera, bool keep) {
   FitChoice choice;
   choice.camera = !keep;
   FreePoses poses(views, surface, camera);

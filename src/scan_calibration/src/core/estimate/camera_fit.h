@@ -25,7 +25,7 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
 /// @param keep whether the camera stays as it is
 /// @throw scan_cell_common::UnusableInput if it cannot see the board as the views say
 CameraFit fit_near(BoardViews& views, const BoardSurface& surface,
-                   const laser_triangulation::CameraIntrinsics& camera, bool keep);
+                   const scan_cell_common::CameraIntrinsics& camera, bool keep);
 
 /// RMS [px] of residuals, each weighted 0 left out.
 double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<double>& weights);

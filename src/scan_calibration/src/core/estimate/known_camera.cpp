@@ -40,7 +40,7 @@ struct Scatter {
 
 KnownCamera::KnownCamera(const ExistingScanner& existing, const Observations& observations)
     : existing_(existing), board_(observations.board), surface_(observations.board) {
-  const laser_triangulation::CameraIntrinsics& camera = existing.model.camera;
+  const scan_cell_common::CameraIntrinsics& camera = existing.model.camera;
   if (camera.width == observations.width && camera.height == observations.height) return;
   throw UnusableInput("camera of " + existing.file,
                       std::to_string(camera.width) + " x " + std::to_string(camera.height) +

@@ -10,7 +10,7 @@ namespace scan_calibration {
 namespace {
 
 /// A point of the plane: the known projector's foot on it, or its nearest point beside the lens.
-Eigen::Vector3d origin_of(const laser_triangulation::LaserPlane& plane,
+Eigen::Vector3d origin_of(const scan_cell_common::LaserPlane& plane,
                           const std::vector<Eigen::Vector3d>& projectors, std::size_t laser) {
   if (laser < projectors.size()) {
     const Eigen::Vector3d& known = projectors[laser];
@@ -29,8 +29,8 @@ double mean_square(int count) {
 
 }  // namespace
 
-laser_triangulation::CameraIntrinsics ScannerState::intrinsics() const {
-  laser_triangulation::CameraIntrinsics result;
+scan_cell_common::CameraIntrinsics ScannerState::intrinsics() const {
+  scan_cell_common::CameraIntrinsics result;
   result.width = width;
   result.height = height;
   result.fx = camera[0];
@@ -41,7 +41,7 @@ laser_triangulation::CameraIntrinsics ScannerState::intrinsics() const {
   return result;
 }
 
-CameraVector camera_vector(const laser_triangulation::CameraIntrinsics& camera) {
+CameraVector camera_vector(const scan_cell_common::CameraIntrinsics& camera) {
   CameraVector result;
   result << camera.fx, camera.fy, camera.cx, camera.cy, camera.distortion;
   return result;
@@ -69,18 +69,18 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
-laser_triangulation::ScannerModel scanner_model(const ScannerState& state,
-                                                const std::vector<std::string>& lasers,
-                                                const std::vector<Eigen::Vector3d>& projectors) {
-  laser_triangulation::ScannerModel model;
+scan_cell_common::ScannerModel scanner_model(const ScannerState& state,
+                                             const std::vector<std::string>& lasers,
+                                             const std::vector<Eigen::Vector3d>& projectors) {
+  scan_cell_common::ScannerModel model;
   model.camera = state.intrinsics();
   model.flange_to_camera = state.flange_to_camera;
   for (std::size_t laser = 0; laser < state.planes.size(); ++laser) {
-    laser_triangulation::LaserPlane plane;
+    scan_cell_common::LaserPlane plane;
     plane.distance = -1 / state.planes[laser].norm();
     plane.normal = state.planes[laser] * plane.distance;
     plane.origin = origin_of(plane, projectors, laser);
-    const std::size_t index = laser_triangulation::laser_index(lasers[laser]);
+    const std::size_t index = scan_cell_common::laser_index(lasers[laser]);
     model.lasers.resize(std::max(model.lasers.size(), index + 1));
     model.lasers[index] = plane;
   }

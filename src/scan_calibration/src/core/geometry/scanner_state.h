@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/session.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -31,10 +31,10 @@ struct ScannerState {
   std::vector<Eigen::Vector3d> planes;
   std::vector<Vector6d> corrections;  //!< a view: from the measured pose of the flange to the true
 
-  laser_triangulation::CameraIntrinsics intrinsics() const;
+  scan_cell_common::CameraIntrinsics intrinsics() const;
 };
 
-CameraVector camera_vector(const laser_triangulation::CameraIntrinsics& camera);
+CameraVector camera_vector(const scan_cell_common::CameraIntrinsics& camera);
 
 /// The pose after a small motion.
 Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Vector6d& motion);
@@ -48,9 +48,9 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
 /// The model with its planes' normals towards the camera (distance below 0).
 /// @param lasers whose planes the state holds
 /// @param projectors of these, as far as they are known [m]
-laser_triangulation::ScannerModel scanner_model(const ScannerState& state,
-                                                const std::vector<std::string>& lasers,
-                                                const std::vector<Eigen::Vector3d>& projectors);
+scan_cell_common::ScannerModel scanner_model(const ScannerState& state,
+                                             const std::vector<std::string>& lasers,
+                                             const std::vector<Eigen::Vector3d>& projectors);
 
 /// The surface of a board that may be bent: z = basis(x, y) . bend. Beyond its corners, where
 /// nothing shows it, it goes on at the height of its border.

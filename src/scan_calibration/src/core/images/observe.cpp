@@ -19,7 +19,7 @@
 namespace scan_calibration {
 namespace {
 
-using laser_triangulation::CameraIntrinsics;
+using scan_cell_common::CameraIntrinsics;
 
 /// Counts the corners of every view from the same end of the board.
 void align(const Session& session, const CameraIntrinsics& camera,

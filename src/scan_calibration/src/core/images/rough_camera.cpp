@@ -11,7 +11,7 @@
 namespace scan_calibration {
 namespace {
 
-using laser_triangulation::CameraIntrinsics;
+using scan_cell_common::CameraIntrinsics;
 using scan_cell_common::UnusableInput;
 
 struct Correspondences {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "images/board_detection.h"
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -14,11 +14,11 @@ namespace scan_calibration {
 /// corners of some of the views.
 /// @param views some empty; three that are not are needed
 /// @throw scan_cell_common::UnusableInput if the views do not give a camera
-laser_triangulation::CameraIntrinsics rough_camera(const std::vector<BoardCorners>& views,
-                                                   const Board& board, int width, int height);
+scan_cell_common::CameraIntrinsics rough_camera(const std::vector<BoardCorners>& views,
+                                                const Board& board, int width, int height);
 
 /// Pose of the board in camera_optical_frame [m].
-Eigen::Isometry3d rough_board_pose(const laser_triangulation::CameraIntrinsics& camera,
+Eigen::Isometry3d rough_board_pose(const scan_cell_common::CameraIntrinsics& camera,
                                    const BoardCorners& corners, const Board& board);
 
 }  // namespace scan_calibration

@@ -12,7 +12,7 @@ namespace scan_calibration {
 namespace {
 
 using Eigen::Vector2d;
-using laser_triangulation::CameraIntrinsics;
+using scan_cell_common::CameraIntrinsics;
 
 constexpr double kLeastTolerance = 1;    // [px] off the line in the vote
 constexpr double kWidthTolerance = 0.1;  // of the stripe's width: speckle moves a wide one more

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "laser_lines/line_peaks.h"
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/observations.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -30,7 +30,7 @@ struct BoardLine {
 /// @param camera rough
 /// @param board_in_camera rough
 BoardLine board_line(const std::vector<LinePeaks>& ways,
-                     const laser_triangulation::CameraIntrinsics& camera,
+                     const scan_cell_common::CameraIntrinsics& camera,
                      const Eigen::Isometry3d& board_in_camera, const Board& board, int most_points);
 
 }  // namespace scan_calibration

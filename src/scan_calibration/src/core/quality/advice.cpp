@@ -75,7 +75,7 @@ Eigen::Matrix3d usual_turn(const JointEstimate& estimate) {
 /// @return false if it is not
 bool look(const JointEstimate& estimate, const Board& board, const BoardSurface& surface,
           const Isometry3d& camera_to_board, BoardView& view) {
-  const laser_triangulation::CameraIntrinsics camera = estimate.state.intrinsics();
+  const scan_cell_common::CameraIntrinsics camera = estimate.state.intrinsics();
   const auto seen = [&](const Eigen::Vector2d& place, Eigen::Vector2d& pixel) {
     const Vector3d point = camera_to_board * on_board(surface, estimate.state.bend, place);
     if (!(point.z() > 0)) return false;
@@ -117,7 +117,7 @@ bool look(const JointEstimate& estimate, const Board& board, const BoardSurface&
 std::vector<Candidate> candidates(const JointEstimate& estimate, const BoardSurface& surface) {
   const auto [nearest, farthest] = distances(estimate, surface);
   const Eigen::Matrix3d turn = usual_turn(estimate);
-  const laser_triangulation::CameraIntrinsics camera = estimate.state.intrinsics();
+  const scan_cell_common::CameraIntrinsics camera = estimate.state.intrinsics();
   constexpr double kDegree = M_PI / 180;
   constexpr double kAside = 0.22;  // of the image, from its middle
   std::vector<Candidate> result;

@@ -31,7 +31,7 @@ std::vector<double> depths_of(const JointEstimate& estimate, const BoardSurface&
 std::vector<Eigen::Vector2d> pixels_at(const ScannerState& state, std::size_t laser, double depth) {
   constexpr int kFine = 400;
   constexpr std::size_t kWanted = 5;
-  const laser_triangulation::CameraIntrinsics camera = state.intrinsics();
+  const scan_cell_common::CameraIntrinsics camera = state.intrinsics();
   const Eigen::Vector3d& plane = state.planes[laser];
   const double left = 1 - plane.z() * depth;  // plane.x x + plane.y y = left
   const Eigen::Vector2d across = plane.head<2>();
@@ -75,7 +75,7 @@ std::vector<ScanPlace> scan_places(const JointEstimate& estimate, const BoardSur
 Eigen::MatrixXd triangulation_derivative(const JointEstimate& estimate, const Knowledge& knowledge,
                                          const ScanPlace& place) {
   return derivative(estimate.state, knowledge, [&](const ScannerState& at) -> Eigen::VectorXd {
-    const laser_triangulation::CameraIntrinsics camera = at.intrinsics();
+    const scan_cell_common::CameraIntrinsics camera = at.intrinsics();
     const Eigen::Vector2d distorted((place.pixel.x() - camera.cx) / camera.fx,
                                     (place.pixel.y() - camera.cy) / camera.fy);
     Eigen::Vector2d flat = distorted;

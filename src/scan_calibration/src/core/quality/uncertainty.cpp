@@ -87,7 +87,7 @@ class Numbers {
       add("flange_to_camera", state.flange_to_camera, reference.flange_to_camera);
     for (std::size_t laser = 0; laser < layout.planes.size(); ++laser)
       if (layout.planes[laser] >= 0)
-        add("lasers[" + std::to_string(laser_triangulation::laser_index(lasers[laser])) + "]",
+        add("lasers[" + std::to_string(scan_cell_common::laser_index(lasers[laser])) + "]",
             state.planes[laser]);
     if (layout.base_to_board >= 0)
       add("base_to_board", state.base_to_board, reference.base_to_board);

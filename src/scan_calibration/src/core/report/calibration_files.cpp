@@ -42,11 +42,11 @@ std::string matrix_text(const std::string& name, int rows, int columns,
 }
 
 void save_scanner(const CalibrationRun& run, const std::string& path) {
-  const laser_triangulation::ScannerModel& scanner = run.calibration->scanner;
+  const scan_cell_common::ScannerModel& scanner = run.calibration->scanner;
   if (run.existing) {
-    laser_triangulation::save_scanner_model(path, scanner, run.existing->text);
+    scan_cell_common::save_scanner_model(path, scanner, run.existing->text);
   } else {
-    laser_triangulation::save_scanner_model(path, scanner);
+    scan_cell_common::save_scanner_model(path, scanner);
   }
 }
 
@@ -77,8 +77,7 @@ std::string keep_old(const std::string& path) {
   return kept;
 }
 
-void save_camera_info(const std::string& path,
-                      const laser_triangulation::CameraIntrinsics& camera) {
+void save_camera_info(const std::string& path, const scan_cell_common::CameraIntrinsics& camera) {
   const auto& d = camera.distortion;
   std::ostringstream text;
   text << "image_width: " << camera.width << "\nimage_height: " << camera.height

@@ -129,7 +129,7 @@ ReportPicture space(const Observations& seen, const Calibration& calibration, in
   }
   for (std::size_t i = 0; i < calibration.scanner.lasers.size(); ++i) {
     if (!calibration.scanner.has_laser(i)) continue;
-    const laser_triangulation::LaserPlane& laser = calibration.scanner.laser(i);
+    const scan_cell_common::LaserPlane& laser = calibration.scanner.laser(i);
     // Where the plane meets this section of space; one that lies in it has no line.
     const Vector2d normal(laser.normal[axis], laser.normal.z());
     if (normal.norm() < 0.2) continue;
@@ -147,7 +147,7 @@ ReportPicture space(const Observations& seen, const Calibration& calibration, in
 /// Points of one laser on the boards [m, camera_optical_frame].
 std::vector<Vector3d> laser_points(const Observations& seen, const Calibration& calibration,
                                    std::size_t laser) {
-  const laser_triangulation::CameraIntrinsics& camera = calibration.scanner.camera;
+  const scan_cell_common::CameraIntrinsics& camera = calibration.scanner.camera;
   std::vector<Vector3d> points;
   for (const ViewObservation& view : seen.views) {
     if (view.lines[laser].empty()) continue;
@@ -170,8 +170,8 @@ std::vector<Vector3d> laser_points(const Observations& seen, const Calibration& 
 }
 
 ReportPicture plane(const Observations& seen, const Calibration& calibration, std::size_t laser) {
-  const laser_triangulation::LaserPlane& model =
-      calibration.scanner.laser(laser_triangulation::laser_index(seen.lasers[laser]));
+  const scan_cell_common::LaserPlane& model =
+      calibration.scanner.laser(scan_cell_common::laser_index(seen.lasers[laser]));
   const std::vector<Vector3d> points = laser_points(seen, calibration, laser);
   const Vector3d depth =
       (Vector3d::UnitZ() - model.normal * model.normal.z()).normalized();  // of the light

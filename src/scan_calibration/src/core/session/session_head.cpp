@@ -3,8 +3,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_calibration/session.h"
+#include "scan_cell_common/scanner_model.h"
 #include "scan_cell_common/yaml_file.h"
 
 namespace scan_calibration {
@@ -49,7 +49,7 @@ Board board(const YamlEntry& entry) {
 std::size_t laser_index(const YamlEntry& entry) {
   const auto name = entry.as<std::string>();
   try {
-    return laser_triangulation::laser_index(name);
+    return scan_cell_common::laser_index(name);
   } catch (const scan_cell_common::UnusableInput&) {
     entry.refuse("'" + name + "'", "name lasers laser_0, laser_1");
   }

@@ -16,8 +16,7 @@ void refuse(const std::string& name, const std::string& value) {
 
 }  // namespace
 
-Eigen::Isometry3d laser_frame(const laser_triangulation::LaserPlane& laser,
-                              const std::string& name) {
+Eigen::Isometry3d laser_frame(const scan_cell_common::LaserPlane& laser, const std::string& name) {
   constexpr double kLeast = 1e-3;
   const double depth = laser.distance / laser.normal.z();  // of the crossing: n.z depth = distance
   if (!(std::isfinite(depth) && depth > kLeast)) {
@@ -35,7 +34,7 @@ Eigen::Isometry3d laser_frame(const laser_triangulation::LaserPlane& laser,
   return frame;
 }
 
-std::vector<StaticFrame> calibrated_frames(const laser_triangulation::ScannerModel& scanner,
+std::vector<StaticFrame> calibrated_frames(const scan_cell_common::ScannerModel& scanner,
                                            const Cell& cell) {
   std::vector<StaticFrame> frames = {{"world", "base_link", cell.base_link_in_world},
                                      {"tool0", "tool_tip", cell.tool_tip_in_tool0},

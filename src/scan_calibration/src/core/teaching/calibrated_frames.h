@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 #include "teaching/cell_file.h"
 
 namespace scan_calibration {
@@ -23,12 +23,11 @@ struct StaticFrame {
 /// lies along y.
 /// @throw scan_cell_common::UnusableInput if the plane does not cross the axis in front of the
 /// camera
-Eigen::Isometry3d laser_frame(const laser_triangulation::LaserPlane& laser,
-                              const std::string& name);
+Eigen::Isometry3d laser_frame(const scan_cell_common::LaserPlane& laser, const std::string& name);
 
 /// world -> base_link, tool0 -> camera_optical_frame -> laser_0, laser_1, and tool0 -> tool_tip.
 /// @throw scan_cell_common::UnusableInput naming the laser that makes no sense
-std::vector<StaticFrame> calibrated_frames(const laser_triangulation::ScannerModel& scanner,
+std::vector<StaticFrame> calibrated_frames(const scan_cell_common::ScannerModel& scanner,
                                            const Cell& cell);
 
 }  // namespace scan_calibration

@@ -8,15 +8,15 @@
 #include <optional>
 #include <vector>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace scan_cell {
 
-using laser_triangulation::CameraIntrinsics;
-using laser_triangulation::LaserPlane;
 using scan_calibration::Board;
 using scan_calibration::Calibration;
 using scan_calibration::ViewObservation;
+using scan_cell_common::CameraIntrinsics;
+using scan_cell_common::LaserPlane;
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
@@ -175,7 +175,7 @@ MarkerArray calibration_markers(const scan_calibration::CalibrationRun& run,
   const Eigen::Isometry3d& flange_to_camera = calibration.scanner.flange_to_camera;
   std::vector<Points> on_planes(seen.lasers.size());
   const auto plane = [&](std::size_t i) -> const LaserPlane& {
-    return calibration.scanner.laser(laser_triangulation::laser_index(seen.lasers[i]));
+    return calibration.scanner.laser(scan_cell_common::laser_index(seen.lasers[i]));
   };
   MarkerArray array;
   array.markers.emplace_back();
@@ -196,7 +196,7 @@ MarkerArray calibration_markers(const scan_calibration::CalibrationRun& run,
   }
   for (std::size_t i = 0; i < on_planes.size(); ++i) {
     if (on_planes[i].empty()) continue;
-    const std::size_t number = laser_triangulation::laser_index(seen.lasers[i]);
+    const std::size_t number = scan_cell_common::laser_index(seen.lasers[i]);
     Colour colour = kLasers[number % kLasers.size()];
     array.markers.push_back(marker("tool0", "points of " + seen.lasers[i], Marker::POINTS, colour,
                                    moved(flange_to_camera, on_planes[i])));

@@ -24,7 +24,7 @@ using Hits = std::vector<Hit>;
 
 /// The direction x/z, y/z of every pixel of a region, and of one row and column beyond it.
 struct AmbientLight::Rays {
-  Rays(const laser_triangulation::CameraIntrinsics& camera, const Region& part)
+  Rays(const scan_cell_common::CameraIntrinsics& camera, const Region& part)
       : region(part), columns(part.width + kCell) {
     directions.reserve(static_cast<std::size_t>(columns) *
                        static_cast<std::size_t>(part.height + kCell));
@@ -153,8 +153,7 @@ class AmbientLight::Picture {
   Vector3d forward_ = Vector3d::UnitZ();
 };
 
-AmbientLight::AmbientLight(const laser_triangulation::CameraIntrinsics& camera,
-                           const Optics& optics)
+AmbientLight::AmbientLight(const scan_cell_common::CameraIntrinsics& camera, const Optics& optics)
     : camera_(camera), optics_(optics) {}
 
 AmbientLight::~AmbientLight() = default;

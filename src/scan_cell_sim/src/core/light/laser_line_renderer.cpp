@@ -42,11 +42,11 @@ struct LaserLineRenderer::Drawing {
   std::uint64_t seed;
 };
 
-LaserLineRenderer::LaserLineRenderer(const laser_triangulation::ScannerModel& scanner,
+LaserLineRenderer::LaserLineRenderer(const scan_cell_common::ScannerModel& scanner,
                                      const Optics& optics)
     : scanner_(scanner), optics_(optics), noise_(optics), ambient_(scanner.camera, optics) {
   for (std::size_t i = 0; i < scanner_.lasers.size(); ++i) {
-    const laser_triangulation::LaserPlane& laser = scanner_.laser(i);
+    const scan_cell_common::LaserPlane& laser = scanner_.laser(i);
     // The fan's middle meets the camera's axis, or runs along it where that is in the plane.
     const double slope = laser.normal.z();
     const Vector3d target = std::abs(slope) > 1e-9

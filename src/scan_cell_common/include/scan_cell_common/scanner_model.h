@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace laser_triangulation {
+namespace scan_cell_common {
 
 /// Pinhole camera with the distortion of OpenCV and ROS ("plumb_bob"). Pixel centres are whole
 /// numbers, (0, 0) is the centre of the sensor's first pixel, whatever the region of interest.
@@ -92,4 +92,4 @@ void save_scanner_model(const std::string& path, const ScannerModel& model,
 /// @throw scan_cell_common::UnusableInput naming the entry that makes no sense
 void check(const ScannerModel& model);
 
-}  // namespace laser_triangulation
+}  // namespace scan_cell_common

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "scanner_model_targets.h"
+#include "scanner/scanner_model_targets.h"
 
 TEST(ScannerModelReader, TakesOrRefusesWhateverIsInAFile) {
   for (const auto& target : scanner_model_targets()) {

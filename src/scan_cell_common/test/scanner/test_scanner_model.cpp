@@ -8,11 +8,11 @@
 #include <opencv2/calib3d.hpp>
 #include <regex>
 
-#include "laser_triangulation/scanner_model.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace fs = std::filesystem;
-using laser_triangulation::ScannerModel;
+using scan_cell_common::ScannerModel;
 
 namespace {
 
@@ -27,7 +27,7 @@ ScannerModel example() {
   model.camera.distortion << -0.08, 0.05, 5e-4, -3e-4, 0.01;
   model.flange_to_camera = Eigen::Translation3d(0.01, -0.02, 0.08) *
                            Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 2, 3).normalized());
-  laser_triangulation::LaserPlane laser;
+  scan_cell_common::LaserPlane laser;
   laser.normal = Eigen::Vector3d(2, 0, -1).normalized();
   laser.origin << -0.25, 0, 0;
   laser.distance = laser.normal.dot(laser.origin);
@@ -41,14 +41,14 @@ class ScannerModelFile : public testing::Test {
 
   /// What loading says after the text that matches `pattern` was replaced.
   std::string complaint(const std::string& pattern, const std::string& replacement) {
-    laser_triangulation::save_scanner_model(path_, example());
+    scan_cell_common::save_scanner_model(path_, example());
     std::ifstream in(path_);
     const std::string text((std::istreambuf_iterator<char>(in)), {});
     const std::string changed = std::regex_replace(text, std::regex(pattern), replacement);
     EXPECT_NE(text, changed);
     std::ofstream(path_) << changed;
     try {
-      laser_triangulation::load_scanner_model(path_);
+      scan_cell_common::load_scanner_model(path_);
     } catch (const scan_cell_common::Error& error) {
       return error.what();
     }
@@ -62,7 +62,7 @@ class ScannerModelFile : public testing::Test {
 }  // namespace
 
 TEST(CameraIntrinsics, ProjectLikeOpenCv) {
-  const laser_triangulation::CameraIntrinsics camera = example().camera;
+  const scan_cell_common::CameraIntrinsics camera = example().camera;
   const std::vector<cv::Point3d> points = {{0, 0, 0.5}, {0.2, -0.1, 0.4}, {-0.15, 0.25, 0.61}};
   const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
   const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
@@ -76,8 +76,8 @@ TEST(CameraIntrinsics, ProjectLikeOpenCv) {
 }
 
 TEST_F(ScannerModelFile, ComesBackToTheLastDigit) {
-  laser_triangulation::save_scanner_model(path_, example());
-  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  scan_cell_common::save_scanner_model(path_, example());
+  const ScannerModel loaded = scan_cell_common::load_scanner_model(path_);
   EXPECT_EQ(loaded.camera.distortion, example().camera.distortion);
   EXPECT_EQ(loaded.camera.fx, example().camera.fx);
   EXPECT_TRUE(loaded.flange_to_camera.isApprox(example().flange_to_camera, 1e-15));
@@ -105,17 +105,17 @@ TEST(ScannerModel, IsRefusedWithASensorThatNoCameraHas) {
 }
 
 TEST_F(ScannerModelFile, IsRefusedWhereMissingOrNotYaml) {
-  EXPECT_THROW(laser_triangulation::load_scanner_model("/no/such/scanner.yaml"),
+  EXPECT_THROW(scan_cell_common::load_scanner_model("/no/such/scanner.yaml"),
                scan_cell_common::FileError);
   std::ofstream(path_) << "camera: [1, 2";
-  EXPECT_THROW(laser_triangulation::load_scanner_model(path_), scan_cell_common::FileError);
+  EXPECT_THROW(scan_cell_common::load_scanner_model(path_), scan_cell_common::FileError);
 }
 
 TEST_F(ScannerModelFile, HoldsALaserThatWasNotCalibrated) {
   ScannerModel model = example();
   model.lasers.insert(model.lasers.begin(), std::nullopt);
-  laser_triangulation::save_scanner_model(path_, model);
-  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  scan_cell_common::save_scanner_model(path_, model);
+  const ScannerModel loaded = scan_cell_common::load_scanner_model(path_);
   ASSERT_EQ(loaded.lasers.size(), 2U);
   EXPECT_FALSE(loaded.has_laser(0));
   EXPECT_EQ(loaded.laser(1).normal, example().laser(0).normal);
@@ -131,8 +131,8 @@ TEST_F(ScannerModelFile, HoldsALaserThatWasNotCalibrated) {
 TEST_F(ScannerModelFile, HoldsACameraAlone) {
   ScannerModel model = example();
   model.lasers.clear();
-  laser_triangulation::save_scanner_model(path_, model);
-  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  scan_cell_common::save_scanner_model(path_, model);
+  const ScannerModel loaded = scan_cell_common::load_scanner_model(path_);
   EXPECT_TRUE(loaded.lasers.empty());
   EXPECT_THROW(check_can_scan(loaded), scan_cell_common::UnusableInput);
   EXPECT_NO_THROW(check_can_scan(example()));
@@ -140,18 +140,18 @@ TEST_F(ScannerModelFile, HoldsACameraAlone) {
 
 TEST_F(ScannerModelFile, KeepsWhatIsTakenFromAnotherToTheLastDigit) {
   const std::string rotation = "[0.0123456789012345, -0.2, 0.3000000000000004, 0.9327379053088815]";
-  laser_triangulation::save_scanner_model(path_, example());
+  scan_cell_common::save_scanner_model(path_, example());
   std::ifstream in(path_);
   const std::string written((std::istreambuf_iterator<char>(in)), {});
   const std::string existing =
       std::regex_replace(written, std::regex("rotation: .*"), "rotation: " + rotation);
-  ScannerModel model = laser_triangulation::parse_scanner_model(existing, "existing");
+  ScannerModel model = scan_cell_common::parse_scanner_model(existing, "existing");
   model.lasers[0]->distance += 1e-4;
-  laser_triangulation::save_scanner_model(path_, model, existing);
+  scan_cell_common::save_scanner_model(path_, model, existing);
   std::ifstream again(path_);
   const std::string text((std::istreambuf_iterator<char>(again)), {});
   EXPECT_NE(text.find("rotation: " + rotation), std::string::npos) << text;
-  const ScannerModel loaded = laser_triangulation::load_scanner_model(path_);
+  const ScannerModel loaded = scan_cell_common::load_scanner_model(path_);
   EXPECT_EQ(loaded.flange_to_camera.matrix(), model.flange_to_camera.matrix());
   EXPECT_EQ(loaded.camera.distortion, model.camera.distortion);
   EXPECT_EQ(loaded.laser(0).distance, model.laser(0).distance);

@@ -1,9 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 #include "scan_cell_common/yaml_file.h"
 
-namespace laser_triangulation {
+namespace scan_cell_common {
 namespace {
 
 using scan_cell_common::YamlEntry;
@@ -110,4 +110,4 @@ void save_scanner_model(const std::string& path, const ScannerModel& model,
   save(path, root);
 }
 
-}  // namespace laser_triangulation
+}  // namespace scan_cell_common

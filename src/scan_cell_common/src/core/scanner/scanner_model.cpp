@@ -1,13 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 #include <cmath>
 #include <cstdint>
 
 #include "scan_cell_common/errors.h"
 
-namespace laser_triangulation {
+namespace scan_cell_common {
 namespace {
 
 void refuse(const std::string& entry, const std::string& value, const std::string& cure) {
@@ -140,4 +140,4 @@ void check(const ScannerModel& model) {
     if (model.lasers[i]) check(*model.lasers[i], laser_name(i));
 }
 
-}  // namespace laser_triangulation
+}  // namespace scan_cell_common

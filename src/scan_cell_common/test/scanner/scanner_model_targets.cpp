@@ -1,15 +1,15 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scanner_model_targets.h"
+#include "scanner/scanner_model_targets.h"
 
 #include <cmath>
 
-#include "laser_triangulation/scanner_model.h"
+#include "scan_cell_common/scanner_model.h"
 
 namespace {
 
 using namespace scan_cell_common;
-using laser_triangulation::ScannerModel;
+using scan_cell_common::ScannerModel;
 
 const char* const kTwoLasers =
     "camera:\n  width: 1696\n  height: 1710\n  fx: 801.3\n  fy: 800.6\n  cx: 851.2\n  cy: 852.7\n"
@@ -37,7 +37,7 @@ void expect_usable(const ScannerModel& model) {
   promise(model.flange_to_camera.translation().allFinite(), "a place");
   for (std::size_t i = 0; i < model.lasers.size(); ++i) {
     if (!model.has_laser(i)) continue;
-    const laser_triangulation::LaserPlane& laser = model.laser(i);
+    const scan_cell_common::LaserPlane& laser = model.laser(i);
     promise(std::abs(laser.normal.norm() - 1) <= 1e-6, "a unit normal");
     promise(std::isfinite(laser.distance) && laser.distance != 0, "a distance");
     promise(laser.origin.allFinite(), "an origin");
@@ -56,7 +56,7 @@ std::vector<FuzzTarget> scanner_model_targets() {
                   ".nan",   ".inf",  "0x10",     "1e-320",     "1_000",  "\"fx\"", "---\n",
                   "%YAML",  "\t",    "null",     "[[[[[["};
   target.run = [](const std::string& bytes) {
-    expect_usable(laser_triangulation::parse_scanner_model(bytes, "scanner.yaml"));
+    expect_usable(scan_cell_common::parse_scanner_model(bytes, "scanner.yaml"));
   };
   return {target};
 }
