@@ -4,6 +4,7 @@
 
 #include <scan_cell_common/errors.h>
 #include <scan_cell_common/ros/cloud_messages.h>
+#include <scan_cell_common/ros/logger_list.h>
 #include <scan_cell_common/ros/shutdown_request.h>
 #include <scan_cell_msgs/PreprocessReport.h>
 
@@ -11,6 +12,7 @@ namespace cloud_preprocess {
 
 void StageNodelet::onInit() {
   scan_cell_common::shut_down_on_signals();
+  scan_cell_common::withdraw_logger_list();
   scan_cell_common::ParameterReader reader(getPrivateNodeHandle());
   try {
     stage_ = make_stage(reader);

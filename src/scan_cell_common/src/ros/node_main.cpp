@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
+#include "scan_cell_common/ros/logger_list.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
 namespace scan_cell_common {
@@ -37,6 +38,7 @@ int node_main(int argc, char** argv, const std::string& name, const std::string&
     // The last handle takes the console down with it: without this one the line below is not
     // printed.
     const ros::NodeHandle keep_console;
+    withdraw_logger_list();
     try {
       body();
       return 0;
@@ -56,6 +58,7 @@ int ros_tool_main(const std::string& name, CLI::App& options, int argc, char** a
     constexpr int kThreads = 2;
     ros::AsyncSpinner spinner(kThreads);
     spinner.start();
+    withdraw_logger_list();
     return body();
   };
   return plain_main(name, options, argc, argv, run, refused, outputs);

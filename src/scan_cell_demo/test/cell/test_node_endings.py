@@ -2,6 +2,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Every node and every nodelet of the suite ends at SIGTERM and SIGHUP as it does at Ctrl-C."""
+import collections
 import glob
 import os
 import signal
@@ -13,9 +14,11 @@ import xml.etree.ElementTree as ElementTree
 import rosgraph
 import roslib.packages
 import rospkg
-import rosservice
+import rospy
 import rostest
+from bond.msg import Status
 from catkin.find_in_workspaces import find_in_workspaces
+from nodelet.srv import NodeletList
 
 PACKAGES = rospkg.RosPack()
 SOURCES = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../..')
@@ -74,6 +77,10 @@ def wait_for(condition, what):
 
 
 class NodeEndings(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('node_endings', disable_signals=True)
+
     def setUp(self):
         signal.signal(signal.SIGHUP, signal.SIG_DFL)  # under nohup the nodes would ignore it, too
         self.master = rosgraph.Master('/test_node_endings')
@@ -107,12 +114,25 @@ class NodeEndings(unittest.TestCase):
         return any(name in nodes for kind in self.master.getSystemState() for _, nodes in kind)
 
     def has_loaded(self, manager, nodelet):
-        """What a manager still loads while it ends may crash it, by any signal. It answers this only after it
-        has loaded what it was asked for."""
+        """The manager answers this only after it has loaded what it was asked for."""
         try:
-            return nodelet in rosservice.call_service(manager + '/list', [])[1].nodelets
-        except rosservice.ROSServiceException:  # not there yet
+            return nodelet in rospy.ServiceProxy(manager + '/list', NodeletList)().nodelets
+        except rospy.ServiceException:  # not there yet
             return False
+
+    def wait_until_bound(self, manager, count):
+        """Until the manager and those who had it load have heard each other. Debian's manager that ends before
+        unloads through what it has destroyed already, and crashes, by any signal."""
+        beats = collections.Counter()
+        listener = rospy.Subscriber(manager + '/bond', Status,
+                                    lambda status: beats.update([(status.id, status.instance_id)]))
+
+        def is_bound():
+            sides = collections.Counter(bond for (bond, _), heard in list(beats.items()) if heard >= 3)
+            return list(sides.values()).count(2) == count
+
+        wait_for(is_bound, 'the bonds of %s' % manager)
+        listener.unregister()
 
     def wait_until_it_runs(self, process, name):
         looks = []
@@ -155,6 +175,7 @@ class NodeEndings(unittest.TestCase):
                 _, loaded = self.start('nodelet', 'nodelet', 'load', nodelet, name, *words)
                 wait_for(lambda: self.has_loaded(name, loaded) or manager.poll() is not None,
                          '%s is loaded' % nodelet)
+            self.wait_until_bound(name, len(NODELETS))
             self.end(manager, name, number, 'manager')
 
     def test_a_manager_ends_cleanly_when_its_nodelets_are_unloaded(self):

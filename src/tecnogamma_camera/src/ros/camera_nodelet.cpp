@@ -8,6 +8,7 @@
 #include "bag_recording.h"
 #include "diagnostics.h"
 #include "messages.h"
+#include "scan_cell_common/ros/logger_list.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
 namespace tecnogamma_camera {
@@ -23,6 +24,7 @@ Region region_of(const CameraConfig& config) {
 
 void CameraNodelet::onInit() {
   scan_cell_common::shut_down_on_signals();
+  scan_cell_common::withdraw_logger_list();
   try {
     parameters_ = Parameters::load(getPrivateNodeHandle());
     if (!parameters_.scanner_model.empty())

@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "scan_cell_common/ros/logger_list.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
@@ -39,6 +40,7 @@ template <class Services, class Parameters>
 class ServicesNodelet : public nodelet::Nodelet {
   void onInit() override {
     shut_down_on_signals();
+    withdraw_logger_list();
     try {
       ros::NodeHandle node = getNodeHandle();
       ros::NodeHandle private_node = getPrivateNodeHandle();
