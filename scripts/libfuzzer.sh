@@ -12,7 +12,7 @@ driver=src/c4g_driver
 simulator=src/scan_cell_sim
 cell=src/scan_cell
 shopt -s globstar
-sources=($common/src/core/{clouds,clock,errors,files,net,pose}/*.cpp $common/src/fuzzing/{fuzzing,fuzz_main}.cpp)
+sources=($common/src/core/{clouds,clock,errors,files,net,pose,tools}/*.cpp $common/src/fuzzing/{fuzzing,fuzz_main}.cpp)
 case $reader in
   ply | ply_mesh | pcd | point_table | depth_profiles | stl | obj) program=$common/test/clouds/fuzz_cloud_files.cpp
     sources+=($common/test/clouds/cloud_file_targets.cpp) ;;
@@ -26,12 +26,13 @@ esac
 folder=build/libfuzzer/$reader
 rm -rf "$folder/objects"
 mkdir -p "$folder/objects" "$folder/corpus"
-flags=(-std=c++17 -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+flags=(-std=c++17 -O1 -g -DSUITE_VERSION=\"fuzzed\" -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
   -fsanitize-ignorelist=scripts/sanitizers/libfuzzer.txt
   -I "$common/include" -I "$stretcher/include" -I "$stretcher/src/core" -I "$common/src/core" -I "$driver/include" -I "$driver/src/core"
-  -I "$simulator/include" -I "$simulator/src/core" -I "$cell/include" -I "$cell/src/core" -I "$common/test" -I "$driver/test" -I "$cell/test" -I "$stretcher/test" -isystem /usr/include/kdl -isystem /usr/include/eigen3 -isystem "$(echo /usr/include/pcl-*)")
+  -I "$simulator/include" -I "$simulator/src/core" -I "$cell/include" -I "$cell/src/core"
+  -I "$common/test" -I "$driver/test" -I "$cell/test" -I "$stretcher/test" -isystem /usr/include/liblzf -isystem /usr/include/kdl -isystem /usr/include/eigen3 -isystem "$(echo /usr/include/pcl-*)")
 printf '%s\n' "${sources[@]}" | xargs -P "$(nproc)" -I{} bash -c \
-  'clang++ "$@" -c {} -o "'"$folder"'/objects/$(basename {} .cpp).o"' _ "${flags[@]}"
+  'clang++ "$@" -c {} -o "'"$folder"'/objects/$(tr / _ <<<{}).o"' _ "${flags[@]}"
 link=("$folder"/objects/*.o -lpcl_common -llzf -lyaml-cpp -lorocos-kdl)
 clang++ "${flags[@]}" "$program" "${link[@]}" -fsanitize=address,undefined -o "$folder/seeds"
 clang++ "${flags[@]}" -DLIBFUZZER "$program" "${link[@]}" -fsanitize=fuzzer,address,undefined -o "$folder/fuzz"
