@@ -31,18 +31,27 @@ double most_override_of_the_controller(const c4g_driver::RobotState& from,
   }
 }
 
+c4g_driver::RobotState standing_at_the_start() {
+  c4g_driver::RobotState state;
+  state.mode = c4g_driver::ControllerMode::Remote;
+  state.joints = scan_cell_sim::Controller::start_posture();
+  state.flange = scan_cell_sim::flange_of(state.joints);
+  return state;
+}
+
+c4g_driver::RobotLimits limits_in_automatic() {
+  c4g_driver::RobotLimits limits;
+  limits.operation = c4g_driver::Operation::Automatic;
+  return narrowed(limits, smart5_six());
+}
+
 }  // namespace
 
 TEST(MotionCheck, LetsPassWhatTheControllerCarriesOutAtTheSpeedItWasTold) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> some(-1, 1);
-  c4g_driver::RobotState from;
-  from.mode = c4g_driver::ControllerMode::Remote;
-  from.joints = scan_cell_sim::Controller::start_posture();
-  from.flange = scan_cell_sim::flange_of(from.joints);
-  c4g_driver::RobotLimits limits;
-  limits.operation = c4g_driver::Operation::Automatic;
-  limits = narrowed(limits, smart5_six());
+  const c4g_driver::RobotState from = standing_at_the_start();
+  const c4g_driver::RobotLimits limits = limits_in_automatic();
   c4g_driver::MotionSettings settings;
   settings.linear_speed = 1;
   settings.rotational_speed = 3;
@@ -74,13 +83,8 @@ TEST(MotionCheck, LetsPassTheTaughtPosesOfTheSimulatedCalibration) {
   const std::string text = scan_cell_common::read_file(CALIBRATION_POSES);
   scan_cell_common::CsvReader poses(text, CALIBRATION_POSES);
   ASSERT_TRUE(poses.next());  // the columns' names
-  c4g_driver::RobotState from;
-  from.mode = c4g_driver::ControllerMode::Remote;
-  from.joints = scan_cell_sim::Controller::start_posture();
-  from.flange = scan_cell_sim::flange_of(from.joints);
-  c4g_driver::RobotLimits limits;
-  limits.operation = c4g_driver::Operation::Automatic;
-  limits = narrowed(limits, smart5_six());
+  c4g_driver::RobotState from = standing_at_the_start();
+  const c4g_driver::RobotLimits limits = limits_in_automatic();
   c4g_driver::MotionSettings settings;
   settings.linear_speed = 0.4;
   settings.rotational_speed = M_PI / 3;

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <pcl/conversions.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
+#include "clouds/scratch_folder.h"
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/units.h"
 
-namespace fs = std::filesystem;
 using namespace scan_cell_common;  // NOLINT
 
 namespace {
@@ -104,18 +101,7 @@ std::string complaint(const std::string& bytes) {
   return "nothing";
 }
 
-class PlyMeshFiles : public testing::Test {
- protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
-  }
-
-  fs::path folder_ = fs::temp_directory_path() / ("ply_meshes_" + std::to_string(getpid()));
-};
+class PlyMeshFiles : public ScratchFolder {};
 
 const std::vector<std::vector<int>> kNotched = {{0, 1, 2, 3, 4, 5}};
 

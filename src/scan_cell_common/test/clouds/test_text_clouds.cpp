@@ -1,17 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
+#include "clouds/scratch_folder.h"
 #include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/units.h"
 
-namespace fs = std::filesystem;
 using namespace scan_cell_common;  // NOLINT
 
 namespace {
@@ -62,18 +59,7 @@ std::string complaint_of_profiles(const std::string& text) {
   return "nothing";
 }
 
-class TextClouds : public testing::Test {
- protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
-  }
-
-  fs::path folder_ = fs::temp_directory_path() / ("text_clouds_" + std::to_string(getpid()));
-};
+class TextClouds : public ScratchFolder {};
 
 }  // namespace
 
