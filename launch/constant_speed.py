@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""constant_speed.py SETTINGS   refuses, before roslaunch starts anything, a cell whose binder would calculate poses along
-a motion that its settings do not describe. Prints the binder's method otherwise."""
+"""constant_speed.py SETTINGS   stops roslaunch before it starts anything if the binder would calculate poses along a
+motion that the settings do not describe. Otherwise prints the binder's method."""
 import sys
 
 import yaml
@@ -12,7 +12,7 @@ NEEDED = ('start', 'end', 'speed', 'frame_rate')
 
 
 def names(tree, prefix=''):
-    """Full names of the parameters in a tree of them."""
+    """Full names of the parameters in a nested mapping."""
     if not isinstance(tree, dict):
         return {prefix.strip('/')}
     return {name for key, value in tree.items() for name in names(value, '%s/%s' % (prefix, key))}
@@ -28,11 +28,11 @@ def given(path):
 def main():
     missing = [name for name in NEEDED if SECTION + name not in given(sys.argv[1])]
     if missing:
-        sys.exit('binding constant_speed: nobody says along which motion: no %s; give settings:=FILE with\n'
+        sys.exit('binding constant_speed: the motion is not given: no %s; give settings:=FILE with\n'
                  '  pose_frame_binder: {constant_speed: {start: [x, y, z, qx, qy, qz, qw], end: [...], '
                  'speed: M_PER_S, frame_rate: HZ}}\n'
                  'or use binding:=interpolate' % ', '.join(missing))
-    sys.stdout.write('constant_speed')  # the value, without a line's end
+    sys.stdout.write('constant_speed')  # the value, without a newline
 
 
 if __name__ == '__main__':

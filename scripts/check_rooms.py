@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Fails where the rooms of a package (folders below src/core and src/ros) include each other in a circle.
+"""Fails if the rooms of a package (folders below src/core and src/ros) include each other in a circle.
 
 A header in include/ counts as part of the room that holds its source.
 
-Usage: check_rooms.py [--print]     from the project's root; --print shows each arrow"""
+Usage: check_rooms.py [--print]     from the project's root; --print lists every include between rooms"""
 
 import collections
 import pathlib
@@ -40,7 +40,7 @@ def arrows(package, layer):
 
 
 def circles(graph):
-    """The arrows that lead back to where they start."""
+    """The arrows that are part of a circle."""
 
     def reaches(start, goal, seen):
         seen.add(start)
@@ -50,7 +50,7 @@ def circles(graph):
 
 
 def main():
-    """Looks at each package; the exit code is 1 where there is a circle."""
+    """Checks each package; the exit code is 1 if there is a circle."""
     status = 0
     for package in sorted(path.parent for path in pathlib.Path("src").glob("*/package.xml")):
         for layer in ("core", "ros"):

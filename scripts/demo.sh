@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The whole cell without hardware: scans a reference and a changed part, adapts the tool path, compares it
-# with the truth. Leaves clouds, paths, picture and report in out/.
+# Runs the whole cell without hardware: scans a reference and a changed part, adapts the tool path, and compares it
+# with the ground truth. Writes clouds, paths, picture and report to out/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck disable=SC1091
@@ -11,7 +11,7 @@ mkdir -p "$out"
 rm -f "$out"/*.ply "$out"/*.csv "$out"/*.png "$out"/*.json "$out"/*.bag
 
 export ROS_IP=127.0.0.1 ROS_HOME="$out/ros"
-export ROS_MASTER_URI="http://127.0.0.1:${DEMO_MASTER_PORT:-11321}"  # not the cell's own master, if one runs
+export ROS_MASTER_URI="http://127.0.0.1:${DEMO_MASTER_PORT:-11321}"  # not the master of a cell that may be running
 rviz=false
 [ -n "${DISPLAY:-}" ] && rviz=true
 
@@ -29,9 +29,9 @@ if [ "$status" -eq 0 ] || [ "$status" -eq 3 ]; then
   rosrun scan_cell_demo plot_result.py --reference "$out/reference.ply" --object "$out/object.ply" \
     --path "$out/tool_path.csv" --adapted "$out/adapted_path.csv" --truth "$out/true_path.csv" \
     --output "$out/result.png"
-  echo "Left in out/: $(cd "$out" && ls ./*.ply ./*.csv ./*.png ./*.json | sed 's,^./,,' | tr '\n' ' ')"
+  echo "Results in out/: $(cd "$out" && ls ./*.ply ./*.csv ./*.png ./*.json | sed 's,^./,,' | tr '\n' ' ')"
 else
-  echo "The demo failed; the cell's last words:" >&2
+  echo "The demo failed; the last lines of the cell's log:" >&2
   tail -n 25 "$out/cell.log" >&2
 fi
 exit "$status"

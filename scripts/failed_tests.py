@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Names each test that failed, with the beginning of its reason, and each that was skipped without one.
+"""Lists each failed test with the start of its reason, and each test that was skipped without a reason.
 
-A suite that could not be set up skips its tests so, and nothing else tells. The exit code is 1 where there are any.
+A suite whose set-up failed skips its tests in this way, and nothing else shows it. The exit code is 1 if there are any.
 
 Usage: failed_tests.py DIR
 

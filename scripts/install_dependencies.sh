@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing; quick when none is.
+# Installs the Debian packages of packages.txt that are missing; fast if there are none.
 set -euo pipefail
 
 packages_file="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
@@ -15,7 +15,7 @@ done
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || {
-    echo "These packages are missing and neither root nor sudo is at hand: ${missing[*]}" >&2
+    echo "These packages are missing, and neither root nor sudo is available: ${missing[*]}" >&2
     exit 1
   }
   as_root=(sudo)

@@ -1,7 +1,7 @@
 #!/bin/bash
 # libfuzzer.sh READER [options of libFuzzer]   fuzzes one reader with clang's libFuzzer and its address and
 # undefined-behaviour sanitizers (Debian: clang, libclang-rt-dev). READER is a target of fuzz_cloud_files,
-# fuzz_tool_path_files, fuzz_c4g_datagrams or fuzz_videe_lines. What it finds stays in build/libfuzzer/READER.
+# fuzz_tool_path_files, fuzz_c4g_datagrams or fuzz_videe_lines. Its findings are left in build/libfuzzer/READER.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 reader=${1:?which reader: ply ply_mesh pcd point_table depth_profiles stl obj csv csv_angles yaml yaml_angles cloud_surface mesh_surface raw answers requests parameters videe}

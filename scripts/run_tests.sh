@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# run_tests.sh BUILD COMPUTING WAITING   runs every test of a build and names what failed: COMPUTING gtests side by side,
-# then WAITING rostests, which mostly wait for their simulated cell.
+# run_tests.sh BUILD GTESTS ROSTESTS   runs every test of a build and names the failures: GTESTS gtests in parallel,
+# then ROSTESTS rostests in parallel, which mostly wait for their simulated cell.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-build=$1 computing=$2 waiting=$3 status=0
+build=$1 gtests=$2 rostests=$3 status=0
 
 run() { ctest --test-dir "$build" --output-on-failure --timeout 1200 "$@" || status=1; }
 
 rm -rf "$build/test_results"
-run --tests-regex _gtest_ --parallel "$computing"
-run --tests-regex _rostest_ --parallel "$waiting"
+run --tests-regex _gtest_ --parallel "$gtests"
+run --tests-regex _rostest_ --parallel "$rostests"
 
 [ -n "${SCAN_CELL_DATA:-}" ] ||
   echo "Not tested: the real parts (set SCAN_CELL_DATA to the folder that holds parts/)"

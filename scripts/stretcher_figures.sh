@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the stretcher's benchmark and puts its figures into docs/stretcher_benchmark.md. On a quiet machine, with
+# Runs the stretcher's benchmark and writes its figures to docs/stretcher_benchmark.md. Use an idle machine, with
 # SCAN_CELL_DATA set, after: make build && cmake --build build --target benchmarks
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/reading_a_verdict.md: one a verdict, from cases of the stretcher's benchmark.
+# Makes the pictures of docs/reading_a_verdict.md: one per verdict, from cases of the stretcher's benchmark.
 #   make build && cmake --build build --target benchmarks && scripts/verdict_pictures.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 programs="${1:-devel/lib/tool_path_stretcher}"
 images=docs/images
-leaf=()  # of both programs; none: the default
+leaf=()  # option of both programs; empty: their default
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
-# show REASON CASE [options of stretch...]: a case of the benchmark as it is
+# show REASON CASE [options of stretch...]: draws an unchanged case of the benchmark
 show() {
   local reason=$1 case=$2
   shift 2
@@ -17,7 +17,7 @@ show() {
   draw "$reason" "$@"
 }
 
-# draw REASON [options of stretch...]: what lies in the work folder
+# draw REASON [options of stretch...]: draws the files in the work folder
 draw() {
   local reason=$1 adapted=() found
   shift

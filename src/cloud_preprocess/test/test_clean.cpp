@@ -70,13 +70,13 @@ TEST(CleanParameters, AreTheDefaultsInTheShippedFile) {
   EXPECT_EQ(shipped.floor.up, defaults.floor.up);
   EXPECT_EQ(shipped.floor.any_direction, defaults.floor.any_direction);
   EXPECT_EQ(shipped.floor.tilt, defaults.floor.tilt);
-  EXPECT_EQ(shipped.floor.least_share, defaults.floor.least_share);
-  EXPECT_EQ(shipped.floor.most_below, defaults.floor.most_below);
+  EXPECT_EQ(shipped.floor.min_share, defaults.floor.min_share);
+  EXPECT_EQ(shipped.floor.max_below, defaults.floor.max_below);
   EXPECT_EQ(shipped.outliers.neighbours, defaults.outliers.neighbours);
   EXPECT_EQ(shipped.outliers.deviations, defaults.outliers.deviations);
   EXPECT_EQ(shipped.isolate.select, defaults.isolate.select);
   EXPECT_EQ(shipped.isolate.gap, defaults.isolate.gap);
-  EXPECT_EQ(shipped.isolate.least_points, defaults.isolate.least_points);
+  EXPECT_EQ(shipped.isolate.min_points, defaults.isolate.min_points);
   EXPECT_EQ(shipped.grid->leaf, defaults.grid->leaf);
 }
 
@@ -99,7 +99,7 @@ TEST(CleanParameters, AreRefusedByTheNameOfTheBadEntry) {
   EXPECT_EQ(complaint("floor: {margn: 1}"),
             "clean.yaml: floor.margn: no such entry; check its spelling");
   EXPECT_EQ(complaint("flor: {}"), "clean.yaml: flor: no such entry; check its spelling");
-  EXPECT_EQ(complaint("grid: {leaf: [1, 1]}"), "grid.leaf: 2 numbers; give three: x, y and z");
+  EXPECT_EQ(complaint("grid: {leaf: [1, 1]}"), "grid.leaf: 2 numbers; give 3");
   EXPECT_EQ(complaint("isolate: {select: best}"),
             "isolate.select: 'best'; give one of all, largest, nearest, index");
   EXPECT_EQ(complaint("outliers: {x_min: 1, x_max: 0}").find("outliers.x_min"), 0U);

@@ -24,7 +24,7 @@ using sensor_msgs::PointCloud2;
 namespace {
 
 const char* const kStages[] = {"floor", "outliers", "isolate", "grid"};
-const char* const kNodelets[] = {"floor", "outliers", "isolate", "grid", "ceiling"};
+const char* const kNodelets[] = {"floor", "outliers", "isolate", "grid", "ceiling", "elsewhere"};
 
 /// The chain of nodelets.test, with everything it has published.
 class Chain : public testing::Test {
@@ -46,8 +46,8 @@ class Chain : public testing::Test {
 
   using PointCloud2ConstPtr = sensor_msgs::PointCloud2ConstPtr;
 
-  void send(PointCloud2 message) {
-    message.header.frame_id = "world";
+  void send(PointCloud2 message, const std::string& frame = "world") {
+    message.header.frame_id = frame;
     message.header.stamp = ros::Time(second_, 5);
     scan_.publish(message);
   }
@@ -141,6 +141,48 @@ TEST_F(Chain, LooksForTheFloorWhereItsParameterUpSays) {
   ASSERT_NE(said, nullptr);
   EXPECT_FALSE(said->ok);
   EXPECT_NE(said->message.find("--up"), std::string::npos) << said->message;
+}
+
+TEST_F(Chain, BringsACloudOfAnotherFrameIntoTheTargetFrame) {
+  const Scene::Rectangle box{0, 0, 0.06, 0.08};
+  Scene scene;
+  scene.add_floor({0, 0, 0.20, 0.15}, {box});
+  scene.add_box(box, 0.03);
+  const Eigen::Affine3f table = Eigen::Translation3f(0.1F, 0.2F, 0.3F) *
+                                Eigen::Quaternionf(0, 0, 0, 1);  // as in nodelets.test
+  scene.move(table.inverse());
+  send(scan_cell_common::to_message(scene.cloud(), {}), "table");
+  const auto result = output("elsewhere");
+  ASSERT_NE(result, nullptr);
+  EXPECT_EQ(result->header.frame_id, "world");
+  const auto said = report("elsewhere");
+  ASSERT_NE(said, nullptr);
+  EXPECT_TRUE(said->ok) << said->message;
+  EXPECT_EQ(said->header.frame_id, "world");
+  float lowest = 1, highest = 0;
+  for (const auto& point : scan_cell_common::from_message(*result)) {
+    lowest = std::min(lowest, point.z);
+    highest = std::max(highest, point.z);
+  }
+  EXPECT_GT(lowest, 0);
+  EXPECT_NEAR(highest, 0.03, 1e-3);         // ten times the noise
+  const auto as_it_came = output("floor");  // which has no target frame
+  ASSERT_NE(as_it_came, nullptr);
+  EXPECT_EQ(as_it_came->header.frame_id, "table");
+}
+
+TEST_F(Chain, ReportsFramesThatNothingLinksToTheTargetFrame) {
+  Scene scene;
+  scene.add_box({0, 0, 0.01, 0.01}, 0.01);
+  send(scan_cell_common::to_message(scene.cloud(), {}), "nowhere");
+  const auto said = report("elsewhere");
+  ASSERT_NE(said, nullptr);
+  EXPECT_FALSE(said->ok);
+  EXPECT_EQ(said->points_out, 0U);
+  EXPECT_NE(said->message.find("cloud in frame 'nowhere': no transform to 'world' within 0.3 s"),
+            std::string::npos)
+      << said->message;
+  EXPECT_FALSE(has_output("elsewhere"));
 }
 
 TEST_F(Chain, ReportsWhyAndSendsNoCloudWhereNothingIsLeft) {

@@ -74,7 +74,7 @@ TEST_F(CloudBuilderTest, TakesAProfile) {
   EXPECT_NEAR(builder_.points()[0].z, 0.5, 1e-6);
 }
 
-TEST_F(CloudBuilderTest, RefusesPosesThatAreNone) {
+TEST_F(CloudBuilderTest, RefusesUnusablePoses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::function<void(BoundProfile&)>> changes = {
       [](BoundProfile& bad) { bad.pose.orientation.w = 0; },
@@ -82,8 +82,10 @@ TEST_F(CloudBuilderTest, RefusesPosesThatAreNone) {
       [&](BoundProfile& bad) { bad.pose.orientation.x = nan; },
       [&](BoundProfile& bad) { bad.pose.position.y = nan; },
       [](BoundProfile& bad) { bad.pose.position.z = std::numeric_limits<double>::infinity(); }};
-  for (const auto& change : changes)
-    EXPECT_NE(refusal<UnusableInput>(change).find("frame 7: its pose is none"), std::string::npos);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const std::string why = i < 3 ? "a quaternion of length" : "its position is not finite";
+    EXPECT_NE(refusal<UnusableInput>(changes[i]).find("frame 7: " + why), std::string::npos) << i;
+  }
 }
 
 TEST_F(CloudBuilderTest, RefusesArraysOfDifferentLengths) {

@@ -13,6 +13,7 @@ import unittest
 import rosbag
 import rospy
 import rostest
+from scan_cell_common.ply import read_vertices
 from scan_cell_msgs.msg import BoundProfile
 from scan_cell_msgs.srv import FinishCloud, StartScan
 from sensor_msgs.msg import PointCloud2
@@ -47,14 +48,6 @@ def expected(number):
         depth = -0.2 / (0.8 * x - 0.6)
         points.append((x * depth + number / 1000.0, y * depth, depth + 0.1, number, 0, 4))
     return points
-
-
-def points_of_file(path):
-    """As save_ply lays them out."""
-    with open(path, 'rb') as file:
-        header, data = file.read().split(b'end_header\n', 1)
-    count = int(header.split(b'element vertex ')[1].split()[0])
-    return [struct.unpack_from('<ffffBf', data, 21 * i) for i in range(count)]
 
 
 def points_of(cloud):
@@ -122,7 +115,7 @@ class LaserTriangulationNode(unittest.TestCase):
         self.assertEqual(answer.cloud.width, 0)
         self.assertEqual(len(answer.cloud.data), 0)
         self.assertEqual(answer.cloud.header.stamp, profile(9).header.stamp)
-        self.expect_points(points_of_file(answer.file), [p for n in range(10) for p in expected(n)])
+        self.expect_points(read_vertices(answer.file).tolist(), [p for n in range(10) for p in expected(n)])
         small, _ = self.small_messages('small', 2)  # comes after the other, had it come
         self.assertEqual(small.file, '')
         self.assertEqual(small.cloud.width, 2 * ROWS * 4 // 5)
@@ -175,10 +168,16 @@ class LaserTriangulationNode(unittest.TestCase):
             run = triangulate(folder)
             self.assertEqual(run.returncode, 0, run.stderr.decode())
             truth = [point for n in range(3) for point in expected(n)]
-            self.expect_points(points_of_file(folder + '/cloud.ply'), truth)
+            self.expect_points(read_vertices(folder + '/cloud.ply').tolist(), truth)
             run = triangulate(folder, '--topic', '/other')
             self.assertEqual(run.returncode, 1)
             self.assertIn('no point', run.stderr.decode())
+            for name in ('width', 'intensity', 'range'):
+                for old, now in (('least', 'min'), ('most', 'max')):
+                    run = triangulate(folder, '--%s-%s' % (old, name), '1')
+                    self.assertEqual(run.returncode, 1)
+                    self.assertIn('--%s-%s: renamed; its name is --%s-%s now' %
+                                  (old, name, now, name), run.stderr.decode())
 
     def test_names_a_bag_that_is_damaged(self):
         whole = io.BytesIO()

@@ -189,7 +189,7 @@ TEST(Triangulator, IsExactToAMicrometreOverTheWholeImage) {
       Eigen::AngleAxisd(2.8, Eigen::Vector3d(1, 0.1, 0.2).normalized());
   const Eigen::Matrix4d to_frame = (flange * model.flange_to_camera).matrix();
   PeakLimits limits;
-  limits.most_range = 3;
+  limits.max_range = 3;
   Triangulator triangulator(model, limits);
   double worst = 0;
   std::size_t compared = 0;
@@ -207,7 +207,7 @@ TEST(Triangulator, IsExactToAMicrometreOverTheWholeImage) {
         const scan_cell_common::LaserPlane& plane = model.laser(laser);
         const long double depth = plane.distance / (plane.normal.x() * ray.x +
                                                     plane.normal.y() * ray.y + plane.normal.z());
-        if (!(depth >= limits.least_range && depth <= limits.most_range)) continue;
+        if (!(depth >= limits.min_range && depth <= limits.max_range)) continue;
         long double off[3];
         const float* const found[3] = {&points[next].x, &points[next].y, &points[next].z};
         for (int axis = 0; axis < 3; ++axis) {
@@ -278,12 +278,12 @@ TEST(Triangulator, CountsWhatItLeavesOutByItsReason) {
   profile.position[8] = static_cast<float>(see(model, 0, 0.90, 808)->first);
   profile.width[9] = kNaN;  // with limits, what is not known is not within them
   PeakLimits limits;
-  limits.least_width = 2;
-  limits.most_width = 20;
-  limits.least_intensity = 20;
-  limits.most_intensity = 250;
-  limits.least_range = 0.35;
-  limits.most_range = 0.70;
+  limits.min_width = 2;
+  limits.max_width = 20;
+  limits.min_intensity = 20;
+  limits.max_intensity = 250;
+  limits.min_range = 0.35;
+  limits.max_range = 0.70;
   Triangulator triangulator(model, limits);
   std::vector<ScanPoint> points;
   triangulator.add(profile.view(0, 800), Eigen::Isometry3d::Identity(), points);
@@ -300,8 +300,8 @@ TEST(Triangulator, CountsWhatItLeavesOutByItsReason) {
 
 TEST(Triangulator, RefusesLimitsThatContradictEachOther) {
   PeakLimits limits;
-  limits.least_width = 10;
-  limits.most_width = 5;
+  limits.min_width = 10;
+  limits.max_width = 5;
   EXPECT_THROW(Triangulator(scanner(), limits), scan_cell_common::InvalidParameter);
 }
 

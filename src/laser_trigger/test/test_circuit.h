@@ -2,22 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <chrono>
 #include <functional>
 #include <mutex>
-#include <stdexcept>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "laser_trigger/trigger_port.h"
 #include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/net/udp_socket.h"
 
 namespace laser_trigger {
 
@@ -39,18 +34,6 @@ class TestCircuit {
     std::uint8_t data;
   };
 
-  TestCircuit() {
-    socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address = {};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof(address);
-    if (bind(socket_, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
-        getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
-      throw std::runtime_error("no port for the test's circuit");
-    }
-    port_ = ntohs(address.sin_port);
-  }
   ~TestCircuit() { stop(); }
 
   /// Apart from the constructor, so that a test can fork before there is a thread.
@@ -60,8 +43,7 @@ class TestCircuit {
   void stop() {
     ending_ = true;
     if (thread_.joinable()) thread_.join();
-    if (socket_ >= 0) close(socket_);
-    socket_ = -1;
+    socket_.reset();
   }
 
   PortAddress address() const { return PortAddress::loopback("127.0.0.1", port_); }
@@ -91,18 +73,21 @@ class TestCircuit {
  private:
   void listen() {
     while (!ending_) {
-      pollfd wait = {socket_, POLLIN, 0};
-      if (poll(&wait, 1, 10) != 1) continue;
+      constexpr double kLook = 0.01;  // [s] between two looks at ending_
+      if (!socket_->wait(kLook)) continue;
       std::uint8_t bytes[2];
-      if (recv(socket_, bytes, sizeof(bytes), 0) != 1) continue;
+      const auto datagram = socket_->receive(bytes, sizeof(bytes));
+      if (!datagram || datagram->size != 1) continue;
       const auto now = scan_cell_common::host_now();
       const std::lock_guard<std::mutex> lock(mutex_);
       writes_.push_back({now, bytes[0]});
     }
   }
 
-  int socket_ = -1;
-  std::uint16_t port_ = 0;
+  std::optional<scan_cell_common::UdpSocket> socket_{
+      std::in_place, scan_cell_common::Endpoint::parse("test", "127.0.0.1", 0), "test's circuit",
+      ""};
+  const std::uint16_t port_ = socket_->local().port;
   std::atomic<bool> ending_{false};
   std::thread thread_;
   mutable std::mutex mutex_;

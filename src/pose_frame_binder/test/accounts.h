@@ -43,7 +43,7 @@ inline void expect_all_accounted(const SyntheticScan& scan, const Outcome& outco
     }
   std::uint64_t never = 0;
   for (const Drop& drop : audit.dropped) {
-    if (drop.reason == DropReason::NeverArrived) {
+    if (drop.reason == DropReason::kNeverArrived) {
       ++never;
       EXPECT_EQ(bound.count(drop.trigger_count) + dropped.count(drop.trigger_count), 0U);
     } else if (drop.trigger_count > 0 && bound.count(drop.trigger_count) == 0) {

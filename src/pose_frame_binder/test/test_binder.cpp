@@ -15,7 +15,7 @@ TEST(Binder, BindsEveryFrameOfAWholeScan) {
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 100U);
   EXPECT_TRUE(outcome.audit.dropped.empty());
-  EXPECT_EQ(outcome.audit.by_rule[static_cast<int>(Rule::Interpolated)], 100U);
+  EXPECT_EQ(outcome.audit.by_rule[static_cast<int>(Rule::kInterpolated)], 100U);
   EXPECT_NEAR(outcome.audit.latency, 4e-3, 1e-6);
 }
 
@@ -56,7 +56,7 @@ TEST(Binder, GivesTheSameWhateverOrderTheTopicsComeIn) {
   std::swap(scan.frames[50], scan.frames[51]);
   for (std::size_t i = 5; i + 1 < scan.poses.size(); i += 7)
     std::swap(scan.poses[i], scan.poses[i + 1]);
-  for (const Method method : {Method::Interpolate, Method::FirstPose}) {
+  for (const Method method : {Method::kInterpolate, Method::kFirstPose}) {
     Settings settings;
     settings.method = method;
     const Outcome expected = run(scan, settings, 0, {1000, 1, 0.001});
@@ -126,12 +126,12 @@ TEST(Binder, RefusesSettingsThatMakeNoSenseByName) {
   EXPECT_EQ(refused([](Settings&) {}), "nothing");
   EXPECT_EQ(refused([&](Settings& s) { s.camera_latency = nan; }), "camera_latency");
   EXPECT_EQ(refused([&](Settings& s) { s.camera_latency = infinite; }), "camera_latency");
-  EXPECT_EQ(refused([](Settings& s) { s.most_pose_gap = -0.05; }), "most_pose_gap");
+  EXPECT_EQ(refused([](Settings& s) { s.max_pose_gap = -0.05; }), "max_pose_gap");
   EXPECT_EQ(refused([](Settings& s) { s.pose_settle = -1; }), "pose_settle");
   EXPECT_EQ(refused([](Settings& s) { s.latency_tolerance = 0; }), "latency_tolerance");
   EXPECT_EQ(refused([](Settings& s) { s.frames_to_agree = 1; }), "frames_to_agree");
-  EXPECT_EQ(refused([&](Settings& s) { s.most_acceleration = nan; }), "most_acceleration");
-  EXPECT_EQ(refused([&](Settings& s) { s.most_speed = nan; }), "most_speed");
+  EXPECT_EQ(refused([&](Settings& s) { s.max_acceleration = nan; }), "max_acceleration");
+  EXPECT_EQ(refused([&](Settings& s) { s.max_speed = nan; }), "max_speed");
 }
 
 TEST(Binder, PublishesWhileTheScanRuns) {
@@ -169,10 +169,10 @@ TEST(Binder, KnowsWhenAScanIsWhole) {
 
 TEST(Binder, RefusesMoreFramesThanItMayHold) {
   Settings settings;
-  settings.most_pending_frames = 5;
+  settings.max_pending_frames = 10;
   Binder binder(settings);
-  const SyntheticScan scan = steady_scan(10);
-  for (std::size_t i = 0; i < 5; ++i)
+  const SyntheticScan scan = steady_scan(20);
+  for (std::size_t i = 0; i < 10; ++i)
     binder.add_frame(scan.frames[i]);
-  EXPECT_THROW(binder.add_frame(scan.frames[5]), scan_cell_common::Refused);
+  EXPECT_THROW(binder.add_frame(scan.frames[10]), scan_cell_common::Refused);
 }

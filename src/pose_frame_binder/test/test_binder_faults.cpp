@@ -33,7 +33,7 @@ TEST(Binder, LeavesAGapWhereFramesWereLost) {
   scan.truth.erase(scan.truth.begin() + 20, scan.truth.begin() + 22);
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 48U);
-  EXPECT_EQ(outcome.dropped(DropReason::NeverArrived), 2U);
+  EXPECT_EQ(outcome.dropped(DropReason::kNeverArrived), 2U);
   EXPECT_EQ(outcome.audit.dropped[0].trigger_count, 21U);
 }
 
@@ -46,7 +46,7 @@ TEST(Binder, DropsFramesFromBeforeTheArming) {
   }
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 50U);
-  EXPECT_EQ(outcome.dropped(DropReason::NoTrigger), 5U);
+  EXPECT_EQ(outcome.dropped(DropReason::kNoTrigger), 5U);
 }
 
 TEST(Binder, DropsRepeatedLateAndCorruptFramesByTheirReason) {
@@ -58,9 +58,9 @@ TEST(Binder, DropsRepeatedLateAndCorruptFramesByTheirReason) {
   scan.frames[30].corrupt = "3 packets missing";
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 48U);
-  EXPECT_EQ(outcome.dropped(DropReason::Repeated), 1U);
-  EXPECT_EQ(outcome.dropped(DropReason::OutOfOrder), 1U);
-  EXPECT_EQ(outcome.dropped(DropReason::Corrupt), 1U);
+  EXPECT_EQ(outcome.dropped(DropReason::kRepeated), 1U);
+  EXPECT_EQ(outcome.dropped(DropReason::kOutOfOrder), 1U);
+  EXPECT_EQ(outcome.dropped(DropReason::kCorrupt), 1U);
   EXPECT_EQ(outcome.audit.frames_never_arrived, 0U);
   expect_all_accounted(scan, outcome);
 }
@@ -74,8 +74,8 @@ TEST(Binder, FindsASlipOfOneThatTheCounterHides) {
     --scan.frames[i].counter;
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(outcome.audit.slips, 1U);
-  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 4U);  // two on either side
-  EXPECT_EQ(outcome.dropped(DropReason::NeverArrived), 1U);
+  EXPECT_EQ(outcome.dropped(DropReason::kCounterSlip), 4U);  // two on either side
+  EXPECT_EQ(outcome.dropped(DropReason::kNeverArrived), 1U);
   EXPECT_EQ(count_right(scan, outcome), 45U);
   expect_all_accounted(scan, outcome);
 }
@@ -87,7 +87,7 @@ TEST(Binder, DropsAFrameWhoseCounterOrStampIsWrong) {
   scan.frames[40].counter += 1'000'000;
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 47U);
-  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 3U);
+  EXPECT_EQ(outcome.dropped(DropReason::kCounterSlip), 3U);
   EXPECT_EQ(outcome.audit.slips, 0U);
 }
 
@@ -99,7 +99,7 @@ TEST(Binder, GoesOnAfterTheCameraWasRestarted) {
   }
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 56U);
-  EXPECT_EQ(outcome.dropped(DropReason::CounterSlip), 4U);  // two on either side
+  EXPECT_EQ(outcome.dropped(DropReason::kCounterSlip), 4U);  // two on either side
   expect_all_accounted(scan, outcome);
 }
 
@@ -175,7 +175,7 @@ TEST(Binder, DropsAndCountsFramesWhoseCounterJumpsBack) {
     scan.frames[i].counter -= 25;  // the camera was restarted, and nobody said so
   const Outcome outcome = run(scan, {});
   EXPECT_EQ(count_right(scan, outcome), 30U);
-  EXPECT_EQ(outcome.dropped(DropReason::Repeated), 20U);
+  EXPECT_EQ(outcome.dropped(DropReason::kRepeated), 20U);
   expect_all_accounted(scan, outcome);
 }
 
@@ -186,7 +186,7 @@ TEST(Binder, DropsWhatLostPosesLeaveWithoutOne) {
   };
   scan.poses.erase(std::remove_if(scan.poses.begin(), scan.poses.end(), lost), scan.poses.end());
   const Outcome outcome = run(scan, {});
-  EXPECT_EQ(outcome.dropped(DropReason::PoseGap), 8U);  // pulses at 210, 220 ... 280 ms
+  EXPECT_EQ(outcome.dropped(DropReason::kPoseGap), 8U);  // pulses at 210, 220 ... 280 ms
   EXPECT_EQ(count_right(scan, outcome), 52U);
   expect_all_accounted(scan, outcome);
 }

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "pose_frame_binder/pose_rule.h"
+#include "poses/pose_rule.h"
 #include "scan_cell_common/errors.h"
 #include "synthetic_scan.h"
 
@@ -17,7 +17,7 @@ namespace {
 /// 0.5 m along a diagonal, turning by 0.6 rad, at 0.1 m/s and 100 frames/s: 501 frames.
 Settings motion() {
   Settings settings;
-  settings.method = Method::ConstantSpeed;
+  settings.method = Method::kConstantSpeed;
   ConstantSpeed& line = settings.constant_speed;
   line.start = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ());
   line.end = Eigen::Translation3d(1.3, 2.4, 3) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ());
@@ -47,8 +47,8 @@ std::string complaint(const std::function<void(Settings&)>& change) {
 TEST(ConstantSpeed, PutsEveryFrameWhereItsNumberSays) {
   const Outcome outcome = bind(steady_scan(501), motion());
   ASSERT_EQ(outcome.audit.frames_bound, 501U);
-  EXPECT_EQ(outcome.audit.by_rule[static_cast<int>(Rule::ConstantSpeed)], 501U);
-  EXPECT_EQ(outcome.audit.method, Method::ConstantSpeed);
+  EXPECT_EQ(outcome.audit.by_rule[static_cast<int>(Rule::kConstantSpeed)], 501U);
+  EXPECT_EQ(outcome.audit.method, Method::kConstantSpeed);
   for (std::size_t i : {0U, 1U, 250U, 500U}) {
     const Match match = outcome.match(i).value();
     const double way = 0.001 * static_cast<double>(i);  // 3-4-5
@@ -104,7 +104,7 @@ TEST(ConstantSpeed, KeepsItsPlaceWhereFramesWereLost) {
 TEST(ConstantSpeed, DropsFramesBehindTheEnd) {
   const Outcome outcome = bind(steady_scan(520), motion());
   EXPECT_EQ(outcome.audit.frames_bound, 501U);
-  EXPECT_EQ(outcome.dropped(DropReason::NoPoseAfter), 19U);
+  EXPECT_EQ(outcome.dropped(DropReason::kNoPoseAfter), 19U);
 }
 
 TEST(ConstantSpeed, SaysHowFarAnUnsteadyFrameRatePutsItOff) {
@@ -118,16 +118,16 @@ TEST(ConstantSpeed, SaysHowFarAnUnsteadyFrameRatePutsItOff) {
   EXPECT_NEAR(outcome.match(30)->position_error_bound, 0.001, 1e-9);
   EXPECT_NEAR(outcome.audit.worst_position_error, 0.001, 1e-9);
   Settings strict = motion();
-  strict.most_pose_gap = 0.005;
+  strict.max_pose_gap = 0.005;
   outcome = bind(scan, strict);
-  EXPECT_EQ(outcome.dropped(DropReason::PoseGap), 25U);
+  EXPECT_EQ(outcome.dropped(DropReason::kPoseGap), 25U);
 }
 
 TEST(ConstantSpeed, SaysNothingOfASecondArming) {
   const SyntheticScan scan = armed_twice();
   const Outcome outcome = bind(scan, motion());
   EXPECT_EQ(outcome.audit.frames_bound, 30U);
-  EXPECT_EQ(outcome.dropped(DropReason::NoPoseBefore), 30U);
+  EXPECT_EQ(outcome.dropped(DropReason::kNoPoseBefore), 30U);
 }
 
 TEST(ConstantSpeed, RefusesAMotionThatIsNotDetermined) {
@@ -135,20 +135,21 @@ TEST(ConstantSpeed, RefusesAMotionThatIsNotDetermined) {
     const std::string text = complaint([&](Settings& s) { change(s.constant_speed); });
     EXPECT_NE(text.find(words), std::string::npos) << text;
   };
-  says("not given", [](ConstantSpeed& m) {
+  says("missing, or not poses", [](ConstantSpeed& m) {
     m = ConstantSpeed{ConstantSpeed::none(), m.end, 1, 1};
   });
   says("constant_speed/speed", [](ConstantSpeed& m) { m.speed = 0; });
   says("constant_speed/speed", [](ConstantSpeed& m) { m.speed = -0.1; });
   says("constant_speed/speed", [](ConstantSpeed& m) { m.speed = NAN; });
   says("constant_speed/frame_rate", [](ConstantSpeed& m) { m.frame_rate = INFINITY; });
-  says("at the same place", [](ConstantSpeed& m) { m.end.translation() = m.start.translation(); });
+  says("at the same position",
+       [](ConstantSpeed& m) { m.end.translation() = m.start.translation(); });
   says("half a turn apart", [](ConstantSpeed& m) {
     m.end.linear() = m.start.linear() * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
   });
   EXPECT_EQ(complaint([](Settings& s) {
               s.constant_speed = {};
-              s.method = Method::Interpolate;
+              s.method = Method::kInterpolate;
             }),
             "taken");
 }

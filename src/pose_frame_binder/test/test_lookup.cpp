@@ -137,7 +137,7 @@ TEST(LookupServer, AnswersALineWithALine) {
 
 TEST(LookupServer, ServesSeveralClientsAndNoMoreThanAllowed) {
   LookupLimits limits;
-  limits.most_clients = 2;
+  limits.max_clients = 2;
   const LookupServer server("127.0.0.1", 0, limits, echo());
   Client first(server.port());
   EXPECT_EQ(first.ask("1\n"), "<1>");
@@ -157,7 +157,7 @@ TEST(LookupServer, ServesSeveralClientsAndNoMoreThanAllowed) {
 
 TEST(LookupServer, HangsUpALineWithoutEndAndASilentClient) {
   LookupLimits limits;
-  limits.most_bytes = 8;
+  limits.max_bytes = 8;
   limits.idle_time = 1;
   const LookupServer server("127.0.0.1", 0, limits, echo());
   Client talker(server.port());

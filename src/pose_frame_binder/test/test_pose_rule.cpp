@@ -3,7 +3,7 @@
 // The thesis' three cases (section 6.2), and interpolation against closed forms.
 #include <gtest/gtest.h>
 
-#include "pose_frame_binder/pose_rule.h"
+#include "poses/pose_rule.h"
 #include "scan_cell_common/errors.h"
 #include "synthetic_scan.h"
 
@@ -39,7 +39,7 @@ class Rules : public testing::Test {
 
 class FirstPose : public Rules {
  protected:
-  void SetUp() override { settings_.method = Method::FirstPose; }
+  void SetUp() override { settings_.method = Method::kFirstPose; }
 };
 
 }  // namespace
@@ -48,7 +48,7 @@ TEST_F(FirstPose, PairsOneToOneWhereTheyAlternate) {
   have({0, 10, 20, 30}, {1, 11, 21, 31});
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(pose_of(i), static_cast<double>(i));
-    EXPECT_EQ(answer(i).match->rule, Rule::OneToOne);
+    EXPECT_EQ(answer(i).match->rule, Rule::kOneToOne);
     EXPECT_NEAR(answer(i).match->time_to_before, 1e-3, 1e-12);
     EXPECT_TRUE(std::isnan(answer(i).match->time_to_after));
   }
@@ -58,11 +58,11 @@ TEST_F(FirstPose, OfSeveralFramesOnOnePoseTheLowestKeepsIt) {
   have({0, 10, 20}, {1, 4, 7, 11, 14, 17});
   EXPECT_EQ(pose_of(0), 0);
   EXPECT_EQ(pose_of(3), 1);
-  EXPECT_EQ(answer(0).match->rule, Rule::FramesSharePose);
-  EXPECT_EQ(answer(3).match->rule, Rule::FramesSharePose);
+  EXPECT_EQ(answer(0).match->rule, Rule::kFramesSharePose);
+  EXPECT_EQ(answer(3).match->rule, Rule::kFramesSharePose);
   for (const std::size_t other : {1U, 2U, 4U, 5U}) {
     EXPECT_FALSE(answer(other).match);
-    EXPECT_EQ(answer(other).reason, DropReason::SharedPose);
+    EXPECT_EQ(answer(other).reason, DropReason::kSharedPose);
   }
 }
 
@@ -70,7 +70,7 @@ TEST_F(FirstPose, OfSeveralPosesOnOneFrameTheFirstKeepsIt) {
   have({0, 2, 4, 6, 8, 10, 12, 14, 16, 18}, {1, 11});
   EXPECT_EQ(pose_of(0), 1);
   EXPECT_EQ(pose_of(1), 6);
-  EXPECT_EQ(answer(0).match->rule, Rule::PosesShareFrame);
+  EXPECT_EQ(answer(0).match->rule, Rule::kPosesShareFrame);
   EXPECT_NEAR(answer(0).match->time_to_after, 1e-3, 1e-12);
   EXPECT_TRUE(std::isnan(answer(0).match->time_to_before));
 }
@@ -83,10 +83,10 @@ TEST_F(FirstPose, GivesNoPoseToTwoFramesWhereTheCasesMix) {
   for (const auto& [pose, count] : uses)
     EXPECT_EQ(count, 1) << "pose " << pose;
   EXPECT_EQ(pose_of(0), 2);  // lowest of the three after the pose at 4 ms
-  EXPECT_EQ(answer(1).reason, DropReason::SharedPose);
+  EXPECT_EQ(answer(1).reason, DropReason::kSharedPose);
   EXPECT_EQ(pose_of(2), 3);  // two poses before the next pulse: the first
   EXPECT_EQ(pose_of(3), 4);
-  EXPECT_EQ(answer(4).reason, DropReason::SharedPose);
+  EXPECT_EQ(answer(4).reason, DropReason::kSharedPose);
 }
 
 TEST_F(FirstPose, TakesThePoseAtTheVeryInstantOfThePulse) {
@@ -99,8 +99,8 @@ TEST_F(FirstPose, TakesThePoseAtTheVeryInstantOfThePulse) {
 
 TEST_F(FirstPose, RefusesWhatHasNoPoseBeforeOrOneTooFarAway) {
   have({100, 300}, {50, 250, 350});
-  EXPECT_EQ(answer(0).reason, DropReason::NoPoseBefore);
-  EXPECT_EQ(answer(1).reason, DropReason::PoseGap);
+  EXPECT_EQ(answer(0).reason, DropReason::kNoPoseBefore);
+  EXPECT_EQ(answer(1).reason, DropReason::kPoseGap);
 }
 
 TEST_F(FirstPose, BoundsItsErrorByTheWayToTheNextPose) {
@@ -108,13 +108,13 @@ TEST_F(FirstPose, BoundsItsErrorByTheWayToTheNextPose) {
   // 1 m in 10 ms from pose to pose: 0.1 m after 1 ms, and a t (T - t) / 2 = 45 um on top.
   EXPECT_NEAR(answer(0).match->position_error_bound, 0.1 + 10.0 / 2 * 1e-3 * 9e-3, 1e-9);
   // Nothing after the last pose: the most speed.
-  EXPECT_NEAR(answer(2).match->position_error_bound, settings_.most_speed * 1e-3, 1e-9);
+  EXPECT_NEAR(answer(2).match->position_error_bound, settings_.max_speed * 1e-3, 1e-9);
 }
 
 TEST_F(Rules, InterpolationFollowsACircleWithinItsBound) {
   constexpr double kRadius = 0.3;
   constexpr double kTurn = 2;  // [rad/s]; acceleration = radius * turn^2
-  settings_.most_acceleration = kRadius * kTurn * kTurn;
+  settings_.max_acceleration = kRadius * kTurn * kTurn;
   const auto on_circle = [=](double milliseconds) {
     TimedPose pose;
     pose.time = at(milliseconds);
@@ -135,7 +135,7 @@ TEST_F(Rules, InterpolationFollowsACircleWithinItsBound) {
     const TimedPose truth = on_circle(static_cast<double>(pulses_[i].time - kStart) / kMillisecond);
     const double error = (match.pose.translation() - truth.pose.translation()).norm();
     EXPECT_LE(error, match.position_error_bound * 1.0001 + 1e-12);
-    EXPECT_LE(match.position_error_bound, settings_.most_acceleration * 8e-3 * 8e-3 / 8 + 1e-12);
+    EXPECT_LE(match.position_error_bound, settings_.max_acceleration * 8e-3 * 8e-3 / 8 + 1e-12);
     EXPECT_LT(Eigen::AngleAxisd(match.pose.linear().transpose() * truth.pose.linear()).angle(),
               1e-9);
     worst_share = std::max(worst_share, error / (match.position_error_bound + 1e-12));
@@ -145,11 +145,11 @@ TEST_F(Rules, InterpolationFollowsACircleWithinItsBound) {
 
 TEST_F(Rules, InterpolationRefusesAGapAndNeverLeavesTheLog) {
   have({0, 10, 200, 210}, {-5, 5, 100, 205, 215});
-  EXPECT_EQ(answer(0).reason, DropReason::NoPoseBefore);
+  EXPECT_EQ(answer(0).reason, DropReason::kNoPoseBefore);
   EXPECT_NEAR(pose_of(1), 0.5, 1e-9);
-  EXPECT_EQ(answer(2).reason, DropReason::PoseGap);
+  EXPECT_EQ(answer(2).reason, DropReason::kPoseGap);
   EXPECT_NEAR(pose_of(3), 2.5, 1e-9);
-  EXPECT_EQ(answer(4).reason, DropReason::NoPoseAfter);
+  EXPECT_EQ(answer(4).reason, DropReason::kNoPoseAfter);
 }
 
 TEST(PoseLog, SortsDropsRepeatedAndLatePosesAndCountsThem) {

@@ -101,7 +101,7 @@ TEST_P(RandomFaults, NeverPairAFrameWithAnotherPulseAndAreAllAccountedFor) {
   for (const Drop& drop : outcome.audit.dropped) {
     if (drop.trigger_count == 0) continue;
     char& pulse = fate[drop.trigger_count - 1];
-    if (drop.reason == DropReason::NeverArrived) {
+    if (drop.reason == DropReason::kNeverArrived) {
       EXPECT_EQ(pulse, 0);
     }
     pulse = 1;

@@ -53,11 +53,11 @@ struct FakeRobot : scan_cell::Robot {
   }
   Motion motion() const override {
     ++cell.looks;
-    if (stuck && cell.moves == 2) return {Motion::State::Moving, 0, ""};
+    if (stuck && cell.moves == 2) return {Motion::State::kMoving, 0, ""};
     if (ends_at_once && cell.moves == 2) return {*ends_at_once, 0, "no path"};
-    if (cell.half_way() && fails) return {Motion::State::Failed, 0.5, "collision"};
-    if (cell.looks >= 10) return {Motion::State::Reached, 1, ""};
-    return {Motion::State::Moving, std::max(0, cell.looks - 2) / 10.0, ""};
+    if (cell.half_way() && fails) return {Motion::State::kFailed, 0.5, "collision"};
+    if (cell.looks >= 10) return {Motion::State::kReached, 1, ""};
+    return {Motion::State::kMoving, std::max(0, cell.looks - 2) / 10.0, ""};
   }
   std::string unseen() const override {
     const bool is = unseen_from <= looks_for_it && looks_for_it < unseen_until;
@@ -184,7 +184,7 @@ class ScanSequence : public testing::Test {
 
 TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::Finished) << end.message;
+  EXPECT_EQ(end.outcome, Outcome::kFinished) << end.message;
   EXPECT_EQ(observer_.steps, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
   std::vector<std::string> once = cell_.log;
   once.erase(std::remove(once.begin(), once.end(), "keep alive"), once.end());
@@ -204,15 +204,15 @@ TEST_F(ScanSequence, SwitchesTheLasersOnOnlyOnceTheRobotMoves) {
 
 TEST_F(ScanSequence, RefusesABadRequestBeforeAnythingMoves) {
   request_.speed = 100;
-  EXPECT_EQ(run().outcome, Outcome::Refused);
+  EXPECT_EQ(run().outcome, Outcome::kRefused);
   EXPECT_TRUE(cell_.log.empty());
 }
 
 TEST_F(ScanSequence, EndsSafelyWithTheReasonWhenADeviceIsLost) {
-  const std::vector<std::pair<std::string, Outcome>> devices = {{"robot", Outcome::RobotLost},
-                                                                {"camera", Outcome::CameraLost},
-                                                                {"trigger", Outcome::TriggerLost},
-                                                                {"stages", Outcome::StageFailed}};
+  const std::vector<std::pair<std::string, Outcome>> devices = {{"robot", Outcome::kRobotLost},
+                                                                {"camera", Outcome::kCameraLost},
+                                                                {"trigger", Outcome::kTriggerLost},
+                                                                {"stages", Outcome::kStageFailed}};
   for (const auto& [device, outcome] : devices) {
     SCOPED_TRACE(device);
     cell_ = FakeCell();
@@ -229,7 +229,7 @@ TEST_F(ScanSequence, EndsSafelyWhereTheRobotIsNotSeenAtTwoLooksInARow) {
   robot_.unseen_from = 2;
   robot_.unseen_until = 4;
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::RobotLost);
+  EXPECT_EQ(end.outcome, Outcome::kRobotLost);
   EXPECT_EQ(end.message, "robot: no pose");
   expect_safe();
 }
@@ -237,19 +237,19 @@ TEST_F(ScanSequence, EndsSafelyWhereTheRobotIsNotSeenAtTwoLooksInARow) {
 TEST_F(ScanSequence, GoesOnWhereTheRobotIsNotSeenAtOneLookOnly) {
   robot_.unseen_from = 2;
   robot_.unseen_until = 3;
-  EXPECT_EQ(run().outcome, Outcome::Finished) << "this process may have been held up itself";
+  EXPECT_EQ(run().outcome, Outcome::kFinished) << "this process may have been held up itself";
 }
 
 TEST_F(ScanSequence, StopsTheRobotAndKeepsTheDataWhenCancelled) {
   observer_.cancel = &cancel_;
-  EXPECT_EQ(run().outcome, Outcome::Cancelled);
+  EXPECT_EQ(run().outcome, Outcome::kCancelled);
   expect_safe();
 }
 
 TEST_F(ScanSequence, SaysWhyAMotionFailed) {
   robot_.fails = true;
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::MotionFailed);
+  EXPECT_EQ(end.outcome, Outcome::kMotionFailed);
   EXPECT_EQ(end.message, "collision");
   expect_safe();
 }
@@ -261,13 +261,13 @@ TEST_F(ScanSequence, TellsARobotThatRefusesFromOneThatIsLost) {
     cell_.refused_at = call;
     observer_.last = 0;
     scan_cell::SequenceEnd end = run();
-    EXPECT_EQ(end.outcome, Outcome::MotionFailed);
+    EXPECT_EQ(end.outcome, Outcome::kMotionFailed);
     EXPECT_EQ(end.message, call + ": refused; ask for less");
     cell_ = FakeCell();
     cell_.throws_at = call;
     observer_.last = 0;
     end = run();
-    EXPECT_EQ(end.outcome, Outcome::RobotLost);
+    EXPECT_EQ(end.outcome, Outcome::kRobotLost);
     EXPECT_EQ(end.message, call + ": gone; look for it");
   }
 }
@@ -275,14 +275,15 @@ TEST_F(ScanSequence, TellsARobotThatRefusesFromOneThatIsLost) {
 TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheRobotDoesNotMove) {
   robot_.stuck = true;
   timing_.stall = 0.02;
-  EXPECT_EQ(run().outcome, Outcome::MotionFailed);
+  EXPECT_EQ(run().outcome, Outcome::kMotionFailed);
   EXPECT_FALSE(cell_.noted("arm"));
   EXPECT_TRUE(cell_.noted("stop robot"));
 }
 
 TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
   const std::vector<std::pair<Motion::State, Outcome>> ends = {
-      {Motion::State::Failed, Outcome::MotionFailed}, {Motion::State::Lost, Outcome::RobotLost}};
+      {Motion::State::kFailed, Outcome::kMotionFailed},
+      {Motion::State::kLost, Outcome::kRobotLost}};
   for (const auto& [state, outcome] : ends) {
     robot_.ends_at_once = state;
     cell_ = FakeCell();
@@ -297,14 +298,14 @@ TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
 
 TEST_F(ScanSequence, DisarmsEvenWhereArmingFailed) {
   cell_.throws_at = "arm";
-  EXPECT_EQ(run().outcome, Outcome::TriggerLost);
+  EXPECT_EQ(run().outcome, Outcome::kTriggerLost);
   expect_safe();
 }
 
 TEST_F(ScanSequence, KeepsTheCloudWhereTheBinderFails) {
   cell_.throws_at = "bind";
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::StageFailed);
+  EXPECT_EQ(end.outcome, Outcome::kStageFailed);
   EXPECT_NE(end.message.find("bind: gone"), std::string::npos) << end.message;
   EXPECT_TRUE(cell_.noted("triangulate"));
   EXPECT_FALSE(stages_.whole_cloud);
@@ -313,7 +314,7 @@ TEST_F(ScanSequence, KeepsTheCloudWhereTheBinderFails) {
 
 TEST_F(ScanSequence, ReportsATriangulationThatFails) {
   cell_.throws_at = "triangulate";
-  EXPECT_EQ(run().outcome, Outcome::StageFailed);
+  EXPECT_EQ(run().outcome, Outcome::kStageFailed);
   EXPECT_TRUE(cell_.noted("stop camera"));
 }
 
@@ -321,17 +322,17 @@ TEST_F(ScanSequence, SaysWhatFailedBesides) {
   robot_.fails = true;
   cell_.throws_at = "bind";
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::MotionFailed);
+  EXPECT_EQ(end.outcome, Outcome::kMotionFailed);
   EXPECT_EQ(end.message, "collision; besides: bind: gone; look for it");
 }
 
 TEST_F(ScanSequence, IsNotFinishedWhereTheCameraWasLostAtTheVeryEnd) {
   stages_.missing_at_the_end = 4;
-  EXPECT_EQ(run().outcome, Outcome::Finished) << "single frames may get lost";
+  EXPECT_EQ(run().outcome, Outcome::kFinished) << "single frames may get lost";
   stages_.missing_at_the_end = 5;
   observer_.last = 0;
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::CameraLost);
+  EXPECT_EQ(end.outcome, Outcome::kCameraLost);
   EXPECT_EQ(end.message.find("camera: no frame of the last 5 of 77 pulses"), 0U) << end.message;
   EXPECT_FALSE(stages_.whole_cloud);
 }
@@ -339,7 +340,7 @@ TEST_F(ScanSequence, IsNotFinishedWhereTheCameraWasLostAtTheVeryEnd) {
 TEST_F(ScanSequence, IsNotFinishedWhereTheTriggerWasLostAtTheVeryEnd) {
   trigger_.answers = false;
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::TriggerLost);
+  EXPECT_EQ(end.outcome, Outcome::kTriggerLost);
   EXPECT_EQ(end.message, "trigger: no answer");
   EXPECT_FALSE(stages_.whole_cloud);
 }

@@ -1,11 +1,14 @@
 set(_scan_cell_cmake ${CMAKE_CURRENT_LIST_DIR})
+include(${_scan_cell_cmake}/precompiled_headers.cmake)
 
-# scan_cell_package(): C++17 and warnings as errors for all targets of the calling package.
+# scan_cell_package([pcl] [json]): C++17, warnings as errors and precompiled headers for all targets of the calling package;
+# pcl, json: most of its sources include PCL's points, nlohmann's JSON.
 macro(scan_cell_package)
   set(CMAKE_CXX_STANDARD 17)
   set(CMAKE_CXX_STANDARD_REQUIRED ON)
   set(CMAKE_CXX_EXTENSIONS OFF)
   add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
+  scan_cell_precompile(${ARGN})
 endmacro()
 
 # scan_cell_find_core(PACKAGE...): makes the targets scan_cell::... of these packages' libraries without ROS known: of this

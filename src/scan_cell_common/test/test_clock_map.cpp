@@ -34,10 +34,9 @@ class SimulatedDevice {
     while (now_ < end) {
       std::uniform_real_distribution<double> irregular(0.8, 1.2);
       now_ += static_cast<Nanoseconds>(1e9 / rate * irregular(random_));
-      const Nanoseconds delay = kLeastDelay + static_cast<Nanoseconds>(jitter_(random_));
+      const Nanoseconds delay = kMinDelay + static_cast<Nanoseconds>(jitter_(random_));
       map.add(device(), now_ + host_set_ + delay);
-      const auto error =
-          static_cast<double>(map.to_host(device()) - now_ - host_set_ - kLeastDelay);
+      const auto error = static_cast<double>(map.to_host(device()) - now_ - host_set_ - kMinDelay);
       if (now_ > half) worst = std::max(worst, std::abs(error));
     }
     return worst;
@@ -46,7 +45,7 @@ class SimulatedDevice {
   void set_the_hosts_clock(Nanoseconds step) { host_set_ += step; }
 
  private:
-  static constexpr Nanoseconds kLeastDelay = 50'000;
+  static constexpr Nanoseconds kMinDelay = 50'000;
 
   Nanoseconds device() const {
     return 3 * kSecond + static_cast<Nanoseconds>(static_cast<double>(now_) * (1 + drift_));

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws what an adapted path looks like: both clouds, both paths, and the error against the truth."""
+"""Draws an adapted path: both clouds, both paths, and the error against the ground truth."""
 
 import argparse
 
@@ -10,38 +10,20 @@ import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first: there may be no display)
 import numpy as np  # noqa: E402
+from scan_cell_common.ply import read_points  # noqa: E402
 
-MOST_POINTS = 15000
+MAX_POINTS = 15000
 MM = 1e3
 
 
-def read_ply(path):
-    """Points [m] of a binary little-endian PLY whose vertices start with float x, y, z."""
-    with open(path, 'rb') as file:
-        count, stride = 0, 0
-        sizes = {'float': 4, 'float32': 4, 'double': 8, 'uchar': 1, 'uint8': 1, 'int': 4, 'uint': 4}
-        in_vertex = False
-        while True:
-            words = file.readline().split()
-            if words[0] == b'end_header':
-                break
-            if words[0] == b'element':
-                in_vertex = words[1] == b'vertex'
-                count = int(words[2]) if in_vertex else count
-            if words[0] == b'property' and in_vertex:
-                stride += sizes[words[1].decode()]
-        data = np.frombuffer(file.read(count * stride), dtype=np.uint8).reshape(count, stride)
-    return data[:, :12].copy().view('<f4').astype(float)
-
-
 def read_path(path):
-    """Positions [m], one row a waypoint, and the index of each one's segment."""
+    """Positions [m], one row per waypoint."""
     table = np.genfromtxt(path, delimiter=',', names=True, dtype=None, encoding='utf-8')
     return np.stack([table['x'], table['y'], table['z']], axis=1)
 
 
 def thin(points):
-    return points[:: max(1, len(points) // MOST_POINTS)]
+    return points[:: max(1, len(points) // MAX_POINTS)]
 
 
 def show_both(axes, reference, object_cloud, path, adapted):
@@ -72,12 +54,12 @@ def show_top(axes, object_cloud, adapted, truth):
     axes.set_aspect('equal')
     axes.set_xlabel('x [mm]')
     axes.set_ylabel('y [mm]')
-    axes.set_title('adapted path against the truth')
+    axes.set_title('adapted path against the ground truth')
 
 
 def show_errors(axes, adapted, truth):
     difference = (adapted - truth) * MM
-    axes.plot(np.linalg.norm(difference, axis=1), c='black', lw=1, label='whole')
+    axes.plot(np.linalg.norm(difference, axis=1), c='black', lw=1, label='total')
     axes.plot(np.abs(difference[:, 2]), c='crimson', lw=0.8, label='along z')
     axes.set_xlabel('waypoint')
     axes.set_ylabel('error [mm]')
@@ -86,10 +68,10 @@ def show_errors(axes, adapted, truth):
 
 
 class Version(argparse.Action):
-    """Says the suite's version, that of package.xml."""
+    """Prints the suite's version, which is that of package.xml."""
 
     def __call__(self, parser, *_):
-        import rospkg  # not needed for anything else
+        import rospkg  # slow to load, and only needed here
         print(parser.prog, rospkg.RosPack().get_manifest('scan_cell_demo').version)
         parser.exit()
 
@@ -100,7 +82,7 @@ def main():
     for name in ('reference', 'object', 'path', 'adapted', 'truth', 'output'):
         parser.add_argument('--' + name, required=True)
     names = parser.parse_args()
-    reference, object_cloud = read_ply(names.reference), read_ply(names.object)
+    reference, object_cloud = read_points(names.reference), read_points(names.object)
     path, adapted, truth = (read_path(p) for p in (names.path, names.adapted, names.truth))
 
     figure = plt.figure(figsize=(14, 6.5))

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "scan_cell_demo/goals.h"
+#include "core/goals.h"
 
 using scan_cell_demo::Figures;
 using scan_cell_demo::missed_goals;
@@ -35,13 +35,13 @@ TEST(Goals, AreMetByGoodFigures) {
 TEST(Goals, NameWhatWasMissed) {
   Figures figures = good();
   figures.cloud_rms = 0.31e-3;
-  EXPECT_EQ(only_miss(figures), "a cloud is off the truth by 0.31 mm RMS; the goal is 0.3 mm");
+  EXPECT_EQ(only_miss(figures), "a cloud is 0.31 mm RMS off the ground truth; the goal is 0.3 mm");
   figures = good();
   figures.path_rms = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(only_miss(figures), "the path is off the truth by nan mm RMS; the goal is 1 mm");
+  EXPECT_EQ(only_miss(figures), "the path is nan mm RMS off the ground truth; the goal is 1 mm");
   figures = good();
   figures.frames_accounted_for = 7;
-  EXPECT_EQ(only_miss(figures), "nobody knows what became of 3 of 1000 pulses");
+  EXPECT_EQ(only_miss(figures), "3 of 1000 pulses are not accounted for");
   figures = good();
   figures.frames_bound = 500;
   figures.frames_accounted_for = 500;

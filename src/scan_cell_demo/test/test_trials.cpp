@@ -23,7 +23,7 @@ constexpr std::uint16_t kVideePort = 15421;  // trials.launch
 // With other programs beside it, that hold up the simulated controller; make trials has the cell's
 // own default and the goal. The driver alone would leave the lasers on for more than 0.5 s.
 const char* const kUnseenAfter = "unseen_after:=0.2";  // [s]
-constexpr double kMostOn = 0.4;                        // [s]
+constexpr double kMaxOn = 0.4;                         // [s]
 
 class Trials : public testing::TestWithParam<Blow> {
  protected:
@@ -34,7 +34,7 @@ class Trials : public testing::TestWithParam<Blow> {
         folder());
     tap_ = std::make_unique<LaserTap>(kTapPort, kCircuitPort);
     cell_ = std::make_unique<RunningCell>(ros::NodeHandle());
-    bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kVideePort, kMostOn);
+    bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kVideePort, kMaxOn);
   }
   static void TearDownTestSuite() {
     bench_.reset();
@@ -68,11 +68,11 @@ std::unique_ptr<TrialBench> Trials::bench_;
 }  // namespace
 
 TEST_P(Trials, LasersGoOffInMidScanAndNothingBeginsAnew) {
-  expect_promises_kept({GetParam(), Moment::MidScan, 0.3, 0});
+  expect_promises_kept({GetParam(), Moment::kMidScan, 0.3, 0});
 }
 
 TEST_P(Trials, RobotStaysWhereItStoppedInMidMove) {
-  expect_promises_kept({GetParam(), Moment::MidMove, 0.3, 0});
+  expect_promises_kept({GetParam(), Moment::kMidMove, 0.3, 0});
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEach, Trials, testing::ValuesIn(every_blow()), [](const auto& blow) {

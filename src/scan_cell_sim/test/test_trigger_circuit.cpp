@@ -129,7 +129,7 @@ TEST_F(TriggerCircuitTest, RefusesDatagramsThatAreNotOneByte) {
 
 TEST_F(TriggerCircuitTest, RefusesAPortThatIsTaken) {
   EXPECT_THROW(TriggerCircuit("127.0.0.1", circuit_.port()), scan_cell_common::ConnectionError);
-  EXPECT_THROW(TriggerCircuit("nowhere", 0), scan_cell_common::ConnectionError);
+  EXPECT_THROW(TriggerCircuit("nowhere", 0), scan_cell_common::InvalidParameter);
 }
 
 }  // namespace

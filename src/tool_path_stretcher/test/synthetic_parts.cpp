@@ -137,7 +137,7 @@ Points scan(const Part& part, const Similarity& similarity, const Deformation& d
     if (how.uneven && uniform(engine) + 0.5 > 0.25 + 0.75 * (x / part.width + 0.5)) continue;
     const Eigen::Vector3d at(x, y, part.height(x, y));
     if (how.is_hole && how.is_hole(at)) continue;
-    if (part.normal(x, y).dot(how.view.normalized()) < how.least_facing) continue;
+    if (part.normal(x, y).dot(how.view.normalized()) < how.min_facing) continue;
     const Eigen::Vector3d noise =
         how.noise * Eigen::Vector3d(normal(engine), normal(engine), normal(engine));
     points.push_back(similarity * (at + deformation(at)) + noise);

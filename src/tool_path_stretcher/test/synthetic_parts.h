@@ -51,7 +51,7 @@ struct Scan {
   std::size_t points = 20000;
   double noise = 0.0001;                            //!< [m] of each coordinate
   Eigen::Vector3d view = Eigen::Vector3d::UnitZ();  //!< surfaces facing away are not seen
-  double least_facing = -1;                         //!< cosine of normal and view; -1: all
+  double min_facing = -1;                           //!< cosine of normal and view; -1: all
   bool uneven = false;                              //!< four times as dense at one end
   std::function<bool(const Eigen::Vector3d&)> is_hole =
       {};                    //!< not scanned, on the undeformed part

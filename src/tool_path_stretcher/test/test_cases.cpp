@@ -6,7 +6,8 @@
 #include <set>
 
 #include "cases/case_list.h"
-#include "tool_path_stretcher/points.h"
+#include "geometry/kd_tree.h"
+#include "geometry/points.h"
 
 // The benchmark's truth is only as good as its parts.
 

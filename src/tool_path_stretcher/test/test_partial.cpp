@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "alignment/agreement.h"
 #include "cases/case_list.h"
-#include "search/agreement.h"
+#include "geometry/kd_tree.h"
 #include "tool_path_stretcher/stretcher.h"
 
 using namespace tool_path_stretcher;
@@ -94,7 +95,7 @@ TEST(Agreement, CountsWhatOnlyOneSurfaceShowsAsNotKnown) {
   }
   const Surface part =
       surface_from_cloud(half, {kMillimetre, kMillimetre, kMillimetre}, "half a square");
-  const Agreement agreement = Comparison(part, whole).under({});
+  const Agreement agreement = Comparison({part, whole}).under({});
   EXPECT_NEAR(agreement.known, 0.5, 0.03);
   EXPECT_EQ(agreement.agreeing, 1);
   EXPECT_EQ(agreement.contradicted(0.1 * kMillimetre), 0);
@@ -111,7 +112,7 @@ TEST(Agreement, IsContradictedWhereOneSurfaceLiesOffTheOther) {
   }
   const Surface other =
       surface_from_cloud(bumpy, {kMillimetre, kMillimetre, kMillimetre}, "bumpy square");
-  const double contradicted = Comparison(flat, other).under({}).contradicted(0.1 * kMillimetre);
+  const double contradicted = Comparison({flat, other}).under({}).contradicted(0.1 * kMillimetre);
   EXPECT_NEAR(contradicted, raised / static_cast<double>(bumpy.size()), 0.03);
 }
 

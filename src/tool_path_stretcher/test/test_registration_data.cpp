@@ -4,7 +4,8 @@
 
 #include <cstdlib>
 
-#include "search/alignment.h"
+#include "alignment/refinement.h"
+#include "search/candidates.h"
 #include "yardsticks/registration_data.h"
 
 using namespace tool_path_stretcher;
@@ -34,11 +35,11 @@ class Car : public testing::Test {
 };
 
 TEST_F(Car, IsFoundFromIdentity) {
-  expect_found(refine(reference_, object_, Similarity(), ScalePrior{}, Density::kMany, 60));
+  expect_found(refine({reference_, object_}, Similarity(), ScalePrior{}, Density::kMany, 60));
 }
 
 TEST_F(Car, IsFoundWithNothingKnown) {
-  const auto candidates = find_candidates(reference_, object_, Prior{}, [](double) {});
+  const auto candidates = find_candidates({reference_, object_}, Prior{}, [](double) {});
   ASSERT_FALSE(candidates.empty());
   expect_found(candidates.front().similarity);
 }

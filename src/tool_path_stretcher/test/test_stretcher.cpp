@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "report.h"
 #include "scan_cell_common/errors.h"
 #include "stretch_case.h"
-#include "tool_path_stretcher/report.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 using namespace tool_path_stretcher;
@@ -42,7 +42,7 @@ TEST(Stretcher, FindsThePoseFromTheOneSmallFeatureOfABentHalfSeenFrame) {
     each.moved.rotation = about_vertical(degrees);
     each.deformation = synthetic::bend(0.004, 0.200);
     each.scan.view = {0.6, 0, 1};
-    each.scan.least_facing = 0.6;
+    each.scan.min_facing = 0.6;
     expect_adapted(each, 0.0003, 1.0 * kDegree);
   }
 }

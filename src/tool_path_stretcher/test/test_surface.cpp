@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "geometry/points.h"
+#include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/surface.h"

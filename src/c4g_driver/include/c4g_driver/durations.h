@@ -13,11 +13,11 @@ namespace c4g_driver {
 /// us to 16 s. Allocates nothing.
 class Durations {
  public:
-  using Nanoseconds = scan_cell_common::Nanoseconds;
+  using Nanoseconds = scan_cell_common::Nanoseconds;  //!< of the steady clock
 
-  void add(Nanoseconds duration);
+  void add(Nanoseconds duration);  //!< allocates nothing
 
-  std::uint64_t count() const { return count_; }
+  std::uint64_t count() const { return count_; }  //!< of durations added
 
   /// What this share of them took at most: the upper end of a class; 0 of none.
   /// @param share from 0 to 1

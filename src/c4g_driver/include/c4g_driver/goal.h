@@ -21,10 +21,13 @@ struct ArrivalTolerance {
 /// comes later brings it back.
 class Goal {
  public:
-  enum class Outcome { None, Underway, Reached, Stopped, LinkLost, Failed };
+  /// How a motion ended, or that it has not.
+  enum class Outcome { kNone, kUnderway, kReached, kStopped, kLinkLost, kFailed };
+  /// A pose of the flange in base_link [m], or six joints [rad].
   using Target = std::variant<Eigen::Isometry3d, Joints>;
 
   Goal() = default;
+  /// @param motion its number on the controller
   Goal(std::uint64_t motion, const Target& target, const ArrivalTolerance& tolerance);
 
   /// Takes what the controller says; states of other motions change nothing.
@@ -33,10 +36,10 @@ class Goal {
   /// Ends it, if it is under way.
   void end(Outcome outcome, const std::string& message);
 
-  Outcome outcome() const { return outcome_; }
-  bool underway() const { return outcome_ == Outcome::Underway; }
-  double progress() const { return progress_; }
-  const std::string& message() const { return message_; }
+  Outcome outcome() const { return outcome_; }                      //!< of this moment
+  bool underway() const { return outcome_ == Outcome::kUnderway; }  //!< whether it has not ended
+  double progress() const { return progress_; }                     //!< 0 .. 1
+  const std::string& message() const { return message_; }           //!< why it ended so
 
  private:
   std::string missed_by(const RobotState& state) const;
@@ -44,7 +47,7 @@ class Goal {
   std::uint64_t motion_ = 0;
   Target target_;
   ArrivalTolerance tolerance_;
-  Outcome outcome_ = Outcome::None;
+  Outcome outcome_ = Outcome::kNone;
   double progress_ = 0;
   std::string message_;
 };

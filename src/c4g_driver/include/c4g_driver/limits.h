@@ -9,22 +9,29 @@
 #include "c4g_driver/robot_model.h"
 #include "c4g_driver/robot_state.h"
 
+namespace scan_cell_common {
+class ParameterTable;
+}
+
 namespace c4g_driver {
 
 /// Who may be near the robot: in manual operation people, so the flange goes slowly.
-enum class Operation { Manual, Automatic };
+enum class Operation { kManual, kAutomatic };
 
 /// What may be asked of the robot, beside what its model says.
 struct RobotLimits {
-  Operation operation = Operation::Manual;
+  Operation operation = Operation::kManual;  //!< who may be near the robot
   Joints joint_lower = Joints::Constant(-std::numeric_limits<double>::infinity());  //!< [rad]
   Joints joint_upper = Joints::Constant(std::numeric_limits<double>::infinity());   //!< [rad]
   /// [m] box in base_link that the flange stays in; clear of the floor with the bracket
   Eigen::Vector3d workspace_min{-1.4, -1.4, 0.15};
   Eigen::Vector3d workspace_max{1.4, 1.4, 1.9};  //!< [m]
-  double most_linear_speed = 1.5;                //!< [m/s] along lines in automatic operation
-  double most_camera_rate = 10000.0;             //!< [Hz]
+  double max_linear_speed = 1.5;                 //!< [m/s] along lines in automatic operation
+  double max_camera_rate = 10000.0;              //!< [Hz]
 };
+
+/// With range, unit and meaning of each.
+void describe(scan_cell_common::ParameterTable& table, RobotLimits& limits);
 
 /// The same with the ranges of the joints narrowed to those of the robot.
 /// @throw scan_cell_common::InvalidParameter if a joint has no range left, or the box is none
@@ -34,7 +41,7 @@ RobotLimits narrowed(const RobotLimits& limits, const RobotModel& robot);
 struct SpeedLimit {
   double most = 0;       //!< [m/s]
   bool reduced = false;  //!< for people near the robot: binds every motion, not only lines
-  std::string reason;
+  std::string reason;    //!< for a person
 };
 
 /// 250 mm/s (ISO 10218-1, reduced speed) unless both this cell and the controller are in automatic.
@@ -49,7 +56,9 @@ void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits);
 void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits);
 /// Six, finite, each within its range.
 Joints check_joints(const std::vector<double>& joints, const RobotLimits& limits);
+/// @throw scan_cell_common::InvalidParameter if the rate [Hz] is out of range
 void check_camera_rate(double rate, const RobotLimits& limits);
+/// @throw scan_cell_common::InvalidParameter if the speed [m/s] is above the limit
 void check_linear_speed(double speed, const SpeedLimit& limit);
 /// The speed that is set on the controller, by whomever.
 void check_speed_in_force(double speed, const SpeedLimit& limit);

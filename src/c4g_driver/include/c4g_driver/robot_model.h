@@ -16,6 +16,7 @@ namespace c4g_driver {
 /// speeds of its joints. Safe for use from several threads at once.
 class RobotModel {
  public:
+  /// Rows: translation [m/rad], rotation; columns: joints.
   using Jacobian = Eigen::Matrix<double, 6, 6>;
 
   /// @param urdf the text of the URDF
@@ -35,8 +36,8 @@ class RobotModel {
   const Joints& lower() const { return lower_; }  //!< [rad]; -infinity for a joint without ends
   const Joints& upper() const { return upper_; }  //!< [rad]
   const Joints& speed() const { return speed_; }  //!< [rad/s]
-  const std::array<std::string, 6>& joint_names() const { return names_; }
-  const KDL::Chain& chain() const { return chain_; }
+  const std::array<std::string, 6>& joint_names() const { return names_; }  //!< as in the URDF
+  const KDL::Chain& chain() const { return chain_; }  //!< from the base frame to the flange
 
  private:
   KDL::Chain chain_;
@@ -50,7 +51,7 @@ class RobotModel {
 /// directions of the frame both are given in.
 Eigen::Matrix<double, 6, 1> twist(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to);
 
-KDL::JntArray to_kdl(const Joints& joints);
-KDL::Frame to_kdl(const Eigen::Isometry3d& pose);
+KDL::JntArray to_kdl(const Joints& joints);        //!< [rad]
+KDL::Frame to_kdl(const Eigen::Isometry3d& pose);  //!< [m]
 
 }  // namespace c4g_driver

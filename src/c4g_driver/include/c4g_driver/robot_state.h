@@ -16,18 +16,18 @@ namespace c4g_driver {
 using Joints = Eigen::Matrix<double, 6, 1>;
 
 /// How the latest motion stands.
-enum class MotionStatus { Idle, Moving, Arrived, Stopped, Error };
+enum class MotionStatus { kIdle, kMoving, kArrived, kStopped, kError };
 
 /// Where the mode selector stands; c4g_protocol.md says what each mode allows.
-enum class ControllerMode { Programming, Automatic, Remote };
+enum class ControllerMode { kProgramming, kAutomatic, kRemote };
 
 /// As the protocol writes them.
 const char* name_of(MotionStatus status);
-const char* name_of(ControllerMode mode);
+const char* name_of(ControllerMode mode);  //!< as the protocol writes it
 
 /// What the controller complains of; codes in c4g_protocol.md.
 struct ControllerError {
-  int code = 0;
+  int code = 0;                   //!< of c4g_protocol.md
   boost::static_string<80> text;  //!< printable ASCII
 };
 
@@ -40,30 +40,30 @@ struct RobotState {
   scan_cell_common::Nanoseconds controller_time = 0;  //!< of the measurement, controller's clock
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0 in base_link, measured
   Joints joints = Joints::Zero();                            //!< [rad] measured
-  MotionStatus status = MotionStatus::Idle;
+  MotionStatus status = MotionStatus::kIdle;                 //!< of the latest motion
   std::uint64_t motion = 0;  //!< number of the MOVE request that the status is about, 0: none
   double progress = 0;       //!< 0 .. 1
   double camera_rate = 0;    //!< [Hz]
-  bool e_stop = false;
-  bool drives = false;
-  ControllerMode mode = ControllerMode::Programming;
-  double override = 0;                   //!< [%] above 0, up to 100
-  double linear_speed = 0;               //!< [m/s] above 0
-  std::optional<ControllerError> error;  //!< why the latest motion did not arrive
-  Alarms alarms;
+  bool e_stop = false;       //!< pressed
+  bool drives = false;       //!< on
+  ControllerMode mode = ControllerMode::kProgramming;  //!< where the selector stands
+  double override = 0;                                 //!< [%] above 0, up to 100
+  double linear_speed = 0;                             //!< [m/s] above 0
+  std::optional<ControllerError> error;                //!< why the latest motion did not arrive
+  Alarms alarms;                                       //!< that stand
 };
 
 /// Whether the controller would begin a motion that this client asks for.
 inline bool takes_motions(const RobotState& robot) {
   return robot.drives && !robot.e_stop && robot.alarms.empty() &&
-         robot.mode != ControllerMode::Automatic;
+         robot.mode != ControllerMode::kAutomatic;
 }
 
 /// A state, and its instant on the host's clock.
 struct MeasuredState {
-  scan_cell_common::Nanoseconds time = 0;
+  scan_cell_common::Nanoseconds time = 0;     //!< of the measurement, host clock
   scan_cell_common::Nanoseconds arrival = 0;  //!< when the kernel got the datagram
-  RobotState robot;
+  RobotState robot;                           //!< as the controller sent it
 };
 
 }  // namespace c4g_driver

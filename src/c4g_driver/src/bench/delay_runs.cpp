@@ -19,6 +19,8 @@
 #include "scan_cell_common/host_clock.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "wire/allocations.h"
+#include "wire/codec.h"
+#include "wire/peer_socket.h"
 
 namespace c4g_driver {
 
@@ -98,8 +100,8 @@ BareRun DelayRuns::bare(double seconds) const {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   wait_until("listener", [&] { return transforms.getNumSubscribers() > 0; });
-  UdpSocket socket("0.0.0.0", "127.0.0.1", static_cast<std::uint16_t>(std::stoi(port)),
-                   kMostDatagramBytes);
+  PeerSocket socket("0.0.0.0", "127.0.0.1", static_cast<std::uint16_t>(std::stoi(port)),
+                    kMaxDatagramBytes);
   wait_until("source", [&] { return socket.send("hello") && socket.receive(0.1); });
   BareRun run;
   const std::uint64_t before = allocations_of_this_thread();

@@ -31,7 +31,7 @@ ClientOptions options_for(const Controller& controller,
   options.link_timeout = 2;  // patience for a busy machine
   options.tries = 400;       // a retry each 5 ms
   options.robot = robot;
-  options.limits.operation = Operation::Automatic;
+  options.limits.operation = Operation::kAutomatic;
   return options;
 }
 
@@ -130,7 +130,7 @@ class Commands {
     client_.move_to_pose(looking_down(right_ ? 0 : 0.01), number);
     right_ = !right_;
     const Goal goal = client_.wait_for_goal(kPatience);
-    if (goal.outcome() == Goal::Outcome::Reached) return;
+    if (goal.outcome() == Goal::Outcome::kReached) return;
     throw scan_cell_common::ProtocolError("motion", goal.message(), "it should have arrived");
   }
 
@@ -139,25 +139,25 @@ class Commands {
   bool right_ = false;
 };
 
-enum class Answer { Done, Refused, Unanswered };
+enum class Answer { kDone, kRefused, kUnanswered };
 
 Answer answer_to(Commands& commands, int number) {
   try {
     commands.carry_out(number);
-    return Answer::Done;
+    return Answer::kDone;
   } catch (const Refused&) {
-    return Answer::Refused;
+    return Answer::kRefused;
   } catch (const ConnectionError&) {
-    return Answer::Unanswered;
+    return Answer::kUnanswered;
   }
 }
 
 void judge(Answer answer, int done, CommandTrial& trial) {
   if (done > 1) {
     ++trial.done_twice;
-  } else if (answer == Answer::Unanswered) {
+  } else if (answer == Answer::kUnanswered) {
     ++trial.unanswered;
-  } else if (answer == Answer::Done) {
+  } else if (answer == Answer::kDone) {
     ++(done == 1 ? trial.done : trial.lost);
   } else {
     ++(done == 0 ? trial.refused : trial.done_in_secret);
@@ -221,7 +221,7 @@ CommandTrial run_command_trial(const std::shared_ptr<const RobotModel>& robot, i
     const auto start = SteadyClock::now();
     for (int number = 0; number < commands; ++number) {
       answers.push_back(answer_to(asked, number));
-      if (answers.back() == Answer::Unanswered) wait_for_link(client);
+      if (answers.back() == Answer::kUnanswered) wait_for_link(client);
     }
     trial.duration = seconds_since(start);
   }

@@ -16,8 +16,9 @@ namespace {
 bool got_worse(const LinkReport& before, const LinkReport& link) {
   return link.stream.lost > before.stream.lost || link.stream.reordered > before.stream.reordered ||
          link.stream.repeated > before.stream.repeated ||
-         link.dropped.backward > before.dropped.backward || link.malformed > before.malformed ||
-         link.foreign > before.foreign || link.overlong > before.overlong;
+         link.dropped.backward > before.dropped.backward ||
+         link.malformed.count > before.malformed.count || link.foreign > before.foreign ||
+         link.overlong > before.overlong;
 }
 
 /// NaN where nothing was timed.
@@ -61,8 +62,8 @@ void LinkDiagnosis::report(const LinkReport& link, DiagnosticStatusWrapper& stat
   status.addf("controller's clock, watched for [s]", "%.1f",
               scan_cell_common::to_seconds(link.clock.history));
   status.add("controller's clock, times it or the host's was set", link.clock.steps);
-  status.add("datagrams malformed", link.malformed);
-  status.add("latest malformed", link.last_malformed);
+  status.add("datagrams malformed", link.malformed.count);
+  status.add("latest malformed", link.malformed.last);
   status.add("datagrams from others", link.foreign);
   status.add("datagrams too long", link.overlong);
   before_ = link;
@@ -85,7 +86,8 @@ void report(const std::optional<MeasuredState>& state, DiagnosticStatusWrapper& 
   } else if (!takes_motions(robot)) {
     status.summary(DiagnosticStatus::WARN, robot.drives ? "automatic mode" : "drives off");
   } else {
-    status.summary(DiagnosticStatus::OK, robot.status == MotionStatus::Moving ? "moving" : "ready");
+    status.summary(DiagnosticStatus::OK,
+                   robot.status == MotionStatus::kMoving ? "moving" : "ready");
   }
   status.add("override [%]", robot.override);
   status.add("linear speed [m/s]", robot.linear_speed);

@@ -4,7 +4,7 @@
 #include "scan_cell_common/ros/node_main.h"
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(
+  return scan_cell_common::node_main<c4g_driver::DriverParameters>(
       argc, argv, "c4g_driver",
       "Speaks C4G with the robot controller: where the robot is, and motions.", [] {
         const ros::NodeHandle private_node("~");

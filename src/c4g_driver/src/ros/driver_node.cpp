@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver_node.h"
 
+#include <fmt/format.h>
+
 #include "messages.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/service_answer.h"
 
 namespace c4g_driver {
 
@@ -69,7 +72,7 @@ void DriverNode::publish(const MeasuredState& state) {
 }
 
 void DriverNode::publish_status() {
-  constexpr double kReminder = 10;  // [s]
+  constexpr double kReminder = 10;  // [s] chosen
   LinkReport link = client_.link();
   const bool lost = link.losses > losses_;
   losses_ = link.losses;
@@ -116,12 +119,12 @@ void DriverNode::start(const MoveGoal& goal) {
   } else if (goal.kind == MoveGoal::JOINT) {
     client_.move_to_joints(goal.joints, goal.camera_rate);
   } else {
-    throw Refused("kind of motion", std::to_string(goal.kind), "give CARTESIAN or JOINT");
+    throw Refused("kind of motion", fmt::format("{}", goal.kind), "give CARTESIAN or JOINT");
   }
 }
 
 std::string DriverNode::why_to_stop(const std::string& watcher) {
-  if (ros::isShuttingDown() || !ros::ok()) return "the driver ends";
+  if (ros::isShuttingDown() || !ros::ok()) return "the driver is shutting down";
   if (server_.isPreemptRequested()) return "cancelled";
   if (!watcher.empty() && !listeners_.contains(watcher)) return watcher + " is gone";
   return "";
@@ -153,15 +156,15 @@ Goal DriverNode::follow(const std::string& watcher) {
 
 void DriverNode::finish(const Goal& end) {
   switch (end.outcome()) {
-    case Goal::Outcome::Reached:
+    case Goal::Outcome::kReached:
       return finish(MoveResult::REACHED, end.message());
-    case Goal::Outcome::Stopped:
+    case Goal::Outcome::kStopped:
       return finish(MoveResult::STOPPED, end.message());
-    case Goal::Outcome::LinkLost:
+    case Goal::Outcome::kLinkLost:
       return finish(MoveResult::LINK_LOST, end.message());
-    case Goal::Outcome::Failed:
-    case Goal::Outcome::None:
-    case Goal::Outcome::Underway:
+    case Goal::Outcome::kFailed:
+    case Goal::Outcome::kNone:
+    case Goal::Outcome::kUnderway:
       return finish(MoveResult::CONTROLLER_ERROR, end.message());
   }
 }
@@ -188,16 +191,14 @@ void DriverNode::advertise(ros::NodeHandle& node, const std::string& name,
                                                        typename Service::Response&)) {
   const boost::function<bool(typename Service::Request&, typename Service::Response&)> serve =
       [this, handler](typename Service::Request& request, typename Service::Response& response) {
-        try {
-          (this->*handler)(request, response);
-          response.success = true;
-        } catch (const ConnectionError& error) {
-          say_link_lost(response, 0);
-          response.message = error.what();
-        } catch (const Error& error) {
-          response.message = error.what();
-        }
-        return true;
+        return scan_cell_common::answer(response, [&] {
+          try {
+            (this->*handler)(request, response);
+          } catch (const ConnectionError&) {
+            say_link_lost(response, 0);
+            throw;
+          }
+        });
       };
   services_.push_back(node.advertiseService(name, serve));
 }

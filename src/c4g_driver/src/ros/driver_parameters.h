@@ -10,7 +10,6 @@
 
 namespace c4g_driver {
 
-/// Parameters of the node; docs/c4g_driver.md lists them.
 struct DriverParameters {
   ClientOptions client;
   std::string base_frame = "base_link";
@@ -22,5 +21,8 @@ struct DriverParameters {
   /// @throw scan_cell_common::InvalidParameter naming the parameter that is missing, bad or unknown
   static DriverParameters load(const ros::NodeHandle& node);
 };
+
+/// With range, unit and meaning of each.
+void describe(scan_cell_common::ParameterTable& table, DriverParameters& parameters);
 
 }  // namespace c4g_driver

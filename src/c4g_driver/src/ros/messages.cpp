@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "messages.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,13 +61,13 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   message.override = message.linear_speed = std::nan("");
   if (!link.up || !state) return message;
   const RobotState& robot = state->robot;
-  message.mode =
-      robot.mode == ControllerMode::Programming ? RobotStatus::MODE_MANUAL : RobotStatus::MODE_AUTO;
+  message.mode = robot.mode == ControllerMode::kProgramming ? RobotStatus::MODE_MANUAL
+                                                            : RobotStatus::MODE_AUTO;
   message.controller_mode = name_of(robot.mode);
   message.e_stopped = said(robot.e_stop);
   message.drives_powered = said(robot.drives);
   message.motion_possible = said(takes_motions(robot));
-  message.in_motion = said(robot.status == MotionStatus::Moving);
+  message.in_motion = said(robot.status == MotionStatus::kMoving);
   for (const ControllerError& alarm : robot.alarms) {
     message.alarm_codes.push_back(alarm.code);
     message.alarm_texts.emplace_back(alarm.text.c_str());
@@ -82,17 +84,11 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
 }
 
 Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame) {
-  constexpr double kUnit = 1e-3;
   if (pose.header.frame_id != base_frame) {
     throw Refused("target frame", "'" + pose.header.frame_id + "'",
                   "give the flange's pose in " + base_frame);
   }
-  const auto& q = pose.pose.orientation;
-  const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  if (!(std::abs(norm - 1) < kUnit)) {
-    throw Refused("target orientation", "length " + std::to_string(norm), "give a unit quaternion");
-  }
-  return scan_cell_common::from_ros(pose.pose);
+  return scan_cell_common::checked_from_ros<Refused>(pose.pose, "target orientation");
 }
 
 }  // namespace c4g_driver

@@ -11,6 +11,7 @@
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 
 namespace {
@@ -86,9 +87,10 @@ void add_limits(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"manual", "automatic"}))
       ->capture_default_str()
       ->group(group);
+  scan_cell_common::refuse_renamed(app, {{"--most-linear-speed", "--max-linear-speed"}});
   app.add_option_function<double>(
-         "--most-linear-speed",
-         [&limits](const double& typed) { limits.most_linear_speed = typed * kMillimetre; },
+         "--max-linear-speed",
+         [&limits](const double& typed) { limits.max_linear_speed = typed * kMillimetre; },
          "[mm/s] along lines in automatic operation [1500]")
       ->group(group);
   add_vector(app, "--workspace-min", limits.workspace_min, kMillimetre,
@@ -155,8 +157,8 @@ ClientOptions client_options(const Options& options) {
   ClientOptions client = options.client;
   client.robot = std::make_shared<c4g_driver::RobotModel>(scan_cell_common::read_file(file),
                                                           options.base_link, options.flange_link);
-  client.limits.operation = options.operation == "automatic" ? c4g_driver::Operation::Automatic
-                                                             : c4g_driver::Operation::Manual;
+  client.limits.operation = options.operation == "automatic" ? c4g_driver::Operation::kAutomatic
+                                                             : c4g_driver::Operation::kManual;
   return client;
 }
 

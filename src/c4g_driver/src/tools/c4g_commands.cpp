@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "c4g_commands.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/interrupts.h"
@@ -20,7 +23,7 @@ using scan_cell_common::ConnectionError;
 using scan_cell_common::Refused;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kGlance = 0.05;  // [s] between two looks for an interrupt
+constexpr double kGlance = 0.05;  // [s] between two looks for an interrupt; chosen
 
 Clock::time_point in(double seconds) {
   return Clock::now() +
@@ -49,8 +52,8 @@ void check_angles(const WireSix& pose) {
   for (std::size_t i = 0; i < kLeast.size(); ++i) {
     const double angle = pose[3 + i];
     if (angle >= kLeast[i] && angle <= 180) continue;
-    throw Refused(std::string("target ") + "AER"[i], std::to_string(angle) + " deg",
-                  "give one from " + std::to_string(std::lround(kLeast[i])) + " to 180 deg");
+    throw Refused(std::string("target ") + "AER"[i], fmt::format("{:g} deg", angle),
+                  fmt::format("give one from {} to 180 deg", std::lround(kLeast[i])));
   }
 }
 
@@ -67,7 +70,7 @@ void refuse_if_interrupted() {
 }
 
 MeasuredState wait_until_it_stands(Client& client) {
-  constexpr double kPatience = 5;  // [s] to brake from any speed
+  constexpr double kPatience = 5;  // [s] to brake from any speed; chosen
   const Clock::time_point deadline = in(kPatience);
   while (true) {
     try {
@@ -94,12 +97,12 @@ void follow(Client& client) {
   std::printf("moving; Ctrl-C stops the robot\n");
   std::fflush(stdout);
   const Goal goal = wait_for_end(client);
-  if (goal.outcome() == Goal::Outcome::LinkLost) {
+  if (goal.outcome() == Goal::Outcome::kLinkLost) {
     throw ConnectionError("motion", goal.message(), "see c4g status");
   }
   const MeasuredState end = wait_until_it_stands(client);
-  print_pose(goal.outcome() == Goal::Outcome::Reached ? "reached" : "stands at", end.robot);
-  if (goal.outcome() == Goal::Outcome::Reached) return;
+  print_pose(goal.outcome() == Goal::Outcome::kReached ? "reached" : "stands at", end.robot);
+  if (goal.outcome() == Goal::Outcome::kReached) return;
   if (CatchInterrupts::interrupted()) {
     throw Refused("motion", "stopped by a signal", "it does not go on; give the command again");
   }

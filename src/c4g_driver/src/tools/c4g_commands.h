@@ -5,7 +5,7 @@
 #include <string>
 
 #include "c4g_driver/client.h"
-#include "c4g_driver/wire_units.h"
+#include "wire/wire_units.h"
 
 /// What the tool `c4g` does with a client. Each prints what came of it in the units of the wire and
 /// the pendant, millimetres and degrees, and throws scan_cell_common::Error where it did not come

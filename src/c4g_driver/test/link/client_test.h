@@ -56,7 +56,7 @@ class ClientTest : public testing::Test {
     result.reconnect_period = 0.05;
     result.link_timeout = link_timeout_;
     result.robot = robot_;
-    result.limits.operation = Operation::Automatic;
+    result.limits.operation = Operation::kAutomatic;
     return result;
   }
 

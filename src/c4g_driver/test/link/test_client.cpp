@@ -7,10 +7,10 @@
 #include <limits>
 #include <set>
 
-#include "c4g_driver/wire_units.h"
 #include "link/client_test.h"
 #include "robot/inverse_kinematics.h"
 #include "scan_cell_common/errors.h"
+#include "wire/wire_units.h"
 
 using namespace c4g_driver;  // NOLINT
 using nlohmann::json;
@@ -92,7 +92,7 @@ TEST_F(ClientTest, TellsWhyTheControllerRefused) {
   } catch (const Refused& refused) {
     EXPECT_NE(refused.value().find("no posture reaches the pose"), std::string::npos);
   }
-  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::None);
+  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::kNone);
 }
 
 TEST_F(ClientTest, SendsNothingOfATargetOutsideTheLimits) {
@@ -117,7 +117,7 @@ TEST_F(ClientTest, SendsNothingOfATargetOutsideTheLimits) {
 
 TEST_F(ClientTest, SendsNoLineWhileTheControllersOwnSpeedIsAboveTheLimit) {
   ClientOptions slow = options(controller_->port());
-  slow.limits.most_linear_speed = 0.2;  // the controller starts with 250 mm/s
+  slow.limits.max_linear_speed = 0.2;  // the controller starts with 250 mm/s
   client_ = std::make_unique<Client>(slow, nullptr);
   ASSERT_TRUE(eventually([this] { return client_->link().up; }));
   EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100), Refused);
@@ -143,18 +143,18 @@ TEST_F(ClientTest, EndsTheGoalAsTheControllerSays) {
   move();
   controller_->set_state(standing_at(0.8, 0.2, 0.6));
   controller_->set_state({{"status", "arrived"}});
-  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::Reached);
+  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::kReached);
   move();
   controller_->set_state(standing_at(0.8, 0.15, 0.6));
   controller_->set_state({{"status", "arrived"}});
-  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::Failed);
+  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::kFailed);
   move();
   controller_->set_state({{"status", "stopped"}});
-  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::Stopped);
+  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::kStopped);
   move();
   controller_->set_state(
       {{"status", "error"}, {"error", {{"code", 15}, {"text", "following error of J2"}}}});
-  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::Failed);
+  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::kFailed);
   EXPECT_EQ(client_->goal().message(), "following error of J2");
 }
 
@@ -207,7 +207,7 @@ TEST_F(ClientTest, ChecksALineWithTheSettingsThatAreInForceWhoeverMadeThem) {
 
 TEST_F(ClientTest, KeepsTo250MillimetresASecondInManualOperation) {
   ClientOptions manual = options(controller_->port());
-  manual.limits.operation = Operation::Manual;
+  manual.limits.operation = Operation::kManual;
   client_ = std::make_unique<Client>(manual, nullptr);
   ASSERT_TRUE(eventually([this] { return client_->link().up; }));
   EXPECT_THROW(client_->set_linear_speed(0.26), Refused);

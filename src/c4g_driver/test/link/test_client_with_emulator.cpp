@@ -38,7 +38,7 @@ class Together : public testing::Test {
     options.link_timeout = 2;  // patience for a busy machine
     options.tries = 40;
     options.robot = std::make_shared<c4g_driver::RobotModel>(smart5_six());
-    options.limits.operation = c4g_driver::Operation::Automatic;
+    options.limits.operation = c4g_driver::Operation::kAutomatic;
     client_ = std::make_unique<Client>(options, [this](const MeasuredState& state) {
       const Eigen::Isometry3d truth = controller_.flange_at(state.time);
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -65,8 +65,8 @@ class Together : public testing::Test {
     ASSERT_TRUE(eventually([this] {
       const auto state = client_->latest();
       return client_->link().up && state &&
-             state->robot.status != c4g_driver::MotionStatus::Moving &&
-             controller_.state().status != scan_cell_sim::MotionStatus::Moving;
+             state->robot.status != c4g_driver::MotionStatus::kMoving &&
+             controller_.state().status != scan_cell_sim::MotionStatus::kMoving;
     }));
     const Eigen::Isometry3d resting = truth();
     EXPECT_LT(resting.translation().y(), 0.349);
@@ -78,7 +78,7 @@ class Together : public testing::Test {
 
   void expect_a_new_goal_moves_it() {
     client_->move_to_pose(looking_down(0.8, 0, 0.6), 100);
-    EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::Reached);
+    EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::kReached);
     EXPECT_EQ(controller_.motions_begun(), 2u);
   }
 
@@ -128,7 +128,7 @@ TEST_F(Together, ReachPosesInWhateverOrientation) {
     }
     client_->move_to_pose(target, 100);
     const Goal goal = client_->wait_for_goal(20);
-    ASSERT_EQ(goal.outcome(), Goal::Outcome::Reached) << goal.message();
+    ASSERT_EQ(goal.outcome(), Goal::Outcome::kReached) << goal.message();
     expect_at(target);
   }
 }
@@ -140,7 +140,7 @@ TEST_F(Together, MoveJointsToWhereDenavitAndHartenbergSay) {
                                         {0, 0, -M_PI / 2, 0, M_PI / 2, 0}}) {
     client_->move_to_joints(joints, 0);
     const Goal goal = client_->wait_for_goal(20);
-    ASSERT_EQ(goal.outcome(), Goal::Outcome::Reached) << goal.message();
+    ASSERT_EQ(goal.outcome(), Goal::Outcome::kReached) << goal.message();
     expect_at(
         flange_by_denavit_hartenberg(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(joints.data())));
   }
@@ -155,7 +155,7 @@ TEST_F(Together, CarryOutEveryMotionOnceOverABadWire) {
     const Eigen::Isometry3d target = looking_down(0.8, i % 2 == 0 ? 0.0 : 0.05, 0.6);
     client_->move_to_pose(target, 100);
     const Goal goal = client_->wait_for_goal(20);
-    ASSERT_EQ(goal.outcome(), Goal::Outcome::Reached) << goal.message();
+    ASSERT_EQ(goal.outcome(), Goal::Outcome::kReached) << goal.message();
     expect_at(target);
     EXPECT_EQ(controller_.motions_begun(), static_cast<std::uint64_t>(i));
   }
@@ -170,9 +170,9 @@ TEST_F(Together, KeepTheInstantsOfADriftingClock) {
   faults.clock_drift = 100e-6;
   controller_.set_faults(faults);
   client_->move_to_pose(looking_down(0.8, 0.35, 0.6), 100);
-  ASSERT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::Reached);
+  ASSERT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::kReached);
   client_->move_to_pose(looking_down(0.8, -0.35, 0.6), 100);
-  ASSERT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::Reached);
+  ASSERT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::kReached);
   EXPECT_LT(median_error(), 0.25e-3);  // a millisecond at 0.25 m/s; usually 10 um
 }
 
@@ -180,7 +180,7 @@ TEST_F(Together, NeverMoveAgainWhenTheEmergencyStopIsReleased) {
   start_long_move();
   controller_.press_e_stop();
   const Goal goal = client_->wait_for_goal(20);
-  EXPECT_EQ(goal.outcome(), Goal::Outcome::Stopped);
+  EXPECT_EQ(goal.outcome(), Goal::Outcome::kStopped);
   EXPECT_EQ(goal.message(), "emergency stop");
   EXPECT_THROW(client_->move_to_pose(looking_down(0.8, 0, 0.6), 100), scan_cell_common::Refused);
   controller_.release_e_stop();
@@ -197,7 +197,7 @@ TEST_F(Together, NeverMoveAgainWhenTheLinkIsBack) {
   scan_cell_sim::ControllerFaults cut;
   cut.to_client.link_down = cut.from_client.link_down = true;
   controller_.set_faults(cut);
-  EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::LinkLost);
+  EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::kLinkLost);
   controller_.set_faults({});
   expect_rest();
   expect_a_new_goal_moves_it();
@@ -206,9 +206,9 @@ TEST_F(Together, NeverMoveAgainWhenTheLinkIsBack) {
 TEST_F(Together, NeverMoveAgainWhenTheControllerWasRestarted) {
   start_long_move();
   controller_.restart(0.3);
-  EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::LinkLost);
+  EXPECT_EQ(client_->wait_for_goal(20).outcome(), Goal::Outcome::kLinkLost);
   expect_rest();
-  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::LinkLost);
+  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::kLinkLost);
   expect_a_new_goal_moves_it();
 }
 
@@ -217,6 +217,6 @@ TEST_F(Together, NeverMoveAgainForTheNextClient) {
   client_.reset();
   connect();
   expect_rest();
-  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::None);
+  EXPECT_EQ(client_->goal().outcome(), Goal::Outcome::kNone);
   expect_a_new_goal_moves_it();
 }

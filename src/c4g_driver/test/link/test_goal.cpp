@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "c4g_driver/goal.h"
-#include "c4g_driver/sequence_monitor.h"
+#include "link/sequence_monitor.h"
 
 using c4g_driver::Goal;
 using c4g_driver::MotionStatus;
@@ -29,58 +29,58 @@ Goal underway() {
 
 TEST(Goal, IsReachedOnlyWhereTheRobotIsMeasuredThere) {
   Goal reached = underway();
-  reached.update(state(MotionStatus::Moving));
+  reached.update(state(MotionStatus::kMoving));
   EXPECT_TRUE(reached.underway());
   EXPECT_EQ(reached.progress(), 0.5);
-  reached.update(state(MotionStatus::Arrived));
-  EXPECT_EQ(reached.outcome(), Goal::Outcome::Reached);
+  reached.update(state(MotionStatus::kArrived));
+  EXPECT_EQ(reached.outcome(), Goal::Outcome::kReached);
 
   Goal missed = underway();
-  RobotState elsewhere = state(MotionStatus::Arrived);
+  RobotState elsewhere = state(MotionStatus::kArrived);
   elsewhere.flange.translation().x() = 0.002;
   missed.update(elsewhere);
-  EXPECT_EQ(missed.outcome(), Goal::Outcome::Failed);
+  EXPECT_EQ(missed.outcome(), Goal::Outcome::kFailed);
   EXPECT_NE(missed.message().find("0.002 m"), std::string::npos);
 
   Goal turned(5, c4g_driver::Joints(c4g_driver::Joints::Constant(0.01)), {});
-  turned.update(state(MotionStatus::Arrived));
-  EXPECT_EQ(turned.outcome(), Goal::Outcome::Failed);
+  turned.update(state(MotionStatus::kArrived));
+  EXPECT_EQ(turned.outcome(), Goal::Outcome::kFailed);
 }
 
 TEST(Goal, StaysEnded) {
   Goal goal = underway();
-  goal.end(Goal::Outcome::LinkLost, "cable");
-  goal.update(state(MotionStatus::Arrived));
-  goal.end(Goal::Outcome::Reached, "");
-  EXPECT_EQ(goal.outcome(), Goal::Outcome::LinkLost);
+  goal.end(Goal::Outcome::kLinkLost, "cable");
+  goal.update(state(MotionStatus::kArrived));
+  goal.end(Goal::Outcome::kReached, "");
+  EXPECT_EQ(goal.outcome(), Goal::Outcome::kLinkLost);
   EXPECT_EQ(goal.message(), "cable");
 }
 
 TEST(Goal, IgnoresOtherMotions) {
   Goal goal = underway();
-  goal.update(state(MotionStatus::Arrived, 4));
-  goal.update(state(MotionStatus::Stopped, 0));
+  goal.update(state(MotionStatus::kArrived, 4));
+  goal.update(state(MotionStatus::kStopped, 0));
   EXPECT_TRUE(goal.underway());
 }
 
 TEST(Goal, SaysWhyItWasStopped) {
   Goal goal = underway();
-  RobotState stopped = state(MotionStatus::Stopped);
+  RobotState stopped = state(MotionStatus::kStopped);
   stopped.error = c4g_driver::ControllerError{11, "emergency stop"};
   goal.update(stopped);
-  EXPECT_EQ(goal.outcome(), Goal::Outcome::Stopped);
+  EXPECT_EQ(goal.outcome(), Goal::Outcome::kStopped);
   EXPECT_EQ(goal.message(), "emergency stop");
 }
 
 TEST(SequenceMonitor, TellsLossRepetitionAndReordering) {
   SequenceMonitor monitor;
-  EXPECT_EQ(monitor.take(1), Verdict::Next);
-  EXPECT_EQ(monitor.take(2), Verdict::Next);
-  EXPECT_EQ(monitor.take(2), Verdict::Repeated);
-  EXPECT_EQ(monitor.take(5), Verdict::Next);
+  EXPECT_EQ(monitor.take(1), Verdict::kNext);
+  EXPECT_EQ(monitor.take(2), Verdict::kNext);
+  EXPECT_EQ(monitor.take(2), Verdict::kRepeated);
+  EXPECT_EQ(monitor.take(5), Verdict::kNext);
   EXPECT_EQ(monitor.counts().lost, 2u);
-  EXPECT_EQ(monitor.take(4), Verdict::Late);
-  EXPECT_EQ(monitor.take(4), Verdict::Repeated);
+  EXPECT_EQ(monitor.take(4), Verdict::kLate);
+  EXPECT_EQ(monitor.take(4), Verdict::kRepeated);
   EXPECT_EQ(monitor.counts().lost, 1u);
   EXPECT_EQ(monitor.counts().repeated, 2u);
   EXPECT_EQ(monitor.counts().reordered, 1u);
@@ -91,7 +91,7 @@ TEST(SequenceMonitor, StartsAnewWithAStream) {
   SequenceMonitor monitor;
   monitor.take(100);
   monitor.restart();
-  EXPECT_EQ(monitor.take(1), Verdict::Next);
-  EXPECT_EQ(monitor.take(2000), Verdict::Next);
+  EXPECT_EQ(monitor.take(1), Verdict::kNext);
+  EXPECT_EQ(monitor.take(2000), Verdict::kNext);
   EXPECT_EQ(monitor.counts().lost, 99u + 1998u);
 }

@@ -95,7 +95,7 @@ TEST_F(LawlessController, EndsTheMotionWhereItsOverrideFallsToNothing) {
   connect();
   client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 0);
   controller_->set_state({{"override", 0}});
-  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::LinkLost);
+  EXPECT_EQ(client_->wait_for_goal(10).outcome(), Goal::Outcome::kLinkLost);
   EXPECT_NE(client_->goal().message().find("override"), std::string::npos)
       << client_->goal().message();
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "c4g_driver/pose_feed.h"
+#include "link/pose_feed.h"
 
 using c4g_driver::MotionStatus;
 using c4g_driver::PoseFeed;
@@ -23,8 +23,8 @@ class PoseFeedTest : public testing::Test {
     return PoseFeed::Clock::time_point(std::chrono::nanoseconds(time));
   }
 
-  Verdict hear(Nanoseconds time, Source source = Source::Stream,
-               MotionStatus status = MotionStatus::Moving) {
+  Verdict hear(Nanoseconds time, Source source = Source::kStream,
+               MotionStatus status = MotionStatus::kMoving) {
     c4g_driver::RobotState robot;
     robot.controller_time = time;
     robot.status = status;
@@ -55,22 +55,22 @@ constexpr Nanoseconds kTimeout = kSecond / 2;
 }  // namespace
 
 TEST_F(PoseFeedTest, HandsOnEachPoseWithItsInstantOnce) {
-  EXPECT_EQ(hear(kSecond), Verdict::HandOn);
+  EXPECT_EQ(hear(kSecond), Verdict::kHandOn);
   EXPECT_EQ(feed_.latest()->time, kBoot + kSecond + kDelay);
-  EXPECT_EQ(hear(kSecond), Verdict::Overtaken);
-  EXPECT_EQ(hear(kSecond / 2), Verdict::Overtaken);
-  EXPECT_EQ(feed_.counts().overtaken, 2u);
-  EXPECT_EQ(hear(kSecond + kStreamPeriod), Verdict::HandOn);
+  EXPECT_EQ(hear(kSecond), Verdict::kOvertaken);
+  EXPECT_EQ(hear(kSecond / 2), Verdict::kOvertaken);
+  EXPECT_EQ(feed_.dropped().overtaken, 2u);
+  EXPECT_EQ(hear(kSecond + kStreamPeriod), Verdict::kHandOn);
 }
 
 TEST_F(PoseFeedTest, StaysFreshWithTheStreamOfAMotionAndThePollsOfARest) {
-  EXPECT_EQ(stale_from(1, 10 * kSecond, kPollPeriod, Source::Acknowledgement, MotionStatus::Idle),
+  EXPECT_EQ(stale_from(1, 10 * kSecond, kPollPeriod, Source::kAcknowledgement, MotionStatus::kIdle),
             10 * kSecond);
-  EXPECT_EQ(stale_from(10 * kSecond + 1, 20 * kSecond, kStreamPeriod, Source::Stream,
-                       MotionStatus::Moving),
+  EXPECT_EQ(stale_from(10 * kSecond + 1, 20 * kSecond, kStreamPeriod, Source::kStream,
+                       MotionStatus::kMoving),
             20 * kSecond);
-  EXPECT_EQ(stale_from(20 * kSecond + 1, 30 * kSecond, kPollPeriod, Source::Acknowledgement,
-                       MotionStatus::Arrived),
+  EXPECT_EQ(stale_from(20 * kSecond + 1, 30 * kSecond, kPollPeriod, Source::kAcknowledgement,
+                       MotionStatus::kArrived),
             30 * kSecond);
 }
 
@@ -83,7 +83,7 @@ TEST_F(PoseFeedTest, IsStaleWithoutPoses) {
 TEST_F(PoseFeedTest, IsStaleInAMotionWhoseStreamStoppedThoughRequestsAreAnswered) {
   hear(kSecond);
   const Nanoseconds from = stale_from(kSecond + 1, 10 * kSecond, kPollPeriod,
-                                      Source::Acknowledgement, MotionStatus::Moving);
+                                      Source::kAcknowledgement, MotionStatus::kMoving);
   EXPECT_GT(from, kSecond + kTimeout);
   EXPECT_LE(from, kSecond + kTimeout + kPollPeriod + 1);
 }
@@ -91,32 +91,32 @@ TEST_F(PoseFeedTest, IsStaleInAMotionWhoseStreamStoppedThoughRequestsAreAnswered
 TEST_F(PoseFeedTest, IsStaleAfterTheHostsClockWasSetAndWellAgainAfterARestart) {
   for (const Nanoseconds step : {-30 * kSecond, 30 * kSecond}) {
     const Nanoseconds begin = feed_.latest() ? 20 * kSecond : 0;
-    ASSERT_EQ(
-        stale_from(begin + 1, begin + kSecond, kStreamPeriod, Source::Stream, MotionStatus::Moving),
-        begin + kSecond);
+    ASSERT_EQ(stale_from(begin + 1, begin + kSecond, kStreamPeriod, Source::kStream,
+                         MotionStatus::kMoving),
+              begin + kSecond);
     host_is_ahead_ += step;
     const Nanoseconds from = stale_from(begin + kSecond + 1, begin + 10 * kSecond, kStreamPeriod,
-                                        Source::Stream, MotionStatus::Moving);
+                                        Source::kStream, MotionStatus::kMoving);
     EXPECT_LT(from, begin + kSecond + kTimeout + 2 * kStreamPeriod) << step;
     feed_.restart(steady(from));
-    EXPECT_EQ(hear(from + kStreamPeriod), Verdict::HandOn);
+    EXPECT_EQ(hear(from + kStreamPeriod), Verdict::kHandOn);
     EXPECT_EQ(feed_.latest()->time, kBoot + host_is_ahead_ + from + kStreamPeriod + kDelay);
     EXPECT_FALSE(feed_.stale(steady(from + kTimeout)));
   }
-  EXPECT_GT(feed_.counts().backward, 100u);
+  EXPECT_GT(feed_.dropped().backward, 100u);
 }
 
 TEST_F(PoseFeedTest, IsStaleWhenThePosesThatComeAreOld) {
   hear(kSecond);
   c4g_driver::RobotState robot;
-  robot.status = MotionStatus::Moving;
+  robot.status = MotionStatus::kMoving;
   Nanoseconds waited = 0;
   while (waited < 3 * kSecond && !feed_.stale(steady(kSecond + waited))) {
     waited += kStreamPeriod;
     robot.controller_time = kSecond + waited / 4;  // held up on the way, longer and longer
     const Nanoseconds now = kSecond + waited;
-    EXPECT_EQ(feed_.take(robot, kBoot + now + kDelay, Source::Stream, steady(now)),
-              Verdict::HandOn);
+    EXPECT_EQ(feed_.take(robot, kBoot + now + kDelay, Source::kStream, steady(now)),
+              Verdict::kHandOn);
   }
   // three quarters of the time waited reach the timeout, and then it runs
   EXPECT_NEAR(static_cast<double>(waited), kTimeout / 0.75 + kTimeout, 3 * kStreamPeriod);
@@ -126,7 +126,7 @@ TEST_F(PoseFeedTest, CountsAPoseThatABetterEstimateOfTheDelayPutsBeforeTheLast) 
   hear(kSecond);
   c4g_driver::RobotState robot;
   robot.controller_time = kSecond + kDelay / 4;
-  EXPECT_EQ(feed_.take(robot, kBoot + kSecond + kDelay / 2, Source::Stream, steady(kSecond)),
-            Verdict::Backward);
-  EXPECT_EQ(feed_.counts().backward, 1u);
+  EXPECT_EQ(feed_.take(robot, kBoot + kSecond + kDelay / 2, Source::kStream, steady(kSecond)),
+            Verdict::kBackward);
+  EXPECT_EQ(feed_.dropped().backward, 1u);
 }

@@ -38,7 +38,7 @@ TEST(BadWire, HandsOnNoPoseThatWasSpoiltOrHeld) {
   }
   const StreamTrial trial = run_stream_trial(robot(), 0.002, 3, faults);
   EXPECT_GT(trial.handed_on, 100u);
-  EXPECT_GT(trial.link.malformed, 0u);
+  EXPECT_GT(trial.link.malformed.count, 0u);
   EXPECT_EQ(trial.wrong, 0u);
   EXPECT_EQ(trial.stale, 0u);
   EXPECT_EQ(trial.repeated, 0u);

@@ -153,7 +153,7 @@ TEST_F(C4gTool, StopsTheRobotAndClosesTheSessionAtEachSignalThatEndsIt) {
     EXPECT_EQ(seen[seen.size() - 3].substr(0, 4), "MOVE") << number;
     EXPECT_EQ(seen[seen.size() - 2], "STOP") << number;
     EXPECT_EQ(seen[seen.size() - 1], "CLOSE") << number;
-    EXPECT_NE(controller_->state().status, scan_cell_sim::MotionStatus::Moving);
+    EXPECT_NE(controller_->state().status, scan_cell_sim::MotionStatus::kMoving);
     EXPECT_LT(std::abs(controller_->state().flange.translation().y()), 0.29) << number;
   }
 }
@@ -223,6 +223,9 @@ TEST_F(C4gTool, TakesNoHalfCommand) {
                             "move joint a b c d e f", "drives", "drives maybe", "read",
                             "write motion_type", "status --nonsense"})
     EXPECT_EQ(c4g(words).code, 1) << words;
+  const Result old = c4g("--most-linear-speed 100 status");
+  EXPECT_EQ(old.code, 1);
+  EXPECT_EQ(old.said, "c4g: --most-linear-speed: renamed; its name is --max-linear-speed now\n");
   EXPECT_EQ(c4g("--help").code, 0);
   EXPECT_TRUE(commands().empty());
 }

@@ -93,7 +93,7 @@ TEST_F(DriverEnding, ByKillLeavesNothingThatMovesTheRobotWhenItIsStartedAgain) {
   ASSERT_NO_FATAL_FAILURE(start_long_move());
   end_driver(SIGKILL);
   ASSERT_TRUE(eventually(
-      [&] { return controller_->state().status == scan_cell_sim::MotionStatus::Stopped; }));
+      [&] { return controller_->state().status == scan_cell_sim::MotionStatus::kStopped; }));
   const Eigen::Isometry3d stopped = controller_->state().flange;
   EXPECT_LT(stopped.translation().y(), 0.349);
   ASSERT_NO_FATAL_FAILURE(start_driver());

@@ -95,7 +95,7 @@ TEST_F(Driver, StopsWhenTheGoalIsCancelled) {
   ASSERT_TRUE(move_.waitForResult(kPatience));
   EXPECT_EQ(move_.getState(), GoalState::PREEMPTED);
   EXPECT_EQ(move_.getResult()->outcome, MoveResult::STOPPED);
-  EXPECT_EQ(controller_->state().status, scan_cell_sim::MotionStatus::Stopped);
+  EXPECT_EQ(controller_->state().status, scan_cell_sim::MotionStatus::kStopped);
   EXPECT_LT(truth().translation().y(), 0.34);
   EXPECT_LT(distance(from_ros(move_.getResult()->pose.pose), truth()), 1e-5);
 }
@@ -134,7 +134,7 @@ TEST_F(Driver, EndsTheGoalOfALostLinkAndDoesNotResumeIt) {
   controller_->set_faults({});
   ASSERT_TRUE(connected(true));
   ASSERT_TRUE(eventually(
-      [this] { return controller_->state().status != scan_cell_sim::MotionStatus::Moving; }));
+      [this] { return controller_->state().status != scan_cell_sim::MotionStatus::kMoving; }));
   const Eigen::Isometry3d stopped = truth();
   EXPECT_LT(stopped.translation().y(), 0.349);
   const std::size_t before = flange_transforms().size();

@@ -108,17 +108,17 @@ TEST(Limits, RefuseSpeedsThatMakeNoSense) {
 TEST(Limits, AllowMoreThan250MillimetresASecondOnlyWhereCellAndControllerAreAutomatic) {
   RobotLimits limits;  // the safe ones
   c4g_driver::RobotState remote, programming;
-  remote.mode = c4g_driver::ControllerMode::Remote;
-  programming.mode = c4g_driver::ControllerMode::Programming;
+  remote.mode = c4g_driver::ControllerMode::kRemote;
+  programming.mode = c4g_driver::ControllerMode::kProgramming;
   for (const auto* state : {&remote, &programming, static_cast<c4g_driver::RobotState*>(nullptr)}) {
     EXPECT_EQ(c4g_driver::speed_limit(limits, state).most, 0.25);
     EXPECT_TRUE(c4g_driver::speed_limit(limits, state).reduced);
   }
-  limits.operation = c4g_driver::Operation::Automatic;
+  limits.operation = c4g_driver::Operation::kAutomatic;
   EXPECT_EQ(c4g_driver::speed_limit(limits, &remote).most, 1.5);
   EXPECT_FALSE(c4g_driver::speed_limit(limits, &remote).reduced);
   EXPECT_EQ(c4g_driver::speed_limit(limits, &programming).most, 0.25);
-  limits.most_linear_speed = 0.1;
+  limits.max_linear_speed = 0.1;
   EXPECT_EQ(c4g_driver::speed_limit(limits, &programming).most, 0.1);
   EXPECT_EQ(c4g_driver::speed_limit(limits, &remote).most, 0.1);
 }

@@ -4,9 +4,9 @@
 
 #include <functional>
 
-#include "c4g_driver/motion_check.h"
 #include "robot/closed_form.h"
 #include "robot/inverse_kinematics.h"
+#include "robot/motion_check.h"
 #include "robot/smart5_six.h"
 #include "scan_cell_common/errors.h"
 
@@ -24,13 +24,13 @@ const Joints kUpright = degrees(0, 0, -90, 0, 60, 0);
 class MotionCheckTest : public testing::Test {
  protected:
   MotionCheckTest() {
-    limits_.operation = c4g_driver::Operation::Automatic;
+    limits_.operation = c4g_driver::Operation::kAutomatic;
     stand(*c4g_driver::step_to(smart5_six(), looking_down(0.8, 0, 0.6),
                                degrees(0, 8, -124, 0, 48, 0)));
   }
 
   void stand(const Joints& joints) {
-    from_.mode = c4g_driver::ControllerMode::Remote;
+    from_.mode = c4g_driver::ControllerMode::kRemote;
     from_.joints = joints;
     from_.flange = flange_by_denavit_hartenberg(joints);
   }
@@ -138,7 +138,7 @@ TEST_F(MotionCheckTest, NamesTheJointThatALineAsksTooMuchSpeedOf) {
   settings_.rotational_speed = 12;
   const std::string said = refusal_of_pose(rolled);
   expect_says(said, "speed of J6: 12 rad/s at ");
-  expect_says(said, "its most is 9.59931 rad/s: set the override up to 79.99");
+  expect_says(said, "the limit is 9.59931 rad/s: set the override up to 79.99");
   settings_.override = 79;
   EXPECT_NEAR(check().to_pose(rolled), 100 * smart5_six().speed()[5] / 12, 1e-6);
 }
@@ -146,17 +146,17 @@ TEST_F(MotionCheckTest, NamesTheJointThatALineAsksTooMuchSpeedOf) {
 TEST_F(MotionCheckTest, RefusesALineWhileAFasterSpeedIsSetThanTheCellAllows) {
   settings_.linear_speed = 0.3;
   EXPECT_EQ(refusal_of_pose(looking_down(0.8, 0.2, 0.6)), "");
-  limits_.operation = c4g_driver::Operation::Manual;
+  limits_.operation = c4g_driver::Operation::kManual;
   const std::string said = refusal_of_pose(looking_down(0.8, 0.2, 0.6));
   expect_says(said, "linear speed set on the controller: 0.3 m/s; set one up to 0.25 m/s first: ");
   expect_says(said, "operation is manual");
-  limits_.operation = c4g_driver::Operation::Automatic;
-  from_.mode = c4g_driver::ControllerMode::Programming;
+  limits_.operation = c4g_driver::Operation::kAutomatic;
+  from_.mode = c4g_driver::ControllerMode::kProgramming;
   expect_says(refusal_of_pose(looking_down(0.8, 0.2, 0.6)), "in mode programming");
 }
 
 TEST_F(MotionCheckTest, HoldsTheFlangeTo250MillimetresASecondInJointsToo) {
-  limits_.operation = c4g_driver::Operation::Manual;
+  limits_.operation = c4g_driver::Operation::kManual;
   Joints turned = from_.joints;
   turned[0] += 1;  // the flange goes round at 0.8 m
   const double most = 100 * 0.25 / (0.8 * smart5_six().speed()[0]);
@@ -165,7 +165,7 @@ TEST_F(MotionCheckTest, HoldsTheFlangeTo250MillimetresASecondInJointsToo) {
   EXPECT_NEAR(check().to_joints(turned), most, 0.01);
   settings_.override = most + 0.1;
   EXPECT_NE(refusal_of_joints(turned), "");
-  limits_.operation = c4g_driver::Operation::Automatic;
+  limits_.operation = c4g_driver::Operation::kAutomatic;
   EXPECT_EQ(check().to_joints(turned), 100);
 }
 
@@ -190,6 +190,6 @@ TEST_F(MotionCheckTest, LetsTheRobotComeBackFromOutsideTheBoxAndTheRanges) {
 TEST_F(MotionCheckTest, RefusesToMoveARobotThatTheModelDoesNotDescribe) {
   from_.flange.translation().z() += 0.25;  // a pedestal, or another type
   const std::string said = refusal_of_joints(from_.joints);
-  expect_says(said, "robot description: puts the flange 0.25 m and ");
+  expect_says(said, "robot description: places the flange 0.25 m and ");
   expect_says(said, "give the URDF of this robot");
 }

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "c4g_driver/motion_check.h"
+#include "robot/motion_check.h"
 #include "robot/smart5_six.h"
 #include "scan_cell_common/csv_reader.h"
 #include "scan_cell_common/errors.h"
@@ -16,16 +16,16 @@
 namespace {
 
 /// [%] at which the controller need not go slower than it was told; 0 where it refuses.
-double most_override_of_the_controller(const c4g_driver::RobotState& from,
-                                       const Eigen::Isometry3d& target,
-                                       const c4g_driver::MotionSettings& settings) {
+double max_override_of_the_controller(const c4g_driver::RobotState& from,
+                                      const Eigen::Isometry3d& target,
+                                      const c4g_driver::MotionSettings& settings) {
   scan_cell_sim::LineSettings line;
   line.speed = settings.linear_speed;
   line.rotational_speed = settings.rotational_speed;
   line.euler = settings.euler;
   try {
     const auto plan = scan_cell_sim::plan_line(from.joints, target, line);
-    return std::min(100.0, 100 * plan.most_speed / plan.speed);
+    return std::min(100.0, 100 * plan.max_speed / plan.speed);
   } catch (const scan_cell_sim::ControllerRefusal&) {
     return 0;
   }
@@ -33,7 +33,7 @@ double most_override_of_the_controller(const c4g_driver::RobotState& from,
 
 c4g_driver::RobotState standing_at_the_start() {
   c4g_driver::RobotState state;
-  state.mode = c4g_driver::ControllerMode::Remote;
+  state.mode = c4g_driver::ControllerMode::kRemote;
   state.joints = scan_cell_sim::Controller::start_posture();
   state.flange = scan_cell_sim::flange_of(state.joints);
   return state;
@@ -41,7 +41,7 @@ c4g_driver::RobotState standing_at_the_start() {
 
 c4g_driver::RobotLimits limits_in_automatic() {
   c4g_driver::RobotLimits limits;
-  limits.operation = c4g_driver::Operation::Automatic;
+  limits.operation = c4g_driver::Operation::kAutomatic;
   return narrowed(limits, smart5_six());
 }
 
@@ -63,7 +63,7 @@ TEST(MotionCheck, LetsPassWhatTheControllerCarriesOutAtTheSpeedItWasTold) {
     target.rotate(Eigen::AngleAxisd(1.5 * some(random), Eigen::Vector3d::UnitZ()));
     target.rotate(Eigen::AngleAxisd(0.7 * some(random), Eigen::Vector3d::UnitX()));
     target.rotate(Eigen::AngleAxisd(0.7 * some(random), Eigen::Vector3d::UnitY()));
-    const double theirs = most_override_of_the_controller(from, target, settings);
+    const double theirs = max_override_of_the_controller(from, target, settings);
     try {
       const double ours =
           c4g_driver::MotionCheck(smart5_six(), limits, from, settings).to_pose(target);

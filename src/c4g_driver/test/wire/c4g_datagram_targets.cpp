@@ -4,15 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "c4g_driver/codec.h"
 #include "scan_cell_common/errors.h"
-#include "scan_cell_sim/controller/controller.h"
+#include "scan_cell_sim/controller/offline_controller.h"
+#include "wire/codec.h"
 #include "wire/seal.h"
 
 namespace {
 
 using namespace scan_cell_common;
-using scan_cell_sim::ProtocolServer;
 
 // as in c4g_protocol.md, not sealed: the fuzzer seals what it changed, so that it gets past
 const char* const kStreamed =
@@ -87,7 +86,7 @@ void read_as_driver(const std::string& datagram) {
 
 /// An answer of the controller must be one that the driver reads.
 const c4g_driver::Acknowledgement check_answer(const std::string& datagram) {
-  promise(datagram.size() <= c4g_driver::kMostDatagramBytes, "an answer that is too long");
+  promise(datagram.size() <= c4g_driver::kMaxDatagramBytes, "an answer that is too long");
   try {
     read_as_driver(datagram);
     return std::get<c4g_driver::Acknowledgement>(c4g_driver::parse(datagram));
@@ -99,22 +98,20 @@ const c4g_driver::Acknowledgement check_answer(const std::string& datagram) {
 /// Whatever is asked of it, the robot stays within its joints' ranges and the answers are readable.
 void ask_controller(const std::string& datagram) {
   constexpr Nanoseconds kSecond = 1'000'000'000;
-  scan_cell_sim::MotionControl motion(scan_cell_sim::Controller::start_posture());
-  const scan_cell_sim::DriftingClock clock(0);
-  ProtocolServer controller(motion, clock, 0.004, {});
-  controller.answer({{}, sealed(R"({"c4g":1,"session":100,"seq":1,"cmd":"OPEN"})")}, kSecond);
-  const auto answer = controller.answer({{}, datagram}, 2 * kSecond);
+  scan_cell_sim::OfflineController controller;
+  controller.answer(sealed(R"({"c4g":1,"session":100,"seq":1,"cmd":"OPEN"})"), kSecond);
+  const auto answer = controller.answer(datagram, 2 * kSecond);
   if (!answer) throw ProtocolError("request", "not answered", "send what the protocol says");
   const auto acknowledgement = check_answer(*answer);
   const auto streamed = controller.stream(2 * kSecond + kSecond / 20);
   if (streamed) read_as_driver(*streamed);
   for (const Nanoseconds later : {2 * kSecond + kSecond / 20, 3 * kSecond, 1000 * kSecond}) {
-    const auto state = motion.state(later);
+    const auto state = controller.state(later);
     promise(scan_cell_sim::outside_limits(state.joints).empty(), "a joint outside its range");
     promise(state.flange.matrix().allFinite(), "a pose that is no pose");
   }
   if (!acknowledgement.error) return;
-  promise(motion.motions_begun() == 0, "a motion that was refused, and begun");
+  promise(controller.motions_begun() == 0, "a motion that was refused, and begun");
   throw ProtocolError("request", acknowledgement.error->text.c_str(), "as it says");
 }
 
@@ -124,7 +121,7 @@ void write_parameter(const std::string& text) {
   if (middle == std::string::npos) throw ProtocolError("text", "no middle", "give one");
   const c4g_driver::SetParameter set{text.substr(0, middle), text.substr(middle + 1)};
   const std::string datagram = c4g_driver::build(set, 100, 2);
-  promise(datagram.size() <= c4g_driver::kMostDatagramBytes, "a request that is too long");
+  promise(datagram.size() <= c4g_driver::kMaxDatagramBytes, "a request that is too long");
   c4g_driver::check_seal(datagram);
   const auto packet = nlohmann::json::parse(datagram);
   promise(packet["value"] == nlohmann::json::parse(set.value), "another value");

@@ -6,6 +6,7 @@
 
 #include "link/client_test.h"
 #include "wire/allocations.h"
+#include "wire/codec.h"
 #include "wire/seal.h"
 
 using namespace c4g_driver;  // NOLINT
@@ -72,14 +73,14 @@ TEST(Parse, AllocatesNothingForADatagramHoweverItsValuesLie) {
                      {"error", nullptr},
                      {"alarms", json::array()}};
   const std::string text = good.dump();
-  const std::size_t room = (kMostDatagramBytes - text.size() - 60) / 2;
+  const std::size_t room = (kMaxDatagramBytes - text.size() - 60) / 2;
   std::string flat = "[0";
   for (std::size_t i = 1; i < room; ++i)
     flat += ",0";
   for (const std::string& more :
        {std::string("0"), flat + "]", std::string(room, '[') + std::string(room, ']')}) {
     const std::string datagram = seal(text.substr(0, text.size() - 1) + ",\"more\":" + more + "}");
-    ASSERT_LE(datagram.size(), kMostDatagramBytes);
+    ASSERT_LE(datagram.size(), kMaxDatagramBytes);
     const std::uint64_t before = allocations_of_this_thread();
     const Reply reply = parse(datagram);
     EXPECT_EQ(allocations_of_this_thread(), before) << more;

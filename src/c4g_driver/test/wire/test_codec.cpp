@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "c4g_driver/codec.h"
 #include "scan_cell_common/errors.h"
+#include "wire/codec.h"
 #include "wire/seal.h"
 
 using c4g_driver::Acknowledgement;
@@ -123,11 +123,11 @@ TEST(Parse, ReadsAStateIntoSiUnits) {
   EXPECT_TRUE(state.robot.flange.linear().isApprox(
       Eigen::Matrix3d(Eigen::Vector3d(1, -1, -1).asDiagonal())));
   EXPECT_NEAR(state.robot.joints[2], -108.0738 * M_PI / 180, 1e-12);
-  EXPECT_EQ(state.robot.status, c4g_driver::MotionStatus::Moving);
+  EXPECT_EQ(state.robot.status, c4g_driver::MotionStatus::kMoving);
   EXPECT_EQ(state.robot.motion, 13u);
   EXPECT_EQ(state.robot.linear_speed, 0.1);
   EXPECT_EQ(state.robot.override, 100);
-  EXPECT_EQ(state.robot.mode, c4g_driver::ControllerMode::Remote);
+  EXPECT_EQ(state.robot.mode, c4g_driver::ControllerMode::kRemote);
   EXPECT_FALSE(state.robot.error);
   EXPECT_TRUE(state.robot.alarms.empty());
   EXPECT_TRUE(takes_motions(state.robot));
@@ -145,9 +145,9 @@ TEST(Parse, ReadsModesAndAlarmsAndWhetherTheControllerTakesMotions) {
   EXPECT_EQ(alarmed.alarms[1].code, 15);
   EXPECT_EQ(alarmed.alarms[1].text, "following error of J2");
   EXPECT_FALSE(takes_motions(alarmed));
-  EXPECT_EQ(changed({{"mode", "programming"}}).mode, c4g_driver::ControllerMode::Programming);
+  EXPECT_EQ(changed({{"mode", "programming"}}).mode, c4g_driver::ControllerMode::kProgramming);
   EXPECT_TRUE(takes_motions(changed({{"mode", "programming"}})));
-  EXPECT_EQ(changed({{"mode", "automatic"}}).mode, c4g_driver::ControllerMode::Automatic);
+  EXPECT_EQ(changed({{"mode", "automatic"}}).mode, c4g_driver::ControllerMode::kAutomatic);
   EXPECT_FALSE(takes_motions(changed({{"mode", "automatic"}})));
   EXPECT_FALSE(takes_motions(changed({{"drives", false}})));
   EXPECT_FALSE(takes_motions(changed({{"e_stop", true}})));

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "c4g_driver/codec.h"
-#include "scan_cell_sim/controller/controller.h"
+#include "scan_cell_sim/controller/offline_controller.h"
+#include "wire/codec.h"
 #include "wire/seal.h"
 
 using nlohmann::json;
@@ -91,13 +91,11 @@ TEST(ProtocolDocument, ShowsEveryRequestAsTheClientWritesIt) {
 }
 
 TEST(ProtocolDocument, ShowsRequestsThatTheControllerCarriesOut) {
-  scan_cell_sim::MotionControl motion(scan_cell_sim::Controller::start_posture());
-  const scan_cell_sim::DriftingClock clock(0);
-  scan_cell_sim::ProtocolServer controller(motion, clock, 0.004, {});
+  scan_cell_sim::OfflineController controller;
   scan_cell_common::Nanoseconds now = 0;
   for (const std::string& request : examples_with("\"cmd\"")) {
     now += 10'000'000'000;
-    const auto answer = controller.answer({{}, request}, now);
+    const auto answer = controller.answer(request, now);
     ASSERT_TRUE(answer) << request;
     const auto reply = c4g_driver::parse(*answer);
     const auto& acknowledgement = std::get<c4g_driver::Acknowledgement>(reply);
@@ -105,13 +103,13 @@ TEST(ProtocolDocument, ShowsRequestsThatTheControllerCarriesOut) {
     if (request.find("GET_PARAMETER") == std::string::npos) continue;
     EXPECT_EQ(json::parse(acknowledgement.value), (json{500.0, 0.0, 100.0, 0.0, 0.0, 90.0}));
   }
-  EXPECT_EQ(motion.motions_begun(), 2u);
+  EXPECT_EQ(controller.motions_begun(), 2u);
 }
 
 TEST(ProtocolDocument, ShowsAStateAndAcknowledgementsThatTheClientReads) {
   const auto state = std::get<c4g_driver::StreamedState>(c4g_driver::parse(state_example()));
   EXPECT_EQ(state.number, 1204u);
-  EXPECT_EQ(state.robot.mode, c4g_driver::ControllerMode::Remote);
+  EXPECT_EQ(state.robot.mode, c4g_driver::ControllerMode::kRemote);
   const json inner = without_seal(state_example());
   const auto acknowledgements = examples_with("\"type\": \"ack\"");
   ASSERT_EQ(acknowledgements.size(), 3u);
@@ -124,12 +122,10 @@ TEST(ProtocolDocument, ShowsAStateAndAcknowledgementsThatTheClientReads) {
 }
 
 TEST(ProtocolDocument, ShowsTheStateWithTheKeysThatTheControllerSends) {
-  scan_cell_sim::MotionControl motion(scan_cell_sim::Controller::start_posture());
-  const scan_cell_sim::DriftingClock clock(0);
-  scan_cell_sim::ProtocolServer controller(motion, clock, 0.004, {});
+  scan_cell_sim::OfflineController controller;
   const auto written = examples_with("\"cmd\"");
   for (std::size_t i = 0; i < 10; ++i)  // to the first MOVE
-    controller.answer({{}, written.at(i)}, 1'000'000'000);
+    controller.answer(written.at(i), 1'000'000'000);
   const auto streamed = controller.stream(1'100'000'000);
   ASSERT_TRUE(streamed);
   const json shown = json::parse(state_example());

@@ -7,13 +7,13 @@
 #include <map>
 #include <regex>
 
-#include "c4g_driver/motion_check.h"
-#include "c4g_driver/wire_units.h"
 #include "robot/closed_form.h"
+#include "robot/motion_check.h"
 #include "robot/smart5_six.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 #include "scan_cell_sim/controller/path.h"
+#include "wire/wire_units.h"
 
 using c4g_driver::Joints;
 using c4g_driver::WireSix;
@@ -87,7 +87,7 @@ Matrix3d axes(const Vector3d& x, const Vector3d& z) {
 
 c4g_driver::RobotState standing(const WireSix& joints) {
   c4g_driver::RobotState state;
-  state.mode = c4g_driver::ControllerMode::Remote;
+  state.mode = c4g_driver::ControllerMode::kRemote;
   state.joints = c4g_driver::joints_from_wire(joints);
   state.flange = flange_by_denavit_hartenberg(state.joints);
   return state;
@@ -95,7 +95,7 @@ c4g_driver::RobotState standing(const WireSix& joints) {
 
 c4g_driver::MotionCheck check_from(const c4g_driver::RobotState& from) {
   c4g_driver::RobotLimits limits;
-  limits.operation = c4g_driver::Operation::Automatic;
+  limits.operation = c4g_driver::Operation::kAutomatic;
   return {smart5_six(), narrowed(limits, smart5_six()), from, {}};
 }
 

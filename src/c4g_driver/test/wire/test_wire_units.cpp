@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "c4g_driver/wire_units.h"
+#include "wire/wire_units.h"
 
 using c4g_driver::WireSix;
 using Eigen::Matrix3d;

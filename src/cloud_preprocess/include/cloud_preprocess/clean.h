@@ -13,24 +13,29 @@
 
 namespace scan_cell_common {
 class YamlEntry;
-}
+}  // namespace scan_cell_common
 
 namespace cloud_preprocess {
 
 /// The whole chain. Floor, outliers and isolation do nothing where they are not automatic and have
 /// no limits.
 struct CleanParameters {
-  FloorParameters floor;
-  OutlierParameters outliers;
-  IsolationParameters isolate;
+  FloorParameters floor;                                  //!< of the first stage
+  OutlierParameters outliers;                             //!< of the second stage
+  IsolationParameters isolate;                            //!< of the third stage
   std::optional<GridParameters> grid = GridParameters{};  //!< none: the cloud is not reduced
 };
+
+/// Of all stages, each in a group of its name.
+void describe(scan_cell_common::ParameterTable& table, CleanParameters& parameters);
 
 /// Reads them from YAML: maps `floor`, `outliers`, `isolate` and `grid` with the parameters of the
 /// nodelets of these names; `grid: false` leaves the grid out. What is not given keeps its default.
 /// @throw scan_cell_common::FileError, UnusableInput or InvalidParameter, naming the entry
 CleanParameters load_clean_parameters(const std::string& path);
-CleanParameters read_clean_parameters(const scan_cell_common::YamlEntry& root);
+/// As load_clean_parameters().
+CleanParameters read_clean_parameters(
+    const scan_cell_common::YamlEntry& root);  //!< as load_clean_parameters()
 
 /// Runs floor, outliers, isolation and grid, one after the other.
 /// @param reports one a stage, also of the stage that throws

@@ -7,6 +7,7 @@
 
 namespace cloud_preprocess {
 
+/// Of the stage floor; docs/cloud_preprocess.md.
 struct FloorParameters {
   bool automatic = true;    //!< look for the floor; false: only the limits cut
   double margin = 0.002;    //!< [m] points up to this above the floor go with it
@@ -14,28 +15,13 @@ struct FloorParameters {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  //!< away from the floor, of any length
   bool any_direction = false;  //!< look for a table in any direction; where none is, along `up`
   double tilt = 0.26;          //!< [rad] how far the floor's normal may lean from `up`
-  double least_share = 0.02;   //!< of all points, that a floor must have
-  double most_below = 0.01;    //!< of all points, that may lie below a floor
-  Limits limits;
+  double min_share = 0.02;     //!< of all points, that a floor must have
+  double max_below = 0.01;     //!< of all points, that may lie below a floor
+  Limits limits;               //!< by hand, cut before all else
 };
 
-/// @throw scan_cell_common::InvalidParameter where `up` is no direction
-void check_up(const Eigen::Vector3d& up);
-
-template <class Reader>
-void describe(Reader& reader, FloorParameters& parameters) {
-  using Range = typename Reader::Range;
-  reader.read("automatic", parameters.automatic);
-  reader.read("margin", parameters.margin, Range{0, 1});
-  reader.read("distance", parameters.distance, Range{1e-5, 0.1});
-  describe_vector(reader, "up", parameters.up, {-1e3, 1e3});
-  check_up(parameters.up);
-  reader.read("any_direction", parameters.any_direction);
-  reader.read("tilt", parameters.tilt, Range{1e-3, 0.7});
-  reader.read("least_share", parameters.least_share, Range{1e-3, 1});
-  reader.read("most_below", parameters.most_below, Range{0, 0.5});
-  describe(reader, parameters.limits);
-}
+/// Each with its range, unit and meaning.
+void describe(scan_cell_common::ParameterTable& table, FloorParameters& parameters);
 
 /// Removes the floor: the plane across `up` at the bottom of the cloud that reaches the edge of
 /// what was scanned, with everything below it. The top of a box has its sides below it, and a flat
@@ -47,12 +33,12 @@ void describe(Reader& reader, FloorParameters& parameters) {
 /// a limit by hand has cut the floor away already.
 class FloorRemoval final : public Stage {
  public:
-  using Parameters = FloorParameters;
+  using Parameters = FloorParameters;  //!< of this stage
 
   /// @throw scan_cell_common::InvalidParameter
   explicit FloorRemoval(const FloorParameters& parameters);
 
-  std::string name() const override { return "floor"; }
+  std::string name() const override { return "floor"; }  //!< of the stage
 
  private:
   /// @throw scan_cell_common::UnusableInput where the floor seems to be elsewhere

@@ -7,21 +7,16 @@
 
 namespace cloud_preprocess {
 
+/// Of the stage outliers; docs/cloud_preprocess.md.
 struct OutlierParameters {
   bool automatic = true;    //!< statistical removal; false: only the limits cut
   int neighbours = 12;      //!< nearest points whose mean distance is looked at
   double deviations = 3.0;  //!< standard deviations above the mean that are still no outlier
-  Limits limits;
+  Limits limits;            //!< by hand, cut before all else
 };
 
-template <class Reader>
-void describe(Reader& reader, OutlierParameters& parameters) {
-  using Range = typename Reader::Range;
-  reader.read("automatic", parameters.automatic);
-  reader.read("neighbours", parameters.neighbours, Range{1, 200});
-  reader.read("deviations", parameters.deviations, Range{0, 100});
-  describe(reader, parameters.limits);
-}
+/// Each with its range, unit and meaning.
+void describe(scan_cell_common::ParameterTable& table, OutlierParameters& parameters);
 
 /// Statistical outlier removal (Rusu et al. 2008, as in PCL): a point goes if the mean distance to
 /// its nearest neighbours is more than so many standard deviations above the mean over the cloud.
@@ -29,12 +24,12 @@ void describe(Reader& reader, OutlierParameters& parameters) {
 /// point metres away would otherwise hide all others.
 class OutlierRemoval final : public Stage {
  public:
-  using Parameters = OutlierParameters;
+  using Parameters = OutlierParameters;  //!< of this stage
 
   /// @throw scan_cell_common::InvalidParameter
   explicit OutlierRemoval(const OutlierParameters& parameters);
 
-  std::string name() const override { return "outliers"; }
+  std::string name() const override { return "outliers"; }  //!< of the stage
 
  private:
   std::string apply(Cloud& cloud) const override;

@@ -12,11 +12,11 @@ using scan_cell_common::Cloud;
 
 /// What one stage did to one cloud.
 struct StageReport {
-  std::string stage;
-  std::size_t points_in = 0;
+  std::string stage;           //!< its name
+  std::size_t points_in = 0;   //!< of the cloud that went in
   std::size_t non_finite = 0;  //!< of points_in: with NaN or infinity, dropped before all else
-  std::size_t points_out = 0;
-  std::string message;  //!< what was found, for a person
+  std::size_t points_out = 0;  //!< of the cloud that came out
+  std::string message;         //!< what was found, for a person
 };
 
 /// One stage of preprocessing. Stages are immutable: the same cloud gives the same bytes.
@@ -24,7 +24,7 @@ class Stage {
  public:
   virtual ~Stage() = default;
 
-  virtual std::string name() const = 0;
+  virtual std::string name() const = 0;  //!< floor, outliers, isolate or grid
 
   /// @param cloud [m]; points that are not finite are dropped and counted
   /// @param report filled in as far as the stage came, also where it throws

@@ -2,63 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/clean.h"
 
-#include <algorithm>
 #include <set>
 
+#include "scan_cell_common/parameter_table.h"
 #include "scan_cell_common/yaml_file.h"
 
 namespace cloud_preprocess {
 namespace {
 
-using scan_cell_common::InvalidParameter;
+using scan_cell_common::ParameterValue;
 using scan_cell_common::YamlEntry;
 
-/// A reader of one map of a YAML file.
-class YamlReader {
+/// Reads one section of a YAML file.
+class YamlSection final : public scan_cell_common::ParameterTable {
  public:
-  using Range = RangeCheck::Range;
-
-  explicit YamlReader(const YamlEntry& entry) : entry_(entry) {}
-
-  template <class T, class... Limits>
-  void read(const std::string& name, T& value, const Limits&... limits) {
-    get(name, value);
-    RangeCheck::read(name, value, limits...);
-  }
-
-  void read_choice(const std::string& name, std::string& value,
-                   const std::vector<std::string>& choices) {
-    get(name, value);
-    if (std::find(choices.begin(), choices.end(), value) != choices.end()) return;
-    std::string allowed;
-    for (const std::string& choice : choices)
-      allowed += (allowed.empty() ? "" : ", ") + choice;
-    throw InvalidParameter(name, "'" + value + "'", "give one of " + allowed);
-  }
+  YamlSection(const YamlEntry& root, const std::string& section)
+      : entry_(root[section]), section_(section) {}
 
   void refuse_unknown() const { entry_.refuse_unknown(names_); }
 
  private:
-  template <class T>
-  void get(const std::string& name, T& value) {
-    names_.insert(name);
-    if (entry_.has(name)) value = entry_[name].as<T>();
+  void visit(const scan_cell_common::Parameter& parameter, ParameterValue& value) override {
+    names_.insert(parameter.name);
+    if (!entry_.has(parameter.name)) return;
+    std::visit([entry = entry_[parameter.name]](
+                   auto& as) { as = entry.template as<std::decay_t<decltype(as)>>(); },
+               value);
   }
+  bool is_given(const std::string& old, const std::string&) override { return entry_.has(old); }
+  std::string named(const std::string& name) const override { return section_ + "." + name; }
 
   YamlEntry entry_;
+  std::string section_;
   std::set<std::string> names_;
 };
 
 template <class Parameters>
 void read_section(const YamlEntry& root, const std::string& section, Parameters& parameters) {
   if (!root.has(section)) return;
-  YamlReader reader(root[section]);
-  try {
-    describe(reader, parameters);
-  } catch (const InvalidParameter& error) {
-    throw InvalidParameter(section + "." + error.thing(), error.value(), error.cure());
-  }
-  reader.refuse_unknown();
+  YamlSection table(root, section);
+  describe(table, parameters);
+  table.refuse_unknown();
 }
 
 void run(const Stage& stage, Cloud& cloud, std::vector<StageReport>& reports) {
@@ -66,6 +50,13 @@ void run(const Stage& stage, Cloud& cloud, std::vector<StageReport>& reports) {
 }
 
 }  // namespace
+
+void describe(scan_cell_common::ParameterTable& table, CleanParameters& parameters) {
+  table.group("floor", parameters.floor);
+  table.group("outliers", parameters.outliers);
+  table.group("isolate", parameters.isolate);
+  if (parameters.grid) table.group("grid", *parameters.grid);
+}
 
 CleanParameters read_clean_parameters(const YamlEntry& root) {
   root.refuse_unknown({"floor", "outliers", "isolate", "grid"});

@@ -5,11 +5,16 @@
 #include <cstdio>
 
 #include "geometry/grid_cells.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace cloud_preprocess {
 
+void describe(scan_cell_common::ParameterTable& table, GridParameters& parameters) {
+  table.add("leaf", parameters.leaf, {1e-5, 1, "m"}, "size of a cell along x, y, z");
+}
+
 GridReduction::GridReduction(const GridParameters& parameters) : parameters_(parameters) {
-  check(parameters_);
+  scan_cell_common::check(parameters_);
 }
 
 std::string GridReduction::apply(Cloud& cloud) const {

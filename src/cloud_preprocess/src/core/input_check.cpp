@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input_check.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <random>
 
 #include "geometry/kd_tree.h"
+#include "scan_cell_common/errors.h"
 #include "scan_cell_common/units.h"
 
 namespace cloud_preprocess {
@@ -15,10 +17,10 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kLargest = 20;       // [m]
-constexpr double kSmallest = 1e-3;    // [m]
+constexpr double kLargest = 20;       // [m] chosen: beyond what a robot scans
+constexpr double kSmallest = 1e-3;    // [m] chosen
 constexpr double kCoarsest = 6e-3;    // [m] between points: three cells of the stretcher's grid
-constexpr std::size_t kFewest = 100;  // points whose distances say something
+constexpr std::size_t kFewest = 100;  // points whose distances say something; chosen
 
 Cloud within_limits(const Cloud& cloud, const CleanParameters& parameters) {
   Cloud inside;
@@ -38,7 +40,7 @@ double spacing_of(const Cloud& cloud, const Cloud& sample) {
   std::vector<float> squared(2);
   std::vector<double> distances;
   for (const pcl::PointXYZ& point : sample) {
-    tree.nearest(point, indices, squared);
+    tree.nearest(point.data, indices.size(), indices.data(), squared.data());
     distances.push_back(std::sqrt(static_cast<double>(squared[1])));
   }
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
@@ -67,22 +69,20 @@ std::string sensible_units(const CloudSize& in_file) {
 void refuse_sentinel(const Cloud& cloud, double metres, const std::string& name) {
   const auto found = scan_cell_common::find_sentinel(cloud);
   if (!found) return;
-  char value[160], cure[160];
   const double in_file = found->value / metres;
-  std::snprintf(value, sizeof(value),
-                "%zu of %zu points have %c %.7g, away from all others: a scanner's number for "
-                "nothing measured",
-                found->points, cloud.size(), found->axis, in_file);
-  std::snprintf(cure, sizeof(cure), "drop them with --invalid %.7g, or cut them off by a limit",
-                in_file);
-  throw UnusableInput(name, value, cure);
+  throw UnusableInput(
+      name,
+      fmt::format("{} of {} points have {} {:.7g}, away from all others: a scanner's number for "
+                  "nothing measured",
+                  found->points, cloud.size(), found->axis, in_file),
+      fmt::format("drop them with --invalid {:.7g}, or cut them off by a limit", in_file));
 }
 
 }  // namespace
 
 CloudSize measure(const Cloud& cloud, const CleanParameters& parameters) {
-  constexpr std::size_t kSample = 20000;
-  constexpr double kOutermost = 0.005;
+  constexpr std::size_t kSample = 20000;  // points; chosen
+  constexpr double kOutermost = 0.005;    // of the points, at either end; chosen
   const Cloud inside = within_limits(cloud, parameters);
   CloudSize size;
   if (inside.empty()) return size;
@@ -105,15 +105,12 @@ std::string text_of(const CloudSize& size) {
   const auto unit_of = [](double metres) { return metres < 1 ? "mm" : "m"; };
   const auto in_unit = [](double metres, double of) { return of < 1 ? metres * 1e3 : metres; };
   const double largest = size.extent.maxCoeff();
-  char text[120];
-  std::snprintf(text, sizeof(text), "%.3g x %.3g x %.3g %s", in_unit(size.extent.x(), largest),
-                in_unit(size.extent.y(), largest), in_unit(size.extent.z(), largest),
-                unit_of(largest));
+  const std::string text = fmt::format(
+      "{:.3g} x {:.3g} x {:.3g} {}", in_unit(size.extent.x(), largest),
+      in_unit(size.extent.y(), largest), in_unit(size.extent.z(), largest), unit_of(largest));
   if (size.spacing == 0) return text;
-  char spacing[60];
-  std::snprintf(spacing, sizeof(spacing), ", %.3g %s between points",
-                in_unit(size.spacing, size.spacing), unit_of(size.spacing));
-  return std::string(text) + spacing;
+  return fmt::format("{}, {:.3g} {} between points", text, in_unit(size.spacing, size.spacing),
+                     unit_of(size.spacing));
 }
 
 void check_input(const Cloud& cloud, const CleanParameters& parameters, const std::string& unit,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/object_isolation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -9,6 +11,8 @@
 
 #include "geometry/clusters.h"
 #include "geometry/grid_cells.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {
@@ -76,26 +80,26 @@ std::size_t choose(std::vector<Object>& objects, const Cloud& cells,
   sort_by(objects, [&](const Object& o) { return middle(o, cells, axis); });
   const auto index = static_cast<std::size_t>(parameters.index);
   if (index >= objects.size()) {
-    throw UnusableInput("index", std::to_string(index),
-                        "there are " + std::to_string(objects.size()) +
-                            " objects, counted from 0: take another, or a smaller gap");
+    throw UnusableInput("index", fmt::to_string(index),
+                        fmt::format("there are {} objects, counted from 0: take another, or a "
+                                    "smaller gap",
+                                    objects.size()));
   }
   return index;
 }
 
-std::vector<Object> large_enough(std::vector<Object> objects, int least_points) {
+std::vector<Object> large_enough(std::vector<Object> objects, int min_points) {
   std::size_t largest = 0;
   for (const Object& object : objects)
     largest = std::max(largest, object.points);
-  const auto too_small = [least_points](const Object& object) {
-    return object.points < static_cast<std::size_t>(least_points);
+  const auto too_small = [min_points](const Object& object) {
+    return object.points < static_cast<std::size_t>(min_points);
   };
   objects.erase(std::remove_if(objects.begin(), objects.end(), too_small), objects.end());
   if (objects.empty()) {
     throw UnusableInput("objects",
-                        "none of " + std::to_string(least_points) + " points, the largest has " +
-                            std::to_string(largest),
-                        "set a larger gap or smaller least_points");
+                        fmt::format("none of {} points, the largest has {}", min_points, largest),
+                        "set a larger gap or smaller min_points");
   }
   return objects;
 }
@@ -113,8 +117,21 @@ void keep(Cloud& cloud, const GridCells& grid, const Object& object) {
 
 }  // namespace
 
+void describe(scan_cell_common::ParameterTable& table, IsolationParameters& parameters) {
+  table.choice("select", parameters.select, {"all", "largest", "nearest", "index"},
+               "the object to keep; all: limits only");
+  table.add("gap", parameters.gap, {1e-4, 1, "m"}, "objects are at least about this far apart");
+  table.add("min_points", parameters.min_points, {1, 1e9}, "fewer are no object");
+  table.renamed("least_points", "min_points");
+  table.add("point", parameters.point, {-1e3, 1e3, "m"}, "`nearest`: the object nearest to this");
+  table.choice("axis", parameters.axis, {"x", "y", "z"},
+               "`index`: objects are counted along it, by the middle of their extent");
+  table.add("index", parameters.index, {0, 1e6}, "`index`: which of them, the first is 0");
+  describe(table, parameters.limits);
+}
+
 ObjectIsolation::ObjectIsolation(const IsolationParameters& parameters) : parameters_(parameters) {
-  check(parameters_);
+  scan_cell_common::check(parameters_);
 }
 
 std::string ObjectIsolation::apply(Cloud& cloud) const {
@@ -122,16 +139,16 @@ std::string ObjectIsolation::apply(Cloud& cloud) const {
   if (parameters_.select == Selection::kAll) return message + "all objects kept";
 
   // Cells much smaller than the gap stand for their points: a hundred times fewer steps.
-  constexpr double kCellsAGap = 4;
+  constexpr double kCellsAGap = 4;  // chosen
   const GridCells grid =
       sort_into_grid(cloud, Eigen::Vector3d::Constant(parameters_.gap / kCellsAGap));
   std::vector<Object> objects =
-      large_enough(objects_of(grid, parameters_.gap), parameters_.least_points);
+      large_enough(objects_of(grid, parameters_.gap), parameters_.min_points);
   const Object& object = objects[choose(objects, grid.means, parameters_)];
   const std::size_t before = cloud.size();
   keep(cloud, grid, object);
-  return message + "one of " + std::to_string(objects.size()) + " objects kept, " +
-         std::to_string(before - cloud.size()) + " points of others and of no object removed";
+  return fmt::format("{}one of {} objects kept, {} points of others and of no object removed",
+                     message, objects.size(), before - cloud.size());
 }
 
 }  // namespace cloud_preprocess

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/outlier_removal.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "geometry/kd_tree.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {
@@ -19,7 +21,8 @@ std::vector<double> mean_distances(const Cloud& cloud, int neighbours) {
   std::vector<float> squared(indices.size());
   std::vector<double> means(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::size_t found = tree.nearest(cloud[i], indices, squared);
+    const std::size_t found =
+        tree.nearest(cloud[i].data, indices.size(), indices.data(), squared.data());
     double sum = 0;
     for (std::size_t k = 1; k < found; ++k)
       sum += std::sqrt(static_cast<double>(squared[k]));
@@ -30,10 +33,10 @@ std::vector<double> mean_distances(const Cloud& cloud, int neighbours) {
 
 /// Mean plus so many standard deviations of the distances, the far tail cut to ten medians.
 double threshold(std::vector<double> distances, double deviations) {
-  constexpr double kMostMedians = 10;
+  constexpr double kMaxMedians = 10;  // chosen
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
-  const double most = kMostMedians * *middle;
+  const double most = kMaxMedians * *middle;
   double sum = 0, squares = 0;
   for (const double distance : distances) {
     sum += std::min(distance, most);
@@ -46,8 +49,17 @@ double threshold(std::vector<double> distances, double deviations) {
 
 }  // namespace
 
+void describe(scan_cell_common::ParameterTable& table, OutlierParameters& parameters) {
+  table.add("automatic", parameters.automatic, "statistical removal; false: limits only");
+  table.add("neighbours", parameters.neighbours, {1, 200},
+            "nearest points whose mean distance is looked at");
+  table.add("deviations", parameters.deviations, {0, 100},
+            "standard deviations above the mean that are still no outlier");
+  describe(table, parameters.limits);
+}
+
 OutlierRemoval::OutlierRemoval(const OutlierParameters& parameters) : parameters_(parameters) {
-  check(parameters_);
+  scan_cell_common::check(parameters_);
 }
 
 std::string OutlierRemoval::apply(Cloud& cloud) const {
@@ -60,11 +72,10 @@ std::string OutlierRemoval::apply(Cloud& cloud) const {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (distances[i] <= most) cloud[kept++] = cloud[i];
   }
-  char text[80];
-  std::snprintf(text, sizeof(text), "%zu more than %.2f mm from their neighbours",
-                cloud.size() - kept, most * 1e3);
+  const std::size_t removed = cloud.size() - kept;
   cloud.resize(kept);
-  return message + text;
+  return fmt::format("{}{} more than {:.2f} mm from their neighbours", message, removed,
+                     most * 1e3);
 }
 
 }  // namespace cloud_preprocess

@@ -2,25 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stage_nodelet.h"
 
+#include <fmt/format.h>
+#include <pcl_ros/transforms.h>
 #include <scan_cell_common/errors.h>
 #include <scan_cell_common/ros/cloud_messages.h>
-#include <scan_cell_common/ros/logger_list.h>
-#include <scan_cell_common/ros/shutdown_request.h>
 #include <scan_cell_msgs/PreprocessReport.h>
 
 namespace cloud_preprocess {
 
-void StageNodelet::onInit() {
-  scan_cell_common::shut_down_on_signals();
-  scan_cell_common::withdraw_logger_list();
-  scan_cell_common::ParameterReader reader(getPrivateNodeHandle());
-  try {
-    stage_ = make_stage(reader);
-    reader.refuse_unknown();
-  } catch (const scan_cell_common::Error& error) {
-    NODELET_FATAL("%s", error.what());
-    throw;  // the manager drops the nodelet, and the loading node ends
-  }
+void describe(scan_cell_common::ParameterTable& table, TargetFrame& target) {
+  table.add("target_frame", target.frame,
+            "clouds in another frame are brought into this one by tf, at their stamp, before the "
+            "stage; empty: each "
+            "cloud stays in its frame");
+  table.add("transform_timeout", target.timeout, {0, 60, "s"},
+            "how long to wait for that transform");
+}
+
+void StageNodelet::start() {
+  stage_ = make_stage(getPrivateNodeHandle(), target_);
+  if (!target_.frame.empty())
+    listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, getNodeHandle());
   constexpr bool kLatched = true;
   output_ = getPrivateNodeHandle().advertise<sensor_msgs::PointCloud2>("output", 1, kLatched);
   report_ =
@@ -34,18 +36,37 @@ void StageNodelet::on_cloud(const sensor_msgs::PointCloud2ConstPtr& message) {
   result.stage = stage_->name();
   result.points_in = std::uint64_t{message->width} * message->height;
   try {
+    const Cloud input = in_target_frame(scan_cell_common::from_message(*message), message->header);
+    if (!target_.frame.empty()) result.header.frame_id = target_.frame;
     StageReport report;
-    const Cloud cloud = stage_->run(scan_cell_common::from_message(*message), report);
+    const Cloud cloud = stage_->run(input, report);
     result.ok = true;
     result.points_out = report.points_out;
     result.message = report.message;
     output_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
-        scan_cell_common::to_message(cloud, message->header)));
+        scan_cell_common::to_message(cloud, result.header)));
   } catch (const scan_cell_common::Error& error) {
     result.message = error.what();
     NODELET_ERROR("%s", error.what());
   }
   report_.publish(result);
+}
+
+Cloud StageNodelet::in_target_frame(const Cloud& cloud, const std_msgs::Header& header) const {
+  if (target_.frame.empty() || header.frame_id == target_.frame) return cloud;
+  try {
+    const geometry_msgs::TransformStamped transform = transforms_.lookupTransform(
+        target_.frame, header.frame_id, header.stamp, ros::Duration(target_.timeout));
+    Cloud result;
+    pcl_ros::transformPointCloud(cloud, result, transform.transform);
+    return result;
+  } catch (const tf2::TransformException& error) {
+    throw scan_cell_common::Refused(
+        fmt::format("cloud in frame '{}'", header.frame_id),
+        fmt::format("no transform to '{}' within {} s ({})", target_.frame, target_.timeout,
+                    error.what()),
+        "publish it on /tf or /tf_static, or set target_frame to the cloud's own frame");
+  }
 }
 
 }  // namespace cloud_preprocess

@@ -2,30 +2,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
-#include <scan_cell_common/ros/parameter_reader.h>
+#include <scan_cell_common/ros/load_parameters.h>
+#include <scan_cell_common/ros/nodelet.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
 
 #include <memory>
+#include <string>
 
 #include "cloud_preprocess/stage.h"
 
 namespace cloud_preprocess {
 
+/// What every stage's nodelet has besides the stage's own parameters.
+struct TargetFrame {
+  std::string frame;   //!< empty: each cloud stays in its own
+  double timeout = 1;  //!< [s]
+};
+
+void describe(scan_cell_common::ParameterTable& table, TargetFrame& target);
+
+template <class StageParameters>
+struct NodeletParameters {
+  TargetFrame target;
+  StageParameters stage;
+};
+
+template <class StageParameters>
+void describe(scan_cell_common::ParameterTable& table,
+              NodeletParameters<StageParameters>& parameters) {
+  describe(table, parameters.target);
+  describe(table, parameters.stage);
+}
+
 /// One stage as a nodelet: `input` in, `~output` and `~report` out. A failure publishes a report
 /// that says why, and no cloud. Both topics are latched: a cloud comes once a scan, and who
-/// subscribes after it must not miss it.
-class StageNodelet : public nodelet::Nodelet {
+/// subscribes after it must not miss it. Clouds in another frame are brought into `~target_frame`
+/// before the stage.
+class StageNodelet : public scan_cell_common::Nodelet {
  protected:
+  /// @param[out] target as the parameters have it
   /// @throw scan_cell_common::InvalidParameter
-  virtual std::unique_ptr<const Stage> make_stage(scan_cell_common::ParameterReader& reader) = 0;
+  virtual std::unique_ptr<const Stage> make_stage(const ros::NodeHandle& node,
+                                                  TargetFrame& target) = 0;
 
  private:
-  void onInit() override;
+  void start() override;
   void on_cloud(const sensor_msgs::PointCloud2ConstPtr& message);
 
+  /// @throw scan_cell_common::Refused if /tf does not link the frames at the cloud's time
+  Cloud in_target_frame(const Cloud& cloud, const std_msgs::Header& header) const;
+
+  TargetFrame target_;
   std::unique_ptr<const Stage> stage_;
+  tf2_ros::Buffer transforms_;
+  std::unique_ptr<tf2_ros::TransformListener> listener_;  // none without a target frame
   ros::Publisher output_;
   ros::Publisher report_;
   ros::Subscriber input_;
@@ -33,10 +66,12 @@ class StageNodelet : public nodelet::Nodelet {
 
 template <class StageType>
 class NodeletOf final : public StageNodelet {
-  std::unique_ptr<const Stage> make_stage(scan_cell_common::ParameterReader& reader) override {
-    typename StageType::Parameters parameters;
-    describe(reader, parameters);
-    return std::make_unique<const StageType>(parameters);
+  std::unique_ptr<const Stage> make_stage(const ros::NodeHandle& node,
+                                          TargetFrame& target) override {
+    using Parameters = NodeletParameters<typename StageType::Parameters>;
+    const auto parameters = scan_cell_common::load_parameters<Parameters>(node);
+    target = parameters.target;
+    return std::make_unique<const StageType>(parameters.stage);
   }
 };
 

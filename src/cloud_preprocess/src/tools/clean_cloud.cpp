@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -7,6 +9,7 @@
 #include "cloud_preprocess/clean.h"
 #include "input_check.h"
 #include "scan_cell_common/files.h"
+#include "scan_cell_common/parameter_table.h"
 #include "scan_cell_common/text.h"
 #include "scan_cell_common/tool_main.h"
 #include "scan_cell_common/units.h"
@@ -31,7 +34,7 @@ void set(YAML::Node& root, const std::string& setting) {
   const std::size_t equals = setting.find('=');
   const std::size_t dot = setting.find('.');
   if (equals == std::string::npos || dot > equals) {
-    throw InvalidParameter("--set", "'" + setting + "'", "give STAGE.PARAMETER=VALUE");
+    throw InvalidParameter("--set", fmt::format("'{}'", setting), "give STAGE.PARAMETER=VALUE");
   }
   const std::string name = setting.substr(dot + 1, equals - dot - 1);
   root[setting.substr(0, dot)][name] = YAML::Load(setting.substr(equals + 1));
@@ -44,7 +47,7 @@ void set_grid(YAML::Node& root, const std::string& leaf) {
   for (const std::string& side : CLI::detail::split(leaf, ',')) {
     double millimetres = 0;
     if (!CLI::detail::lexical_cast(side, millimetres)) {
-      throw InvalidParameter("--grid", "'" + leaf + "'", "give X,Y,Z in mm, or off");
+      throw InvalidParameter("--grid", fmt::format("'{}'", leaf), "give X,Y,Z in mm, or off");
     }
     root["grid"]["leaf"].push_back(millimetres * 1e-3);
   }
@@ -56,15 +59,25 @@ void set_up(YAML::Node& root, const std::string& up) {
   YAML::Node numbers(YAML::NodeType::Sequence);
   for (const std::string& word : CLI::detail::split(up, ',')) {
     const auto number = scan_cell_common::parse_number(word);
-    if (!number) throw InvalidParameter("--up", "'" + up + "'", "give X,Y,Z, or auto");
+    if (!number) throw InvalidParameter("--up", fmt::format("'{}'", up), "give X,Y,Z, or auto");
     numbers.push_back(*number);
   }
   root["floor"]["up"] = numbers;
 }
 
+void add_limits(CLI::App& app, YAML::Node& root) {
+  for (const std::string limit : {"x-min", "x-max", "y-min", "y-max", "z-min", "z-max"}) {
+    const std::string stage = limit[0] == 'z' ? "floor" : "outliers";
+    std::string name = limit;
+    std::replace(name.begin(), name.end(), '-', '_');
+    app.add_option_function<double>(
+        "--" + limit, [&root, stage, name](double value) { root[stage][name] = value; },
+        "limit by hand in the stage " + stage + " [m, whatever the files' unit]");
+  }
+}
+
 /// Options are carried out in the order they are added in: the file first.
 void add_settings(CLI::App& app, YAML::Node& root) {
-  using Words = std::vector<std::string>;
   app.add_option_function<std::string>(
       "--config", [&root](const std::string& path) { root = scan_cell_common::load_yaml(path); },
       "YAML file with the parameters of the stages; the options below override it");
@@ -78,14 +91,7 @@ void add_settings(CLI::App& app, YAML::Node& root) {
   app.add_option_function<std::string>(
       "--up", [&root](const std::string& up) { set_up(root, up); },
       "X,Y,Z: direction away from the floor; auto: a table in any direction");
-  for (const std::string limit : {"x-min", "x-max", "y-min", "y-max", "z-min", "z-max"}) {
-    const std::string stage = limit[0] == 'z' ? "floor" : "outliers";
-    std::string name = limit;
-    std::replace(name.begin(), name.end(), '-', '_');
-    app.add_option_function<double>(
-        "--" + limit, [&root, stage, name](double value) { root[stage][name] = value; },
-        "limit by hand in the stage " + stage + " [m, whatever the files' unit]");
-  }
+  add_limits(app, root);
   app.add_option_function<std::string>(
          "--isolate",
          [&root](const std::string& word) {
@@ -96,9 +102,9 @@ void add_settings(CLI::App& app, YAML::Node& root) {
   app.add_option_function<std::string>(
       "--grid", [&root](const std::string& leaf) { set_grid(root, leaf); },
       "X,Y,Z: size of a cell [mm]; off: keep every point");
-  app.add_option_function<Words>(
+  app.add_option_function<std::vector<std::string>>(
          "--set",
-         [&root](const Words& settings) {
+         [&root](const std::vector<std::string>& settings) {
            for (const std::string& setting : settings)
              set(root, setting);
          },
@@ -174,6 +180,13 @@ int main(int argc, char** argv) {
   CLI::App app("Cleans a scanned cloud: floor, outliers, isolation of one object, grid reduction.");
   Options options;
   YAML::Node root(YAML::NodeType::Map);
+  app.add_flag_callback(
+      "--parameters",
+      [] {
+        std::fputs(scan_cell_common::parameter_rows<CleanParameters>().c_str(), stdout);
+        throw CLI::Success();
+      },
+      "print the parameters of the stages as a table");
   add_files(app, options, outputs);
   add_settings(app, root);
   return scan_cell_common::tool_main(

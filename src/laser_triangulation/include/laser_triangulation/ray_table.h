@@ -16,7 +16,7 @@ namespace laser_triangulation {
 /// the plane of light is met at ten degrees). 12 MB for 1696 x 1710 pixels.
 class RayTable {
  public:
-  static constexpr std::size_t kMostRows = 128;  //!< in one call: room that stays in the cache
+  static constexpr std::size_t kMaxRows = 128;  //!< in one call: room that stays in the cache
 
   /// @throw scan_cell_common::UnusableInput if the lens model cannot be undone anywhere
   explicit RayTable(const scan_cell_common::CameraIntrinsics& camera);
@@ -24,7 +24,7 @@ class RayTable {
   /// The rays (x/z, y/z) of one pixel a row, from `first_row` downwards. NaN where the lens model
   /// cannot be undone, or hardly.
   /// @param columns -0.5 to width - 0.5
-  /// @param count rows, all of them on the sensor, at most kMostRows
+  /// @param count rows, all of them on the sensor, at most kMaxRows
   void find(std::size_t first_row, const float* columns, std::size_t count,
             Eigen::Vector2d* rays) const;
 

@@ -10,15 +10,20 @@
 #include "laser_triangulation/ray_table.h"
 #include "scan_cell_common/scanner_model.h"
 
+namespace scan_cell_common {
+class ParameterTable;
+}
+
 namespace laser_triangulation {
 
 /// One point of a scan, laid out as in its PointCloud2 (docs/laser_triangulation.md).
 struct ScanPoint {
-  float x = 0;  //!< [m] in the frame of the profiles' poses
-  float y = 0;
-  float z = 0;
-  float intensity = 0;  //!< [grey value] height of the peak
-  std::uint8_t laser = 0;
+  float x = 0;             //!< [m] in the frame of the profiles' poses
+  float y = 0;             //!< [m]
+  float z = 0;             //!< [m]
+  float intensity = 0;     //!< [grey value] height of the peak
+  std::uint8_t laser = 0;  //!< 0: laser_0, 1: laser_1
+  /// Zero, so that the same scan gives the same bytes.
   std::uint8_t padding[3] = {0, 0, 0};  // zero, so that the same scan gives the same bytes
   float width = 0;                      //!< [px] of the stripe
 };
@@ -27,9 +32,9 @@ static_assert(sizeof(ScanPoint) == 24);
 /// The peaks of one frame, one a row from first_row downwards; NaN where a row has none. The arrays
 /// have `rows` elements and stay the caller's.
 struct ProfileView {
-  std::size_t laser = 0;        //!< index into scan_cell_common::ScannerModel::lasers
-  std::uint32_t first_row = 0;  //!< [px] sensor row of element 0
-  std::size_t rows = 0;
+  std::size_t laser = 0;             //!< index into scan_cell_common::ScannerModel::lasers
+  std::uint32_t first_row = 0;       //!< [px] sensor row of element 0
+  std::size_t rows = 0;              //!< of each array
   const float* position = nullptr;   //!< [px] sensor column
   const float* width = nullptr;      //!< [px]
   const float* intensity = nullptr;  //!< [grey value]
@@ -37,24 +42,28 @@ struct ProfileView {
 
 /// Which peaks become points. A width or intensity of NaN is within no limits but infinite ones.
 struct PeakLimits {
-  double least_width = 0;  //!< [px]
-  double most_width = std::numeric_limits<double>::infinity();
-  double least_intensity = 0;  //!< [grey value]
-  double most_intensity = std::numeric_limits<double>::infinity();
-  double least_range = 0.05;  //!< [m] along the camera's axis
-  double most_range = 5;      //!< [m]
+  double min_width = 0;                                            //!< [px]
+  double max_width = std::numeric_limits<double>::infinity();      //!< [px]
+  double min_intensity = 0;                                        //!< [grey value]
+  double max_intensity = std::numeric_limits<double>::infinity();  //!< [grey value]
+  double min_range = 0.05;                                         //!< [m] along the camera's axis
+  double max_range = 5;                                            //!< [m]
 };
+
+/// With range, unit and meaning of each. Refuses a least above its most.
+void describe(scan_cell_common::ParameterTable& table, PeakLimits& limits);
 
 /// What became of every row.
 struct PeakCounts {
-  std::uint64_t profiles = 0;
-  std::uint64_t points = 0;
-  std::uint64_t rows_without_peak = 0;
+  std::uint64_t profiles = 0;           //!< taken
+  std::uint64_t points = 0;             //!< made
+  std::uint64_t rows_without_peak = 0;  //!< NaN in the profile
   std::uint64_t outside_sensor = 0;  //!< or where the lens model cannot be undone, or no such laser
-  std::uint64_t by_width = 0;
-  std::uint64_t by_intensity = 0;
-  std::uint64_t by_range = 0;
+  std::uint64_t by_width = 0;        //!< outside of the limits
+  std::uint64_t by_intensity = 0;    //!< outside of the limits
+  std::uint64_t by_range = 0;        //!< outside of the limits
 
+  /// Peaks that became no point.
   std::uint64_t rejected() const { return outside_sensor + by_width + by_intensity + by_range; }
 };
 
@@ -65,6 +74,7 @@ class Triangulator {
   /// @throw scan_cell_common::InvalidParameter if a least limit is above its most
   Triangulator(const scan_cell_common::ScannerModel& model, const PeakLimits& limits);
 
+  /// Whether the model has a plane for this laser.
   bool has_laser(std::size_t index) const { return model_.has_laser(index); }
 
   /// Appends the profile's points in the order of its rows.
@@ -72,6 +82,7 @@ class Triangulator {
   void add(const ProfileView& profile, const Eigen::Isometry3d& flange,
            std::vector<ScanPoint>& points);
 
+  /// Of all profiles so far.
   const PeakCounts& counts() const { return counts_; }
 
  private:

@@ -56,8 +56,8 @@ RayTable::RayTable(const scan_cell_common::CameraIntrinsics& camera) {
 
 void RayTable::find(std::size_t first_row, const float* columns, std::size_t count,
                     Eigen::Vector2d* rays) const {
-  std::array<std::uint32_t, kMostRows> cell;
-  std::array<double, kMostRows> within;
+  std::array<std::uint32_t, kMaxRows> cell;
+  std::array<double, kMaxRows> within;
   for (std::size_t i = 0; i < count; ++i) {
     const double place = (columns[i] + kHalfPixel) * per_column_;
     const int whole = static_cast<int>(place);

@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laser_triangulation/triangulator.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace laser_triangulation {
 namespace {
 
-constexpr float kHalfPixel = 0.5F;
+using scan_cell_common::Also;
+using scan_cell_common::ParameterTable;
 
-void check_order(const char* name, double least, double most) {
-  if (least <= most) return;
-  throw scan_cell_common::InvalidParameter(
-      std::string("least_") + name, std::to_string(least) + ", above most_" + name,
-      "give a least that is not above " + std::to_string(most));
-}
+constexpr float kHalfPixel = 0.5F;
 
 const scan_cell_common::ScannerModel& checked(const scan_cell_common::ScannerModel& model) {
   check(model);
@@ -26,10 +25,20 @@ const scan_cell_common::ScannerModel& checked(const scan_cell_common::ScannerMod
 }
 
 const PeakLimits& checked(const PeakLimits& limits) {
-  check_order("width", limits.least_width, limits.most_width);
-  check_order("intensity", limits.least_intensity, limits.most_intensity);
-  check_order("range", limits.least_range, limits.most_range);
+  scan_cell_common::check(limits);
   return limits;
+}
+
+/// A least and a most, with the names that they had before.
+void describe_pair(ParameterTable& table, const std::string& name, double& min, double& max,
+                   const ParameterTable::Range& range, const std::string& meaning) {
+  table.add("min_" + name, min, range, meaning);
+  table.add("max_" + name, max, range, meaning);
+  table.renamed("least_" + name, "min_" + name);
+  table.renamed("most_" + name, "max_" + name);
+  if (min <= max) return;
+  table.refuse("min_" + name, fmt::format("{:g}", min),
+               fmt::format("give a least that is not above max_{}, {:g}", name, max));
 }
 
 /// Whether a peak lies on the sensor and within the limits. Written without branches, for vectors.
@@ -37,25 +46,25 @@ class PeakFilter {
  public:
   PeakFilter(const PeakLimits& limits, int sensor_width)
       : last_column_(static_cast<float>(sensor_width) - kHalfPixel),
-        least_width_(static_cast<float>(limits.least_width)),
-        most_width_(static_cast<float>(limits.most_width)),
-        least_intensity_(static_cast<float>(limits.least_intensity)),
-        most_intensity_(static_cast<float>(limits.most_intensity)),
-        width_matters_(limits.least_width > 0 || std::isfinite(limits.most_width)),
-        intensity_matters_(limits.least_intensity > 0 || std::isfinite(limits.most_intensity)) {}
+        min_width_(static_cast<float>(limits.min_width)),
+        max_width_(static_cast<float>(limits.max_width)),
+        min_intensity_(static_cast<float>(limits.min_intensity)),
+        max_intensity_(static_cast<float>(limits.max_intensity)),
+        width_matters_(limits.min_width > 0 || std::isfinite(limits.max_width)),
+        intensity_matters_(limits.min_intensity > 0 || std::isfinite(limits.max_intensity)) {}
 
   bool on_sensor(float column) const { return (column >= -kHalfPixel) & (column <= last_column_); }
   bool width_fits(float width) const {
-    return !(width < least_width_) & !(width > most_width_) & !(width_matters_ & (width != width));
+    return !(width < min_width_) & !(width > max_width_) & !(width_matters_ & (width != width));
   }
   bool intensity_fits(float intensity) const {
-    return !(intensity < least_intensity_) & !(intensity > most_intensity_) &
+    return !(intensity < min_intensity_) & !(intensity > max_intensity_) &
            !(intensity_matters_ & (intensity != intensity));
   }
 
  private:
   float last_column_;
-  float least_width_, most_width_, least_intensity_, most_intensity_;
+  float min_width_, max_width_, min_intensity_, max_intensity_;
   bool width_matters_, intensity_matters_;  // NaN is not within limits that were set
 };
 
@@ -66,20 +75,20 @@ struct RayToPoint {
   RayToPoint(const scan_cell_common::LaserPlane& plane, const Eigen::Isometry3d& camera,
              const PeakLimits& limits)
       : place(camera.translation()),
-        least_inverse_depth(1 / limits.most_range),
-        most_inverse_depth(1 / limits.least_range) {
+        min_inverse_depth(1 / limits.max_range),
+        max_inverse_depth(1 / limits.min_range) {
     linear.topRows<3>() = camera.linear();
     linear.row(3) = plane.normal.transpose() / plane.distance;
   }
 
   bool in_range(double inverse_depth) const {
-    return (inverse_depth >= least_inverse_depth) & (inverse_depth <= most_inverse_depth);
+    return (inverse_depth >= min_inverse_depth) & (inverse_depth <= max_inverse_depth);
   }
 
   Eigen::Matrix<double, 4, 3> linear;
   Eigen::Vector3d place;
-  double least_inverse_depth;  // [1/m]
-  double most_inverse_depth;
+  double min_inverse_depth;  // [1/m]
+  double max_inverse_depth;
 };
 
 void count_rejected(const PeakFilter& filter, const ProfileView& profile, std::size_t row,
@@ -98,7 +107,7 @@ void count_rejected(const PeakFilter& filter, const ProfileView& profile, std::s
 /// Rows that are worked on together, a field after the other: the compiler turns such loops into
 /// vector instructions.
 struct Block {
-  static constexpr std::size_t kRows = RayTable::kMostRows;
+  static constexpr std::size_t kRows = RayTable::kMaxRows;
 
   std::size_t count = 0;
   bool fits[kRows];
@@ -154,6 +163,15 @@ struct Block {
 };
 
 }  // namespace
+
+void describe(ParameterTable& table, PeakLimits& limits) {
+  describe_pair(table, "width", limits.min_width, limits.max_width, {0, 1e4, "px", Also::kNone},
+                "of the stripe");
+  describe_pair(table, "intensity", limits.min_intensity, limits.max_intensity,
+                {0, 65535, "grey value", Also::kNone}, "height of the peak");
+  describe_pair(table, "range", limits.min_range, limits.max_range, {0.001, 100, "m"},
+                "along the camera's axis");
+}
 
 Triangulator::Triangulator(const scan_cell_common::ScannerModel& model, const PeakLimits& limits)
     : model_(checked(model)), rays_(model_.camera), limits_(checked(limits)) {}

@@ -27,21 +27,21 @@ PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
   return result;
 }
 
-bool is_pose(const geometry_msgs::Pose& pose) {
-  const geometry_msgs::Point& p = pose.position;
-  const geometry_msgs::Quaternion& q = pose.orientation;
-  constexpr double kUnit = 1e-3;  // of the rounded quaternions in messages
-  return std::isfinite(p.x + p.y + p.z) &&
-         std::abs(Eigen::Quaterniond(q.w, q.x, q.y, q.z).norm() - 1) < kUnit;
+Eigen::Isometry3d pose_of(const BoundProfile& bound, const std::string& name) {
+  constexpr const char* kCure = "check the node that bound it";
+  const geometry_msgs::Point& p = bound.pose.position;
+  if (!std::isfinite(p.x + p.y + p.z))
+    throw UnusableInput(name, "its position is not finite", kCure);
+  return scan_cell_common::checked_from_ros(bound.pose, name, kCure);
 }
 
 }  // namespace
 
 CloudBuilder::CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
-                           std::size_t most_points)
+                           std::size_t max_points)
     : triangulator_(model, limits),
       points_of_laser_(model.lasers.size()),
-      most_points_(most_points) {}
+      max_points_(max_points) {}
 
 void CloudBuilder::add(const BoundProfile& bound) {
   const scan_cell_msgs::PeakProfile& profile = bound.profile;
@@ -60,25 +60,22 @@ void CloudBuilder::add(const BoundProfile& bound) {
     throw UnusableInput(name, laser + " is not calibrated",
                         "calibrate it, or scan with a laser that the scanner model has");
   }
-  if (!is_pose(bound.pose)) {
-    throw UnusableInput(name, "its pose is none: not finite, or its quaternion not of length 1",
-                        "check what bound it");
-  }
+  const Eigen::Isometry3d pose = pose_of(bound, name);
   if (profiles() > 0 && bound.header.frame_id != header_.frame_id) {
     throw UnusableInput(name, "in frame " + bound.header.frame_id,
                         "the scan is in " + header_.frame_id + "; bind it in one frame");
   }
-  if (points_.size() + rows > most_points_) {
+  if (points_.size() + rows > max_points_) {
     throw scan_cell_common::Refused("cloud",
                                     "full with " + std::to_string(points_.size()) + " points",
-                                    "raise most_points, or scan for less time");
+                                    "raise max_points, or scan for less time");
   }
   const auto begin = std::chrono::steady_clock::now();
   header_ = bound.header;
   profile_.clear();
   triangulator_.add({profile.laser, profile.first_row, rows, profile.position.data(),
                      profile.width.data(), profile.intensity.data()},
-                    scan_cell_common::from_ros(bound.pose), profile_);
+                    pose, profile_);
   points_.append(profile_);
   points_of_laser_[profile.laser] += profile_.size();
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -16,9 +16,9 @@ namespace laser_triangulation {
 /// The cloud of one scan, from messages.
 class CloudBuilder {
  public:
-  /// @param most_points held in memory (24 bytes each)
+  /// @param max_points held in memory (24 bytes each)
   CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
-               std::size_t most_points);
+               std::size_t max_points);
 
   /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame make no
   /// sense; nothing was added
@@ -38,7 +38,7 @@ class CloudBuilder {
  private:
   Triangulator triangulator_;
   std::vector<std::uint64_t> points_of_laser_;
-  std::size_t most_points_;
+  std::size_t max_points_;
   ScanCloud points_;
   std::vector<ScanPoint> profile_;  // the points of the last
   std_msgs::Header header_;

@@ -4,39 +4,26 @@
 
 #include <filesystem>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/ros/parameter_reader.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace laser_triangulation {
 
-Parameters Parameters::load(const ros::NodeHandle& node) {
-  scan_cell_common::ParameterReader reader(node);
-  Parameters parameters;
-  PeakLimits& limits = parameters.limits;
-  constexpr double kWidest = 1e4;
-  constexpr double kBrightest = 65535;
-  auto most_points = static_cast<int>(parameters.most_points);
-  reader.require("scanner", parameters.scanner);
-  reader.read("least_width", limits.least_width, {0, kWidest});
-  reader.read("most_width", limits.most_width, {0, kWidest});
-  reader.read("least_intensity", limits.least_intensity, {0, kBrightest});
-  reader.read("most_intensity", limits.most_intensity, {0, kBrightest});
-  reader.read("least_range", limits.least_range, {0.001, 100});
-  reader.read("most_range", limits.most_range, {0.001, 100});
-  reader.read("publish_rate", parameters.publish_rate, {0.1, 100});
-  reader.read("most_points", most_points, {1000, 2e8});
-  auto most_message_points = static_cast<int>(parameters.most_message_points);
-  reader.read("most_message_points", most_message_points, {1, 4e7});
-  reader.read("cloud_folder", parameters.cloud_folder);
-  reader.refuse_unknown();
-  if (!std::filesystem::is_directory(parameters.cloud_folder)) {
-    throw scan_cell_common::InvalidParameter(node.resolveName("cloud_folder"),
-                                             "'" + parameters.cloud_folder + "'",
-                                             "give a folder that is there");
-  }
-  parameters.most_message_points = static_cast<std::size_t>(most_message_points);
-  parameters.most_points = static_cast<std::size_t>(most_points);
-  return parameters;
+void describe(scan_cell_common::ParameterTable& table, Parameters& parameters) {
+  table.require("scanner", parameters.scanner, "path of the scanner model");
+  describe(table, parameters.limits);
+  table.add("publish_rate", parameters.publish_rate, {0.1, 100, "Hz"},
+            "of `~cloud`; a point waits for as long as a period. Lower it where a viewer that "
+            "keeps many clouds becomes slow");
+  table.add("max_points", parameters.max_points, {1000, 2e8}, "of a scan (24 bytes each)");
+  table.renamed("most_points", "max_points");
+  table.add("max_message_points", parameters.max_message_points, {1, 4e7},
+            "a cloud with more goes into a file: roscpp carries no message above 1 GB, 41.6 "
+            "million points");
+  table.renamed("most_message_points", "max_message_points");
+  table.add("cloud_folder", parameters.cloud_folder,
+            "a folder that exists, for these files; `.` of a launched node is `~/.ros`");
+  if (!std::filesystem::is_directory(parameters.cloud_folder))
+    table.refuse("cloud_folder", "'" + parameters.cloud_folder + "'", "give a folder that exists");
 }
 
 }  // namespace laser_triangulation

@@ -85,7 +85,7 @@ bool TriangulationServices::start(StartScan::Request& request, StartScan::Respon
     response.message = "scan " + scan_id_ + " is being finished; wait for its cloud";
     return true;
   }
-  scan_ = std::make_unique<CloudBuilder>(model_, parameters_.limits, parameters_.most_points);
+  scan_ = std::make_unique<CloudBuilder>(model_, parameters_.limits, parameters_.max_points);
   scan_id_ = request.scan_id;
   failure_.clear();
   published_ = 0;
@@ -117,7 +117,7 @@ std::string TriangulationServices::find_fault(std::uint64_t profiles) const {
 }
 
 void TriangulationServices::give_cloud(FinishCloud::Response& response) const {
-  if (scan_->points().size() <= parameters_.most_message_points) {
+  if (scan_->points().size() <= parameters_.max_message_points) {
     response.cloud = scan_->cloud();
     return;
   }

@@ -9,6 +9,7 @@
 #include "cloud_builder.h"
 #include "cloud_file.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/ros/bag_errors.h"
 #include "scan_cell_common/tool_main.h"
 #include "scan_cell_common/units.h"
@@ -22,15 +23,16 @@ struct Options {
   std::string output;
   std::string units = "m";
   laser_triangulation::PeakLimits limits;
+  scan_cell_common::ParameterOptions typed;
 };
 
 void triangulate(const Options& options) {
   using scan_cell_msgs::BoundProfile;
-  constexpr std::size_t kMostPoints = 500'000'000;
+  constexpr std::size_t kMaxPoints = 500'000'000;
   laser_triangulation::check_ply_output(options.output);
   const double unit = scan_cell_common::metres_per(options.units);
   laser_triangulation::CloudBuilder builder(scan_cell_common::load_scanner_model(options.scanner),
-                                            options.limits, kMostPoints);
+                                            options.limits, kMaxPoints);
   scan_cell_common::name_bag_in_errors(options.bag, [&] {
     const rosbag::Bag bag(options.bag, rosbag::bagmode::Read);
     rosbag::View view(bag, rosbag::TopicQuery(options.topic));
@@ -60,18 +62,11 @@ int main(int argc, char** argv) {
   app.add_option("--units", options.units, "of x, y, z in the cloud")
       ->check(CLI::IsMember(scan_cell_common::length_units()))
       ->capture_default_str();
-  app.add_option("--least-width", options.limits.least_width, "[px]")->capture_default_str();
-  app.add_option("--most-width", options.limits.most_width, "[px]")->capture_default_str();
-  app.add_option("--least-intensity", options.limits.least_intensity, "[grey value]")
-      ->capture_default_str();
-  app.add_option("--most-intensity", options.limits.most_intensity, "[grey value]")
-      ->capture_default_str();
-  app.add_option("--least-range", options.limits.least_range, "[m] along the camera's axis")
-      ->capture_default_str();
-  app.add_option("--most-range", options.limits.most_range, "[m]")->capture_default_str();
+  options.typed.add(app, options.limits);
   return scan_cell_common::tool_main(
       "triangulate", app, argc, argv,
       [&] {
+        options.typed.read(options.limits);
         triangulate(options);
         return 0;
       },

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "laser_trigger/trigger_port.h"
+#include "scan_cell_common/net/descriptor.h"
 
 namespace laser_trigger {
 
@@ -18,9 +19,6 @@ class Guardian {
   /// Forks: make it first thing in main(), while there is only one thread.
   /// @throw scan_cell_common::ConnectionError if there is no process to be had
   Guardian();
-  ~Guardian();
-  Guardian(const Guardian&) = delete;
-  Guardian& operator=(const Guardian&) = delete;
 
   /// Tells it what to watch over. It opens the port once, so that what would fail later fails now.
   /// @param hang_timeout [s] without alive() while armed, after which this process is killed
@@ -30,12 +28,12 @@ class Guardian {
   /// @throw scan_cell_common::ConnectionError if the guardian is gone: nothing may be armed then
   void alive(bool armed);
 
-  int process() const { return process_; }
+  int process() const { return process_; }  //!< id of the guardian's process
 
  private:
   void send(const void* message, std::size_t size) const;
 
-  int socket_ = -1;
+  scan_cell_common::Descriptor socket_;
   int process_ = -1;
 };
 

@@ -27,8 +27,9 @@ struct Pulse {
   Nanoseconds late = 0;      //!< behind its deadline
 };
 
+/// How the pulse thread is doing.
 struct TriggerStatus {
-  bool armed = false;
+  bool armed = false;        //!< lasers on, pulses running
   std::uint32_t arming = 0;  //!< the present or latest
   std::uint64_t pulses = 0;  //!< sent in it
   std::uint64_t missed = 0;  //!< deadlines of it that were missed
@@ -49,19 +50,22 @@ struct TriggerStatus {
 /// While it is idle zero is written again every second.
 class PulseGenerator {
  public:
+  /// Of the pulse thread.
   struct Settings {
     double pulse_width = 200e-6;      //!< [s] how long the camera's line is high
-    double most_rate = 1000;          //!< [Hz]
+    double max_rate = 1000;           //!< [Hz]
     double keep_alive_timeout = 0.5;  //!< [s]
     double longest_on = 300;          //!< [s] the longest an arming lasts, whatever was asked for
     int realtime_priority = 50;       //!< of SCHED_FIFO, where the rights allow it; 0: never
   };
+  /// What an arming asks for.
   struct Arming {
     double rate = 0;          //!< [Hz] 0.1 or more
     std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
     double longest_on = 0;    //!< [s] 0: the settings'
     bool pulses = true;       //!< false: the lasers alone; the rate is not used
   };
+  /// Hears of pulses and changes, in the pulse thread.
   struct Observer {
     std::function<void(const Pulse&)> on_pulse;  //!< called by the pulse thread
     std::function<void()> on_change;             //!< after arming and disarming, by any thread
@@ -82,8 +86,8 @@ class PulseGenerator {
   /// @return state of the arming that ended; arming 0 if there was none
   TriggerStatus disarm(const std::string& reason);
 
-  void keep_alive();
-  TriggerStatus status() const;
+  void keep_alive();             //!< somebody watches: the lasers may stay on
+  TriggerStatus status() const;  //!< of this moment
 
   /// Why the pulses come from a thread with the usual scheduling; empty: it is a real-time one.
   const std::string& why_not_realtime() const { return why_not_realtime_; }

@@ -8,12 +8,16 @@
 
 #include "scan_cell_common/errors.h"
 
+namespace scan_cell_common {
+class ParameterTable;
+}
+
 namespace laser_trigger {
 
 /// Bits of the trigger circuit's data register.
 constexpr std::uint8_t kCameraPulse = 1;
-constexpr std::uint8_t kLaser0 = 2;
-constexpr std::uint8_t kLaser1 = 4;
+constexpr std::uint8_t kLaser0 = 2;  //!< laser_0
+constexpr std::uint8_t kLaser1 = 4;  //!< laser_1
 
 /// The register's laser bits for a mask as in TriggerEvent (bit 0: laser_0, bit 1: laser_1).
 constexpr std::uint8_t laser_bits(std::uint8_t lasers) {
@@ -50,18 +54,23 @@ class TriggerPort {
 
 /// Which port to use. Plain data: it travels to the guardian process as bytes.
 struct PortAddress {
-  enum class Kind : std::uint8_t { Parallel, Loopback };
-  Kind kind = Kind::Loopback;
+  /// A PC's port, or the simulator.
+  enum class Kind : std::uint8_t { kParallel, kLoopback };
+  Kind kind = Kind::kLoopback;        //!< of the port
   char device[64] = "/dev/parport0";  //!< of a parallel port
   char host[64] = "127.0.0.1";        //!< of a loopback port: IPv4 address
   std::uint16_t port = 5420;          //!< of a loopback port
 
   /// @throw scan_cell_common::InvalidParameter if a text does not fit
   static PortAddress parallel(const std::string& device);
+  /// @param host IPv4 address
   static PortAddress loopback(const std::string& host, std::uint16_t port);
 
-  std::string name() const;
+  std::string name() const;  //!< such as /dev/parport0
 };
+
+/// With range and meaning of each.
+void describe(scan_cell_common::ParameterTable& table, PortAddress& address);
 
 /// @throw NoDevice, NoPermission, DeviceBusy, scan_cell_common::InvalidParameter
 std::unique_ptr<TriggerPort> open_port(const PortAddress& address);

@@ -4,6 +4,7 @@
 // late behind their deadlines, how far apart, and how true the stamps of their events are. Beside a
 // plain thread with absolute clock_nanosleep deadlines of the same rate and scheduling, in the same
 // seconds; with the usual and with real-time scheduling, on an idle and on a loaded machine.
+#include <fmt/format.h>
 #include <pthread.h>
 
 #include <CLI/CLI.hpp>
@@ -108,8 +109,7 @@ Measured compare(const std::vector<Pulse>& pulses, const std::vector<std::int64_
                  double rate) {
   if (pulses.size() != edges.size())
     throw scan_cell_common::Refused(
-        "the wire",
-        std::to_string(edges.size()) + " edges of " + std::to_string(pulses.size()) + " pulses",
+        "the wire", fmt::format("{} edges of {} pulses", edges.size(), pulses.size()),
         "run it again on a machine that is less busy");
   Measured measured;
   const double period = 1e9 / rate;

@@ -3,6 +3,7 @@
 #include "laser_trigger/guardian.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -22,11 +23,14 @@ extern "C" {  // which glibc 2.36 leaves out
 #include <thread>
 
 namespace laser_trigger {
+
+using scan_cell_common::Descriptor;
+
 namespace {
 
 struct Message {
-  enum class Kind : std::uint8_t { Watch, Armed, Idle };
-  Kind kind = Kind::Idle;
+  enum class Kind : std::uint8_t { kWatch, kArmed, kIdle };
+  Kind kind = Kind::kIdle;
   PortAddress address;
   double hang_timeout = 0;
 };
@@ -60,8 +64,8 @@ class Watch {
 
  private:
   void take(const Message& message) {
-    armed_ = message.kind == Message::Kind::Armed;
-    if (message.kind != Message::Kind::Watch) return;
+    armed_ = message.kind == Message::Kind::kArmed;
+    if (message.kind != Message::Kind::kWatch) return;
     Answer answer;
     try {
       open_port(message.address);
@@ -124,11 +128,11 @@ Guardian::Guardian() {
   const int parent = above_streams(pidfd_open(getpid(), 0));
   if (parent < 0 || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     throw scan_cell_common::ConnectionError("guardian", std::strerror(errno),
-                                            "free file descriptors");
+                                            "close programs that hold many files");
   }
   process_ = fork();
   if (process_ < 0) {
-    throw scan_cell_common::ConnectionError("guardian", std::strerror(errno), "free processes");
+    throw scan_cell_common::ConnectionError("guardian", std::strerror(errno), "end some processes");
   }
   if (process_ == 0) {
     const int end = above_streams(ends[1]);
@@ -138,35 +142,30 @@ Guardian::Guardian() {
   }
   close(ends[1]);
   close(parent);
-  socket_ = ends[0];
-}
-
-Guardian::~Guardian() {
-  close(socket_);
+  socket_ = Descriptor(ends[0]);
 }
 
 void Guardian::send(const void* message, std::size_t size) const {
   // Never waits: a guardian that does not read is as good as none.
-  const ssize_t sent = ::send(socket_, message, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+  const ssize_t sent = ::send(socket_.number(), message, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent == static_cast<ssize_t>(size)) return;
   throw scan_cell_common::ConnectionError(
-      "guardian process " + std::to_string(process_),
-      "gone (" + std::string(std::strerror(errno)) + ")",
+      fmt::format("guardian process {}", process_), fmt::format("gone ({})", std::strerror(errno)),
       "start this program again; without its guardian it does not switch lasers on");
 }
 
 void Guardian::watch(const PortAddress& address, double hang_timeout) {
   Message message;
-  message.kind = Message::Kind::Watch;
+  message.kind = Message::Kind::kWatch;
   message.address = address;
   message.hang_timeout = hang_timeout;
   send(&message, sizeof(message));
   Answer answer;
-  constexpr int kPatience = 5000;  // [ms]
-  pollfd poll_for = {socket_, POLLIN, 0};
+  constexpr int kPatience = 5000;  // [ms] chosen
+  pollfd poll_for = {socket_.number(), POLLIN, 0};
   if (poll(&poll_for, 1, kPatience) != 1 ||
-      recv(socket_, &answer, sizeof(answer), 0) != sizeof(answer)) {
-    throw scan_cell_common::ConnectionError("guardian process " + std::to_string(process_),
+      recv(socket_.number(), &answer, sizeof(answer), 0) != sizeof(answer)) {
+    throw scan_cell_common::ConnectionError(fmt::format("guardian process {}", process_),
                                             "does not answer", "start this program again");
   }
   if (answer.error[0] != 0) {
@@ -176,7 +175,7 @@ void Guardian::watch(const PortAddress& address, double hang_timeout) {
 
 void Guardian::alive(bool armed) {
   Message message;
-  message.kind = armed ? Message::Kind::Armed : Message::Kind::Idle;
+  message.kind = armed ? Message::Kind::kArmed : Message::Kind::kIdle;
   send(&message, sizeof(message));
 }
 

@@ -4,9 +4,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "laser_trigger/trigger_port.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/net/udp_socket.h"
 
 namespace laser_trigger {
 
@@ -20,13 +21,11 @@ class LoopbackCircuit {
   };
 
   /// @param port 0: any free one
+  /// @throw scan_cell_common::InvalidParameter if `host` is no IPv4 address
   /// @throw scan_cell_common::ConnectionError if the address cannot be had, such as a taken port
   LoopbackCircuit(const std::string& host, std::uint16_t port);
-  ~LoopbackCircuit();
-  LoopbackCircuit(const LoopbackCircuit&) = delete;
-  LoopbackCircuit& operator=(const LoopbackCircuit&) = delete;
 
-  PortAddress address() const { return PortAddress::loopback(host_, port_); }
+  PortAddress address() const { return PortAddress::loopback(host_, socket_.local().port); }
 
   /// The next write, if one comes within `timeout` [s]. Datagrams that are not one byte are counted
   /// and change nothing.
@@ -36,8 +35,7 @@ class LoopbackCircuit {
 
  private:
   std::string host_;
-  std::uint16_t port_ = 0;
-  int socket_ = -1;
+  scan_cell_common::UdpSocket socket_;
   std::uint64_t refused_ = 0;
 };
 

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loopback_port.h"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
+#include <fmt/core.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
+#include "scan_cell_common/net/endpoint.h"
+
 namespace laser_trigger {
 namespace {
+
+using scan_cell_common::Endpoint;
 
 /// The socket's pending error, and clears it.
 int pending_error(int socket) {
@@ -24,32 +26,20 @@ int pending_error(int socket) {
 }  // namespace
 
 LoopbackPort::LoopbackPort(const std::string& host, std::uint16_t port)
-    : name_(host + ":" + std::to_string(port)) {
-  sockaddr_in address = {};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  if (port == 0 || inet_pton(AF_INET, host.c_str(), &address.sin_addr) != 1) {
-    throw scan_cell_common::InvalidParameter("loopback address", name_,
-                                             "give an IPv4 address such as 127.0.0.1, and a port");
-  }
-  socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (socket_ < 0 ||
-      connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
-    const int error = errno;
-    if (socket_ >= 0) close(socket_);
-    throw NoDevice(name_, std::strerror(error), "check the address");
-  }
-}
-
-LoopbackPort::~LoopbackPort() {
-  close(socket_);
+    : name_(fmt::format("{}:{}", host, port)),
+      socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
+  const sockaddr_in address = Endpoint::parse("loopback address", host, port).to_kernel();
+  if (port == 0) throw scan_cell_common::InvalidParameter("loopback address", name_, "give a port");
+  // Connected, so that the answer that nobody listens comes back to this socket.
+  if (connect(socket_.number(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0)
+    throw NoDevice(name_, std::strerror(errno), "check the address");
 }
 
 void LoopbackPort::write(std::uint8_t data) {
-  pending_error(socket_);  // of an earlier datagram
-  int error = send(socket_, &data, 1, MSG_NOSIGNAL) == 1 ? 0 : errno;
+  pending_error(socket_.number());  // of an earlier datagram
+  int error = send(socket_.number(), &data, 1, MSG_NOSIGNAL) == 1 ? 0 : errno;
   // On the loopback the answer that nobody listens is there before send() returns.
-  if (error == 0) error = pending_error(socket_);
+  if (error == 0) error = pending_error(socket_.number());
   if (error == ECONNREFUSED) {
     throw NoDevice(name_, "no trigger circuit listens", "start the simulator, or check the port");
   }

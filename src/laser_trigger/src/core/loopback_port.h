@@ -3,6 +3,7 @@
 #pragma once
 
 #include "laser_trigger/trigger_port.h"
+#include "scan_cell_common/net/descriptor.h"
 
 namespace laser_trigger {
 
@@ -12,15 +13,11 @@ class LoopbackPort : public TriggerPort {
   /// @param host IPv4 address
   /// @throw scan_cell_common::InvalidParameter if it is none
   LoopbackPort(const std::string& host, std::uint16_t port);
-  ~LoopbackPort() override;
-  LoopbackPort(const LoopbackPort&) = delete;
-  LoopbackPort& operator=(const LoopbackPort&) = delete;
-
   void write(std::uint8_t data) override;
 
  private:
   std::string name_;
-  int socket_ = -1;
+  scan_cell_common::Descriptor socket_;
 };
 
 }  // namespace laser_trigger

@@ -43,21 +43,20 @@ namespace {
 
 }  // namespace
 
-ParallelPort::ParallelPort(const std::string& device) : device_(device) {
-  descriptor_ = open(device.c_str(), O_RDWR | O_CLOEXEC);
-  if (descriptor_ < 0) fail(device, errno);
+ParallelPort::ParallelPort(const std::string& device)
+    : device_(device), descriptor_(open(device.c_str(), O_RDWR | O_CLOEXEC)) {
+  if (descriptor_.number() < 0) fail(device, errno);
 }
 
 ParallelPort::~ParallelPort() {
-  if (claimed_) ioctl(descriptor_, PPRELEASE);
-  close(descriptor_);
+  if (claimed_) ioctl(descriptor_.number(), PPRELEASE);
 }
 
 void ParallelPort::claim(double timeout) {
   if (claimed_) return;
   // The kernel waits for the port without an end, so a thread of its own does the waiting; where it
   // is given up it keeps a duplicate of the descriptor and goes with the process.
-  const int descriptor = dup(descriptor_);
+  const int descriptor = dup(descriptor_.number());
   auto claimed = std::make_shared<std::promise<int>>();
   std::future<int> answer = claimed->get_future();
   std::thread([descriptor, claimed] {
@@ -74,9 +73,9 @@ void ParallelPort::claim(double timeout) {
 }
 
 void ParallelPort::write(std::uint8_t data) {
-  constexpr double kPatience = 2;
+  constexpr double kPatience = 2;  // [s] chosen
   claim(kPatience);
-  if (ioctl(descriptor_, PPWDATA, &data) != 0) fail(device_, errno);
+  if (ioctl(descriptor_.number(), PPWDATA, &data) != 0) fail(device_, errno);
 }
 
 }  // namespace laser_trigger

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "laser_trigger/trigger_port.h"
+#include "scan_cell_common/net/descriptor.h"
 
 namespace laser_trigger {
 
@@ -25,7 +26,7 @@ class ParallelPort : public TriggerPort {
 
  private:
   std::string device_;
-  int descriptor_ = -1;
+  scan_cell_common::Descriptor descriptor_;
   bool claimed_ = false;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laser_trigger/pulse_generator.h"
 
+#include <fmt/format.h>
 #include <pthread.h>
 #include <sys/prctl.h>
 #include <time.h>
@@ -21,9 +22,9 @@ using scan_cell_common::Refused;
 using std::chrono::duration_cast;
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds kLook{20'000'000};            // at most between two looks at the conditions
-constexpr nanoseconds kGuardianPeriod{50'000'000};  // between two signs of life
-constexpr nanoseconds kIdlePeriod{1'000'000'000};
+constexpr nanoseconds kLook{20'000'000};  // [ns] between two looks at the conditions; chosen
+constexpr nanoseconds kGuardianPeriod{50'000'000};  // [ns] between two signs of life; chosen
+constexpr nanoseconds kIdlePeriod{1'000'000'000};   // [ns] between two writes of zero; chosen
 
 nanoseconds seconds(double value) {
   return nanoseconds(scan_cell_common::from_seconds(value));
@@ -65,25 +66,25 @@ std::string PulseGenerator::set_realtime_priority() {
   priority.sched_priority = settings_.realtime_priority;
   const int error = pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &priority);
   if (error == 0) return "";
-  return "realtime_priority: " + std::to_string(settings_.realtime_priority) + " (" +
-         std::strerror(error) + "); allow it (rtprio in /etc/security/limits.d), or set 0";
+  return fmt::format(
+      "realtime_priority: {} ({}); allow it (rtprio in /etc/security/limits.d), or set 0",
+      settings_.realtime_priority, std::strerror(error));
 }
 
 void PulseGenerator::check(const Arming& arming) const {
-  constexpr std::uint8_t kAllLasers = 3;
-  constexpr double kLeastRate = 0.1;  // [Hz]
-  const double most = std::min(settings_.most_rate, 0.5 / settings_.pulse_width);
-  if (arming.pulses && !(arming.rate >= kLeastRate && arming.rate <= most)) {  // NaN too
-    throw Refused(
-        "rate", std::to_string(arming.rate) + " Hz",
-        "give a rate from " + std::to_string(kLeastRate) + " to " + std::to_string(most) + " Hz");
+  constexpr std::uint8_t kAllLasers = 3;  // mask
+  constexpr double kMinRate = 0.1;        // [Hz] chosen
+  const double most = std::min(settings_.max_rate, 0.5 / settings_.pulse_width);
+  if (arming.pulses && !(arming.rate >= kMinRate && arming.rate <= most)) {  // NaN too
+    throw Refused("rate", fmt::format("{:g} Hz", arming.rate),
+                  fmt::format("give a rate from {:g} to {:g} Hz", kMinRate, most));
   }
   if ((arming.lasers & ~kAllLasers) != 0) {
-    throw Refused("lasers", "mask " + std::to_string(arming.lasers),
+    throw Refused("lasers", fmt::format("mask {}", arming.lasers),
                   "bit 0 is laser_0, bit 1 is laser_1, there are no others");
   }
   if (!std::isfinite(arming.longest_on) || arming.longest_on < 0) {
-    throw Refused("longest_on", std::to_string(arming.longest_on) + " s",
+    throw Refused("longest_on", fmt::format("{:g} s", arming.longest_on),
                   "give 0 for the trigger's own limit, or more");
   }
   if (status_.armed) {
@@ -184,10 +185,10 @@ void PulseGenerator::run() {
 
 std::string PulseGenerator::reason_to_disarm(Clock::time_point now) const {
   if (now - kept_alive_at_ > seconds(settings_.keep_alive_timeout)) {
-    return "no keep-alive for " + std::to_string(settings_.keep_alive_timeout) + " s";
+    return fmt::format("no keep-alive for {:g} s", settings_.keep_alive_timeout);
   }
   if (now - armed_at_ > seconds(arming_.longest_on)) {
-    return "longest-on time of " + std::to_string(arming_.longest_on) + " s is over";
+    return fmt::format("longest-on time of {:g} s is over", arming_.longest_on);
   }
   return "";
 }

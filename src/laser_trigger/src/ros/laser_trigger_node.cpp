@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 #include "trigger_services.h"
@@ -13,14 +14,14 @@ namespace {
 void serve(laser_trigger::Guardian& guardian) {
   using namespace laser_trigger;
   ros::NodeHandle node("~");
-  const Parameters parameters = Parameters::load(node);
+  const Parameters parameters = scan_cell_common::load_parameters<Parameters>(node);
   guardian.watch(parameters.port, parameters.hang_timeout);
   const std::unique_ptr<TriggerPort> port = open_port(parameters.port);
   try {
     port->write(0);
   } catch (const NoDevice& error) {
     // A simulator that is not there yet has no lasers on; a parallel port must be there.
-    if (parameters.port.kind == PortAddress::Kind::Parallel) throw;
+    if (parameters.port.kind == PortAddress::Kind::kParallel) throw;
     ROS_WARN("%s", error.what());
   }
   TriggerServices services(node, parameters, *port, guardian);
@@ -38,7 +39,7 @@ void serve(laser_trigger::Guardian& guardian) {
 
 int main(int argc, char** argv) {
   std::optional<laser_trigger::Guardian> guardian;
-  return scan_cell_common::node_main(
+  return scan_cell_common::node_main<laser_trigger::Parameters>(
       argc, argv, "laser_trigger", "Pulses the camera, and switches the lasers on and off.",
       [&guardian] { serve(*guardian); }, [&guardian] { guardian.emplace(); });
 }

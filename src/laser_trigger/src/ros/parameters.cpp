@@ -2,33 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.h"
 
-#include "scan_cell_common/ros/parameter_reader.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace laser_trigger {
 
-Parameters Parameters::load(const ros::NodeHandle& node) {
-  scan_cell_common::ParameterReader reader(node);
-  Parameters parameters;
-  std::string kind = "parallel";
-  std::string device = parameters.port.device;
-  std::string host = parameters.port.host;
-  int port = parameters.port.port;
-  reader.read_choice("port", kind, {"parallel", "loopback"});
-  reader.read("device", device);
-  reader.read("loopback_host", host);
-  reader.read("loopback_port", port, {1, 65535});
-  parameters.port = kind == "parallel"
-                        ? PortAddress::parallel(device)
-                        : PortAddress::loopback(host, static_cast<std::uint16_t>(port));
+void describe(scan_cell_common::ParameterTable& table, Parameters& parameters) {
+  describe(table, parameters.port);
   PulseGenerator::Settings& pulses = parameters.pulses;
-  reader.read("pulse_width", pulses.pulse_width, {1e-5, 0.05});
-  reader.read("most_rate", pulses.most_rate, {0.1, 10000});
-  reader.read("keep_alive_timeout", pulses.keep_alive_timeout, {0.05, 5});
-  reader.read("longest_on", pulses.longest_on, {0.1, 3600});
-  reader.read("realtime_priority", pulses.realtime_priority, {0, 99});
-  reader.read("hang_timeout", parameters.hang_timeout, {0.5, 10});
-  reader.refuse_unknown();
-  return parameters;
+  table.add("pulse_width", pulses.pulse_width, {1e-5, 0.05, "s"},
+            "how long the camera's line is high; limits the rate to half of its inverse");
+  table.add("max_rate", pulses.max_rate, {0.1, 10000, "Hz"}, "of the pulses");
+  table.renamed("most_rate", "max_rate");
+  table.add("keep_alive_timeout", pulses.keep_alive_timeout, {0.05, 5, "s"},
+            "without `~keep_alive`, after which the lasers go off");
+  table.add("longest_on", pulses.longest_on, {0.1, 3600, "s"},
+            "the longest an arming lasts, whatever was asked for");
+  table.add("realtime_priority", pulses.realtime_priority, {0, 99},
+            "SCHED_FIFO priority of the pulse thread where the rights allow it, else it says so at "
+            "its start and in the diagnostics; 0: never");
+  table.add("hang_timeout", parameters.hang_timeout, {0.5, 10, "s"},
+            "after which the guardian ends a node that hangs while armed");
 }
 
 }  // namespace laser_trigger

@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/node_handle.h>
-
 #include "laser_trigger/pulse_generator.h"
 
 namespace laser_trigger {
 
 struct Parameters {
-  PortAddress port;
+  PortAddress port = PortAddress::parallel(PortAddress().device);
   PulseGenerator::Settings pulses;
-  double hang_timeout = 2;  //!< [s] without a sign of life after which the guardian ends the node
-
-  /// @throw scan_cell_common::InvalidParameter
-  static Parameters load(const ros::NodeHandle& node);
+  double hang_timeout = 2;  //!< [s]
 };
+
+/// With range, unit and meaning of each.
+void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
 }  // namespace laser_trigger

@@ -6,6 +6,7 @@
 #include <scan_cell_msgs/TriggerState.h>
 
 #include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/ros/service_answer.h"
 
 namespace laser_trigger {
 
@@ -15,7 +16,7 @@ using scan_cell_msgs::DisarmTrigger;
 TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& parameters,
                                  TriggerPort& port, Guardian& guardian)
     : listeners_([this](const std::string& gone) { on_listener_gone(gone); }) {
-  constexpr std::uint32_t kEvents = 100000;
+  constexpr std::uint32_t kEvents = 100000;  // kept for a slow listener: 100 s at 1 kHz; chosen
   events_ = node.advertise<scan_cell_msgs::TriggerEvent>("events", kEvents);
   state_ = listeners_.advertise<scan_cell_msgs::TriggerState>(node, "state", 10, true);
   generator_ = std::make_unique<PulseGenerator>(
@@ -56,16 +57,11 @@ bool TriggerServices::arm(ArmEvent& event) {
   const std::lock_guard<std::mutex> lock(client_mutex_);
   const std::string& caller = event.getCallerName();
   const bool listened = listeners_.contains(caller);
-  try {
+  return scan_cell_common::answer(response, [&] {
     response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec()});
-    response.success = true;
     client_ = listened ? caller : "";
     if (listened && !listeners_.contains(caller)) end_of_client();
-  } catch (const scan_cell_common::Error& error) {
-    response.success = false;
-    response.message = error.what();
-  }
-  return true;
+  });
 }
 
 bool TriggerServices::disarm(DisarmTrigger::Request&, DisarmTrigger::Response& response) {

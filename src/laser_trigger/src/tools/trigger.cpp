@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 #include "trigger_orders.h"
 
@@ -12,29 +13,6 @@ namespace {
 
 using laser_trigger::Order;
 using laser_trigger::PortAddress;
-
-/// As the node's parameters.
-struct Port {
-  std::string kind = "parallel";
-  std::string device = PortAddress().device;
-  std::string host = PortAddress().host;
-  std::uint16_t number = PortAddress().port;
-
-  PortAddress address() const {
-    return kind == "parallel" ? PortAddress::parallel(device) : PortAddress::loopback(host, number);
-  }
-};
-
-void add_port(CLI::App& app, Port& port) {
-  app.add_option("--port", port.kind, "parallel: a PC's parallel port; loopback: the simulator")
-      ->check(CLI::IsMember({"parallel", "loopback"}))
-      ->capture_default_str();
-  app.add_option("--device", port.device, "of the parallel port")->capture_default_str();
-  app.add_option("--loopback-host", port.host, "IPv4 address")->capture_default_str();
-  app.add_option("--loopback-port", port.number, "UDP port")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-}
 
 CLI::App* add_pulses(CLI::App& app, Order& order, std::vector<int>& lasers) {
   CLI::App* const pulses =
@@ -73,7 +51,8 @@ std::uint8_t mask_of(const std::vector<int>& lasers) {
 /// Exits 0 when it was done, 2 when the order made no sense or a signal ended it early, 1
 /// otherwise.
 int main(int argc, char** argv) {
-  Port port;
+  PortAddress port = PortAddress::parallel(PortAddress().device);
+  scan_cell_common::ParameterOptions typed;
   Order order;
   std::vector<int> lasers;
   double watched = 0;
@@ -81,7 +60,7 @@ int main(int argc, char** argv) {
       "Pulses the camera and switches the lasers on and off. However it ends, the lines are low "
       "then. The node laser_trigger must not run meanwhile.");
   app.require_subcommand(1);
-  add_port(app, port);
+  typed.add(app, port);
   CLI::App* const pulses = add_pulses(app, order, lasers);
   CLI::App* const laser = add_laser(app, order, lasers);
   CLI::App* const watch = app.add_subcommand(
@@ -94,11 +73,12 @@ int main(int argc, char** argv) {
       "trigger", app, argc, argv,
       [&] {
         const scan_cell_common::CatchInterrupts catch_interrupts;
+        typed.read(port);
         order.lasers = mask_of(lasers);
         if (watch->parsed()) {
-          laser_trigger::watch(port.address(), watched);
+          laser_trigger::watch(port, watched);
         } else {
-          laser_trigger::carry_out(order, port.address());
+          laser_trigger::carry_out(order, port);
         }
         return 0;
       },

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trigger_orders.h"
 
+#include <fmt/format.h>
+
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -25,7 +27,7 @@ std::string laser_names(std::uint8_t lasers) {
   std::string names;
   for (int i = 0; i < 2; ++i) {
     if ((lasers >> i & 1) != 0)
-      names += (names.empty() ? "laser_" : ", laser_") + std::to_string(i);
+      names += fmt::format("{}{}", (names.empty() ? "laser_" : ", laser_"), i);
   }
   return names;
 }
@@ -38,14 +40,13 @@ double duration(const Order& order) {
 void check(const Order& order) {
   const double seconds = duration(order);
   if (seconds > 0 && seconds <= kLongestOn) return;  // refuses NaN too
-  throw Refused(
-      "duration", std::to_string(seconds) + " s",
-      "give one above 0 and up to " + std::to_string(static_cast<int>(kLongestOn)) + " s");
+  throw Refused("duration", fmt::format("{:g} s", seconds),
+                fmt::format("give one above 0 and up to {} s", static_cast<int>(kLongestOn)));
 }
 
 /// Keeps it armed until it is over, a signal comes, or it disarmed itself.
 TriggerStatus wait_for_end(PulseGenerator& generator, const Order& order) {
-  constexpr auto kGlance = std::chrono::milliseconds(20);
+  constexpr auto kGlance = std::chrono::milliseconds(20);  // chosen
   const auto begin = Clock::now();
   const auto end = begin + std::chrono::duration_cast<Clock::duration>(
                                std::chrono::duration<double>(duration(order)));
@@ -91,8 +92,8 @@ void tell(const TriggerStatus& ended, double seconds) {
 }  // namespace
 
 void carry_out(const Order& order, const PortAddress& address) {
-  constexpr double kHangTimeout = 2;  // [s]
-  constexpr double kMargin = 1;       // [s] of the pulse thread's own limit
+  constexpr double kHangTimeout = 2;  // [s] chosen
+  constexpr double kMargin = 1;       // [s] of the pulse thread's own limit; chosen
   check(order);
   Guardian guardian;  // before there are threads
   guardian.watch(address, kHangTimeout);

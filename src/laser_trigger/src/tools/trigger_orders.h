@@ -8,7 +8,7 @@
 namespace laser_trigger {
 
 /// The longest that anything is switched on [s], as the node has it.
-constexpr double kLongestOn = 300;
+constexpr double kLongestOn = 300;  //!< [s] as the node's longest_on
 
 struct Order {
   double rate = 0;           //!< [Hz] 0: no pulses

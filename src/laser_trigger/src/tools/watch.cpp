@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <cinttypes>
 #include <cstdio>
 
@@ -22,10 +24,10 @@ class Display {
     const auto fell = static_cast<std::uint8_t>(data_ & ~write.data);
     for (int laser = 0; laser < 2; ++laser) {
       const std::uint8_t line = laser_bits(static_cast<std::uint8_t>(1 << laser));
-      if ((rose & line) != 0) print(write.time, "laser_" + std::to_string(laser) + " on");
-      if ((fell & line) != 0) print(write.time, "laser_" + std::to_string(laser) + " off");
+      if ((rose & line) != 0) print(write.time, fmt::format("laser_{} on", laser));
+      if ((fell & line) != 0) print(write.time, fmt::format("laser_{} off", laser));
     }
-    if ((rose & kCameraPulse) != 0) print(write.time, "pulse " + std::to_string(++pulses_));
+    if ((rose & kCameraPulse) != 0) print(write.time, fmt::format("pulse {}", ++pulses_));
     data_ = write.data;
   }
 
@@ -45,8 +47,8 @@ class Display {
 }  // namespace
 
 void watch(const PortAddress& address, double seconds) {
-  constexpr double kGlance = 0.05;  // [s]
-  if (address.kind == PortAddress::Kind::Parallel) {
+  constexpr double kGlance = 0.05;  // [s] chosen
+  if (address.kind == PortAddress::Kind::kParallel) {
     throw Refused("watch", address.name(),
                   "a parallel port cannot be read while another program writes it: watch the topic "
                   "/laser_trigger/events of the node, or give --port loopback");

@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <vector>
 
-#include "pose_frame_binder/frame_matcher.h"
-#include "pose_frame_binder/pose_log.h"
-#include "pose_frame_binder/pose_rule.h"
-#include "pose_frame_binder/pulse_log.h"
 #include "pose_frame_binder/types.h"
 
 namespace pose_frame_binder {
+
+class FrameLog;
+class FrameMatcher;
+class PoseLog;
+class PoseRule;
+class PulseLog;
+struct FrameRecord;
 
 /// Binds the frames of one scan to the poses at their pulses.
 ///
@@ -22,11 +24,13 @@ class Binder {
  public:
   /// @throw scan_cell_common::InvalidParameter as check()
   explicit Binder(const Settings& settings);
+  ~Binder();
   Binder(const Binder&) = delete;
   Binder& operator=(const Binder&) = delete;
 
   /// @throw scan_cell_common::Refused if the pose log is full
   void add_pose(const TimedPose& pose);
+  /// A repeated pulse, or one out of order, is dropped and counted.
   void add_pulse(const Pulse& pulse);
 
   /// @return its number: 0, 1, ... in the order of arrival
@@ -49,12 +53,10 @@ class Binder {
 
   /// Grows with each pulse and with each frame that may be of one; of frames that no pulse exposed,
   /// such as those of a camera in free run, only with the first few.
-  std::uint64_t progress() const {
-    return pulses_.size() + settled_ + pending_.size() + matcher_.waiting();
-  }
+  std::uint64_t progress() const;
 
-  std::uint64_t pulses() const { return pulses_.size(); }
-  const PoseLog& poses() const { return poses_; }
+  std::uint64_t pulses() const;                     //!< known so far
+  const PoseLog& poses() const { return *poses_; }  //!< measured so far
 
   /// Of what has been decided; complete after end().
   Audit audit() const;
@@ -64,27 +66,23 @@ class Binder {
   Audit counts() const;
 
  private:
-  enum class Fate : std::uint8_t { Unknown, Dropped, Bound };
-  struct Pending {
-    std::size_t frame;
-    std::size_t pulse;
-  };
+  enum class Fate : std::uint8_t { kUnknown, kDropped, kBound };
 
   void advance();
-  void take(const FrameMatcher::Result& result);
+  void on_drop(const FrameRecord& frame, const std::string& detail);
   void bind();
+  void count(const Match& match);
   void settle(std::size_t pulse, Fate fate);
   bool latency_doubtful() const;
 
   const Settings settings_;
   const std::unique_ptr<PoseRule> rule_;
-  PoseLog poses_;
-  PulseLog pulses_;
-  FrameMatcher matcher_;
-  std::vector<std::uint64_t> counters_;  // of the frames
-  std::deque<Pending> pending_;          // with a pulse, waiting for poses
-  std::vector<Fate> fates_;              // of the pulses
-  std::uint64_t settled_ = 0;            // pulses whose fate is known
+  const std::unique_ptr<PoseLog> poses_;
+  const std::unique_ptr<PulseLog> pulses_;
+  const std::unique_ptr<FrameLog> frames_;
+  const std::unique_ptr<FrameMatcher> matcher_;
+  std::vector<Fate> fates_;    // of the pulses
+  std::uint64_t settled_ = 0;  // pulses whose fate is known
   std::vector<Decision> decisions_;
   std::uint64_t triggers_ = 0;  // pulses sent, as end() was told
   Audit counts_;                // of the frames bound

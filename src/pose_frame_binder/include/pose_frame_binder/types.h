@@ -11,38 +11,39 @@
 
 #include "scan_cell_common/timed_pose.h"
 
+namespace scan_cell_common {
+class ParameterTable;
+}
+
 namespace pose_frame_binder {
 
 using scan_cell_common::Nanoseconds;
 using scan_cell_common::TimedPose;
 
 /// How a pulse gets its pose (docs/pose_frame_binder.md). Values as in BindingAudit.
-enum class Method : std::uint8_t { FirstPose = 1, Interpolate = 2, ConstantSpeed = 3 };
-
-/// @param word interpolate, first_pose or constant_speed
-Method method_from(const std::string& word);
+enum class Method : std::uint8_t { kFirstPose = 1, kInterpolate = 2, kConstantSpeed = 3 };
 
 /// Which rule made a match. Values as in PoseMatch.
 enum class Rule : std::uint8_t {
-  OneToOne = 1,
-  FramesSharePose = 2,
-  PosesShareFrame = 3,
-  Interpolated = 4,
-  ConstantSpeed = 5,
+  kOneToOne = 1,
+  kFramesSharePose = 2,
+  kPosesShareFrame = 3,
+  kInterpolated = 4,
+  kConstantSpeed = 5,
 };
 
 /// Why a frame is not bound. Values as in DroppedFrame.
 enum class DropReason : std::uint8_t {
-  NoTrigger = 1,
-  NoPoseBefore = 2,
-  NoPoseAfter = 3,
-  PoseGap = 4,
-  SharedPose = 5,
-  Repeated = 6,
-  OutOfOrder = 7,
-  Corrupt = 8,
-  NeverArrived = 9,
-  CounterSlip = 10,
+  kNoTrigger = 1,
+  kNoPoseBefore = 2,
+  kNoPoseAfter = 3,
+  kPoseGap = 4,
+  kSharedPose = 5,
+  kRepeated = 6,
+  kOutOfOrder = 7,
+  kCorrupt = 8,
+  kNeverArrived = 9,
+  kCounterSlip = 10,
 };
 
 /// The word for it, such as "shared_pose".
@@ -50,29 +51,30 @@ const char* name(DropReason reason);
 
 /// One pulse that was sent to the camera, host time.
 struct Pulse {
-  Nanoseconds time = 0;
-  std::uint32_t arming = 0;
-  std::uint64_t count = 0;
-  std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
+  Nanoseconds time = 0;      //!< of the rising edge
+  std::uint32_t arming = 0;  //!< number of the trigger's arming
+  std::uint64_t count = 0;   //!< within the arming, from 1
+  std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
 };
 
 /// What the binder needs to know of a frame.
 struct Frame {
-  std::uint32_t acquisition = 0;
-  std::uint64_t counter = 0;  //!< unwrapped
-  Nanoseconds stamp = 0;      //!< of the exposure, host time; late by a constant latency
-  std::string corrupt;        //!< why it cannot be used; empty where it can
+  std::uint32_t acquisition = 0;  //!< number of the camera's start
+  std::uint64_t counter = 0;      //!< unwrapped
+  Nanoseconds stamp = 0;          //!< of the exposure, host time; late by a constant latency
+  std::string corrupt;            //!< why it cannot be used; empty where it can
 };
 
 /// A motion along a line at constant speed (thesis, section 6.1). The first pulse of the first
 /// arming is at its start, the others follow at a constant frame rate. Nothing of it is measured.
 struct ConstantSpeed {
   Eigen::Isometry3d start = none();  //!< pose of the flange in the frame of the poses
-  Eigen::Isometry3d end = none();
-  double speed = 0;           //!< [m/s]
-  double frame_rate = 0;      //!< [Hz]
+  Eigen::Isometry3d end = none();    //!< the same at the end
+  double speed = 0;                  //!< [m/s]
+  double frame_rate = 0;             //!< [Hz]
   bool object_moves = false;  //!< on a conveyor, from start to end, and the scanner stands at start
 
+  /// A pose of NaN: not given.
   static Eigen::Isometry3d none() {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.matrix().setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -82,25 +84,29 @@ struct ConstantSpeed {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
+/// What decides which frame gets which pose.
 struct Settings {
-  Method method = Method::Interpolate;
-  double most_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
-  double pose_settle = 0.02;    //!< [s] how far a pose may come behind a later one
-  double pose_delay = 0;        //!< [s] the poses are stamped so much too late
-  double camera_latency = 0.004;       //!< [s] frame's stamp - pulse, as expected
-  double latency_tolerance = 0.02;     //!< [s] at most; never above 0.45 of the pulse interval
-  int frames_to_agree = 3;             //!< that fix the counter's offset
-  double most_acceleration = 10;       //!< [m/s^2] of the flange, for the error bound
-  double most_speed = 1.5;             //!< [m/s] of the flange, for the error bound
-  std::size_t most_poses = 2'000'000;  //!< held in memory (170 bytes each)
-  std::size_t most_pending_frames = 20'000;  //!< that wait for pulses or poses
-  ConstantSpeed constant_speed;              //!< for that method alone
+  Method method = Method::kInterpolate;  //!< how a pulse gets its pose
+  double max_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
+  double pose_settle = 0.02;   //!< [s] how far a pose may come behind a later one
+  double pose_delay = 0;       //!< [s] the poses are stamped so much too late
+  double camera_latency = 0.004;            //!< [s] frame's stamp - pulse, as expected
+  double latency_tolerance = 0.02;          //!< [s] at most; never above 0.45 of the pulse interval
+  int frames_to_agree = 3;                  //!< that fix the counter's offset
+  double max_acceleration = 10;             //!< [m/s^2] of the flange, for the error bound
+  double max_speed = 1.5;                   //!< [m/s] of the flange, for the error bound
+  std::size_t max_poses = 2'000'000;        //!< held in memory (170 bytes each)
+  std::size_t max_pending_frames = 20'000;  //!< that wait for pulses or poses
+  ConstantSpeed constant_speed;             //!< for that method alone
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// @throw scan_cell_common::InvalidParameter if a number is not finite, negative where that makes
-/// no sense, or absurdly large, or the method's motion is not determined
+/// With range, unit and meaning of each, but for those of the constant speed.
+void describe(scan_cell_common::ParameterTable& table, Settings& settings);
+
+/// @throw scan_cell_common::InvalidParameter naming what is out of range, or if the method's motion
+/// is not determined
 void check(const Settings& settings);
 
 /// @throw scan_cell_common::InvalidParameter if the motion is not determined
@@ -108,22 +114,23 @@ void check(const ConstantSpeed& motion);
 
 /// A frame with its pulse and pose.
 struct Match {
-  Rule rule = Rule::OneToOne;
-  Pulse pulse;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  double time_to_before = 0;        //!< [s] NaN: that pose was not used
-  double time_to_after = 0;         //!< [s] NaN: that pose was not used
-  double position_error_bound = 0;  //!< [m]
+  Rule rule = Rule::kOneToOne;                             //!< that made it
+  Pulse pulse;                                             //!< that exposed the frame
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< of the flange at the pulse
+  double time_to_before = 0;                               //!< [s] NaN: that pose was not used
+  double time_to_after = 0;                                //!< [s] NaN: that pose was not used
+  double position_error_bound = 0;                         //!< [m]
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
+/// A frame that is not bound, or a pulse whose frame never arrived.
 struct Drop {
-  DropReason reason = DropReason::NoTrigger;
+  DropReason reason = DropReason::kNoTrigger;  //!< why
   std::optional<std::size_t> frame;  //!< its number; none: the pulse's frame never arrived
-  std::uint64_t frame_counter = 0;
-  std::uint64_t trigger_count = 0;  //!< 0: no pulse belongs to it
-  std::string detail;
+  std::uint64_t frame_counter = 0;   //!< the camera's, unwrapped
+  std::uint64_t trigger_count = 0;   //!< 0: no pulse belongs to it
+  std::string detail;                //!< for a person
 };
 
 /// What became of one frame.
@@ -139,18 +146,18 @@ struct Decision {
 /// frames = frames_bound + drops with a frame. A pulse has a bound frame, or is named by a drop,
 /// or is missing.
 struct Audit {
-  Method method = Method::Interpolate;
-  std::uint64_t triggers = 0;          //!< pulses sent
-  std::uint64_t triggers_missing = 0;  //!< of them, not known to the binder
-  std::uint64_t triggers_refused = 0;  //!< dropped pulses: repeated or out of order
-  std::uint64_t frames = 0;
-  std::uint64_t poses = 0;  //!< in the log
-  std::uint64_t frames_bound = 0;
-  std::uint64_t frames_dropped = 0;
-  std::uint64_t frames_never_arrived = 0;
-  std::uint64_t by_rule[6] = {};  //!< bound frames by Rule
-  double worst_time_to_pose = 0;
-  double worst_position_error = 0;
+  Method method = Method::kInterpolate;    //!< of the scan
+  std::uint64_t triggers = 0;              //!< pulses sent
+  std::uint64_t triggers_missing = 0;      //!< of them, not known to the binder
+  std::uint64_t triggers_refused = 0;      //!< dropped pulses: repeated or out of order
+  std::uint64_t frames = 0;                //!< received
+  std::uint64_t poses = 0;                 //!< in the log
+  std::uint64_t frames_bound = 0;          //!< with a pose
+  std::uint64_t frames_dropped = 0;        //!< received, without a pose
+  std::uint64_t frames_never_arrived = 0;  //!< pulses without a frame
+  std::uint64_t by_rule[6] = {};           //!< bound frames by Rule
+  double worst_time_to_pose = 0;           //!< [s] from a pulse to the nearest pose used
+  double worst_position_error = 0;         //!< [m] greatest position_error_bound
   double latency = 0;  //!< [s] frame's stamp - pulse, as measured; NaN where nothing was bound
   bool latency_doubtful = false;     //!< frames and pulses overhang at opposite ends of the scan
   std::uint64_t slips = 0;           //!< times the counter's offset changed within an acquisition

@@ -44,7 +44,7 @@ TimedPose to_pose(const FaultyPose& faulty) {
 /// All that the scan sends, in the order of its arrival.
 Run bind(const FaultyScan& scan) {
   Settings settings;
-  settings.most_poses = kPosesAllowed;
+  settings.max_poses = kPosesAllowed;
   Run run;
   run.decisions.reserve(scan.frames.size());
   const std::size_t before = memory_used();

@@ -190,7 +190,7 @@ class Numbering {
     using Kind = CounterStep::Kind;
     if (wire.told_restart) begin();
     CounterStep step = unwrapper_.unwrap(wire.raw_counter);
-    if (step.kind == Kind::BACKWARD && wire.stamp > last_time_) {
+    if (step.kind == Kind::kBackward && wire.stamp > last_time_) {
       begin();
       step = unwrapper_.unwrap(wire.raw_counter);
     }
@@ -220,9 +220,8 @@ void make_poses(Nanoseconds end, const FaultShares& shares, Chance& chance,
     if (chance.hit(shares.pose_lost)) continue;
     FaultyPose pose;
     pose.time = kScanStart + static_cast<Nanoseconds>(t);
-    const double most_late = chance.hit(shares.pose_late) ? 60 : 1;
-    pose.arrival =
-        pose.time + static_cast<Nanoseconds>(chance.uniform(0, most_late) * kMillisecond);
+    const double max_late = chance.hit(shares.pose_late) ? 60 : 1;
+    pose.arrival = pose.time + static_cast<Nanoseconds>(chance.uniform(0, max_late) * kMillisecond);
     pose.finite = !chance.hit(shares.pose_unusable);
     poses.push_back(pose);
   }

@@ -2,106 +2,129 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_frame_binder/binder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
+#include "frames/frame_log.h"
+#include "matching/frame_matcher.h"
+#include "matching/pulse_log.h"
+#include "poses/pose_log.h"
+#include "poses/pose_rule.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace pose_frame_binder {
 
 using scan_cell_common::from_seconds;
 
 const char* name(DropReason reason) {
-  switch (reason) {
-    case DropReason::NoTrigger:
-      return "no_trigger";
-    case DropReason::NoPoseBefore:
-      return "no_pose_before";
-    case DropReason::NoPoseAfter:
-      return "no_pose_after";
-    case DropReason::PoseGap:
-      return "pose_gap";
-    case DropReason::SharedPose:
-      return "shared_pose";
-    case DropReason::Repeated:
-      return "repeated";
-    case DropReason::OutOfOrder:
-      return "out_of_order";
-    case DropReason::Corrupt:
-      return "corrupt";
-    case DropReason::NeverArrived:
-      return "never_arrived";
-    case DropReason::CounterSlip:
-      return "counter_slip";
-  }
-  return "unknown";
+  static constexpr const char* kNames[] = {
+      "no_trigger", "no_pose_before", "no_pose_after", "pose_gap",      "shared_pose",
+      "repeated",   "out_of_order",   "corrupt",       "never_arrived", "counter_slip"};
+  const auto index = static_cast<std::size_t>(reason) - 1;
+  return index < std::size(kNames) ? kNames[index] : "unknown";
+}
+
+void describe(scan_cell_common::ParameterTable& table, Settings& settings) {
+  static const std::vector<std::string> kMethods = {"first_pose", "interpolate", "constant_speed"};
+  std::string method = kMethods.at(static_cast<std::size_t>(settings.method) - 1);
+  table.choice("method", method, kMethods, "how a pulse gets its pose");
+  const auto found = std::find(kMethods.begin(), kMethods.end(), method) - kMethods.begin();
+  settings.method = static_cast<Method>(found + 1);
+  table.add("max_pose_gap", settings.max_pose_gap, {1e-4, 10, "s"},
+            "between the poses around a pulse; of `first_pose`, from the pulse to its pose");
+  table.renamed("most_pose_gap", "max_pose_gap");
+  table.add("pose_settle", settings.pose_settle, {0, 1, "s"},
+            "a pose further behind the newest is dropped as late; also how long a match waits for "
+            "poses out of order");
+  table.add("pose_delay", settings.pose_delay, {-1, 1, "s"},
+            "the poses are stamped too late by this, as estimate_time_offset finds it; it is taken "
+            "off each");
+  table.add("camera_latency", settings.camera_latency, {-0.1, 1, "s"},
+            "expected time from a pulse to the stamp of its frame");
+  table.add("latency_tolerance", settings.latency_tolerance, {1e-5, 1, "s"},
+            "at most; 0.45 of the pulse interval where that is less");
+  table.add("frames_to_agree", settings.frames_to_agree, {2, 32},
+            "frames that fix the counter's offset; one less are dropped on either side of a slip, "
+            "and wait before they are told");
+  table.add("max_acceleration", settings.max_acceleration, {0.01, 1000, "m/s^2"},
+            "of the flange, for the error bound");
+  table.renamed("most_acceleration", "max_acceleration");
+  table.add("max_speed", settings.max_speed, {0.001, 100, "m/s"},
+            "of the flange, for the error bound");
+  table.renamed("most_speed", "max_speed");
+  table.add("max_poses", settings.max_poses, {100, 1e9},
+            "poses of a scan in memory (170 bytes each; 2,000,000 are over an hour at 500 Hz)");
+  table.renamed("most_poses", "max_poses");
+  table.add("max_pending_frames", settings.max_pending_frames, {10, 1e7},
+            "frames that wait for pulses or poses");
+  table.renamed("most_pending_frames", "max_pending_frames");
 }
 
 void check(const Settings& settings) {
-  const auto in = [](const char* name, double value, double least, double most) {
-    if (value >= least && value <= most) return;
-    throw scan_cell_common::InvalidParameter(
-        name, std::to_string(value),
-        "give " + std::to_string(least) + " .. " + std::to_string(most));
-  };
-  constexpr double kLeast = 1e-6, kMost = 1e6;
-  in("most_pose_gap", settings.most_pose_gap, kLeast, kMost);
-  in("pose_settle", settings.pose_settle, 0, kMost);
-  in("pose_delay", settings.pose_delay, -kMost, kMost);
-  in("camera_latency", settings.camera_latency, -kMost, kMost);
-  in("latency_tolerance", settings.latency_tolerance, kLeast, kMost);
-  in("frames_to_agree", settings.frames_to_agree, 2, kMost);
-  in("most_acceleration", settings.most_acceleration, 0, kMost);
-  in("most_speed", settings.most_speed, 0, kMost);
-  if (settings.method == Method::ConstantSpeed) check(settings.constant_speed);
+  scan_cell_common::check(settings);
+  if (settings.method == Method::kConstantSpeed) check(settings.constant_speed);
 }
 
 Binder::Binder(const Settings& settings)
     : settings_((check(settings), settings)),
       rule_(make_pose_rule(settings)),
-      poses_(from_seconds(settings.pose_settle), settings.most_poses),
-      matcher_(pulses_, settings) {
+      poses_(std::make_unique<PoseLog>(from_seconds(settings.pose_settle), settings.max_poses)),
+      pulses_(std::make_unique<PulseLog>()),
+      frames_(std::make_unique<FrameLog>(
+          [this](const FrameRecord& frame, const std::string& detail) { on_drop(frame, detail); })),
+      matcher_(std::make_unique<FrameMatcher>(*pulses_, *frames_, settings)) {
   counts_.method = settings.method;
+}
+
+Binder::~Binder() = default;
+
+std::uint64_t Binder::pulses() const {
+  return pulses_->size();
+}
+
+std::uint64_t Binder::progress() const {
+  return pulses() + settled_ + frames_->undecided();
 }
 
 void Binder::add_pose(const TimedPose& pose) {
   TimedPose measured = pose;
   measured.time -= from_seconds(settings_.pose_delay);
-  poses_.add(measured);
+  poses_->add(measured);
   bind();
 }
 
 void Binder::add_pulse(const Pulse& pulse) {
-  pulses_.add(pulse);
-  fates_.resize(pulses_.size(), Fate::Unknown);
+  pulses_->add(pulse);
+  fates_.resize(pulses_->size(), Fate::kUnknown);
   advance();
 }
 
 std::size_t Binder::add_frame(const Frame& frame) {
-  if (matcher_.waiting() + pending_.size() >= settings_.most_pending_frames) {
+  if (frames_->undecided() >= settings_.max_pending_frames) {
     throw scan_cell_common::Refused(
-        "frames waiting for pulses and poses", std::to_string(settings_.most_pending_frames),
-        "check that trigger events and poses arrive, or raise most_pending_frames");
+        "frames waiting for pulses and poses", fmt::format("{}", settings_.max_pending_frames),
+        "check that trigger events and poses arrive, or raise max_pending_frames");
   }
-  const std::size_t number = counters_.size();
-  counters_.push_back(frame.counter);
-  matcher_.add(number, frame);
+  const std::size_t number = frames_->add(frame);
   advance();
   return number;
 }
 
 void Binder::end_pulses() {
-  pulses_.end();
+  pulses_->end();
   advance();
 }
 
 void Binder::end(std::uint64_t triggers) {
   triggers_ = triggers;
-  pulses_.end();
-  poses_.end();
-  for (const FrameMatcher::Result& result : matcher_.finish())
-    take(result);
+  pulses_->end();
+  poses_->end();
+  matcher_->finish();
   bind();
 }
 
@@ -110,52 +133,50 @@ std::vector<Decision> Binder::take_decisions() {
 }
 
 bool Binder::whole(std::uint64_t triggers) const {
-  return pulses_.size() >= triggers && settled_ == pulses_.size() && matcher_.waiting() == 0;
+  return pulses_->size() >= triggers && settled_ == pulses_->size() &&
+         frames_->undecided() == frames_->count(FrameState::kMatched);
 }
 
 void Binder::advance() {
-  for (const FrameMatcher::Result& result : matcher_.advance())
-    take(result);
+  matcher_->advance();
   bind();
 }
 
-void Binder::take(const FrameMatcher::Result& result) {
-  if (!result.drop) {
-    pending_.push_back({result.frame, *result.pulse});
-    return;
-  }
-  dropped_.push_back(*result.drop);
-  decisions_.push_back({result.frame, std::nullopt});
-  if (result.pulse) settle(*result.pulse, Fate::Dropped);
+void Binder::on_drop(const FrameRecord& frame, const std::string& detail) {
+  const std::uint64_t count = frame.pulse ? (*pulses_)[*frame.pulse].count : 0;
+  dropped_.push_back({frame.reason, frame.number, frame.frame.counter, count, detail});
+  decisions_.push_back({frame.number, std::nullopt});
+  if (frame.pulse) settle(*frame.pulse, Fate::kDropped);
 }
 
 void Binder::bind() {
-  while (!pending_.empty()) {
-    const auto [frame, pulse] = pending_.front();
-    const std::optional<PoseAnswer> answer = rule_->find(pulse, pulses_, poses_);
+  for (FrameRecord* frame = frames_->first_undecided();
+       frame != nullptr && frame->state == FrameState::kMatched;
+       frame = frames_->first_undecided()) {
+    const std::optional<PoseAnswer> answer = rule_->find(*frame->pulse, *pulses_, *poses_);
     if (!answer) return;
-    pending_.pop_front();
-    decisions_.push_back({frame, answer->match});
     if (!answer->match) {
-      dropped_.push_back(
-          {answer->reason, frame, counters_[frame], pulses_[pulse].count, answer->detail});
-      settle(pulse, Fate::Dropped);
+      frames_->drop(*frame, answer->reason, answer->detail);
       continue;
     }
-    settle(pulse, Fate::Bound);
-    const Match& match = *answer->match;
-    ++counts_.frames_bound;
-    ++counts_.by_rule[static_cast<int>(match.rule)];
-    // The nearest pose that was used; fmin passes over the one that was not.
-    counts_.worst_time_to_pose =
-        std::max(counts_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
-    counts_.worst_position_error =
-        std::max(counts_.worst_position_error, match.position_error_bound);
+    frames_->set(*frame, FrameState::kBound);
+    decisions_.push_back({frame->number, answer->match});
+    settle(*frame->pulse, Fate::kBound);
+    count(*answer->match);
   }
 }
 
+void Binder::count(const Match& match) {
+  ++counts_.frames_bound;
+  ++counts_.by_rule[static_cast<int>(match.rule)];
+  // The nearest pose that was used; fmin passes over the one that was not.
+  counts_.worst_time_to_pose =
+      std::max(counts_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
+  counts_.worst_position_error = std::max(counts_.worst_position_error, match.position_error_bound);
+}
+
 void Binder::settle(std::size_t pulse, Fate fate) {
-  if (fates_[pulse] == Fate::Unknown) ++settled_;
+  if (fates_[pulse] == Fate::kUnknown) ++settled_;
   fates_[pulse] = std::max(fates_[pulse], fate);
 }
 
@@ -163,26 +184,26 @@ bool Binder::latency_doubtful() const {
   if (fates_.empty() || counts_.frames_bound == 0) return false;
   const auto without_pulse = [this](std::size_t frame) {
     return std::any_of(dropped_.begin(), dropped_.end(), [frame](const Drop& drop) {
-      return drop.frame == frame && drop.reason == DropReason::NoTrigger;
+      return drop.frame == frame && drop.reason == DropReason::kNoTrigger;
     });
   };
-  return (fates_.front() == Fate::Unknown && without_pulse(counters_.size() - 1)) ||
-         (fates_.back() == Fate::Unknown && without_pulse(0));
+  return (fates_.front() == Fate::kUnknown && without_pulse(frames_->end() - 1)) ||
+         (fates_.back() == Fate::kUnknown && without_pulse(0));
 }
 
 Audit Binder::counts() const {
   Audit audit = counts_;
-  audit.triggers = std::max<std::uint64_t>(triggers_, pulses_.size());
-  audit.triggers_missing = audit.triggers - pulses_.size();
-  audit.triggers_refused = pulses_.refused();
-  audit.frames = counters_.size();
-  audit.poses = poses_.size();
+  audit.triggers = std::max<std::uint64_t>(triggers_, pulses_->size());
+  audit.triggers_missing = audit.triggers - pulses_->size();
+  audit.triggers_refused = pulses_->refused();
+  audit.frames = frames_->end();
+  audit.poses = poses_->size();
   audit.frames_dropped = dropped_.size();
-  audit.latency = matcher_.latency();
-  audit.slips = matcher_.slips();
-  audit.poses_repeated = poses_.repeated();
-  audit.poses_late = poses_.late();
-  audit.poses_unusable = poses_.unusable();
+  audit.latency = matcher_->latency();
+  audit.slips = matcher_->slips();
+  audit.poses_repeated = poses_->repeated();
+  audit.poses_late = poses_->late();
+  audit.poses_unusable = poses_->unusable();
   return audit;
 }
 
@@ -193,10 +214,10 @@ Audit Binder::audit() const {
   std::stable_sort(audit.dropped.begin(), audit.dropped.end(),
                    [](const Drop& a, const Drop& b) { return a.frame < b.frame; });
   for (std::size_t i = 0; i < fates_.size(); ++i) {
-    if (fates_[i] != Fate::Unknown) continue;
+    if (fates_[i] != Fate::kUnknown) continue;
     ++audit.frames_never_arrived;
-    audit.dropped.push_back({DropReason::NeverArrived, std::nullopt, 0, pulses_[i].count,
-                             "arming " + std::to_string(pulses_[i].arming)});
+    audit.dropped.push_back({DropReason::kNeverArrived, std::nullopt, 0, (*pulses_)[i].count,
+                             fmt::format("arming {}", (*pulses_)[i].arming)});
   }
   return audit;
 }

@@ -4,16 +4,17 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
+
+#include "scan_cell_common/net/line_server.h"
 
 namespace pose_frame_binder {
 
 struct LookupLimits {
-  int most_clients = 4;         //!< at a time; further ones are told so and hung up
-  std::size_t most_bytes = 64;  //!< of a line
-  double idle_time = 60;        //!< [s] without a byte, after which a client is hung up
+  int max_clients = 4;         //!< at a time; further ones are told so and hung up
+  std::size_t max_bytes = 64;  //!< of a line
+  double idle_time = 60;       //!< [s] without a byte, after which a client is hung up
 };
 
 /// Answers lines over TCP: a line in, a line out. A line ends with LF, CR LF or a zero byte.
@@ -27,19 +28,12 @@ class LookupServer {
   /// @param answer called by the server's thread; must not throw
   /// @throw scan_cell_common::ConnectionError if the port cannot be opened
   LookupServer(const std::string& address, std::uint16_t port, const LookupLimits& limits,
-               Answer answer);
+               const Answer& answer);
 
-  /// Hangs up all clients and ends the thread.
-  ~LookupServer();
-
-  LookupServer(const LookupServer&) = delete;
-  LookupServer& operator=(const LookupServer&) = delete;
-
-  std::uint16_t port() const;
+  std::uint16_t port() const { return server_.port(); }
 
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  scan_cell_common::LineServer server_;
 };
 
 }  // namespace pose_frame_binder

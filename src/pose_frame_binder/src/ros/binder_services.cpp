@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/service_answer.h"
 
 namespace pose_frame_binder {
 
@@ -72,8 +73,7 @@ void BinderServices::publish_bound() {
 }
 
 bool BinderServices::start(StartScan::Request& request, StartScan::Response& response) {
-  response.success = false;
-  try {
+  return scan_cell_common::answer(response, [&] {
     const Eigen::Isometry3d fixed_to_base = static_transforms_.look_up(
         parameters_.frames.fixed, parameters_.frames.base, parameters_.transform_timeout);
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -86,11 +86,7 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
     lookup_.start();
     failure_.clear();
     profiles_ignored_ = 0;
-    response.success = true;
-  } catch (const scan_cell_common::Error& error) {
-    response.message = error.what();
-  }
-  return true;
+  });
 }
 
 void BinderServices::wait_for_all(std::unique_lock<std::mutex>& lock, std::uint64_t triggers,

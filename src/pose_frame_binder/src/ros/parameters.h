@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/node_handle.h>
-
-#include <string>
-
 #include "frame_lookup.h"
 #include "profile_binder.h"
 
@@ -15,10 +11,10 @@ struct Parameters {
   Settings settings;
   Frames frames;
   LookupParameters lookup;
-  double transform_timeout = 2;  //!< [s] for the static transform from fixed frame to base
-
-  /// @throw scan_cell_common::InvalidParameter
-  static Parameters load(const ros::NodeHandle& node);
+  double transform_timeout = 2;  //!< [s]
 };
+
+/// With range, unit and meaning of each.
+void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
 }  // namespace pose_frame_binder

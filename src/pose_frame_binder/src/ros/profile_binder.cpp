@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_binder.h"
 
+#include <fmt/format.h>
+
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_table.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace pose_frame_binder {
@@ -47,12 +50,9 @@ BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
   return message;
 }
 
-/// NaN where the rotation is none: a quaternion of zeros would become the identity.
+/// NaN where the quaternion is not of unit length: one of zeros would become the identity.
 Eigen::Isometry3d pose_of(const geometry_msgs::Transform& transform) {
-  const geometry_msgs::Quaternion& q = transform.rotation;
-  constexpr double kUnit = 1e-3;  // of the rounded ones in messages
-  if (std::abs(Eigen::Quaterniond(q.w, q.x, q.y, q.z).norm() - 1) < kUnit)
-    return from_ros(transform);
+  if (scan_cell_common::is_unit(from_ros(transform.rotation))) return from_ros(transform);
   Eigen::Isometry3d none;
   none.matrix().setConstant(std::numeric_limits<double>::quiet_NaN());
   return none;
@@ -60,15 +60,35 @@ Eigen::Isometry3d pose_of(const geometry_msgs::Transform& transform) {
 
 }  // namespace
 
-void check(const Frames& frames) {
-  const auto refuse_unusable = [](const std::string& name, const std::string& frame) {
-    if (!frame.empty() && frame.front() != '/') return;
-    throw scan_cell_common::InvalidParameter(name, "'" + frame + "'",
-                                             "give the frame's name, without a slash before it");
+void describe(scan_cell_common::ParameterTable& table, Frames& frames) {
+  const auto add = [&table](const std::string& name, std::string& frame,
+                            const std::string& meaning) {
+    table.add(name, frame, meaning);
+    if (frame.empty() || frame.front() == '/')
+      table.refuse(name, "'" + frame + "'", "give the frame's name, without a slash before it");
   };
-  refuse_unusable("fixed_frame", frames.fixed);
-  refuse_unusable("base_frame", frames.base);
-  refuse_unusable("flange_frame", frames.flange);
+  add("fixed_frame", frames.fixed, "poses are bound in it");
+  add("base_frame", frames.base, "the robot's base");
+  add("flange_frame", frames.flange, "the robot's flange");
+}
+
+void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion) {
+  constexpr double kFarthest = 100;  // [m] chosen: beyond any cell
+  const auto add = [&table](const std::string& name, Eigen::Isometry3d& pose) {
+    std::vector<double> numbers;
+    table.add(name, numbers, {-kFarthest, kFarthest, "m"},
+              "`constant_speed`: x y z qx qy qz qw in the fixed frame", 7);
+    if (!numbers.empty()) pose = pose_from(table.full_name(name), numbers);
+  };
+  add("start", motion.start);
+  add("end", motion.end);
+  table.add("speed", motion.speed, {0, 100, "m/s"}, "`constant_speed`: from start to end");
+  table.add("frame_rate", motion.frame_rate, {0, 1e5, "Hz"}, "`constant_speed`");
+  std::string moving = motion.object_moves ? "object" : "scanner";
+  table.choice("moving", moving, {"object", "scanner"},
+               "`constant_speed`: object: a conveyor carries it from start to end, and the scanner "
+               "stands at start");
+  motion.object_moves = moving == "object";
 }
 
 std::string find_fault(const PeakProfile& profile) {
@@ -78,32 +98,26 @@ std::string find_fault(const PeakProfile& profile) {
     return "arrays of different lengths";
   }
   if (profile.header.stamp.isZero()) return "no stamp";
-  constexpr std::uint64_t kMostCounter = std::uint64_t{1} << 62;
-  if (profile.frame_counter > kMostCounter) return "impossible frame counter";
+  constexpr std::uint64_t kMaxCounter = std::uint64_t{1} << 62;
+  if (profile.frame_counter > kMaxCounter) return "impossible frame counter";
   return "";
 }
 
 ProfileBinder::ProfileBinder(const Settings& settings, const Frames& frames,
                              const Eigen::Isometry3d& fixed_to_base)
     : frames_(frames), fixed_to_base_(fixed_to_base), binder_(settings) {
-  check(frames);
+  scan_cell_common::check(frames);
 }
 
 Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& numbers) {
-  constexpr double kUnit = 1e-3;
-  constexpr std::size_t kNumbers = 7;
-  const bool complete = numbers.size() == kNumbers;
-  const auto q = complete ? Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5])
-                          : Eigen::Quaterniond(0, 0, 0, 0);
-  if (!complete || std::abs(q.norm() - 1) > kUnit) {
-    throw scan_cell_common::InvalidParameter(
-        name,
-        complete ? "a quaternion not of length 1" : std::to_string(numbers.size()) + " numbers",
-        "give x, y, z [m] and a unit quaternion qx, qy, qz, qw");
-  }
+  using scan_cell_common::InvalidParameter;
+  constexpr const char* kCure = "give x, y, z [m] and a unit quaternion qx, qy, qz, qw";
+  if (numbers.size() != 7)
+    throw InvalidParameter(name, fmt::format("{} numbers", numbers.size()), kCure);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() << numbers[0], numbers[1], numbers[2];
-  pose.linear() = q.normalized().toRotationMatrix();
+  pose.linear() = scan_cell_common::rotation_from<InvalidParameter>(
+      Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5]), name, kCure);
   return pose;
 }
 
@@ -153,11 +167,11 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
   message.frames_dropped = audit.frames_dropped;
   message.frames_never_arrived = audit.frames_never_arrived;
   const auto count = [&audit](Rule rule) { return audit.by_rule[static_cast<int>(rule)]; };
-  message.one_to_one = count(Rule::OneToOne);
-  message.frames_share_pose = count(Rule::FramesSharePose);
-  message.poses_share_frame = count(Rule::PosesShareFrame);
-  message.interpolated = count(Rule::Interpolated);
-  message.constant_speed = count(Rule::ConstantSpeed);
+  message.one_to_one = count(Rule::kOneToOne);
+  message.frames_share_pose = count(Rule::kFramesSharePose);
+  message.poses_share_frame = count(Rule::kPosesShareFrame);
+  message.interpolated = count(Rule::kInterpolated);
+  message.constant_speed = count(Rule::kConstantSpeed);
   message.worst_time_to_pose = audit.worst_time_to_pose;
   message.worst_position_error = audit.worst_position_error;
   message.latency = audit.latency;
@@ -175,7 +189,7 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
 
 std::string summary(const Audit& audit) {
   std::ostringstream text;
-  if (audit.method == Method::ConstantSpeed) text << "poses calculated, not measured: ";
+  if (audit.method == Method::kConstantSpeed) text << "poses calculated, not measured: ";
   text << audit.frames_bound << " of " << audit.frames << " frames bound to "
        << audit.triggers - audit.triggers_missing << " pulses and " << audit.poses << " poses";
   std::map<DropReason, std::uint64_t> reasons;

@@ -22,9 +22,9 @@ struct Frames {
   std::string flange = "tool0";
 };
 
-/// @throw scan_cell_common::InvalidParameter if a name is empty or begins with a slash: no
-/// transform would ever match it
-void check(const Frames& frames);
+/// With the meaning of each. Refuses a name that is empty or begins with a slash: no transform
+/// would ever match it.
+void describe(scan_cell_common::ParameterTable& table, Frames& frames);
 
 /// Binder for messages: profiles in, profiles with a pose out.
 class ProfileBinder {
@@ -53,6 +53,9 @@ class ProfileBinder {
   Binder binder_;
   std::map<std::size_t, scan_cell_msgs::PeakProfileConstPtr> waiting_;
 };
+
+/// With range, unit and meaning of each. Poses are taken as pose_from() takes them.
+void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion);
 
 /// A pose from x, y, z [m], qx, qy, qz, qw, as parameters give it.
 /// @throw scan_cell_common::InvalidParameter naming `name` if it is none

@@ -11,6 +11,7 @@
 #include "bag_scan.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/ros/bag_errors.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_common/tool_main.h"
@@ -25,10 +26,9 @@ struct Options {
   std::string output;
   pose_frame_binder::BagTopics topics;
   std::string static_transforms = "/tf_static";
-  std::string method = "interpolate";
   pose_frame_binder::Frames frames;
   pose_frame_binder::Settings settings;
-  std::vector<double> start, end;
+  scan_cell_common::ParameterOptions typed;
 };
 
 Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) {
@@ -115,34 +115,13 @@ void declare(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs
       ->capture_default_str();
   app.add_option("--static-transforms", options.static_transforms, "topic of what stands still")
       ->capture_default_str();
-  app.add_option("--fixed-frame", options.frames.fixed)->capture_default_str();
-  app.add_option("--base-frame", options.frames.base)->capture_default_str();
-  app.add_option("--flange-frame", options.frames.flange)->capture_default_str();
-  app.add_option("--method", options.method)
-      ->check(CLI::IsMember({"constant_speed", "first_pose", "interpolate"}))
-      ->capture_default_str();
-  app.add_option("--camera-latency", options.settings.camera_latency, "[s]")->capture_default_str();
-  app.add_option("--pose-delay", options.settings.pose_delay, "[s], as estimate_time_offset says")
-      ->capture_default_str();
-  app.add_option("--most-pose-gap", options.settings.most_pose_gap, "[s]")->capture_default_str();
-  pose_frame_binder::ConstantSpeed& motion = options.settings.constant_speed;
-  const char* const pose = "for constant_speed: x y z [m] qx qy qz qw in the fixed frame";
-  app.add_option("--start", options.start, pose)->expected(7);
-  app.add_option("--end", options.end, pose)->expected(7);
-  app.add_option("--speed", motion.speed, "for constant_speed [m/s]");
-  app.add_option("--frame-rate", motion.frame_rate, "for constant_speed [Hz]");
+  options.typed.add(app, options.frames);
+  options.typed.add(app, options.settings,
+                    {"method", "camera_latency", "pose_delay", "max_pose_gap"});
+  options.typed.add(app, options.settings.constant_speed, {"start", "end", "speed", "frame_rate"});
   app.add_flag(
-      "--object-moves", motion.object_moves,
+      "--object-moves", options.settings.constant_speed.object_moves,
       "for constant_speed: the object goes from start to end, the scanner stands at start");
-}
-
-void finish(Options& options) {
-  pose_frame_binder::Settings& settings = options.settings;
-  settings.method = pose_frame_binder::method_from(options.method);
-  if (!options.start.empty())
-    settings.constant_speed.start = pose_frame_binder::pose_from("--start", options.start);
-  if (!options.end.empty())
-    settings.constant_speed.end = pose_frame_binder::pose_from("--end", options.end);
 }
 
 }  // namespace
@@ -155,7 +134,9 @@ int main(int argc, char** argv) {
   return scan_cell_common::tool_main(
       "bind_bag", app, argc, argv,
       [&] {
-        finish(options);
+        options.typed.read(options.frames);
+        options.typed.read(options.settings);
+        options.typed.read(options.settings.constant_speed);
         run(options);
         return 0;
       },

@@ -6,7 +6,9 @@
 
 #include "bag_scan.h"
 #include "laser_triangulation/triangulator.h"
+#include "poses/pose_log.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 #include "time_offset/time_offset.h"
 
@@ -23,6 +25,7 @@ struct Options {
   Settings settings;
   laser_triangulation::PeakLimits limits;
   TimeOffsetSettings offset;
+  scan_cell_common::ParameterOptions typed;
 };
 
 /// Points in the frame of the flange, poses in that of the base: what stands still does not matter.
@@ -77,17 +80,14 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--events", options.topics.events, "topic")->capture_default_str();
   app.add_option("--profiles", options.topics.profiles, "topic")->capture_default_str();
   app.add_option("--poses", options.topics.poses, "topic")->capture_default_str();
-  app.add_option("--base-frame", options.frames.base)->capture_default_str();
-  app.add_option("--flange-frame", options.frames.flange)->capture_default_str();
-  app.add_option("--camera-latency", options.settings.camera_latency, "[s]")->capture_default_str();
-  app.add_option("--pose-delay", options.settings.pose_delay, "[s] that is known already")
+  options.typed.add(app, options.frames, {"base_frame", "flange_frame"});
+  options.typed.add(app, options.settings, {"camera_latency", "pose_delay"});
+  app.add_option("--max-delay", options.offset.max_delay, "[s] looked for")->capture_default_str();
+  app.add_option("--max-distance", options.offset.max_distance, "[m] between the scans")
       ->capture_default_str();
-  app.add_option("--most-delay", options.offset.most_delay, "[s] looked for")
-      ->capture_default_str();
-  app.add_option("--most-distance", options.offset.most_distance, "[m] between the scans")
-      ->capture_default_str();
-  app.add_option("--least-range", options.limits.least_range, "[m]")->capture_default_str();
-  app.add_option("--most-range", options.limits.most_range, "[m]")->capture_default_str();
+  options.typed.add(app, options.limits, {"min_range", "max_range"});
+  scan_cell_common::refuse_renamed(
+      app, {{"--most-delay", "--max-delay"}, {"--most-distance", "--max-distance"}});
 }
 
 }  // namespace
@@ -97,6 +97,9 @@ int main(int argc, char** argv) {
   Options options;
   declare(app, options);
   return scan_cell_common::tool_main("estimate_time_offset", app, argc, argv, [&] {
+    options.typed.read(options.frames);
+    options.typed.read(options.settings);
+    options.typed.read(options.limits);
     run(options);
     return 0;
   });

@@ -98,7 +98,7 @@ class BagTools(unittest.TestCase):
                                               '--camera-latency', 'nan'],
                                  stderr=subprocess.PIPE, timeout=60)
             self.assertEqual(run.returncode, 1)
-            self.assertIn('camera_latency', run.stderr.decode())
+            self.assertIn('--camera-latency', run.stderr.decode())
 
     def test_names_a_bag_that_is_damaged(self):
         whole = io.BytesIO()
@@ -116,6 +116,18 @@ class BagTools(unittest.TestCase):
                 self.assertEqual(run.returncode, 1)
                 self.assertIn(folder + '/scan.bag: Buffer Overrun; check', run.stderr.decode())
                 self.assertEqual(os.listdir(folder), ['scan.bag'])
+
+    def test_refuse_the_old_names_of_their_options_and_say_the_new_ones(self):
+        for tool, old, now in (('bind_bag', '--most-pose-gap', '--max-pose-gap'),
+                               ('estimate_time_offset', '--most-delay', '--max-delay'),
+                               ('estimate_time_offset', '--most-distance', '--max-distance'),
+                               ('estimate_time_offset', '--least-range', '--min-range'),
+                               ('estimate_time_offset', '--most-range', '--max-range')):
+            run = subprocess.run(['rosrun', 'pose_frame_binder', tool, old, '1'], timeout=60,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(run.returncode, 1)
+            self.assertEqual(run.stdout.decode(),
+                             '%s: %s: renamed; its name is %s now\n' % (tool, old, now))
 
     def test_estimates_the_delay_of_the_poses_from_two_bags(self):
         delay = 0.009

@@ -3,10 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "scan_calibration/calibration_run.h"
-#include "scan_cell_common/scanner_model.h"
 
 namespace scan_calibration {
 
@@ -14,57 +12,29 @@ namespace scan_calibration {
 struct CalibrationFiles {
   std::string scanner;      //!< scanner model, YAML
   std::string camera_info;  //!< the camera alone, as ROS' camera_info_manager reads it
-  std::string report;       //!< JSON; its page and pictures go beside it, under the same stem
+  std::string report;       //!< JSON; its page goes beside it: report.json -> report.html
 };
 
 /// scanner.yaml -> scanner_camera_info.yaml
 std::string camera_info_file(const std::string& scanner);
 
-/// @throw scan_cell_common::FileError if a folder that results would go to is not there, or two
-/// results would go to the same file
+/// @throw scan_cell_common::FileError if the folder of a result does not exist, or two results
+/// would go to the same file
 void check_writable(const CalibrationFiles& files);
 
-/// Files that were written and kept.
+/// The files that were written.
 struct WrittenFiles {
-  std::string report;
-  std::string page;          //!< HTML
-  std::string scanner;       //!< empty: none was written
-  std::string camera_info;   //!< empty: none was written
-  std::string kept_scanner;  //!< the old one under its new name; empty: there was none
+  std::string report;        //!< JSON
+  std::string page;          //!< HTML, self-contained
+  std::string scanner;       //!< empty: not written
+  std::string camera_info;   //!< empty: not written
+  std::string kept_scanner;  //!< the old model's new name; empty: there was none
 };
 
-/// Writes the report, whatever the verdict; and where the run passed, the scanner model and the
+/// Writes the report, whatever the verdict; if the run passed, also the scanner model and the
 /// camera. An old model is kept under the time it was written, scanner_20261122_031500.yaml, and
-/// stays in its place until the new one is whole.
-/// @throw scan_cell_common::FileError if one cannot be written; the old model is then in its place
+/// stays in place until the new one is complete.
+/// @throw scan_cell_common::FileError if a file cannot be written; the old model is still in place
 WrittenFiles save_calibration(const CalibrationRun& run, const CalibrationFiles& files);
-
-/// The report as JSON (docs/scan_calibration.md).
-std::string report_json(const CalibrationRun& run, const WrittenFiles& written);
-
-/// A picture of the report.
-struct ReportPicture {
-  std::string name;     //!< coverage, space_above, space_side, residuals, plane_laser_0
-  std::string caption;  //!< what it shows and how to read it
-  std::string png;      //!< its bytes
-  std::string file;     //!< name, beside the page
-};
-
-/// Pictures of a calibration; only the coverage of the image where it was refused.
-/// @param stem of their files' names
-std::vector<ReportPicture> report_pictures(const CalibrationRun& run, const std::string& stem);
-
-/// The report as a page for people.
-std::string report_page(const CalibrationRun& run, const WrittenFiles& written,
-                        const std::vector<ReportPicture>& pictures);
-
-/// Writes a camera as camera_calibration_parsers reads it.
-/// @throw scan_cell_common::FileError if it cannot be written
-void save_camera_info(const std::string& path, const scan_cell_common::CameraIntrinsics& camera);
-
-/// Copies a file beside itself under the time it was written.
-/// @return the copy's path; empty where there is no file
-/// @throw scan_cell_common::FileError if it cannot be copied
-std::string keep_old(const std::string& path);
 
 }  // namespace scan_calibration

@@ -22,51 +22,51 @@ struct SeenCorner {
 
 /// What became of the peaks of one laser's line in one view.
 struct LineCounts {
-  int peaks = 0;     //!< found, at most one a row (or column) of the image
+  int peaks = 0;     //!< found, at most one per row (or column) of the image
   int off_line = 0;  //!< not on the straight line on the board: reflections, the table, strays
   int at_edges = 0;  //!< near an edge between a dark and a bright square, which shifts a peak
-  int thinned = 0;   //!< left out evenly, so that every line counts alike
-  int used = 0;
+  int thinned = 0;   //!< left out evenly, so that all lines have the same weight
+  int used = 0;      //!< for the estimate
 };
 
 /// What was seen at one pose.
 struct ViewObservation {
-  std::string name;
+  std::string name;                  //!< of the view
   Eigen::Isometry3d base_to_flange;  //!< [m]
-  std::vector<SeenCorner> corners;
-  /// A laser, then points along its line on the board's plane [px]; empty: not seen.
+  std::vector<SeenCorner> corners;   //!< of the board
+  /// Per laser the points along its line on the board's plane [px]; empty: not seen.
   std::vector<std::vector<Eigen::Vector2d>> lines;
-  std::vector<LineCounts> line_counts;  //!< a laser
-  int covered_corners = 0;  //!< that are not in `corners`: under the laser's line, or in a glare
+  std::vector<LineCounts> line_counts;  //!< per laser
+  int covered_corners = 0;              //!< missing in `corners`: under a laser's line, or in glare
 };
 
 /// A view, or a laser's line in it, that is not used, and why.
 struct RejectedView {
-  std::string name;   //!< of the view
-  std::string laser;  //!< empty: the whole view
-  std::string reason;
+  std::string name;    //!< of the view
+  std::string laser;   //!< empty: the whole view
+  std::string reason;  //!< for a person
 };
 
-/// What a session shows, as far as it could be read from its images.
+/// What the images of a session show.
 struct Observations {
-  int width = 0;   //!< [px] of the sensor
-  int height = 0;  //!< [px]
-  Board board;
-  std::vector<std::string> lasers;
-  std::vector<ViewObservation> views;
-  std::vector<RejectedView> rejected;
+  int width = 0;                       //!< [px] of the sensor
+  int height = 0;                      //!< [px]
+  Board board;                         //!< of the session
+  std::vector<std::string> lasers;     //!< of the session
+  std::vector<ViewObservation> views;  //!< usable ones, in their order
+  std::vector<RejectedView> rejected;  //!< with the reason
 };
 
 /// How a session's images are read.
 struct ObservationOptions {
   std::string detector = "fir_derivative";  //!< of the laser line (tecnogamma_camera)
-  int most_line_points = 300;               //!< of a line
-  /// Lasers to keep, those of the session if not given. None: the board alone.
+  int max_line_points = 300;                //!< of a line
+  /// Lasers to keep; not given: all of the session. None: the board alone.
   std::optional<std::vector<std::string>> lasers;
-  /// Where it is known, and the images are of its size; else a rough one is found from the views.
+  /// The camera if it is known; else, or for images of another size, a rough one is found.
   std::optional<scan_cell_common::CameraIntrinsics> camera;
-  int threads = 2;  //!< has no influence on the result
-  /// Told what is done, and how much of it, from one thread at a time; may be empty.
+  int threads = 2;  //!< does not change the result
+  /// Called with the progress, from one thread at a time; may be empty.
   std::function<void(const std::string& what, int done, int total)> progress;
 };
 
@@ -74,8 +74,8 @@ struct ObservationOptions {
 /// of the images").
 /// @throw scan_cell_common::InvalidParameter if there is no such detector, or the session has no
 /// such laser
-/// @throw scan_cell_common::UnusableInput if no image shows the board: also saying which size of
-/// board the images show instead
+/// @throw scan_cell_common::UnusableInput if no image shows the board, naming the size of the board
+/// that they show instead
 Observations observe(const Session& session, const ObservationOptions& options = {});
 
 }  // namespace scan_calibration

@@ -19,42 +19,44 @@ struct Board {
 /// What was taken at one taught pose.
 struct SessionView {
   std::string name;  //!< of the view in reports: the board image as the file names it
-  Eigen::Isometry3d base_to_flange;  //!< pose of tool0 in base_link [m], measured when it was still
+  Eigen::Isometry3d base_to_flange;  //!< pose of tool0 in base_link [m], measured at a standstill
   std::string board_image;           //!< path of the image that shows the board
-  /// One entry a laser: path of what shows its line at the same pose, an image (the board image
-  /// itself where both are in one) or a .csv of peaks; empty where it was not taken.
+  /// One entry per laser: path of what shows its line at the same pose, an image (the board image
+  /// itself if both are in one) or a .csv of peaks; empty where it was not taken.
   std::vector<std::string> lines;
 };
 
-/// A recorded calibration session: enough to compute it again without the robot.
+/// A recorded calibration session: all that is needed to calibrate without the robot.
 struct Session {
-  Board board;
+  Board board;                      //!< that the images show
   std::vector<std::string> lasers;  //!< of laser_0, laser_1, in this order; none: the board alone
-  std::vector<SessionView> views;
+  std::vector<SessionView> views;   //!< in the order of the table
 };
 
 /// Reads a session folder: session.yaml, the CSV of poses it names, and where the images are
 /// (docs/scan_calibration.md).
 /// @throw scan_cell_common::FileError if a file is missing or unreadable
-/// @throw scan_cell_common::UnusableInput naming the entry, or the line, that makes no sense
+/// @throw scan_cell_common::UnusableInput naming the entry, or the line, that is invalid
 Session load_session(const std::string& folder);
 
 /// What session.yaml says.
 struct SessionHead {
-  std::string poses_file;  //!< as it is written there
-  Board board;
-  std::vector<std::string> lasers;
+  std::string poses_file;           //!< as written
+  Board board;                      //!< as in Session
+  std::vector<std::string> lasers;  //!< as in Session
 };
 
-/// The parsers behind load_session(); `name` names the text in errors. Paths of views come as they
-/// are written there.
+/// The parsers behind load_session(); `name` names the text in errors. Paths of views are returned
+/// as written.
 /// @throw as load_session()
 SessionHead parse_session_head(const std::string& text, const std::string& name);
+/// The table of views. @throw as load_session()
 std::vector<SessionView> parse_session_poses(const std::string& text, const std::string& name,
                                              const std::vector<std::string>& lasers);
 
-/// Text of such files, as the parsers read it, to the last digit.
+/// The text of such files; the parsers read it back to the last digit.
 std::string session_head_text(const SessionHead& head);
+/// The table of views as text.
 std::string session_poses_text(const std::vector<SessionView>& views,
                                const std::vector<std::string>& lasers);
 

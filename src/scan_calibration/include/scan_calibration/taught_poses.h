@@ -12,19 +12,19 @@ namespace scan_calibration {
 struct TaughtPoses {
   bool has_orientation = false;          //!< false: points only, rotations are identity
   std::vector<Eigen::Isometry3d> poses;  //!< [m] in base_link, in the file's order
-  std::vector<int> lines;                //!< of the file, a pose: its name in reports
+  std::vector<int> lines;                //!< of the file, per pose: its name in reports
 };
 
-/// Reads a CSV file: a head that says the units, then a pose a line. Empty lines and lines that
-/// begin with # are left out.
+/// Reads a CSV file: a header that gives the units, then a pose per line. Empty lines and lines
+/// that begin with # are ignored.
 ///
 ///     x,y,z                              points [m]
 ///     x,y,z,qx,qy,qz,qw                  poses [m, unit quaternion]
 ///     x_mm,y_mm,z_mm,a_deg,e_deg,r_deg   poses as C4G shows them [mm, degrees, Z-Y-Z]
 ///
 /// @throw scan_cell_common::FileError if the file is missing or unreadable
-/// @throw scan_cell_common::UnusableInput naming the line that makes no sense: also where the
-/// numbers belie the head's units, or a pose is repeated
+/// @throw scan_cell_common::UnusableInput naming the invalid line: also if the numbers contradict
+/// the header's units, or a pose is repeated
 TaughtPoses load_taught_poses(const std::string& path);
 
 /// The same from the text of such a file. @param name of the text, in errors

@@ -10,9 +10,9 @@
 #include "estimate/synthetic_session.h"
 #include "estimate/truth_comparison.h"
 #include "laser_triangulation/triangulator.h"
-#include "scan_calibration/calibrate.h"
-#include "scan_calibration/sequential.h"
+#include "scan_calibration/calibration.h"
 #include "scan_cell_common/tool_main.h"
+#include "sequential.h"
 
 namespace {
 

@@ -1,75 +1,38 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_calibration/calibrate.h"
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <future>
 #include <limits>
 
-#include "checks/hand_eye.h"
 #include "geometry/statistics.h"
 #include "quality/advice.h"
 #include "quality/figures.h"
+#include "scan_calibration/calibration.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/files.h"
 
 namespace scan_calibration {
 namespace {
 
-/// Figures of one fold's views, by the model without them.
-FigureSums held_out_fold(const JointEstimate& estimate, const BoardSurface& surface,
-                         const std::vector<std::size_t>& folds, std::size_t fold) {
-  std::vector<bool> keep;
-  for (const std::size_t of : folds)
-    keep.push_back(of != fold);
-  const JointEstimate model = without(estimate, surface, keep);
-  FigureSums sums(estimate.state.planes.size());
-  for (std::size_t i = 0; i < folds.size(); ++i) {
-    if (keep[i]) continue;
-    const JudgedView judged = judge(model.state, surface, estimate.views[i]);
-    sums.add(judged, judged.centre - board_centre(model.state, surface));
-  }
-  return sums;
+Figures held_out(const JointEstimate& estimate, const BoardSurface& surface,
+                 const CalibrationOptions& options) {
+  return held_out_figures(
+      estimate.views, surface, estimate.state.planes.size(), options.folds, options.threads,
+      [&](const std::vector<bool>& keep) { return without(estimate, surface, keep).state; });
 }
 
-Figures held_out_figures(const JointEstimate& estimate, const BoardSurface& surface,
-                         const CalibrationOptions& options) {
-  const std::vector<std::size_t> folds = fold_of_each(estimate.views.size(), options.folds);
-  const std::size_t count = 1 + *std::max_element(folds.begin(), folds.end());
-  const auto threads = static_cast<std::size_t>(options.threads);
-  FigureSums sums(estimate.state.planes.size());
-  for (std::size_t first = 0; first < count; first += threads) {
-    std::vector<std::future<FigureSums>> running;
-    for (std::size_t fold = first; fold < std::min(count, first + threads); ++fold)
-      running.push_back(
-          std::async(threads > 1 ? std::launch::async : std::launch::deferred,
-                     [&, fold] { return held_out_fold(estimate, surface, folds, fold); }));
-    for (std::future<FigureSums>& one : running)
-      sums.add(one.get());
-  }
-  return sums.figures();
-}
-
-std::vector<JudgedView> judged_views(const JointEstimate& estimate, const BoardSurface& surface) {
-  std::vector<JudgedView> result;
-  for (const BoardView& view : estimate.views)
-    result.push_back(judge(estimate.state, surface, view));
-  return result;
-}
-
-/// How far a corner of the sensor would move [px] by what is not known of the lens.
+/// How uncertain the image of the sensor's corner is [px] by the uncertainty of the lens.
 double edge_deviation(const JointEstimate& estimate, const Knowledge& knowledge) {
   const scan_cell_common::CameraIntrinsics camera = estimate.state.intrinsics();
-  const Eigen::Vector2d distorted(-camera.cx / camera.fx, -camera.cy / camera.fy);
-  Eigen::Vector2d ray = distorted;
-  if (!camera.undistort(distorted, ray)) return std::numeric_limits<double>::infinity();
-  return knowledge.deviation(
-      derivative(estimate.state, knowledge, [&](const ScannerState& at) -> Eigen::VectorXd {
-        return at.intrinsics().project(ray.homogeneous());
-      }));
+  const std::optional<Eigen::Vector3d> ray = ray_of(camera, Eigen::Vector2d::Zero());
+  if (!ray) return std::numeric_limits<double>::infinity();
+  return knowledge.deviation(derivative(
+      estimate.state, knowledge,
+      [&](const ScannerState& at) -> Eigen::VectorXd { return at.intrinsics().project(*ray); }));
 }
 
-/// Furthest that a corner was seen from the image's middle, of the sensor's half diagonal.
+/// Largest distance of a corner from the image's middle, over the sensor's half diagonal.
 double reach_of(const JointEstimate& estimate) {
   const Eigen::Vector2d middle(estimate.state.width / 2., estimate.state.height / 2.);
   double furthest = 0;
@@ -80,15 +43,15 @@ double reach_of(const JointEstimate& estimate) {
 }
 
 void note_lens(const JointEstimate& estimate, const Knowledge& knowledge, Calibration& result) {
-  constexpr double kReach = 0.7;
-  constexpr double kEdge = 1;  // [px]
+  constexpr double kMinReach = 0.7;    // of the half diagonal, chosen
+  constexpr double kMaxDeviation = 1;  // [px] chosen
   const double reach = reach_of(estimate);
   const double edge = edge_deviation(estimate, knowledge);
-  if (reach < kReach || !(edge < kEdge)) {
-    result.notes.push_back(
-        "corners reach " + figure(100 * reach, " %") +
-        " of the way from the image's middle to its corner, where the lens is known to " +
-        figure(edge, " px") + ": show the board further out");
+  if (reach < kMinReach || !(edge < kMaxDeviation)) {
+    result.notes.push_back(fmt::format(
+        "corners reach {} of the way from the image's middle to its corner, where the lens has a "
+        "standard deviation of {}: show the board further out",
+        figure(100 * reach, " %"), figure(edge, " px")));
   }
 }
 
@@ -100,22 +63,27 @@ void note_left_out(Calibration& result) {
       points += line.size();
   }
   if (corners + points > 0) {
-    result.notes.push_back(std::to_string(corners) + " corners and " + std::to_string(points) +
-                           " points of lines miss by more than eight deviations and are left out");
+    result.notes.push_back(fmt::format(
+        "{} corners and {} laser points are outliers (more than eight standard deviations) and "
+        "left out",
+        corners, points));
   }
 }
 
 void note_multiplicities(const JointEstimate& estimate, const std::vector<std::string>& lasers,
                          std::vector<std::string>& notes) {
-  constexpr double kMuch = 2;
-  if (estimate.multiplicities.corners > kMuch)
+  constexpr double kNoted = 2;  // observations that count as one, chosen
+  const Multiplicities& found = estimate.multiplicities;
+  if (found.corners > kNoted)
     notes.push_back(
-        "neighbouring corners miss alike: " + figure(estimate.multiplicities.corners, "") +
-        " are counted as one; look for a board that is not flat, or blur");
+        fmt::format("errors of neighbouring corners are correlated: {} count as one; "
+                    "check that the board is flat and the image sharp",
+                    figure(found.corners, "")));
   for (std::size_t laser = 0; laser < lasers.size(); ++laser)
-    if (estimate.multiplicities.lines[laser] > kMuch)
-      notes.push_back("neighbouring points of " + lasers[laser] + " miss alike: " +
-                      figure(estimate.multiplicities.lines[laser], "") + " are counted as one");
+    if (found.lines[laser] > kNoted)
+      notes.push_back(
+          fmt::format("errors of neighbouring points of {} are correlated: {} count as one",
+                      lasers[laser], figure(found.lines[laser], "")));
 }
 
 JointEstimate best_estimate(const Observations& observations, const CalibrationOptions& options,
@@ -127,27 +95,28 @@ JointEstimate best_estimate(const Observations& observations, const CalibrationO
   if (options.progress) options.progress("joint estimate");
   JointEstimate flat = estimate_jointly(start, observations, options, choice);
   if (options.progress) options.progress("held-out views");
-  result.held_out = held_out_figures(flat, surface, options);
+  result.held_out = held_out(flat, surface, options);
   if (!options.board_flatness) return flat;
   if (options.progress) options.progress("bent board");
   choice.bend = true;
   JointEstimate bent = estimate_jointly(start, observations, options, choice);
-  const Figures held_out = held_out_figures(bent, surface, options);
-  constexpr double kBetter = 0.998;
-  constexpr double kNothing = 1e-3;  // [px] that there is to explain
-  if (result.held_out.reprojection_rms_px > kNothing &&
-      held_out.reprojection_rms_px < kBetter * result.held_out.reprojection_rms_px) {
-    result.held_out = held_out;
+  const Figures bent_held_out = held_out(bent, surface, options);
+  constexpr double kMaxRatio = 0.998;  // of the held-out RMS figures, chosen: above it is chance
+  constexpr double kMinRms = 1e-3;     // [px] chosen: below it there is nothing to explain
+  if (result.held_out.reprojection_rms_px > kMinRms &&
+      bent_held_out.reprojection_rms_px < kMaxRatio * result.held_out.reprojection_rms_px) {
+    result.held_out = bent_held_out;
     return bent;
   }
-  result.notes.push_back("a bent board explains held-out corners no better (" +
-                         figure(held_out.reprojection_rms_px, " px") + " for " +
-                         figure(result.held_out.reprojection_rms_px, " px") +
-                         "): it is taken as flat");
+  result.notes.push_back(
+      fmt::format("a bent board does not explain held-out corners better ({}, flat {}): the board "
+                  "is taken as flat",
+                  figure(bent_held_out.reprojection_rms_px, " px"),
+                  figure(result.held_out.reprojection_rms_px, " px")));
   return flat;
 }
 
-/// Where each laser's projector is, as far as it is known [m].
+/// The projectors of the lasers [m], as far as they are known.
 std::vector<Eigen::Vector3d> projectors_of(const Observations& observations,
                                            const CalibrationOptions& options) {
   std::vector<Eigen::Vector3d> projectors = options.projectors;
@@ -159,7 +128,20 @@ std::vector<Eigen::Vector3d> projectors_of(const Observations& observations,
   return projectors;
 }
 
-/// Puts in what is not calibrated anew.
+/// Parts of a model that are not calibrated again, by their names in its file.
+std::vector<std::string> kept_parts(const ExistingScanner& existing, bool lasers_alone,
+                                    const std::vector<std::string>& lasers) {
+  std::vector<std::string> parts;
+  if (lasers_alone) parts = {"camera", "flange_to_camera"};
+  for (std::size_t i = 0; i < existing.model.lasers.size(); ++i) {
+    const std::string name = scan_cell_common::laser_name(i);
+    const bool again = std::find(lasers.begin(), lasers.end(), name) != lasers.end();
+    if (existing.model.has_laser(i) && !again) parts.push_back(name);
+  }
+  return parts;
+}
+
+/// Takes what is not calibrated again from the existing model.
 void keep(const ExistingScanner& existing, const Observations& observations, bool lasers_alone,
           Calibration& result) {
   using scan_cell_common::ScannerModel;
@@ -176,26 +158,34 @@ void keep(const ExistingScanner& existing, const Observations& observations, boo
     if (found.lasers[i]) lasers[i] = found.lasers[i];
 }
 
-/// What follows from parts that are kept, or not there.
+/// What follows from parts that are kept, or missing.
 void note_parts(const CalibrationOptions& options, const Observations& observations,
                 Calibration& result) {
   for (const std::string& part : result.kept) {
     if (options.lasers_alone || part.find("laser_") != 0) continue;
-    result.notes.push_back(part + " is kept from " + options.existing->file +
-                           ", in camera_optical_frame: it is right if the laser is fixed to the "
-                           "camera as it was, and the lens was not exchanged or focused anew");
+    result.notes.push_back(fmt::format(
+        "{} is kept from {}, in camera_optical_frame: it is only valid if the laser is mounted on "
+        "the camera as before and the lens was neither exchanged nor refocused",
+        part, options.existing->file));
   }
   if (observations.lasers.empty())
     result.notes.emplace_back(
-        "no laser was calibrated: nothing is said, or judged, of a scanned point");
+        "no laser was calibrated: the report has no figure for a scanned point");
   if (result.scanner.lasers.empty())
-    result.notes.emplace_back("the model holds no laser: it cannot be scanned with until one is");
+    result.notes.emplace_back(
+        "the model has no laser: it cannot be used for scanning until one is calibrated");
   if (options.lasers_alone)
     result.notes.emplace_back(
-        "deviations are those of the planes alone: what the camera may be off by is not in them");
+        "standard deviations are those of the planes alone: they do not include the error of the "
+        "camera");
 }
 
 }  // namespace
+
+ExistingScanner load_existing_scanner(const std::string& file) {
+  const std::string text = scan_cell_common::read_file(file);
+  return {file, text, scan_cell_common::parse_scanner_model(text, file)};
+}
 
 void check(const CalibrationOptions& options, const std::vector<std::string>& lasers) {
   using scan_cell_common::InvalidParameter;
@@ -209,7 +199,7 @@ void check(const CalibrationOptions& options, const std::vector<std::string>& la
       {"robot_angle_deviation", options.robot_angle_deviation}};
   for (const auto& [name, value] : deviations)
     if (!(value >= 0) || std::isinf(value))
-      refuse(name, value, "give a standard deviation, or 0 to have it estimated");
+      refuse(name, value, "give a standard deviation, or 0 to estimate it from the data");
   if (options.folds < 2) refuse("folds", options.folds, "give two or more");
   if (options.threads < 1) refuse("threads", options.threads, "give one or more");
   if (options.projectors.size() > lasers.size()) {
@@ -218,11 +208,11 @@ void check(const CalibrationOptions& options, const std::vector<std::string>& la
   }
   if (options.lasers_alone && !options.existing) {
     throw InvalidParameter("lasers_alone", "no existing scanner model",
-                           "name the one whose camera and flange_to_camera are kept");
+                           "name the model whose camera and flange_to_camera to keep");
   }
   if (options.lasers_alone && lasers.empty()) {
     throw InvalidParameter("lasers_alone", "no laser to calibrate",
-                           "name lasers, or calibrate the camera");
+                           "name lasers, or calibrate the camera too");
   }
 }
 
@@ -239,7 +229,7 @@ Calibration calibrate(const Observations& observations, const CalibrationOptions
   result.board_bend = estimate.state.bend;
   result.rejected = estimate.rejected;
   result.noise = estimate.noise.levels;
-  const std::vector<JudgedView> judged = judged_views(estimate, surface);
+  const std::vector<JudgedView> judged = judge(estimate.state, surface, estimate.views);
   result.fitted = fitted_figures(judged, observations.lasers.size());
   for (std::size_t i = 0; i < judged.size(); ++i)
     result.views.push_back(judged[i].figures(estimate.views[i], estimate.state, surface));

@@ -4,18 +4,19 @@
 
 #include <algorithm>
 
-#include "scan_calibration/calibrate.h"
+#include "scan_calibration/calibration.h"
 #include "scan_cell_common/errors.h"
+#include "sequential.h"
 
 namespace scan_calibration {
 
 std::string to_string(CalibrationVerdict verdict) {
   switch (verdict) {
-    case CalibrationVerdict::PASSED:
+    case CalibrationVerdict::kPassed:
       return "passed";
-    case CalibrationVerdict::LIMITS_MISSED:
+    case CalibrationVerdict::kLimitsMissed:
       return "limits_missed";
-    case CalibrationVerdict::REFUSED:
+    case CalibrationVerdict::kRefused:
       break;
   }
   return "refused";
@@ -52,13 +53,12 @@ CalibrationRun run_calibration(const std::string& session_folder,
   check(options, reading.lasers.value_or(session.lasers));
   CalibrationRun run;
   run.session = session_folder;
-  run.limits = limits;
   run.existing = options.existing;
   run.taken = static_cast<int>(session.views.size());
   try {
     run.observations = observe(session, reading);
     run.calibration = calibrate(run.observations, options);
-    if (options.progress) options.progress("the sequential way, to compare");
+    if (options.progress) options.progress("step by step, to compare");
     run.sequential = calibrate_sequentially(
         used_views(run.observations, *run.calibration), options.folds,
         options.lasers_alone ? std::optional(options.existing->model) : std::nullopt);
@@ -70,7 +70,7 @@ CalibrationRun run_calibration(const std::string& session_folder,
   run.judged = judge(*run.calibration, run.observations.lasers, limits);
   const bool passed = std::all_of(run.judged.begin(), run.judged.end(),
                                   [](const JudgedFigure& figure) { return figure.passed(); });
-  run.verdict = passed ? CalibrationVerdict::PASSED : CalibrationVerdict::LIMITS_MISSED;
+  run.verdict = passed ? CalibrationVerdict::kPassed : CalibrationVerdict::kLimitsMissed;
   return run;
 }
 

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera_calibration.h"
 
-#include <cmath>
-
 #include "estimate/start.h"
+#include "geometry/statistics.h"
 #include "quality/uncertainty.h"
 
 namespace scan_calibration {
 namespace {
 
-/// The estimate of a camera alone, so that its uncertainty is found as of any other.
+/// The camera alone as a joint estimate, so that its uncertainty is found in the same way.
 JointEstimate as_estimate(BoardViews views, const CameraFit& fit, bool square_pixels) {
   JointEstimate estimate;
   estimate.choice.robot = false;
@@ -20,9 +19,26 @@ JointEstimate as_estimate(BoardViews views, const CameraFit& fit, bool square_pi
     views[i].measured = fit.camera_to_board[i].inverse();
   estimate.state.corrections.assign(views.size(), Vector6d::Zero());
   estimate.views = std::move(views);
-  estimate.noise.levels = least_noise(0);
+  estimate.noise.levels = min_noise(0);
   estimate.noise.levels.corner_px = fit.corner_px;
   return estimate;
+}
+
+std::vector<ViewFigures> view_figures(const JointEstimate& estimate, const BoardSurface& surface,
+                                      const std::vector<Eigen::Isometry3d>& boards) {
+  std::vector<ViewFigures> result;
+  for (std::size_t i = 0; i < estimate.views.size(); ++i) {
+    const BoardView& view = estimate.views[i];
+    ViewFigures figures;
+    figures.name = view.name;
+    figures.corner_residuals =
+        corner_residuals(estimate.state, surface, board_sight(boards[i]), view);
+    for (std::size_t k = 0; k < view.weights.size(); ++k)
+      if (!(view.weights[k] > 0)) figures.left_out_corners.push_back(k);
+    figures.reprojection_rms_px = rms_of(figures.corner_residuals, view.weights);
+    result.push_back(figures);
+  }
+  return result;
 }
 
 }  // namespace
@@ -45,30 +61,19 @@ CameraCalibration calibrate_camera(const Observations& observations, const Camer
   CameraCalibration result;
   result.camera = found.state.intrinsics();
   result.rejected = usable.rejected;
-  const JointEstimate estimate = as_estimate(usable.views, found, options.square_pixels);
-  double squares = 0, count = 0;
-  for (std::size_t i = 0; i < estimate.views.size(); ++i) {
-    const BoardView& view = estimate.views[i];
-    ViewFigures figures;
-    figures.name = view.name;
-    figures.corner_residuals =
-        corner_residuals(estimate.state, surface, board_sight(found.camera_to_board[i]), view);
-    for (std::size_t k = 0; k < view.weights.size(); ++k) {
-      if (!(view.weights[k] > 0)) figures.left_out_corners.push_back(k);
-      if (!(view.weights[k] > 0)) continue;
-      squares += figures.corner_residuals[k].squaredNorm();
-      count += 1;
-    }
-    figures.reprojection_rms_px = rms_of(figures.corner_residuals, view.weights);
-    result.views.push_back(figures);
-  }
-  result.reprojection_rms_px = std::sqrt(squares / count);
+  JointEstimate estimate = as_estimate(usable.views, found, options.square_pixels);
+  result.views = view_figures(estimate, surface, found.camera_to_board);
+  SquareSum all;
+  for (std::size_t i = 0; i < result.views.size(); ++i)
+    for (std::size_t k = 0; k < usable.views[i].weights.size(); ++k)
+      if (usable.views[i].weights[k] > 0)
+        all.add(result.views[i].corner_residuals[k].squaredNorm());
+  result.reprojection_rms_px = all.rms();
+  const NormalEquations equations(estimate.views, surface, estimate.noise.levels, estimate.choice,
+                                  estimate.state);
+  estimate.noise = estimate_noise(equations, given_noise({}, 0));
   Eigen::MatrixXd covariance;
-  JointEstimate weighted = estimate;
-  const NormalEquations equations(weighted.views, surface, weighted.noise.levels, weighted.choice,
-                                  weighted.state);
-  weighted.noise = estimate_noise(equations, given_noise({}, 0), unbounded_noise(0));
-  state_parameters(weighted.state, Knowledge(weighted, surface), {}, result.parameters, covariance);
+  state_parameters(estimate.state, Knowledge(estimate, surface), {}, result.parameters, covariance);
   return result;
 }
 

@@ -9,10 +9,10 @@
 
 namespace scan_calibration {
 
-/// What is known of the camera beforehand.
+/// What is known of the camera in advance.
 struct CameraOptions {
   bool square_pixels = false;  //!< fx = fy
-  bool reject_views = true;    //!< false: every view is used, and each corner counts alike
+  bool reject_views = true;    //!< false: use every view, every corner with the same weight
 };
 
 /// A camera calibrated from views of the board alone.
@@ -20,13 +20,13 @@ struct CameraCalibration {
   scan_cell_common::CameraIntrinsics camera;
   std::vector<EstimatedParameter> parameters;  //!< camera.fx ...
   double reprojection_rms_px = 0;              //!< over the corners of the used views
-  std::vector<ViewFigures> views;              //!< used ones; only what the camera alone can tell
+  std::vector<ViewFigures> views;              //!< those used; only figures of the camera
   std::vector<RejectedView> rejected;
 };
 
-/// Intrinsics with a free board pose a view (Zhang 2000); what is known of the robot is not used.
-/// @throw scan_cell_common::UnusableInput if the views are too few, or too alike to tell the focal
-/// length from the distance
+/// Intrinsics with a free board pose per view (Zhang 2000), without the robot's poses.
+/// @throw scan_cell_common::UnusableInput if the views are too few, or too alike to separate focal
+/// length and distance
 CameraCalibration calibrate_camera(const Observations& observations, const CameraOptions& options);
 
 }  // namespace scan_calibration

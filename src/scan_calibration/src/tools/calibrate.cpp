@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 
 #include "scan_calibration/calibration_files.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 
 namespace {
@@ -35,24 +37,24 @@ void add_files(CLI::App& app, Options& options) {
   app.add_option("--session", options.session, "folder of session.yaml, poses and images")
       ->required();
   app.add_option("--output", options.files.scanner, "scanner model: YAML")->required();
-  app.add_option("--report", options.files.report, "report: JSON; a page and pictures go beside it")
+  app.add_option("--report", options.files.report, "report: JSON; an HTML page goes beside it")
       ->required();
   app.add_option("--camera-info", options.files.camera_info,
                  "the camera for ROS: YAML; default: beside the scanner model");
 }
 
-/// What is calibrated, and where the rest comes from.
+/// What to calibrate, and where the rest comes from.
 void add_parts(CLI::App& app, Options& options) {
-  const auto add = [&](CLI::Option* option) { return option->group("What is calibrated"); };
+  const auto add = [&](CLI::Option* option) { return option->group("What to calibrate"); };
   add(app.add_option("--scanner", options.existing,
-                     "existing scanner model, which gives what is not calibrated anew"))
+                     "existing scanner model; supplies what is not calibrated again"))
       ->check(CLI::ExistingFile);
   CLI::Option* const camera = add(app.add_flag("--camera-alone", options.camera_alone,
                                                "camera and its pose on the flange, no laser"));
-  CLI::Option* const lasers = add(
-      app.add_flag("--lasers-alone", options.calibration.lasers_alone,
-                   "planes of light; camera and its pose on the flange are kept from --scanner"));
-  add(app.add_option("--lasers", options.lasers, "of the session, as 0 1; not given: all"))
+  CLI::Option* const lasers =
+      add(app.add_flag("--lasers-alone", options.calibration.lasers_alone,
+                       "laser planes; camera and its pose on the flange are kept from --scanner"));
+  add(app.add_option("--lasers", options.lasers, "of the session, as 0 1; default: all"))
       ->excludes(camera);
   camera->excludes(lasers);
 }
@@ -61,39 +63,43 @@ void add_limits(CLI::App& app, CalibrationLimits& limits) {
   const auto add = [&](const char* name, double& limit, const char* what) {
     app.add_option(name, limit, what)->check(CLI::PositiveNumber)->group("Limits");
   };
-  add("--most-reprojection", limits.reprojection_rms_px, "of held-out views [px RMS]");
-  add("--most-plane-rms", limits.laser_plane_rms_mm, "of every laser, held out [mm RMS]");
-  add("--most-board-scatter", limits.board_scatter_mm, "held out [mm RMS]");
-  add("--most-point-deviation", limits.point_deviation_mm,
+  add("--max-reprojection", limits.reprojection_rms_px, "of held-out views [px RMS]");
+  add("--max-plane-rms", limits.laser_plane_rms_mm, "of every laser, held-out views [mm RMS]");
+  add("--max-board-scatter", limits.board_scatter_mm, "of held-out views [mm RMS]");
+  add("--max-point-deviation", limits.point_deviation_mm,
       "of every point in the report [mm, standard deviation]");
+  scan_cell_common::refuse_renamed(app, {{"--most-reprojection", "--max-reprojection"},
+                                         {"--most-plane-rms", "--max-plane-rms"},
+                                         {"--most-board-scatter", "--max-board-scatter"},
+                                         {"--most-point-deviation", "--max-point-deviation"}});
 }
 
 void add_knowledge(CLI::App& app, Options& options) {
   CalibrationOptions& known = options.calibration;
   const auto add = [&](const char* name, double& value, const char* what) {
-    app.add_option(name, value, what)->capture_default_str()->group("Known beforehand");
+    app.add_option(name, value, what)->capture_default_str()->group("Known in advance");
   };
-  add("--corner-deviation", known.corner_deviation, "of a corner [px]; 0: from the data");
-  add("--line-deviation", known.line_deviation, "of a line's point [px]; 0: from the data");
-  add("--robot-deviation", known.robot_deviation, "of the flange [m]; 0: from the data");
-  add("--robot-angle-deviation", known.robot_angle_deviation, "[rad]; 0: from the data");
+  add("--corner-deviation", known.corner_deviation, "of a corner [px]; 0: estimated");
+  add("--line-deviation", known.line_deviation, "of a laser point [px]; 0: estimated");
+  add("--robot-deviation", known.robot_deviation, "of the flange [m]; 0: estimated");
+  add("--robot-angle-deviation", known.robot_angle_deviation, "of the flange [rad]; 0: estimated");
   app.add_option("--projector", options.projectors,
-                 "where a laser's projector is in camera_optical_frame: x y z [m] a laser")
-      ->group("Known beforehand");
+                 "position of each laser's projector in camera_optical_frame: x y z [m] per laser")
+      ->group("Known in advance");
   app.add_flag("--board-flatness,!--flat-board", known.board_flatness,
-               "the board may be bent (the default; kept if it explains held-out views better), or "
-               "is flat");
-  app.add_option("--folds", known.folds, "groups of views that are held out in turn")
+               "the board may be bent (default; used if it explains held-out views better), or is "
+               "flat");
+  app.add_option("--folds", known.folds, "groups of views, held out in turn")
       ->capture_default_str();
   app.add_option("--detector", options.observation.detector,
                  "of the laser line: threshold, center_of_gravity, fir_derivative")
       ->capture_default_str();
-  app.add_option("--threads", known.threads, "has no influence on the result")
+  app.add_option("--threads", known.threads, "does not change the result")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }
 
-/// Progress on one line of a terminal, or a line at each tenth of a log.
+/// Progress on one line of a terminal; in a log, a line per tenth.
 void print_progress(const std::string& what, int done, int total) {
   if (isatty(STDERR_FILENO) != 0) {
     std::fprintf(stderr, "\r%s: %d of %d%s", what.c_str(), done, total, done == total ? "\n" : "");
@@ -104,8 +110,9 @@ void print_progress(const std::string& what, int done, int total) {
 
 void complete(Options& options) {
   if (options.projectors.size() % 3 != 0) {
-    throw scan_cell_common::InvalidParameter(
-        "projector", std::to_string(options.projectors.size()) + " numbers", "give x y z a laser");
+    throw scan_cell_common::InvalidParameter("projector",
+                                             fmt::format("{} numbers", options.projectors.size()),
+                                             "give x y z for each laser");
   }
   for (std::size_t i = 0; i < options.projectors.size(); i += 3)
     options.calibration.projectors.emplace_back(
@@ -128,9 +135,9 @@ void complete(Options& options) {
 
 void print_figures(const CalibrationRun& run) {
   const Calibration& joint = *run.calibration;
-  std::printf("%zu of %d views used; %zu views or lines left out\n", joint.views.size(), run.taken,
+  std::printf("%zu of %d views used; %zu views or lines rejected\n", joint.views.size(), run.taken,
               joint.rejected.size());
-  std::printf("%-34s %8s %8s   %s\n", "", "fitted", "held out", "one after the other");
+  std::printf("%-34s %8s %8s   %s\n", "", "fitted", "held out", "step by step");
   const auto print = [&](const std::string& name, const auto& value) {
     std::printf("%-34s %8.3f %8.3f   %8.3f %8.3f\n", name.c_str(), value(joint.fitted),
                 value(joint.held_out), value(run.sequential->fitted),
@@ -145,7 +152,7 @@ void print_figures(const CalibrationRun& run) {
   for (const std::string& part : joint.kept)
     std::printf("kept from %s: %s\n", run.existing->file.c_str(), part.c_str());
   for (const std::string& note : joint.notes)
-    std::printf("mind: %s\n", note.c_str());
+    std::printf("note: %s\n", note.c_str());
   if (!joint.advice.empty()) std::printf("add next: %s\n", joint.advice.front().text.c_str());
 }
 
@@ -153,12 +160,12 @@ int finish(const CalibrationRun& run, const WrittenFiles& written) {
   if (run.calibration) print_figures(run);
   std::printf("report: %s, %s\n", written.report.c_str(), written.page.c_str());
   switch (run.verdict) {
-    case CalibrationVerdict::PASSED:
+    case CalibrationVerdict::kPassed:
       std::printf("written: %s, %s\n", written.scanner.c_str(), written.camera_info.c_str());
       if (!written.kept_scanner.empty())
         std::printf("the old model is kept: %s\n", written.kept_scanner.c_str());
       return kPassed;
-    case CalibrationVerdict::LIMITS_MISSED:
+    case CalibrationVerdict::kLimitsMissed:
       for (const JudgedFigure& figure : run.judged) {
         if (!figure.passed()) {
           std::fprintf(stderr, "calibrate: %s: %.3f; the limit is %.3f\n", figure.name.c_str(),
@@ -166,7 +173,7 @@ int finish(const CalibrationRun& run, const WrittenFiles& written) {
         }
       }
       return kRefused;
-    case CalibrationVerdict::REFUSED:
+    case CalibrationVerdict::kRefused:
       std::fprintf(stderr, "calibrate: refused: %s\n", run.reason.c_str());
   }
   return kRefused;
@@ -174,7 +181,7 @@ int finish(const CalibrationRun& run, const WrittenFiles& written) {
 
 }  // namespace
 
-/// Calibrates a scanner from a recorded session. Exits 0 where the result is written, 2 where it is
+/// Calibrates a scanner from a recorded session. Exits 0 if the result is written, 2 if it is
 /// refused or misses a limit (the report says why), 1 on unusable input.
 int main(int argc, char** argv) {
   CLI::App app("Calibrates camera, hand-eye and laser planes from a recorded session.");

@@ -1,11 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 
 #include "scan_calibration/taught_poses.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 #include "teaching/cell_file.h"
 #include "teaching/tool_tip.h"
@@ -55,7 +58,7 @@ void calibrate_world(const std::string& points_file, const std::string& cell_fil
                      const scan_calibration::WorldFrameLimits& limits) {
   const TaughtPoses taught = scan_calibration::load_taught_poses(points_file);
   if (taught.poses.size() != 3) {
-    throw UnusableInput(points_file, std::to_string(taught.poses.size()) + " points",
+    throw UnusableInput(points_file, fmt::format("{} points", taught.poses.size()),
                         "give three: O, X and XY, in this order");
   }
   const std::vector<Eigen::Vector3d> points = tip_positions(taught, cell_file);
@@ -72,7 +75,7 @@ void calibrate_world(const std::string& points_file, const std::string& cell_fil
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Finds the cell's frames from taught poses and writes them to cell.yaml.");
+  CLI::App app("Finds the frames of the cell from taught poses and writes them to cell.yaml.");
   app.require_subcommand(1);
   std::string cell_file = "cell.yaml";
   std::string taught_file;
@@ -82,8 +85,8 @@ int main(int argc, char** argv) {
   scan_calibration::ToolTipLimits tool_limits;
   CLI::App* tool = app.add_subcommand("tool", "tool tip from poses that touch one fixed point");
   tool->add_option("--poses", taught_file, "CSV of flange poses in base_link")->required();
-  tool->add_option("--most-condition", tool_limits.most_condition)->capture_default_str();
-  tool->add_option("--most-residual", tool_limits.most_residual, "[m]")->capture_default_str();
+  tool->add_option("--max-condition", tool_limits.max_condition)->capture_default_str();
+  tool->add_option("--max-residual", tool_limits.max_residual, "[m]")->capture_default_str();
 
   scan_calibration::WorldFrameLimits world_limits;
   CLI::App* world = app.add_subcommand("world", "world frame from the points O, X and XY");
@@ -92,8 +95,12 @@ int main(int argc, char** argv) {
                    "CSV of O, X, XY in base_link: tip positions x,y,z, or flange poses "
                    "x,y,z,qx,qy,qz,qw with the tool tip of the cell file")
       ->required();
-  world->add_option("--least-distance", world_limits.least_distance, "[m]")->capture_default_str();
-  world->add_option("--most-skew", world_limits.most_skew, "[rad]")->capture_default_str();
+  world->add_option("--min-distance", world_limits.min_distance, "[m]")->capture_default_str();
+  world->add_option("--max-skew", world_limits.max_skew, "[rad]")->capture_default_str();
+  scan_cell_common::refuse_renamed(
+      *tool, {{"--most-condition", "--max-condition"}, {"--most-residual", "--max-residual"}});
+  scan_cell_common::refuse_renamed(
+      *world, {{"--least-distance", "--min-distance"}, {"--most-skew", "--max-skew"}});
   for (CLI::App* command : {tool, world})
     command->fallthrough();
 

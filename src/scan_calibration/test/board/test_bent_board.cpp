@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "estimate/example_sessions.h"
-#include "scan_calibration/calibrate.h"
+#include "scan_calibration/calibration.h"
 
 using Eigen::Vector3d;
 using scan_calibration::calibrate;
@@ -62,6 +62,6 @@ TEST(Calibration, TakesAFlatBoardAsFlat) {
   const Calibration found = calibrate(some_views(20), options);
   EXPECT_TRUE(found.board_bend.isZero(0));
   EXPECT_TRUE(std::any_of(found.notes.begin(), found.notes.end(), [](const std::string& note) {
-    return note.find("it is taken as flat") != std::string::npos;
+    return note.find("the board is taken as flat") != std::string::npos;
   }));
 }

@@ -106,8 +106,8 @@ std::vector<Isometry3d> flange_poses(const Cell& cell, const Poses& poses) {
     const Vector3d axis(std::cos(direction), std::sin(direction), 0);
     Isometry3d camera_to_board = Isometry3d::Identity();
     camera_to_board.linear() =
-        (Eigen::AngleAxisd(poses.most_tilt * std::sqrt(uniform(0, 1)), axis) *
-         Eigen::AngleAxisd(uniform(-poses.most_roll, poses.most_roll), Vector3d::UnitZ()))
+        (Eigen::AngleAxisd(poses.max_tilt * std::sqrt(uniform(0, 1)), axis) *
+         Eigen::AngleAxisd(uniform(-poses.max_roll, poses.max_roll), Vector3d::UnitZ()))
             .toRotationMatrix();
     const Vector3d centre(uniform(-poses.aside, poses.aside), uniform(-poses.aside, poses.aside),
                           uniform(poses.nearest, poses.farthest));

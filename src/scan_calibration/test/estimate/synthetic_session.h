@@ -32,8 +32,8 @@ struct Noise {
 struct Poses {
   int count = 70;
   double nearest = 0.38, farthest = 0.62;  //!< [m] from the board's middle
-  double most_tilt = 0.6;                  //!< [rad]
-  double most_roll = 0.8;                  //!< [rad] about the camera's axis
+  double max_tilt = 0.6;                   //!< [rad]
+  double max_roll = 0.8;                   //!< [rad] about the camera's axis
   double aside = 0.08;                     //!< [m] by which the axis misses the board's middle
   unsigned seed = 1;
 };

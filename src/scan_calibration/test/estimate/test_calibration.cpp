@@ -8,9 +8,9 @@
 #include "camera_calibration.h"
 #include "estimate/example_sessions.h"
 #include "laser_triangulation/triangulator.h"
-#include "scan_calibration/calibrate.h"
-#include "scan_calibration/sequential.h"
+#include "scan_calibration/calibration.h"
 #include "scan_cell_common/errors.h"
+#include "sequential.h"
 
 using Eigen::Isometry3d;
 using Eigen::Vector2d;

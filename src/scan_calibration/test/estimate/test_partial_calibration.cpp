@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "estimate/example_sessions.h"
-#include "scan_calibration/calibrate.h"
-#include "scan_calibration/sequential.h"
+#include "scan_calibration/calibration.h"
 #include "scan_cell_common/errors.h"
+#include "sequential.h"
 
 using Eigen::Vector3d;
 using scan_calibration::calibrate;
@@ -147,7 +147,7 @@ TEST(PartialCalibration, FindsTheCameraOfABareBracket) {
   const Observations seen = only(observe(cell, some_poses(cell, 15), kNoise, 4), {});
   const Calibration found = calibrate(seen, {});
   EXPECT_TRUE(found.scanner.lasers.empty());
-  EXPECT_TRUE(has_note(found, "cannot be scanned with"));
+  EXPECT_TRUE(has_note(found, "cannot be used for scanning"));
   synthetic::Cell bare = cell;
   bare.scanner.lasers.clear();
   synthetic::expect_true(bare, found);
@@ -198,7 +198,7 @@ TEST(PartialCalibration, NeedsNoSecondAxisForLasersAlone) {
   const synthetic::Cell cell = tilted();
   synthetic::Poses poses;
   poses.count = 8;
-  poses.most_tilt = 0;  // the flange turns about the camera's axis only
+  poses.max_tilt = 0;  // the flange turns about the camera's axis only
   const Observations seen = observe(cell, flange_poses(cell, poses), kNoise, 6);
   EXPECT_FALSE(refusal(seen, {}).empty()) << "a camera cannot be found from these";
   const Calibration found = calibrate(seen, keeping(synthetic::Cell().scanner, true));

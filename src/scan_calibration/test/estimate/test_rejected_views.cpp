@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "estimate/example_sessions.h"
-#include "scan_calibration/calibrate.h"
-#include "scan_calibration/sequential.h"
+#include "scan_calibration/calibration.h"
+#include "sequential.h"
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -64,7 +64,8 @@ TEST(Calibration, LeavesOutSingleCornersAndSaysSo) {
   const Calibration found = calibrate(observations, {});
   ASSERT_EQ(found.views.size(), 25u);
   EXPECT_EQ(found.views[3].left_out_corners, std::vector<std::size_t>{10});
-  EXPECT_NE(found.notes.back().find("1 corners and 0 points of lines"), std::string::npos);
+  EXPECT_NE(found.notes.back().find("1 corners and 0 laser points are outliers"),
+            std::string::npos);
   EXPECT_EQ(used_views(observations, found).views[3].corners.size(), 374u);
   expect_true(cell, found);
 }

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "estimate/synthetic_session.h"
-#include "scan_calibration/calibrate.h"
+#include "scan_calibration/calibration.h"
 #include "scan_cell_common/errors.h"
 
 using Eigen::Isometry3d;
@@ -68,7 +68,7 @@ TEST(UnusableSession, WithoutTheBoardSaysWhatTheViewsLack) {
 TEST(UnusableSession, OfParallelViewsSaysWhatIsUndetermined) {
   synthetic::Poses poses;
   poses.count = 20;
-  poses.most_tilt = 0;
+  poses.max_tilt = 0;
   EXPECT_SAYS(refused(session(poses)), "all parallel: the board's tilt to the camera differs by");
 }
 
@@ -86,7 +86,7 @@ TEST(UnusableSession, OfTurnsAboutOneAxisSaysWhatIsUndetermined) {
   }
   const std::string text = refused(observe(cell, poses, kNoise, 1));
   EXPECT_SAYS(text, "orientations of the flange: about one axis only");
-  EXPECT_SAYS(text, "the camera's place on the flange along this axis is left undetermined");
+  EXPECT_SAYS(text, "the camera's position on the flange along this axis is undetermined");
 }
 
 TEST(UnusableSession, WithTheWrongBoardSizeSaysTheOneThatFits) {
@@ -194,7 +194,7 @@ TEST(UnusableSession, OfALaserOnOneLineSaysHowFarItSpreads) {
   const synthetic::Cell cell;
   synthetic::Poses poses;
   poses.count = 4;
-  poses.most_tilt = 0;
+  poses.max_tilt = 0;
   poses.nearest = poses.farthest = 0.5;
   poses.seed = 9;
   for (ViewObservation& view : observations.views)

@@ -179,7 +179,7 @@ TEST_F(ReadSession, SaysThatNoImageShowsABoard) {
     cv::imwrite(entry.path().string(), cv::Mat(480, 640, CV_8UC1, cv::Scalar(9)));
   EXPECT_EQ(complaint(),
             "board of 9 x 6 inner corners: seen in none of 8 images, the first: the board is not "
-            "seen; show all of the board, sharp, with light on it");
+            "seen; show the whole board, in focus and well lit");
 }
 
 TEST_F(ReadSession, RefusesADetectorThatThereIsNot) {

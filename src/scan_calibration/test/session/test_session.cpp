@@ -118,10 +118,9 @@ TEST(SessionPoses, AreRefusedWithTheLineAndTheCure) {
   EXPECT_EQ(poses_complaint(std::string(kColumns) + ",laser_0,laser_0\n", {"laser_0"})
                 .find("p: line 1: column 'laser_0'"),
             0U);
-  EXPECT_EQ(
-      poses_complaint(columns, {"laser_0", "laser_1"}),
-      "p: line 1: columns for 0 of 2 lasers; add a column a laser: several lines in one image "
-      "cannot be told apart");
+  EXPECT_EQ(poses_complaint(columns, {"laser_0", "laser_1"}),
+            "p: line 1: columns for 0 of 2 lasers; add a column for each laser: several lines in "
+            "one image cannot be told apart");
   EXPECT_EQ(poses_complaint(columns + "a.png" + pose + "\na.png,1,2,4,0,0,0,1\n", {"laser_0"}),
             "p: line 3: 'a.png' again, first in line 2; give each view files of its own");
   EXPECT_EQ(poses_complaint(columns + pose + "\n", {"laser_0"}),
@@ -144,7 +143,7 @@ TEST_F(SessionFolder, NamesTheMissingImage) {
   std::ofstream(path("poses.csv")) << kColumns << "\nimages/a.png" << kPose << "\n";
   EXPECT_EQ(complaint([&] { load_session(folder_.string()); }),
             path("poses.csv") + ": images/a.png: no file " + path("images/a.png") +
-                "; bring it back or leave the line out");
+                "; restore it or remove the line");
 }
 
 TEST_F(SessionFolder, ComesBackAsItWasRecorded) {

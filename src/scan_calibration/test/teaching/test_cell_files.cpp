@@ -121,7 +121,7 @@ TEST_F(TaughtPosesFile, IsRefusedWithTheNumberOfTheBadLine) {
   EXPECT_EQ(complaint("x,y,z\n1,2,wide\n"), ": line 2: 'wide'; give a number");
   EXPECT_EQ(complaint("x,y,z\n1,2,nan\n"), ": line 2: 'nan'; give a number");
   EXPECT_EQ(complaint("1,2,3\n").find(": line 1: '1,2,3'; begin with the header"), 0U);
-  EXPECT_EQ(complaint("x,y,z,qx,qy,qz,qw\n1,2,3,1,1,0,0\n").find(": line 2: quaternion"), 0U);
+  EXPECT_EQ(complaint("x,y,z,qx,qy,qz,qw\n1,2,3,1,1,0,0\n").find(": line 2: a quaternion"), 0U);
   EXPECT_THROW(scan_calibration::load_taught_poses("/no/such.csv"), scan_cell_common::FileError);
 }
 
@@ -156,5 +156,5 @@ TEST_F(TaughtPosesFile, SaysWhereTheNumbersBelieTheUnitsOfTheHead) {
 
 TEST_F(TaughtPosesFile, NamesThePoseThatIsRepeated) {
   EXPECT_EQ(complaint("x,y,z,qx,qy,qz,qw\n1,2,3,0,0,0,1\n1,2,4,0,0,0,1\n1,2,3,0,0,0,1\n"),
-            ": line 4: the pose of line 2 again; leave one out or teach it elsewhere");
+            ": line 4: the pose of line 2 again; leave one out or teach another pose");
 }

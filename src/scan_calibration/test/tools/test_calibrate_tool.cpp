@@ -79,7 +79,7 @@ TEST_F(CalibrateTool, FindsTheScannerThatTheImagesWereTakenWith) {
 }
 
 TEST_F(CalibrateTool, WritesTheReportAndNoModelWhereALimitIsMissed) {
-  EXPECT_EQ(run(session(), "--most-plane-rms 0.0001"), 2) << text("out.txt");
+  EXPECT_EQ(run(session(), "--max-plane-rms 0.0001"), 2) << text("out.txt");
   EXPECT_EQ(json::parse(text("report.json"))["verdict"], "limits_missed");
   EXPECT_NE(text("out.txt").find("laser_plane_rms_mm laser_0"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("scanner.yaml")));
@@ -110,7 +110,13 @@ TEST_F(CalibrateTool, EndsWithOneOnUnusableInput) {
       << text("out.txt");
   EXPECT_EQ(run(session(), "--detector eye"), 1);
   EXPECT_EQ(run(session(), "--projector 1 2"), 1);
-  EXPECT_EQ(run(session(), "--most-plane-rms -1"), 1);
+  EXPECT_EQ(run(session(), "--max-plane-rms -1"), 1);
+  for (const std::string name : {"reprojection", "plane-rms", "board-scatter", "point-deviation"}) {
+    EXPECT_EQ(run(session(), "--most-" + name + " 1"), 1);
+    EXPECT_NE(text("out.txt").find("--most-" + name + ": renamed; its name is --max-" + name),
+              std::string::npos)
+        << text("out.txt");
+  }
   EXPECT_EQ(run(session(), "--camera-info " + path("no/camera.yaml")), 1);
   EXPECT_FALSE(fs::exists(path("report.json")));
 }
@@ -150,7 +156,7 @@ TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit
   EXPECT_EQ(report["kept"], json({"camera", "flange_to_camera", "laser_0"}));
   EXPECT_EQ(report["existing"], path("scanner.yaml"));
   EXPECT_FALSE(report["laser_plane_rms_mm"].contains("laser_0"));
-  EXPECT_NE(text("report.html").find("Not calibrated anew"), std::string::npos);
+  EXPECT_NE(text("report.html").find("Not calibrated again"), std::string::npos);
   EXPECT_NE(text("out.txt").find("kept from " + path("scanner.yaml") + ": camera"),
             std::string::npos)
       << text("out.txt");
@@ -160,8 +166,7 @@ TEST_F(CalibrateTool, CalibratesTheCameraAloneOfASessionWithLasers) {
   ASSERT_EQ(run(session()), 0) << text("out.txt");
   const auto old = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   ASSERT_EQ(
-      run(session(), "--camera-alone --most-point-deviation 1 --scanner " + path("scanner.yaml")),
-      0)
+      run(session(), "--camera-alone --max-point-deviation 1 --scanner " + path("scanner.yaml")), 0)
       << text("out.txt");
   const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   EXPECT_NEAR(model.camera.fx, example_session(1).truth.camera.fx, 0.5);

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "scan_calibration/calibration_files.h"
 #include "scan_cell_common/errors.h"
@@ -23,7 +22,7 @@ namespace {
 CalibrationRun example_run() {
   CalibrationRun run;
   run.session = "session";
-  run.verdict = CalibrationVerdict::PASSED;
+  run.verdict = CalibrationVerdict::kPassed;
   run.taken = 3;
   Observations& seen = run.observations;
   seen.width = 640;
@@ -132,10 +131,13 @@ TEST_F(CalibrationResults, ArePicturesOnAPage) {
   save_calibration(example_run(), files());
   const std::string page = text("report.html");
   for (const char* name : {"coverage", "space_above", "space_side", "residuals", "plane_laser_0"}) {
-    const std::string file = std::string("report_") + name + ".png";
-    EXPECT_NE(page.find("src=\"" + file + "\""), std::string::npos) << file;
-    EXPECT_FALSE(cv::imread(path(file)).empty()) << file;
+    const std::size_t figure = page.find(std::string("<figure id=\"") + name + "\">\n<svg");
+    ASSERT_NE(figure, std::string::npos) << name;
+    EXPECT_NE(page.substr(figure, page.find("</figure>", figure) - figure).find("<path d=\"M"),
+              std::string::npos)
+        << name;
   }
+  EXPECT_EQ(page.find("src="), std::string::npos) << "one file holds it all";
   EXPECT_NE(page.find("b &lt;i&gt;.png"), std::string::npos) << "names cannot break the page";
   EXPECT_EQ(page.find("<i>"), std::string::npos);
 }
@@ -154,12 +156,12 @@ TEST_F(CalibrationResults, KeepTheOldModelUnderTheTimeItWasWritten) {
 TEST_F(CalibrationResults, AreNotWrittenOverAModelWhereALimitIsMissedOrTheSessionRefused) {
   std::ofstream(path("scanner.yaml")) << "old";
   CalibrationRun run = example_run();
-  run.verdict = CalibrationVerdict::LIMITS_MISSED;
+  run.verdict = CalibrationVerdict::kLimitsMissed;
   run.judged = {{"board_scatter_mm", 0.6, 0.5}};
   EXPECT_EQ(save_calibration(run, files()).scanner, "");
   EXPECT_EQ(json::parse(text("report.json"))["limits"][0]["passed"], false);
   EXPECT_NE(text("report.html").find("Not accepted"), std::string::npos);
-  run.verdict = CalibrationVerdict::REFUSED;
+  run.verdict = CalibrationVerdict::kRefused;
   run.reason = "views of the board: 2; give more";
   run.calibration.reset();
   save_calibration(run, files());

@@ -76,6 +76,18 @@ TEST_F(CellFramesTool, FindsTheToolAndThenTheWorldWithIt) {
   EXPECT_TRUE(cell.base_link_in_world.isApprox(kBaseInWorld, 1e-9));
 }
 
+TEST_F(CellFramesTool, RefusesTheOldNamesOfItsOptionsAndSaysTheNewOnes) {
+  const auto refused = [this](const std::string& command, const std::string& old,
+                              const std::string& now) {
+    EXPECT_EQ(run(command + " " + old + " 1"), 1);
+    EXPECT_EQ(printed(), "cell_frames: " + old + ": renamed; its name is " + now + " now\n");
+  };
+  refused("tool", "--most-condition", "--max-condition");
+  refused("tool", "--most-residual", "--max-residual");
+  refused("world", "--least-distance", "--min-distance");
+  refused("world", "--most-skew", "--max-skew");
+}
+
 TEST_F(CellFramesTool, WritesNothingAndSaysWhyWhereItFails) {
   EXPECT_EQ(run("tool --poses " + taught(std::vector<Vector3d>(2, Vector3d(0.1, 0.2, 0.03)))), 1);
   EXPECT_NE(printed().find("at least three orientations"), std::string::npos) << printed();

@@ -10,6 +10,7 @@ namespace scan_cell {
 /// line for each tenth.
 class ProgressBar {
  public:
+  /// @param title stands in front of the bar
   explicit ProgressBar(const std::string& title);
 
   /// Ends the line.

@@ -17,7 +17,7 @@ namespace scan_cell {
 ///     rate: 100                    # [Hz]
 ///     laser: 0                     # 0 or 1
 struct ScanProgram {
-  std::string frame;
+  std::string frame;    //!< of the poses
   ScanRequest request;  //!< poses in `frame`
 };
 

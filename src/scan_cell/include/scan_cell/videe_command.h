@@ -10,19 +10,19 @@ namespace scan_cell {
 
 /// Commands of the ViDeE protocol (thesis, table 4).
 enum class VideeCommandKind {
-  InitCycle,
-  InitCalibration,
-  PerformCalibration,
-  GrabImage,
-  SetPosition,
-  StartScan,
-  StopScan,
-  Reset,
+  kInitCycle,
+  kInitCalibration,
+  kPerformCalibration,
+  kGrabImage,
+  kSetPosition,
+  kStartScan,
+  kStopScan,
+  kReset,
 };
 
 /// One command as it came over the wire. docs/videe_protocol.md describes the lines.
 struct VideeCommand {
-  VideeCommandKind kind = VideeCommandKind::Reset;
+  VideeCommandKind kind = VideeCommandKind::kReset;  //!< which command
   std::vector<Eigen::Isometry3d> poses;  //!< SET_POSITION: start and end of the flange [m]
 };
 

@@ -87,18 +87,7 @@ void calibrate(const Options& options) {
   tell(goal, result);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Options options;
-  options.goal.board_exposure = 0.05;
-  options.goal.line_exposure = 0.001;
-  options.goal.square_size = 0.02;
-  CLI::App app(
-      "Moves the running cell's robot to taught poses, records a calibration session, and "
-      "computes\n"
-      "the scanner model from it.\n"
-      "Exit code 0: done; 2: ended early, refused, or no model within the limits; 1: no cell.");
+void add_options(CLI::App& app, Options& options) {
   app.add_option("--poses", options.goal.poses, "file of taught poses of the flange")
       ->required()
       ->check(CLI::ExistingFile);
@@ -130,6 +119,21 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell")
       ->capture_default_str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  options.goal.board_exposure = 0.05;
+  options.goal.line_exposure = 0.001;
+  options.goal.square_size = 0.02;
+  CLI::App app(
+      "Moves the running cell's robot to taught poses, records a calibration session, and "
+      "computes\n"
+      "the scanner model from it.\n"
+      "Exit code 0: done; 2: ended early, refused, or no model within the limits; 1: no cell.");
+  add_options(app, options);
   return scan_cell_common::ros_tool_main(
       "calibrate_cell", app, argc, argv,
       [&] {

@@ -8,40 +8,15 @@
 #include "client/bag_replay.h"
 #include "client/clean_cloud_watch.h"
 #include "devices/ros_stages.h"
+#include "replay_parameters.h"
 #include "scan_cell/progress_bar.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
-#include "scan_cell_common/ros/parameter_reader.h"
 
 namespace {
 
-struct Parameters {
-  std::string bag;
-  std::string scan_id;  //!< empty: the last in the bag
-  scan_cell::AdaptationFiles files;
-  double speed = 4;      //!< times real time
-  double timeout = 60;   //!< [s] to wait for nodes, clouds and the stretcher
-  double patience = 10;  //!< [s] for data that is late
-  std::string binder = "/pose_frame_binder";
-  std::string triangulation = "/laser_triangulation";
-
-  static Parameters load(const ros::NodeHandle& node) {
-    scan_cell_common::ParameterReader reader(node);
-    Parameters parameters;
-    reader.require("bag", parameters.bag);
-    reader.read("scan_id", parameters.scan_id);
-    reader.require("reference", parameters.files.reference);
-    reader.require("path", parameters.files.path);
-    reader.require("output", parameters.files.output);
-    reader.read("speed", parameters.speed, {0.01, 1000});
-    reader.read("timeout", parameters.timeout, {1, 3600});
-    reader.read("patience", parameters.patience, {0.1, 600});
-    reader.read("binder", parameters.binder);
-    reader.read("triangulation", parameters.triangulation);
-    reader.refuse_unknown();
-    return parameters;
-  }
-};
+using Parameters = scan_cell::ReplayParameters;
 
 void wait_for_services(const Parameters& parameters) {
   for (const std::string& name :
@@ -90,14 +65,14 @@ void replay(const Parameters& parameters) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(argc, argv, "replay",
-                                     "Plays a recorded scan to the running stages, and adapts a "
-                                     "tool path to what was scanned (launch/replay.launch).",
-                                     [] {
-                                       const Parameters parameters =
-                                           Parameters::load(ros::NodeHandle("~"));
-                                       ros::AsyncSpinner spinner(2);
-                                       spinner.start();
-                                       replay(parameters);
-                                     });
+  return scan_cell_common::node_main<Parameters>(
+      argc, argv, "replay",
+      "Plays a recorded scan to the running stages, and adapts a "
+      "tool path to what was scanned (launch/replay.launch).",
+      [] {
+        const auto parameters = scan_cell_common::load_parameters<Parameters>(ros::NodeHandle("~"));
+        ros::AsyncSpinner spinner(2);
+        spinner.start();
+        replay(parameters);
+      });
 }

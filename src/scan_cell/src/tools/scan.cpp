@@ -70,7 +70,7 @@ void scan(const Options& options) {
   tell(options, result);
   if (options.clean.empty()) return;
   scan_cell::check_published(result.cloud_file);
-  constexpr double kCleaningTimeout = 60;  // [s]
+  constexpr double kCleaningTimeout = 60;  // [s] chosen
   save(options.clean, watch.wait(result.cloud.header.stamp, kCleaningTimeout), options.units);
 }
 

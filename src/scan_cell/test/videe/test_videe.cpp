@@ -37,9 +37,9 @@ TEST(VideePose, ComesBackFromTheWire) {
 }
 
 TEST(VideeCommand, IsReadWithItsArguments) {
-  EXPECT_EQ(scan_cell::parse_videe("INIT_CYCLE").kind, VideeCommandKind::InitCycle);
+  EXPECT_EQ(scan_cell::parse_videe("INIT_CYCLE").kind, VideeCommandKind::kInitCycle);
   const auto command = scan_cell::parse_videe("SET_POSITION 1,2,3,4,5,6 2,2,3,4,5,6");
-  EXPECT_EQ(command.kind, VideeCommandKind::SetPosition);
+  EXPECT_EQ(command.kind, VideeCommandKind::kSetPosition);
   ASSERT_EQ(command.poses.size(), 2U);
   EXPECT_NEAR(command.poses[1].translation().x(), 0.002, 1e-12);
 }
@@ -74,10 +74,10 @@ TEST(VideeServer, AnswersEachCommandInTurn) {
   scan_cell::VideeServer server(
       at_any_port(),
       [](const scan_cell::VideeCommand& command, const auto&) -> std::string {
-        if (command.kind == VideeCommandKind::StartScan) {
+        if (command.kind == VideeCommandKind::kStartScan) {
           throw scan_cell_common::Refused("START_SCAN", "no positions", "send SET_POSITION first");
         }
-        return command.kind == VideeCommandKind::GrabImage ? "image.png" : "";
+        return command.kind == VideeCommandKind::kGrabImage ? "image.png" : "";
       },
       [] {});
   Client client(server.port());

@@ -38,7 +38,7 @@ class Waiting {
 
  private:
   std::string handle(const scan_cell::VideeCommand& command, const ClientThere& client_there) {
-    if (command.kind != VideeCommandKind::StopScan) return "";
+    if (command.kind != VideeCommandKind::kStopScan) return "";
     EXPECT_TRUE(client_there());
     begun_.set_value();
     const auto deadline = Clock::now() + seconds(20);

@@ -33,7 +33,7 @@ void read_line(const std::string& line) {
   using Kind = scan_cell::VideeCommandKind;
   try {
     const scan_cell::VideeCommand command = scan_cell::parse_videe(line);
-    promise(command.poses.size() == (command.kind == Kind::SetPosition ? 2U : 0U), "poses");
+    promise(command.poses.size() == (command.kind == Kind::kSetPosition ? 2U : 0U), "poses");
     for (const Eigen::Isometry3d& pose : command.poses)
       check_pose(pose);
   } catch (const Error& error) {

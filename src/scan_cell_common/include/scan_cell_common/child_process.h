@@ -20,8 +20,8 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  pid_t id() const { return id_; }
-  int wait();  ///< @return its exit code; 128 + the signal that ended it
+  pid_t id() const { return id_; }  //!< of the process
+  int wait();                       ///< @return its exit code; 128 + the signal that ended it
 
  private:
   pid_t id_ = -1;
@@ -33,6 +33,7 @@ struct Usage {
   double memory = 0;  //!< [MB] resident
 };
 
+/// Processor time and memory of a process on this machine.
 Usage usage_of(pid_t process);
 double cpu_of_this_thread();  ///< [s]
 

@@ -36,13 +36,13 @@ class ClockMap {
   /// Takes a pair. A device time before the last one restarts the map: the device was restarted.
   void add(Nanoseconds device, Nanoseconds host);
 
-  bool empty() const { return count_ == 0; }
+  bool empty() const { return count_ == 0; }  //!< whether no pair was added yet
 
   /// Host time [ns] of a device time.
   /// @throw Refused if no pair was added
   Nanoseconds to_host(Nanoseconds device) const;
 
-  Figures figures() const;
+  Figures figures() const;  //!< of the map as it is now
 
  private:
   static constexpr std::size_t kCells = 64;

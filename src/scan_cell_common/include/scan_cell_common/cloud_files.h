@@ -13,6 +13,7 @@
 
 namespace scan_cell_common {
 
+/// Points in metres.
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// What the file of a cloud does not say of itself. Lengths are in the file's unit.
@@ -23,6 +24,7 @@ struct CloudFormat {
   double profile_step = 0;      //!< of depth profiles, from line to line; 0: a list of points
 };
 
+/// A cloud from a file.
 struct LoadedCloud {
   Cloud cloud;                     //!< [m]
   std::vector<std::string> notes;  //!< what was left out of the file, for a person
@@ -51,10 +53,11 @@ pcl::PolygonMesh load_mesh(const std::string& path, double metres_per_unit = 1);
 /// The parsers behind them; `source` names the bytes in errors. Not PCL's, as cloud_files.cpp says.
 /// @throw FileError where the bytes make no sense or are truncated
 Cloud parse_ply(std::string_view bytes, const std::string& source);
-Cloud parse_pcd(std::string_view bytes, const std::string& source);
-pcl::PolygonMesh parse_ply_mesh(std::string_view bytes, const std::string& source);
-pcl::PolygonMesh parse_stl(std::string_view bytes, const std::string& source);
-pcl::PolygonMesh parse_obj(std::string_view bytes, const std::string& source);
+Cloud parse_pcd(std::string_view bytes, const std::string& source);             //!< as parse_ply()
+pcl::PolygonMesh parse_ply_mesh(std::string_view bytes,                         //!< as parse_ply()
+                                const std::string& source);                     //!< as parse_ply()
+pcl::PolygonMesh parse_stl(std::string_view bytes, const std::string& source);  //!< as parse_ply()
+pcl::PolygonMesh parse_obj(std::string_view bytes, const std::string& source);  //!< as parse_ply()
 
 /// Faces of a PLY file whose header this is, or begins; 0 where it makes no sense or has no end.
 std::size_t faces_of_ply(std::string_view header);
@@ -98,9 +101,9 @@ std::size_t drop_invalid(Cloud& cloud, double invalid);
 /// A number that stands for no measurement: the same extreme value in many points, far from the
 /// rest.
 struct Sentinel {
-  char axis = 'z';  //!< first of those that hold it
-  double value = 0;
-  std::size_t points = 0;
+  char axis = 'z';         //!< first of those that hold it
+  double value = 0;        //!< in the cloud's unit
+  std::size_t points = 0;  //!< that hold it
 };
 
 /// The first of a cloud's sentinels; none if it has none.

@@ -20,8 +20,8 @@ class CsvReader {
   /// Goes to the next line. False at the end.
   bool next();
 
-  const std::vector<std::string_view>& fields() const { return fields_; }
-  std::string_view field(std::size_t column) const { return fields_.at(column); }
+  const std::vector<std::string_view>& fields() const { return fields_; }          //!< of this line
+  std::string_view field(std::size_t column) const { return fields_.at(column); }  //!< of this line
 
   /// Number of the line, from 1.
   std::size_t line() const { return line_; }

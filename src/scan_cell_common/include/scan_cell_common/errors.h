@@ -11,11 +11,14 @@ namespace scan_cell_common {
 /// what() reads "THING: VALUE; CURE".
 class Error : public std::runtime_error {
  public:
+  /// @param thing what the error is about, such as a parameter's name or a file's path
+  /// @param value what it was
+  /// @param cure what to do about it
   Error(const std::string& thing, const std::string& value, const std::string& cure);
 
-  const std::string& thing() const { return thing_; }
-  const std::string& value() const { return value_; }
-  const std::string& cure() const { return cure_; }
+  const std::string& thing() const { return thing_; }  //!< what it is about
+  const std::string& value() const { return value_; }  //!< what it was
+  const std::string& cure() const { return cure_; }    //!< what to do
 
  private:
   std::string thing_;
@@ -26,37 +29,37 @@ class Error : public std::runtime_error {
 /// A parameter is missing, unknown, of the wrong type or out of range. thing() is its name.
 class InvalidParameter : public Error {
  public:
-  using Error::Error;
+  using Error::Error;  //!< thing, value, cure
 };
 
 /// A file cannot be read or written. thing() is its path.
 class FileError : public Error {
  public:
-  using Error::Error;
+  using Error::Error;  //!< thing, value, cure
 };
 
 /// Data that was read but cannot be used: an empty cloud, a path of NaN, a singular plane.
 class UnusableInput : public Error {
  public:
-  using Error::Error;
+  using Error::Error;  //!< thing, value, cure
 };
 
 /// A device, a controller or a peer cannot be reached, or was lost.
 class ConnectionError : public Error {
  public:
-  using Error::Error;
+  using Error::Error;  //!< thing, value, cure
 };
 
 /// A peer sent what the protocol does not allow.
 class ProtocolError : public Error {
  public:
-  using Error::Error;
+  using Error::Error;  //!< thing, value, cure
 };
 
 /// What was asked for is not possible now, or not allowed: nothing was done.
 class Refused : public Error {
  public:
-  using Error::Error;
+  using Error::Error;  //!< thing, value, cure
 };
 
 }  // namespace scan_cell_common

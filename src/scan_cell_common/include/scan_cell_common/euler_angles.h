@@ -26,7 +26,7 @@ class EulerSequence {
   /// is 0. Exact near these places too.
   Eigen::Vector3d angles(const Eigen::Matrix3d& rotation) const;
 
-  const std::string& axes() const { return axes_; }
+  const std::string& axes() const { return axes_; }  //!< such as zyx
 
   /// Whether the first axis comes again as the third.
   bool repeats() const { return axes_[0] == axes_[2]; }

@@ -12,7 +12,7 @@ namespace scan_cell_common {
 
 /// Something that has to stand any bytes.
 struct FuzzTarget {
-  std::string name;
+  std::string name;                //!< for --target
   std::vector<std::string> seeds;  //!< valid inputs, to be changed
   std::vector<std::string> words;  //!< that mean something in this format
 
@@ -30,9 +30,10 @@ struct FuzzFault : std::logic_error {
 /// @throw FuzzFault unless the promise was kept
 void promise(bool kept, const std::string& what);
 
+/// What became of the inputs.
 struct FuzzCount {
-  std::uint64_t taken = 0;
-  std::uint64_t refused = 0;
+  std::uint64_t taken = 0;    //!< read without an error
+  std::uint64_t refused = 0;  //!< with a typed error
 };
 
 /// The input of one run: a seed with a few changes (bits flipped, blocks and lines lost, doubled

@@ -21,12 +21,14 @@ void remove_old(const std::string& path);
 /// a run is always this run's.
 class Outputs {
  public:
+  /// Who removes what an earlier run left.
   enum class Clearing {
-    kBeforeWork,
-    kByTool  //!< which tells in its own way what is wrong with their names
+    kBeforeWork,  //!< tool_main(), before the tool works
+    kByTool       //!< which tells in its own way what is wrong with their names
   };
 
   Outputs() = default;
+  /// @param clearing who removes what an earlier run left
   explicit Outputs(Clearing clearing) : clearing_(clearing) {}
 
   /// A file.

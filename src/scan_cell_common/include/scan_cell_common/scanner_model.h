@@ -38,19 +38,20 @@ struct CameraIntrinsics {
 
 /// Plane of light of one laser, in camera_optical_frame: normal . p = distance, |normal| = 1.
 struct LaserPlane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
-  double distance = 0;                               //!< [m]
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  //!< [m] the projector, in the plane
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  //!< unit length
+  double distance = 0;                                //!< [m]
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();   //!< [m] the projector, in the plane
 };
 
 /// All that turns a peak and a flange pose into a point. Calibration writes it, triangulation and
 /// the simulator read it.
 struct ScannerModel {
-  CameraIntrinsics camera;
+  CameraIntrinsics camera;                                             //!< the lens and the sensor
   Eigen::Isometry3d flange_to_camera = Eigen::Isometry3d::Identity();  //!< camera's pose in tool0
   /// laser_0, laser_1: those that were not calibrated hold none. There may be no laser at all.
   std::vector<std::optional<LaserPlane>> lasers;
 
+  /// Whether laser_<index> was calibrated.
   bool has_laser(std::size_t index) const { return index < lasers.size() && lasers[index]; }
 
   /// The plane of light of laser_<index>.

@@ -38,7 +38,7 @@ class LineReader {
   /// Goes to the next line that holds more than blanks. False at the end.
   bool next_filled();
 
-  const std::vector<std::string_view>& words() const { return words_; }
+  const std::vector<std::string_view>& words() const { return words_; }  //!< of this line
 
   /// Where the line after this one begins.
   std::size_t position() const { return position_; }

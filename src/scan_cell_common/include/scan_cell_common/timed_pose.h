@@ -11,6 +11,7 @@ namespace scan_cell_common {
 /// resolves only 0.2 us and does not compare exactly.
 using Nanoseconds = std::int64_t;
 
+/// Nanoseconds to seconds.
 constexpr double to_seconds(Nanoseconds time) {
   return static_cast<double>(time) * 1e-9;
 }
@@ -22,8 +23,8 @@ constexpr Nanoseconds from_seconds(double seconds) {
 
 /// A pose that was measured, and when.
 struct TimedPose {
-  Nanoseconds time = 0;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  Nanoseconds time = 0;                                    //!< of the measurement
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< [m]
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };

@@ -33,11 +33,12 @@ class YamlEntry {
   /// The root of a text. @throw FileError as parse_yaml()
   static YamlEntry parse(const std::string& text, const std::string& name);
 
+  /// @param file and name of the entry in it, in errors
   YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
 
-  bool is_map() const;
-  bool is_null() const;  //!< it stands there, and holds nothing: ~
-  bool has(const std::string& key) const;
+  bool is_map() const;                     //!< whether it has keys
+  bool is_null() const;                    //!< it stands there, and holds nothing: ~
+  bool has(const std::string& key) const;  //!< whether it is a map with this key
 
   /// @throw UnusableInput if it is missing
   YamlEntry operator[](const std::string& key) const;
@@ -73,7 +74,7 @@ class YamlEntry {
   /// @throw UnusableInput about this entry
   [[noreturn]] void refuse(const std::string& value, const std::string& cure) const;
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return name_; }  //!< the entry's whole way in the file
 
  private:
   std::vector<double> numbers(std::size_t count) const;

@@ -90,8 +90,21 @@ void swap_lines(std::string& bytes, Random& random) {
   bytes.replace(one.begin, one.size, second);
 }
 
+/// Removes a piece, or doubles it.
+/// @param by_line pieces are lines
+void change_piece(std::string& bytes, bool by_line, bool remove, Random& random) {
+  const Range piece = by_line ? line(bytes, random) : block(bytes, random);
+  if (remove) {
+    bytes.erase(piece.begin, piece.size);
+    return;
+  }
+  const std::size_t place = by_line ? piece.begin : random.below(bytes.size());
+  bytes.insert(place, bytes.substr(piece.begin, piece.size));
+}
+
 void change(std::string& bytes, const FuzzTarget& target, Random& random) {
-  switch (random.below(12)) {
+  const std::size_t kind = random.below(12);
+  switch (kind) {
     case 0:
       bytes[random.below(bytes.size())] ^= static_cast<char>(1U << random.below(8));
       break;
@@ -101,26 +114,12 @@ void change(std::string& bytes, const FuzzTarget& target, Random& random) {
     case 2:
       bytes.resize(random.below(bytes.size()));
       break;
-    case 3: {
-      const Range lost = block(bytes, random);
-      bytes.erase(lost.begin, lost.size);
+    case 3:
+    case 4:
+    case 5:
+    case 6:
+      change_piece(bytes, kind >= 5, kind % 2 == 1, random);
       break;
-    }
-    case 4: {
-      const Range doubled = block(bytes, random);
-      bytes.insert(random.below(bytes.size()), bytes.substr(doubled.begin, doubled.size));
-      break;
-    }
-    case 5: {
-      const Range lost = line(bytes, random);
-      bytes.erase(lost.begin, lost.size);
-      break;
-    }
-    case 6: {
-      const Range doubled = line(bytes, random);
-      bytes.insert(doubled.begin, bytes.substr(doubled.begin, doubled.size));
-      break;
-    }
     case 7:
       swap_lines(bytes, random);
       break;
@@ -143,10 +142,10 @@ void promise(bool kept, const std::string& what) {
 }
 
 std::string fuzz_input(const FuzzTarget& target, std::uint64_t seed, std::uint64_t run) {
-  constexpr std::size_t kMostChanges = 5;
+  constexpr std::size_t kMaxChanges = 5;
   Random random(Random(seed).next() ^ (run * 0xd1342543de82ef95));
   std::string bytes = random.one_of(target.seeds);
-  const std::size_t changes = 1 + random.below(1 + random.below(kMostChanges));
+  const std::size_t changes = 1 + random.below(1 + random.below(kMaxChanges));
   for (std::size_t i = 0; i < changes && !bytes.empty(); ++i)
     change(bytes, target, random);
   return bytes;

@@ -5,9 +5,9 @@
 #include <ros/ros.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 
-#include "scan_cell_common/ros/logger_list.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
 namespace scan_cell_common {
@@ -28,17 +28,24 @@ int plain_main(const std::string& name, CLI::App& options, int argc, char** argv
 }  // namespace
 
 int node_main(int argc, char** argv, const std::string& name, const std::string& description,
-              const std::function<void()>& body, const std::function<void()>& before_threads) {
+              const std::function<void()>& body, const std::function<void()>& before_threads,
+              const std::string& parameters) {
   CLI::App options(description + "\nA node: its parameters come from a launch file or as " +
                    "_NAME:=VALUE; the package's config folder and docs/ list them.");
+  bool list = false;
+  if (!parameters.empty())
+    options.add_flag("--parameters", list, "Print the parameters as a table, as docs/ has it");
   const auto run = [&] {
+    if (list) {
+      std::fputs(parameters.c_str(), stdout);
+      return 0;
+    }
     if (before_threads) before_threads();
     ros::init(argc, argv, name);
-    shut_down_on_signals();
     // The last handle takes the console down with it: without this one the line below is not
     // printed.
     const ros::NodeHandle keep_console;
-    withdraw_logger_list();
+    set_up_process();
     try {
       body();
       return 0;
@@ -54,11 +61,10 @@ int ros_tool_main(const std::string& name, CLI::App& options, int argc, char** a
                   const std::function<int()>& body, int refused, const Outputs& outputs) {
   const auto run = [&] {
     ros::init(argc, argv, name, ros::init_options::AnonymousName);
-    shut_down_on_signals();
     constexpr int kThreads = 2;
     ros::AsyncSpinner spinner(kThreads);
     spinner.start();
-    withdraw_logger_list();
+    set_up_process();
     return body();
   };
   return plain_main(name, options, argc, argv, run, refused, outputs);

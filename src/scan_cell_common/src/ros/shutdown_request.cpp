@@ -3,6 +3,8 @@
 #include "scan_cell_common/ros/shutdown_request.h"
 
 #include <ros/init.h>
+#include <ros/names.h>
+#include <ros/service_manager.h>
 #include <ros/xmlrpc_manager.h>
 
 #include <atomic>
@@ -36,10 +38,11 @@ bool has_handler(int number) {
 
 }  // namespace
 
-void shut_down_on_signals() {
+void set_up_process() {
   for (const int number : ending_signals()) {
     if (!has_handler(number)) signal(number, shut_down);
   }
+  ros::ServiceManager::instance()->unadvertiseService(ros::names::resolve("~get_loggers"));
 }
 
 void take_over_shutdown() {

@@ -128,11 +128,11 @@ const char* const kProfiles =
 
 /// No reader may make more of a file than is in it.
 void check_cloud(const Cloud& cloud, const std::string& bytes) {
-  constexpr std::size_t kLeastRow = 3;         // ",," and the line's end
-  constexpr std::size_t kMostRatio = 264 / 3;  // of LZF
+  constexpr std::size_t kMinRow = 3;          // ",," and the line's end
+  constexpr std::size_t kMaxRatio = 264 / 3;  // of LZF
   const bool packed = bytes.find("binary_compressed") != std::string::npos;
   promise(cloud.size() == std::size_t{cloud.width} * cloud.height, "points are width x height");
-  promise(kLeastRow * cloud.size() <= (packed ? kMostRatio : 1) * bytes.size() + 1,
+  promise(kMinRow * cloud.size() <= (packed ? kMaxRatio : 1) * bytes.size() + 1,
           "no more points than the file can hold");
 }
 

@@ -52,9 +52,10 @@ TEST(YamlEntry, IsRefusedByItsWholeName) {
   EXPECT_EQ(complaint("a: []", [](const YamlEntry& e) { e["a"].elements(); }), "nothing");
   EXPECT_EQ(complaint("a: [1, .nan]", [](const YamlEntry& e) { e["a"].vector<2>(); }),
             "a.yaml: a: not finite; give numbers");
-  EXPECT_EQ(complaint("a: {translation: [0, 0, 1], rotation: [0, 0, 1, 1]}",
-                      [](const YamlEntry& e) { e["a"].pose(); }),
-            "a.yaml: a.rotation: length 1.414214; give a unit quaternion x y z w");
+  EXPECT_EQ(
+      complaint("a: {translation: [0, 0, 1], rotation: [0, 0, 1, 1]}",
+                [](const YamlEntry& e) { e["a"].pose(); }),
+      "a.yaml: a.rotation: a quaternion of length 1.41421; give a unit quaternion qx qy qz qw");
 }
 
 TEST(YamlEntry, IsRefusedByPathWhereTheFileIsMissingOrNoYaml) {

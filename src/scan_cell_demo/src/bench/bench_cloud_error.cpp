@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a cloud by the way its frames are bound, in the simulated cell on its real wires,
-// beside that of the true poses; and the delay of the poses as two scans tell it, beside the truth.
+// The error of a cloud by the method of binding, in the simulated cell on its real interfaces, next
+// to that with the true poses; and the delay of the poses, estimated from two scans and true.
 #include <ros/package.h>
 
 #include <CLI/CLI.hpp>
@@ -69,7 +69,7 @@ std::vector<Trial> trials() {
   constexpr double kWay = 0.17;     // [m]
   return {
       {"arc", arc(-kReach, {100}), arc(kReach, {kPercent})},
-      {"arc, 100 and 40 mm/s in turn", arc(kReach, {100}),
+      {"arc, alternating 100 and 40 mm/s", arc(kReach, {100}),
        arc(-kReach, {kPercent, 0.4 * kPercent})},
       {"turning, 0.25 m/s^2", turning(-kWay, {100}), turning(kWay, {100, 30})},
   };
@@ -77,9 +77,10 @@ std::vector<Trial> trials() {
 
 void print(const char* rule, const CloudError& error, double perfect, const char* goal,
            const scan_cell_msgs::BindingAudit& audit) {
-  std::printf("  %-12s %6.1f um, %.3f times that%s; %.1f um off the perfect one; %lu of %lu bound",
-              rule, error.to_surface * kMicrometres, error.to_surface / perfect, goal,
-              error.to_perfect * kMicrometres, audit.frames_bound, audit.frames);
+  std::printf(
+      "  %-12s %6.1f um, %.3f times that%s; %.1f um off the perfect cloud; %lu of %lu bound", rule,
+      error.to_surface * kMicrometres, error.to_surface / perfect, goal,
+      error.to_perfect * kMicrometres, audit.frames_bound, audit.frames);
   std::map<std::uint8_t, int> reasons;
   for (const scan_cell_msgs::DroppedFrame& dropped : audit.dropped)
     ++reasons[dropped.reason];
@@ -90,14 +91,14 @@ void print(const char* rule, const CloudError& error, double perfect, const char
 
 void print(const char* motion, const std::string& period, const Scan& scan,
            const BindingErrors& errors) {
-  const MedianAndMost pulses = pulse_delay(scan);
+  const MedianAndMax pulses = pulse_delay(scan);
   std::printf(
       "%s, a pose every %s ms: %zu frames at %.0f mm/s (at most %.0f), %.2f m/s^2 (at most %.1f)\n"
       "  pulses stamped %.3f ms late (worst %.2f), poses %.3f ms later than these\n"
       "  perfect      %6.1f um from the true surface, %zu points\n",
       motion, period.c_str(), errors.frames, errors.speed.median * kMillimetres,
-      errors.speed.most * kMillimetres, errors.acceleration.median, errors.acceleration.most,
-      pulses.median * kMilliseconds, pulses.most * kMilliseconds,
+      errors.speed.max * kMillimetres, errors.acceleration.median, errors.acceleration.max,
+      pulses.median * kMilliseconds, pulses.max * kMilliseconds,
       true_pose_delay(scan) * kMilliseconds, errors.perfect.to_surface * kMicrometres,
       errors.points);
   const double perfect = errors.perfect.to_surface;
@@ -111,7 +112,7 @@ void bench_binding(SimulatedCell& cell) {
   const auto scanner = scan_cell_common::load_scanner_model(sim("scanner.yaml"));
   const scan_cell_sim::Scene part(scan_cell_sim::load_world(world), "frame");
   std::printf(
-      "cloud error, r.m.s. distance of the points from the frame's true surface, by the poses of "
+      "cloud error: RMS distance of the points from the frame's true surface, by the poses of "
       "the same frames\n(constant speed is left out: it knows neither curves nor ramps)\n");
   cell.load_world(world);
   for (const std::string period : {"2", "4", "10"}) {
@@ -142,8 +143,8 @@ void bench_delay(SimulatedCell& cell) {
     const DelayTrial trial =
         try_delay(cell, line(kWay), line(-kWay), kFrameRate, sim("scanner.yaml"));
     std::printf(
-        "what the controller sends %.0f ms late: poses %.3f ms late in truth, %.3f ms by the "
-        "estimate, its standard deviation %.3f ms, off by %.1f of them\n",
+        "sent %.0f ms late by the controller: true delay of the poses %.3f ms, estimate %.3f ms, "
+        "standard deviation %.3f ms, off by %.1f of them\n",
         delay * kMilliseconds, trial.truth * kMilliseconds, trial.estimate * kMilliseconds,
         trial.uncertainty * kMilliseconds, (trial.estimate - trial.truth) / trial.uncertainty);
     std::fflush(stdout);
@@ -153,7 +154,7 @@ void bench_delay(SimulatedCell& cell) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("The error of a cloud by the way of binding, in the simulated cell.");
+  CLI::App app("The error of a cloud by the method of binding, in the simulated cell.");
   return scan_cell_common::tool_main("bench_cloud_error", app, argc, argv, [] {
     double load[1] = {0};
     getloadavg(load, 1);

@@ -17,9 +17,10 @@ using scan_cell_msgs::BoundProfileConstPtr;
 
 namespace {
 
-constexpr double kLeastSpeed = 0.005;  // [m/s] slower is standing: nothing binds wrongly then
+constexpr double kMinSpeed =
+    0.005;  // [m/s] below this the robot stands still, and binding makes no error
 
-/// What a point carried by the flange does, from true pose to true pose.
+/// Motion of a point fixed to the flange, from true pose to true pose.
 struct Kinematics {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // [m/s]
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // [m/s^2]
@@ -43,7 +44,7 @@ std::map<std::uint64_t, Kinematics> kinematics(
   return all;
 }
 
-MedianAndMost summary(std::vector<double> values) {
+MedianAndMax summary(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return {values[values.size() / 2], values.back()};
 }
@@ -55,7 +56,7 @@ std::map<std::uint64_t, BoundProfileConstPtr> by_time(const Scan::Bound& bound) 
   return all;
 }
 
-/// Points of one way of binding; the same peaks give the same points in the same order.
+/// Points of one method of binding; the same peaks give the same points in the same order.
 class CloudMaker {
  public:
   CloudMaker(const scan_cell_common::ScannerModel& scanner,
@@ -121,7 +122,7 @@ BindingErrors compare(const Scan& scan, const scan_cell_common::ScannerModel& sc
     const auto other = others.find(time);
     if (how == motion.end() || other == others.end()) continue;
     const double speed = how->second.velocity.norm();
-    if (speed < kLeastSpeed) continue;
+    if (speed < kMinSpeed) continue;
     speeds.push_back(speed);
     accelerations.push_back(how->second.acceleration.norm());
     perfect.add(bound->profile, scan.truth.at(time));
@@ -140,7 +141,7 @@ BindingErrors compare(const Scan& scan, const scan_cell_common::ScannerModel& sc
   return errors;
 }
 
-MedianAndMost pulse_delay(const Scan& scan) {
+MedianAndMax pulse_delay(const Scan& scan) {
   std::vector<double> delays;
   for (const BoundProfileConstPtr& bound : scan.interpolated.profiles) {
     const auto truth = static_cast<std::int64_t>(bound->profile.device_time);

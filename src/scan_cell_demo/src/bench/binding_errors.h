@@ -8,28 +8,28 @@
 
 namespace scan_cell_demo {
 
-/// How a cloud came out with the poses of one way of binding.
+/// Error of a cloud whose poses come from one method of binding.
 struct CloudError {
-  double to_surface = 0;  //!< [m] r.m.s. distance of the points from the part's true surface
-  double to_perfect = 0;  //!< [m] r.m.s. distance from where the true poses put the same peaks
+  double to_surface = 0;  //!< [m] RMS distance of the points from the part's true surface
+  double to_perfect = 0;  //!< [m] RMS distance from where the true poses put the same peaks
 };
 
-struct MedianAndMost {
-  double median = 0, most = 0;
+struct MedianAndMax {
+  double median = 0, max = 0;
 };
 
-/// How late [s] the pulses were stamped in truth: against the simulated camera's clock, which is
-/// the host's. Most: the worst, either way.
-MedianAndMost pulse_delay(const Scan& scan);
+/// True delay [s] of the pulses' stamps, against the simulated camera's clock, which is the host's.
+/// The maximum is the worst in either direction.
+MedianAndMax pulse_delay(const Scan& scan);
 
-/// One cloud a way of binding, of the same peaks of the same frames: those taken while the robot
-/// moved that both binders bound. Points on the part alone.
+/// One cloud per method of binding, from the same peaks of the same frames: those taken while the
+/// robot moved, and bound by both binders. Only points on the part count.
 struct BindingErrors {
   std::size_t frames = 0;
   std::size_t points = 0;
-  MedianAndMost speed;         //!< [m/s] of the middle of the line of light, by the true poses
-  MedianAndMost acceleration;  //!< [m/s^2] of it
-  CloudError perfect;          //!< the true pose at the frame's instant
+  MedianAndMax speed;         //!< [m/s] of the middle of the line of light, by the true poses
+  MedianAndMax acceleration;  //!< [m/s^2] of it
+  CloudError perfect;         //!< the true pose at the frame's instant
   CloudError interpolated;
   CloudError first_pose;
 };
@@ -40,8 +40,8 @@ BindingErrors compare(const Scan& scan, const scan_cell_common::ScannerModel& sc
                       const laser_triangulation::PeakLimits& limits,
                       const scan_cell_sim::Scene& part);
 
-/// How late [s] the scan's poses were stamped in truth, against its pulses: least squares of how
-/// far the interpolated poses lie behind the true ones, along their velocities.
+/// True delay [s] of the scan's poses against its pulses: least squares of how far the interpolated
+/// poses lag behind the true ones, along their velocities.
 double true_pose_delay(const Scan& scan);
 
 }  // namespace scan_cell_demo

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "delay_trial.h"
 
+#include <fmt/format.h>
 #include <rosbag/bag.h>
 #include <scan_cell_msgs/PeakProfile.h>
 #include <scan_cell_msgs/TriggerEvent.h>
@@ -48,7 +49,7 @@ class BagRecorder {
 
   std::mutex mutex_;  // of the bag
   rosbag::Bag bag_;
-  std::vector<ros::Subscriber> subscribers_;  // before the bag is closed they end
+  std::vector<ros::Subscriber> subscribers_;  // destroyed before the bag is closed
 };
 
 Scan record_scan(SimulatedCell& cell, const Motion& motion, double rate, const std::string& bag) {
@@ -58,7 +59,8 @@ Scan record_scan(SimulatedCell& cell, const Motion& motion, double rate, const s
 
 std::string said_by(const std::string& command) {
   FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) throw scan_cell_common::Refused(command, "not started", "end programs");
+  if (pipe == nullptr)
+    throw scan_cell_common::Refused(command, "not started", "end other programs");
   std::string text;
   char buffer[256];
   while (fgets(buffer, sizeof buffer, pipe) != nullptr)
@@ -84,7 +86,7 @@ DelayTrial figures_in(const std::string& said) {
 
 DelayTrial try_delay(SimulatedCell& cell, const Motion& there, const Motion& back, double rate,
                      const std::string& scanner) {
-  const fs::path folder = fs::temp_directory_path() / ("delay_" + std::to_string(getpid()));
+  const fs::path folder = fs::temp_directory_path() / fmt::format("delay_{}", getpid());
   fs::create_directories(folder);
   const std::string forward = folder / "there.bag", backward = folder / "back.bag";
   const double truth_there = true_pose_delay(record_scan(cell, there, rate, forward));
@@ -92,7 +94,7 @@ DelayTrial try_delay(SimulatedCell& cell, const Motion& there, const Motion& bac
   const std::string said =
       said_by("rosrun pose_frame_binder estimate_time_offset --camera-latency 0 --forward " +
               forward + " --backward " + backward + " --scanner " + scanner);
-  fs::remove_all(folder);  // where the command failed they are left to look at
+  fs::remove_all(folder);  // if the command fails they stay for inspection
   DelayTrial trial = figures_in(said);
   trial.truth = (truth_there + truth_back) / 2;
   return trial;

@@ -8,14 +8,14 @@
 
 namespace scan_cell_demo {
 
-/// The delay of the poses, as the command that people use tells it from two recorded scans.
+/// The delay of the poses, estimated from two recorded scans with the suite's own command.
 struct DelayTrial {
   double truth = 0;        //!< [s] by the simulator's true poses, see true_pose_delay()
   double estimate = 0;     //!< [s]
-  double uncertainty = 0;  //!< [s] one standard deviation, as the command says
+  double uncertainty = 0;  //!< [s] one standard deviation, as the command reports it
 };
 
-/// Scans there and back, and asks `estimate_time_offset`.
+/// Scans there and back, and runs `estimate_time_offset`.
 /// @param scanner the scanner model's file
 /// @throw scan_cell_common::Refused if the command fails
 DelayTrial try_delay(SimulatedCell& cell, const Motion& there, const Motion& back, double rate,

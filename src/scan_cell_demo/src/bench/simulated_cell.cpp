@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_cell.h"
 
+#include <fmt/format.h>
 #include <ros/package.h>
 #include <scan_cell_msgs/ArmTrigger.h>
 #include <scan_cell_msgs/DisarmTrigger.h>
@@ -17,6 +18,7 @@
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <std_msgs/Empty.h>
 
+#include "running_cell/nodes.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
@@ -35,17 +37,6 @@ namespace {
 
 constexpr double kPatience = 60;  // [s]
 constexpr std::uint32_t kUnbounded = 0;
-
-void wait_until_true(const std::string& what, const std::function<bool()>& met) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
-  while (!met()) {
-    if (ros::WallTime::now() > deadline) {
-      throw Refused(what, "not there after a minute",
-                    "see whether another simulator runs, or the machine is too busy");
-    }
-    ros::WallDuration(0.01).sleep();
-  }
-}
 
 }  // namespace
 
@@ -107,7 +98,7 @@ void SimulatedCell::wait_until_up() {
 }
 
 void SimulatedCell::wait_until(const std::string& what, const std::function<bool()>& met) {
-  wait_until_true(what, [&] {
+  scan_cell_demo::wait_until(what, [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
     return met();
   });
@@ -144,7 +135,7 @@ void SimulatedCell::move(const Motion& motion) {
   constexpr double kMillimetres = 1e3;
   set_controller_parameter("motion_type", motion.in_joints ? "\"joint\"" : "\"linear\"");
   set_controller_parameter("linear_acceleration",
-                           std::to_string(motion.acceleration * kMillimetres));
+                           fmt::format("{}", motion.acceleration * kMillimetres));
   scan_cell_msgs::SetLinearSpeed::Request speed;
   speed.speed = motion.speed;
   call<scan_cell_msgs::SetLinearSpeed>("/c4g_driver/set_linear_speed", speed, kPatience);
@@ -157,7 +148,7 @@ void SimulatedCell::move(const Motion& motion) {
   robot_.sendGoal(goal);
   std::size_t held = 0;
   while (!robot_.waitForResult(ros::Duration(motion.hold))) {
-    if (!ros::ok()) throw Refused(motion.name, "stopped", "run it to the end");
+    if (!ros::ok()) throw Refused(motion.name, "stopped", "let it run to its end");
     if (motion.override.size() > 1) set_override(motion.override[++held % motion.override.size()]);
   }
   if (robot_.getResult()->outcome != MoveResult::REACHED)
@@ -210,7 +201,7 @@ void SimulatedCell::finish_stages(std::uint64_t pulses) {
   scan_cell_msgs::FinishCloud::Request cloud;
   cloud.profiles = interpolated.frames_bound;
   cloud.timeout = ros::Duration(5);
-  cloud.partial = true;  // or the stages behind it would set to work
+  cloud.partial = true;  // keeps it from the later stages
   call<scan_cell_msgs::FinishCloud>("/laser_triangulation/finish", cloud, kPatience);
   wait_until("the bound profiles", [&] {
     return scan_.interpolated.profiles.size() == interpolated.frames_bound &&

@@ -21,20 +21,20 @@
 
 namespace scan_cell_demo {
 
-/// Where the flange goes next, and how.
+/// A motion of the flange.
 struct Motion {
   std::string name;
   Eigen::Isometry3d target = Eigen::Isometry3d::Identity();  //!< tool0 in world
-  bool in_joints = false;                //!< all axes together, else along a line
+  bool in_joints = false;                //!< moves all axes together, otherwise along a line
   double speed = 0.25;                   //!< [m/s] along a line
   double acceleration = 1;               //!< [m/s^2] along a line
-  std::vector<double> override = {100};  //!< [%] in turn, each for `hold`
+  std::vector<double> override = {100};  //!< [%] one after the other, each for `hold`
   double hold = 0.4;                     //!< [s]
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// The frames of one scan, as two binders bound them, and as they were truly taken.
+/// The frames of one scan, as bound by two binders, and their true poses.
 struct Scan {
   struct Bound {
     std::vector<scan_cell_msgs::BoundProfileConstPtr> profiles;
@@ -45,26 +45,26 @@ struct Scan {
   std::map<std::uint64_t, Eigen::Isometry3d> truth;  //!< tool0 in world, by device time [ns]
 };
 
-/// The shipped cell with the simulated hardware, in processes and under a ROS master of its own,
-/// and this program as a node beside it.
+/// The shipped cell with simulated hardware, in its own processes under its own ROS master, with
+/// this program as another node.
 class SimulatedCell {
  public:
   /// @param launch_file of the cell
   /// @throw scan_cell_common::Refused if it does not come up
   explicit SimulatedCell(const std::string& launch_file);
 
-  /// Returns when the robot stands.
+  /// Returns when the robot stands still.
   void move(const Motion& motion);
 
-  /// Lines with laser_0 from before the motion until after it.
+  /// Scans with laser_0 from before the motion until after it.
   /// @param rate [Hz] of the frames
   Scan scan(const Motion& motion, double rate);
 
   static void load_world(const std::string& path);
   static void set_controller_parameter(const std::string& name, const std::string& json);
 
-  /// What the controller sends comes so much later [s] from now on; returns when the driver's map
-  /// of the clocks has no message from before.
+  /// Delays everything that the controller sends [s]. Returns when the driver's map of the clocks
+  /// holds no earlier message.
   static void delay_controller(double delay);
 
   ros::NodeHandle& node() { return node_; }

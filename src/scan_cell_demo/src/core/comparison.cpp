@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_demo/comparison.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,8 +35,8 @@ PathError compare(const ToolPath& path, const ToolPath& truth) {
   const auto theirs = waypoints(truth);
   if (ours.size() != theirs.size() || ours.empty()) {
     throw scan_cell_common::UnusableInput(
-        "adapted path", std::to_string(ours.size()) + " waypoints",
-        "compare it with a path of as many, not " + std::to_string(theirs.size()));
+        "adapted path", fmt::format("{} waypoints", ours.size()),
+        fmt::format("compare it with a path of the same number, not {}", theirs.size()));
   }
   PathError error;
   for (std::size_t i = 0; i < ours.size(); ++i) {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/net/udp_socket.h"
 
 namespace scan_cell_demo {
 
@@ -37,8 +37,8 @@ class LaserTap {
   void listen();
   void take(std::uint8_t data, scan_cell_common::Nanoseconds time);
 
-  int socket_ = -1;
-  int circuit_ = -1;
+  const scan_cell_common::UdpSocket socket_;
+  const scan_cell_common::Endpoint circuit_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::uint8_t lasers_ = 0;

@@ -14,6 +14,17 @@ namespace scan_cell_demo {
 
 using scan_cell_common::ConnectionError;
 
+void wait_until(const std::string& what, const std::function<bool()>& met) {
+  constexpr double kPatience = 60, kPeriod = 0.01;  // [s]
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (!met()) {
+    if (ros::WallTime::now() > deadline)
+      throw scan_cell_common::Refused(what, "not there after a minute",
+                                      "see the cell's log; end other simulators and programs");
+    ros::WallDuration(kPeriod).sleep();
+  }
+}
+
 std::optional<pid_t> process_of(const std::string& node) {
   XmlRpc::XmlRpcValue request, response, uri;
   request[0] = ros::this_node::getName();

@@ -4,15 +4,20 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 
 namespace scan_cell_demo {
 
-/// Process of a ROS node on this machine, as it says itself; none where it does not answer.
+/// Waits for a condition, which is checked every 10 ms.
+/// @throw scan_cell_common::Refused after a minute
+void wait_until(const std::string& what, const std::function<bool()>& met);
+
+/// Process of a ROS node on this machine, as the node reports it; none if it does not answer.
 std::optional<pid_t> process_of(const std::string& node);
 
-/// @throw scan_cell_common::ConnectionError where it does not answer
+/// @throw scan_cell_common::ConnectionError if it does not answer
 pid_t checked_process_of(const std::string& node);
 
 /// Waits until roslaunch has started a node again.

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "running_cell/running_cell.h"
 
+#include <fmt/format.h>
 #include <ros/package.h>
 #include <scan_cell_msgs/GrabImage.h>
 
 #include <algorithm>
 
+#include "running_cell/nodes.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell/videe_command.h"
 #include "scan_cell_common/errors.h"
@@ -21,8 +23,8 @@ using scan_cell_msgs::SetFaults;
 namespace {
 
 constexpr double kPatience = 60;  // [s]
-constexpr double kLook = 0.01;    // [s] between two looks
-constexpr int kStill = 3;         // messages
+constexpr double kLook = 0.01;    // [s] between two checks
+constexpr int kStill = 3;         // messages in a row
 constexpr int kSteps = 8;         // of a scan
 
 bool grabs_an_image() {
@@ -30,7 +32,7 @@ bool grabs_an_image() {
     return scan_cell::ask<scan_cell_msgs::GrabImage>("/scan_cell/grab_image", {}, kPatience)
         .success;
   } catch (const scan_cell_common::ConnectionError&) {
-    return false;  // the cell is not there yet, or again
+    return false;  // the cell is starting, or restarting
   }
 }
 
@@ -54,15 +56,15 @@ void RunningCell::wait_until_well() {
     connected_ = false;  // a driver that died may have said otherwise
   }
   videe_.reset();
-  wait_for("the cell", [this] { return scan_.isServerConnected(); });
-  wait_for("the simulator",
-           [] { return ros::service::exists("/scan_cell_sim/set_faults", false); });
+  wait_until("the cell", [this] { return scan_.isServerConnected(); });
+  wait_until("the simulator",
+             [] { return ros::service::exists("/scan_cell_sim/set_faults", false); });
   constexpr bool kStaysConnected = true;
   faults_ = node_.serviceClient<SetFaults>("/scan_cell_sim/set_faults", kStaysConnected);
   set_faults({});
-  wait_for("the robot", [this] { return connected(); });
-  wait_for("the trigger", [] { return ros::service::exists("/laser_trigger/arm", false); });
-  wait_for("an image of the camera", [] { return grabs_an_image(); });
+  wait_until("the robot", [this] { return connected(); });
+  wait_until("the trigger", [] { return ros::service::exists("/laser_trigger/arm", false); });
+  wait_until("an image of the camera", [] { return grabs_an_image(); });
 }
 
 scan_cell::ScanRequest RunningCell::line() const {
@@ -96,12 +98,12 @@ void RunningCell::start_scan(const std::string& scan_id) {
 
 void RunningCell::start_videe_scan(std::uint16_t port) {
   forget_last_scan();
-  wait_for("videe_node", [&] {
+  wait_until("videe_node", [&] {
     try {
       videe_.emplace(port);
       return true;
     } catch (const scan_cell_common::ConnectionError&) {
-      return false;  // it is not there yet, or again
+      return false;  // it is starting, or restarting
     }
   });
   const scan_cell::ScanRequest request = line();
@@ -112,10 +114,9 @@ void RunningCell::start_videe_scan(std::uint16_t port) {
 
 void RunningCell::wait_for_step(int step, double share) {
   const double wanted = (step - 1 + share) / kSteps;
-  wait_for("step " + std::to_string(step), [&] {
+  wait_until(fmt::format("step {}", step), [&] {
     const auto end = result();
-    if (end)
-      throw EndedBefore("the scan", "ended before anything was done to it", end->result.message);
+    if (end) throw EndedBefore("the scan", "ended before the blow", end->result.message);
     const std::lock_guard<std::mutex> lock(mutex_);
     return step_ == step && progress_ >= wanted;
   });
@@ -125,7 +126,8 @@ scan_cell_msgs::ScanResultConstPtr RunningCell::end() {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
   auto end = result();
   for (; !end && scan_.isServerConnected(); end = result()) {
-    if (ros::WallTime::now() > deadline) throw Refused("the scan", "does not end", "see the log");
+    if (ros::WallTime::now() > deadline)
+      throw Refused("the scan", "does not end", "see the cell's log");
     ros::WallDuration(kLook).sleep();
   }
   if (!videe_) scan_.stopTrackingGoal();
@@ -147,12 +149,12 @@ void RunningCell::set_faults(const SetFaults::Request& faults) {
 
 void RunningCell::wait_until_standing() {
   start_to_look();
-  wait_for("the robot to stand", [this] { return look().still >= kStill; });
+  wait_until("the robot to stand", [this] { return look().still >= kStill; });
 }
 
 double RunningCell::way_within(double time) {
   start_to_look();
-  wait_for("the robot's true pose", [this] { return look().heard > 0; });
+  wait_until("the robot's true pose", [this] { return look().heard > 0; });
   const Eigen::Vector3d from = look().place;
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(time);
   double way = 0;
@@ -203,15 +205,6 @@ void RunningCell::on_flange(const geometry_msgs::PoseStamped& flange) {
 void RunningCell::on_status(const scan_cell_msgs::RobotStatus& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
   connected_ = status.connected;
-}
-
-void RunningCell::wait_for(const std::string& what, const std::function<bool()>& condition) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
-  while (!condition()) {
-    if (ros::WallTime::now() > deadline)
-      throw Refused(what, "not there after a minute", "see the cell's log");
-    ros::WallDuration(kLook).sleep();
-  }
 }
 
 }  // namespace scan_cell_demo

@@ -9,7 +9,6 @@
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/SetFaults.h>
 
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -20,46 +19,46 @@
 
 namespace scan_cell_demo {
 
-/// A scan ended by itself before it came as far as was wanted.
+/// A scan ended by itself before it reached the step that a test waited for.
 class EndedBefore : public scan_cell_common::Refused {
  public:
   using Refused::Refused;
 };
 
-/// A running simulated cell as a client uses it, and the simulator's truth of where the robot is.
+/// A client of a running simulated cell, with the simulator's ground truth of where the robot is.
 /// Callbacks must be served by another thread (ros::AsyncSpinner).
 class RunningCell {
  public:
   explicit RunningCell(ros::NodeHandle node);
 
-  /// Waits until robot, camera and cell are there and no fault is set.
-  /// @throw scan_cell_common::Refused if they do not come
+  /// Clears all faults and waits until robot, camera and cell are ready.
+  /// @throw scan_cell_common::Refused if they are not after a minute
   void wait_until_well();
 
-  /// Starts to scan the shipped line, from that end of it which is farther away.
+  /// Starts to scan the shipped line from its farther end.
   void start_scan(const std::string& scan_id);
 
-  /// The same as a client of videe_node, once that serves. The scan has a name made from the time.
+  /// The same as a client of videe_node, once that is up. The scan is named after the time.
   /// @throw scan_cell_common::Error if it refuses
   void start_videe_scan(std::uint16_t port);
 
-  /// Waits for a step of the scan under way (1 .. 8) to be a share of it further.
-  /// @throw EndedBefore if it ends before
+  /// Waits until the running scan has done `share` (0 .. 1) of `step` (1 .. 8).
+  /// @throw EndedBefore if the scan ends before that
   void wait_for_step(int step, double share);
 
   /// Waits for the end of the scan.
-  /// @return none where scan_cell_node died and with it the result
+  /// @return null if scan_cell_node died, and the result with it
   scan_cell_msgs::ScanResultConstPtr end();
 
-  /// At once: over a connection that wait_until_well() made.
+  /// Uses the connection that wait_until_well() made, so it takes effect at once.
   /// @throw scan_cell_common::Refused
   void set_faults(const scan_cell_msgs::SetFaults::Request& faults);
 
-  /// Waits until the true flange stands.
-  /// @throw scan_cell_common::Refused if it does not
+  /// Waits until the true flange stands still.
+  /// @throw scan_cell_common::Refused if it does not within a minute
   void wait_until_standing();
 
-  /// Farthest that the true flange gets from where it is [m], for some time [s].
+  /// Farthest distance [m] of the true flange from where it is now, within `time` [s].
   double way_within(double time);
 
   bool connected() const;
@@ -74,13 +73,12 @@ class RunningCell {
   scan_cell_msgs::ScanActionResultConstPtr result() const;
   void on_flange(const geometry_msgs::PoseStamped& flange);
   void on_status(const scan_cell_msgs::RobotStatus& status);
-  static void wait_for(const std::string& what, const std::function<bool()>& condition);
 
   /// The true flange, in world.
   struct Seen {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    int heard = 0;  // messages since somebody began to look
-    int still = 0;  // of them, in a row, at the same place
+    int heard = 0;  // messages since start_to_look()
+    int still = 0;  // latest messages in a row at the same place
   };
   void start_to_look();
   Seen look() const;
@@ -91,7 +89,7 @@ class RunningCell {
   mutable std::mutex mutex_;
   bool connected_ = false;
   int step_ = 0;
-  double progress_ = 0;                              // of the whole scan
+  double progress_ = 0;                              // 0 .. 1, of the whole scan
   scan_cell_msgs::ScanActionResultConstPtr result_;  // none: it has not ended
   Seen flange_seen_;
   ros::ServiceClient faults_;

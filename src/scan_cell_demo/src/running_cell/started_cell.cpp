@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "scan_cell_common/errors.h"
+#include "running_cell/nodes.h"
 
 namespace scan_cell_demo {
 namespace {
@@ -27,12 +27,7 @@ std::vector<std::string> command(const std::vector<std::string>& launch,
 ros::AsyncSpinner joined(const std::string& name) {
   ros::M_string no_remappings;
   ros::init(no_remappings, name, ros::init_options::NoRosout);
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(60);
-  while (!ros::master::check()) {
-    if (ros::WallTime::now() > deadline)
-      throw scan_cell_common::Refused("ROS master", "not there after a minute", "see the log");
-    ros::WallDuration(0.1).sleep();
-  }
+  wait_until("ROS master", [] { return ros::master::check(); });
   ros::start();
   return ros::AsyncSpinner(2);
 }

@@ -11,13 +11,12 @@
 
 namespace scan_cell_demo {
 
-/// A cell under a ROS master of its own, and this program as a node beside it. Ends with this
-/// object.
+/// A cell under its own ROS master, with this program as another node. Ends with this object.
 class StartedCell {
  public:
   /// @param name of this program's node
-  /// @param launch what roslaunch is told: file and arguments
-  /// @param folder that is made for the logs; empty: where ROS leaves them
+  /// @param launch roslaunch's file and arguments
+  /// @param folder created for the logs; empty: ROS' default
   /// @throw scan_cell_common::Refused if there is no master after a minute
   StartedCell(const std::string& name, const std::vector<std::string>& launch,
               const std::string& folder);

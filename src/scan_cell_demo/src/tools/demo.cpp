@@ -12,6 +12,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/goals.h"
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell/ros/service_call.h"
@@ -20,7 +21,6 @@
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/yaml_file.h"
 #include "scan_cell_demo/comparison.h"
-#include "scan_cell_demo/goals.h"
 #include "tool_path_stretcher/ros/conversions.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
@@ -42,10 +42,10 @@ struct Options {
   std::string program = ros::package::getPath("scan_cell") + "/config/scan_line.yaml";
   std::string part = "frame";
   std::string simulator = "/scan_cell_sim";
-  double timeout = 60;  // [s] for the cell to come up
+  double timeout = 60;  // [s] for the cell to start
 };
 
-/// What one scan left.
+/// Result of one scan.
 struct Scanned {
   Cloud clean;
   std_msgs::Header header;
@@ -116,7 +116,7 @@ class Demo {
     });
   }
 
-  /// @return the goals that were missed; none are asked of a refused path
+  /// @return the goals that were missed; a refused path has no goals
   std::vector<std::string> report(const Scanned& reference, const Scanned& object,
                                   const ToolPath& path,
                                   const scan_cell_msgs::StretchToolPathResult& stretched) const {
@@ -156,7 +156,7 @@ class Demo {
     json["frames_never_arrived"] = a.frames_never_arrived + b.frames_never_arrived;
   }
 
-  /// @return the worse of the two clouds' [m]: both carry the path
+  /// @return the greater error of the two clouds [m]: both carry the path
   double add_cloud_errors(nlohmann::ordered_json& json, const Scanned& reference,
                           const Scanned& object) const {
     const double of_reference = scan_cell_demo::cloud_rms(reference.clean, options_.reference);
@@ -167,7 +167,7 @@ class Demo {
     return std::max(of_reference, of_object);
   }
 
-  /// @return RMS [m]; NaN, and nulls in the report, where there is no path
+  /// @return RMS [m]; NaN, and null in the report, if there is no path
   double add_path_errors(nlohmann::ordered_json& json, const ToolPath& path,
                          const scan_cell_msgs::StretchToolPathResult& stretched) const {
     scan_cell_demo::PathError error;
@@ -201,8 +201,8 @@ int main(int argc, char** argv) {
   Options options;
   scan_cell_common::Outputs outputs;
   CLI::App app(
-      "Scans two parts in the simulated cell, adapts the path, and compares with the truth.\n"
-      "Exit code 0: accepted, and every goal met; 2: refused; 3: a goal missed; 1: no result.");
+      "Scans two parts in the simulated cell, adapts the path, and compares it with the truth.\n"
+      "Exit code 0: accepted, all goals met; 2: refused; 3: a goal missed; 1: no result.");
   outputs
       .add_folder(app, "--output", options.output, "folder for clouds, paths and report",
                   {kAdaptedPath, kTruePath, kReport})

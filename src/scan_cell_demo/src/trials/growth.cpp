@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trials/growth.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -33,7 +35,7 @@ Mean mean_memory(Iterator begin, Iterator end) {
   return {sum / count, std::sqrt(squares / (count - 1) / count)};
 }
 
-int most(Iterator begin, Iterator end, int Holdings::*what) {
+int maximum(Iterator begin, Iterator end, int Holdings::*what) {
   return (*std::max_element(
              begin, end,
              [what](const Holdings& a, const Holdings& b) { return a.*what < b.*what; })).*
@@ -43,7 +45,7 @@ int most(Iterator begin, Iterator end, int Holdings::*what) {
 }  // namespace
 
 Holdings holdings_of(pid_t process) {
-  const std::string folder = "/proc/" + std::to_string(process);
+  const std::string folder = fmt::format("/proc/{}", process);
   Holdings holdings;
   std::ifstream status(folder + "/status");
   for (std::string line; std::getline(status, line);) {
@@ -55,7 +57,7 @@ Holdings holdings_of(pid_t process) {
   if (holdings.threads == 0)
     throw scan_cell_common::FileError(folder, "no such process", "see the log of its node");
   for (const auto& entry : fs::directory_iterator(folder + "/fd")) {
-    std::error_code gone;  // a descriptor may be closed meanwhile
+    std::error_code gone;  // a descriptor may have been closed meanwhile
     const std::string target = fs::read_symlink(entry.path(), gone);
     if (gone) continue;
     ++holdings.files;
@@ -65,25 +67,24 @@ Holdings holdings_of(pid_t process) {
 }
 
 std::string growth(const std::vector<Holdings>& samples) {
-  constexpr std::size_t kFewest = 6;
-  if (samples.size() < kFewest)
-    throw scan_cell_common::Refused(
-        "verdict", "only " + std::to_string(samples.size()) + " samples", "run for longer");
+  constexpr std::size_t kMinSamples = 6;
+  if (samples.size() < kMinSamples)
+    throw scan_cell_common::Refused("verdict", fmt::format("only {} samples", samples.size()),
+                                    "run for longer");
   const Iterator last = samples.end() - static_cast<std::ptrdiff_t>(samples.size() / 3);
   const Iterator before = last - static_cast<std::ptrdiff_t>(samples.size() / 3);
   const Mean then = mean_memory(before, last), now = mean_memory(last, samples.end());
-  constexpr double kLeast = 1, kShare = 0.01, kDeviations = 4;
+  constexpr double kMinGrowth = 1, kShare = 0.01, kDeviations = 4;  // [MB]; chosen
   const double scatter = kDeviations * std::hypot(then.deviation, now.deviation);
   std::string grown;
-  if (now.value - then.value > std::max({kLeast, kShare * then.value, scatter}))
-    grown += " memory " + std::to_string(then.value) + " -> " + std::to_string(now.value) + " MB";
+  if (now.value - then.value > std::max({kMinGrowth, kShare * then.value, scatter}))
+    grown += fmt::format(" memory {:.1f} -> {:.1f} MB", then.value, now.value);
   const std::pair<const char*, int Holdings::*> counts[] = {{"threads", &Holdings::threads},
                                                             {"files", &Holdings::files},
                                                             {"sockets", &Holdings::sockets}};
   for (const auto& [name, what] : counts) {
-    const int had = most(before, last, what), has = most(last, samples.end(), what);
-    if (has > had)
-      grown += std::string(" ") + name + " " + std::to_string(had) + " -> " + std::to_string(has);
+    const int had = maximum(before, last, what), has = maximum(last, samples.end(), what);
+    if (has > had) grown += fmt::format(" {} {} -> {}", name, had, has);
   }
   return grown;
 }

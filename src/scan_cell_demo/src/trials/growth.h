@@ -13,18 +13,18 @@ namespace scan_cell_demo {
 struct Holdings {
   double memory = 0;  //!< [MB] resident
   int threads = 0;
-  int files = 0;  //!< descriptors, sockets among them
+  int files = 0;  //!< descriptors, including sockets
   int sockets = 0;
 };
 
 /// @throw scan_cell_common::FileError if there is no such process
 Holdings holdings_of(pid_t process);
 
-/// Whether a process that does the same again and again holds more and more. The first third of
-/// the samples is taken as its warming up; the last third is compared with the one before. Memory
-/// has grown where its mean is above by more than 1 MB, 1 % and four times what the scatter of the
-/// samples explains; threads, files and sockets where there are ever more than before.
-/// @return what has grown; empty: nothing, the process is flat
+/// Whether a process that repeats the same work holds more and more. The first third of the samples
+/// is the warm-up; the last third is compared with the one before. Memory has grown if its mean is
+/// higher by more than 1 MB, 1 % and four times what the scatter of the samples explains; threads,
+/// files and sockets if their maximum is higher.
+/// @return what has grown; empty if nothing has
 /// @throw scan_cell_common::Refused for fewer than six samples
 std::string growth(const std::vector<Holdings>& samples);
 

@@ -1,7 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Lets the simulated cell scan in a loop with faults on its wires, the controller switched off in
-// every tenth scan, and watches what each node holds: memory, threads, files and sockets.
+// Scans with the simulated cell in a loop with faults on its wires, switches the controller off in
+// every tenth scan, and records what each node holds: memory, threads, files and sockets.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -20,12 +22,12 @@ namespace {
 
 constexpr double kHour = 3600;  // [s]
 constexpr int kStepOfCapture = 6;
-constexpr int kRestarts = 10;  // of so many scans one finds the controller switched off and on
+constexpr int kRestarts = 10;  // one scan in this many has the controller switched off and on
 constexpr double kOff = 0.5;   // [s]
 
 struct Options {
   double hours = 1;
-  double report = 60;  //!< [s] between two lines of what goes on
+  double report = 60;  //!< [s] between two lines of progress
   std::string folder = "out/soak";
 };
 
@@ -65,7 +67,7 @@ class Soak {
   void scan() {
     cell_.wait_until_well();
     cell_.set_faults(wire_faults(static_cast<unsigned>(++scans_)));
-    cell_.start_scan("soak_" + std::to_string(scans_));
+    cell_.start_scan(fmt::format("soak_{}", scans_));
     if (scans_ % kRestarts == 0) restart_controller();
     const auto result = cell_.end();
     if (result && result->outcome == scan_cell_msgs::ScanResult::FINISHED) return;
@@ -137,10 +139,11 @@ class Soak {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Scans in a loop with faults on the wires, and says whether the cell stays flat");
-  app.add_option("--hours", options.hours, "how long")->check(CLI::PositiveNumber);
-  app.add_option("--report", options.report, "seconds between two lines of what goes on");
-  app.add_option("--folder", options.folder, "where logs are left");
+  CLI::App app(
+      "Scans in a loop with faults on the wires, and checks that no node holds more and more");
+  app.add_option("--hours", options.hours, "duration")->check(CLI::PositiveNumber);
+  app.add_option("--report", options.report, "seconds between two lines of progress");
+  app.add_option("--folder", options.folder, "folder for logs");
   return scan_cell_common::tool_main("soak", app, argc, argv, [&] {
     const StartedCell cell("soak", {LAUNCH_FILE, "sim:=true"}, options.folder);
     return Soak(options).run();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trials/trial.h"
 
+#include <fmt/format.h>
+
 #include <csignal>
 #include <filesystem>
 #include <thread>
@@ -20,26 +22,26 @@ using scan_cell_common::Nanoseconds;
 
 namespace {
 
-constexpr double kPatience = 20;   // [s]
-constexpr double kWatch = 1.5;     // [s] for a motion that must not come
-constexpr double kMostWay = 1e-4;  // [m] of a robot that stands
-constexpr int kStepOfMove = 2;     // of a scan
+constexpr double kPatience = 20;  // [s]
+constexpr double kWatch = 1.5;    // [s] in which no motion may start
+constexpr double kMaxWay = 1e-4;  // [m] of a robot that stands still
+constexpr int kStepOfMove = 2;    // of a scan
 constexpr int kStepOfCapture = 6;
-constexpr double kMillisecond = 1e3;  // in a second
+constexpr double kMillisecond = 1e3;  // [ms] per second
 
 /// Which node dies; empty: none.
 std::string victim(Blow blow) {
   switch (blow) {
-    case Blow::ControllerKilled:
+    case Blow::kControllerKilled:
       return "/scan_cell_sim";
-    case Blow::DriverKilled:
+    case Blow::kDriverKilled:
       return "/c4g_driver";
-    case Blow::CellKilled:
+    case Blow::kCellKilled:
       return "/scan_cell";
-    case Blow::VideeKilled:
+    case Blow::kVideeKilled:
       return "/videe";
-    case Blow::EmergencyStop:
-    case Blow::CablePulled:
+    case Blow::kEmergencyStop:
+    case Blow::kCablePulled:
       break;
   }
   return "";
@@ -48,75 +50,75 @@ std::string victim(Blow blow) {
 }  // namespace
 
 const std::vector<Blow>& every_blow() {
-  static const std::vector<Blow> blows = {Blow::EmergencyStop,    Blow::CablePulled,
-                                          Blow::ControllerKilled, Blow::DriverKilled,
-                                          Blow::CellKilled,       Blow::VideeKilled};
+  static const std::vector<Blow> blows = {Blow::kEmergencyStop,    Blow::kCablePulled,
+                                          Blow::kControllerKilled, Blow::kDriverKilled,
+                                          Blow::kCellKilled,       Blow::kVideeKilled};
   return blows;
 }
 
 std::string name_of(Blow blow) {
   switch (blow) {
-    case Blow::EmergencyStop:
+    case Blow::kEmergencyStop:
       return "emergency stop";
-    case Blow::CablePulled:
+    case Blow::kCablePulled:
       return "cable pulled";
-    case Blow::ControllerKilled:
+    case Blow::kControllerKilled:
       return "controller killed";
-    case Blow::DriverKilled:
+    case Blow::kDriverKilled:
       return "driver killed";
-    case Blow::CellKilled:
+    case Blow::kCellKilled:
       return "cell killed";
-    case Blow::VideeKilled:
+    case Blow::kVideeKilled:
       return "videe killed";
   }
   return "";
 }
 
 std::string name_of(Moment moment) {
-  return moment == Moment::MidMove ? "mid move" : "mid scan";
+  return moment == Moment::kMidMove ? "mid move" : "mid scan";
 }
 
 TrialBench::TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder,
-                       std::uint16_t videe, double most_on)
-    : cell_(cell), tap_(tap), folder_(std::move(folder)), videe_(videe), most_on_(most_on) {}
+                       std::uint16_t videe, double max_on)
+    : cell_(cell), tap_(tap), folder_(std::move(folder)), videe_(videe), max_on_(max_on) {}
 
 void TrialBench::begin(const Trial& trial, const std::string& name) {
-  constexpr int kMostTries = 3;
+  constexpr int kMaxTries = 3;
   for (int tries = 1;; ++tries) {
     cell_.wait_until_well();
     cell_.wait_until_standing();
-    if (trial.blow == Blow::VideeKilled) {
+    if (trial.blow == Blow::kVideeKilled) {
       cell_.start_videe_scan(videe_);
     } else {
       cell_.start_scan(name);
     }
     try {
-      cell_.wait_for_step(trial.moment == Moment::MidScan ? kStepOfCapture : kStepOfMove,
+      cell_.wait_for_step(trial.moment == Moment::kMidScan ? kStepOfCapture : kStepOfMove,
                           trial.share);
       return;
     } catch (const EndedBefore&) {
       ++begun_anew_;
-      if (tries == kMostTries) throw;
+      if (tries == kMaxTries) throw;
     }
   }
 }
 
 TrialResult TrialBench::make(const Trial& trial, const std::string& name) {
   begin(trial, name);
-  const bool scanning = trial.moment == Moment::MidScan;
+  const bool scanning = trial.moment == Moment::kMidScan;
   TrialResult result;
   if (scanning && !tap_.wait_until_on(kPatience)) result.failures.push_back("no laser in the scan");
   const std::uint64_t switched_on = tap_.switched_on();
   const Nanoseconds struck = strike(trial.blow);
   const auto on = tap_.on_for(struck, kPatience);
   result.lasers_on = on.value_or(kPatience);
-  if (result.lasers_on > most_on_)
-    result.failures.push_back("lasers on for " + std::to_string(kMillisecond * result.lasers_on) +
-                              " ms");
+  if (result.lasers_on > max_on_)
+    result.failures.push_back(
+        fmt::format("lasers on for {:.1f} ms", kMillisecond * result.lasers_on));
   check_end(trial, result);
   make_well(trial);
   const double way = cell_.way_within(kWatch);
-  if (way > kMostWay) result.failures.push_back("moved by " + std::to_string(way) + " m");
+  if (way > kMaxWay) result.failures.push_back(fmt::format("moved by {:g} m", way));
   if (tap_.switched_on() != switched_on) result.failures.push_back("lasers went on again");
   for (std::string& file : broken_files())
     result.failures.push_back(std::move(file));
@@ -132,8 +134,8 @@ Nanoseconds TrialBench::strike(Blow blow) {
     return struck;
   }
   scan_cell_msgs::SetFaults::Request faults;
-  faults.robot_e_stop = blow == Blow::EmergencyStop;
-  faults.robot_link_down = blow == Blow::CablePulled;
+  faults.robot_e_stop = blow == Blow::kEmergencyStop;
+  faults.robot_link_down = blow == Blow::kCablePulled;
   const Nanoseconds struck = host_now();
   cell_.set_faults(faults);
   return struck;
@@ -143,32 +145,32 @@ void TrialBench::check_end(const Trial& trial, TrialResult& result) {
   const auto scan = cell_.end();
   if (!scan) {
     result.outcome = "no result";
-    if (trial.blow != Blow::CellKilled) result.failures.push_back("the cell went away");
+    if (trial.blow != Blow::kCellKilled) result.failures.push_back("the cell went away");
     return;
   }
   result.outcome = scan->message;
   if (scan->outcome == scan_cell_msgs::ScanResult::FINISHED)
-    result.failures.push_back("the scan says that it is whole");
-  if (trial.moment == Moment::MidScan) check_cloud(*scan, result);
+    result.failures.push_back("the scan was reported as whole");
+  if (trial.moment == Moment::kMidScan) check_cloud(*scan, result);
 }
 
 void TrialBench::check_cloud(const scan_cell_msgs::ScanResult& scan, TrialResult& result) {
   if (scan.cloud_file.empty()) {
-    result.failures.push_back("no file of what was captured");
+    result.failures.push_back("no file with the captured cloud");
     return;
   }
   const std::string path = fs::path(folder_) / fs::path(scan.cloud_file).filename();
   const std::size_t points = scan_cell_common::load_cloud(path).size();
   if (points != scan.statistics.points || points == 0)
-    result.failures.push_back(path + " has " + std::to_string(points) + " of " +
-                              std::to_string(scan.statistics.points) + " points");
+    result.failures.push_back(
+        fmt::format("{} has {} of {} points", path, points, scan.statistics.points));
 }
 
 void TrialBench::make_well(const Trial& trial) {
-  if (trial.blow == Blow::ControllerKilled) {
+  if (trial.blow == Blow::kControllerKilled) {
     wait_for_successor(killed_node_, killed_, kPatience);
   } else {
-    cell_.wait_until_standing();  // what was under way has run out; nothing may begin anew
+    cell_.wait_until_standing();  // the motion has ended; none may start again
     std::this_thread::sleep_for(std::chrono::duration<double>(trial.pause));
     if (!killed_node_.empty()) wait_for_successor(killed_node_, killed_, kPatience);
   }
@@ -179,7 +181,8 @@ std::vector<std::string> TrialBench::broken_files() {
   std::vector<std::string> broken;
   for (const auto& [path, size] : files_) {
     std::error_code error;
-    if (fs::file_size(path, error) != size || error) broken.push_back(path + " changed or gone");
+    if (fs::file_size(path, error) != size || error)
+      broken.push_back(path + " was changed or removed");
   }
   for (const auto& entry : fs::directory_iterator(folder_)) {
     const std::string path = entry.path();

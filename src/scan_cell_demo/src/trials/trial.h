@@ -13,61 +13,60 @@ namespace scan_cell_demo {
 
 /// What happens to the cell.
 enum class Blow {
-  EmergencyStop,
-  CablePulled,
-  ControllerKilled,
-  DriverKilled,
-  CellKilled,
-  VideeKilled  //!< which had the scan started for a client of its own
+  kEmergencyStop,
+  kCablePulled,
+  kControllerKilled,
+  kDriverKilled,
+  kCellKilled,
+  kVideeKilled  //!< while a scan of its own client runs
 };
 /// When: on the way to the start of a line with the lasers off, or while the line is scanned.
-enum class Moment { MidMove, MidScan };
+enum class Moment { kMidMove, kMidScan };
 
 const std::vector<Blow>& every_blow();
 std::string name_of(Blow blow);
 std::string name_of(Moment moment);
 
-/// One blow, and where in the motion it falls.
+/// One blow and its moment within the motion.
 struct Trial {
-  Blow blow = Blow::EmergencyStop;
-  Moment moment = Moment::MidScan;
-  double share = 0.5;  //!< 0 .. 1 of the motion that is over by then
+  Blow blow = Blow::kEmergencyStop;
+  Moment moment = Moment::kMidScan;
+  double share = 0.5;  //!< 0 .. 1 of the motion done by then
   double pause = 2;    //!< [s] the blow lasts: until the button or the cable is back
 };
 
-/// How the cell took it. All is well where `failures` is empty.
+/// How the cell reacted. `failures` is empty if it kept every promise.
 struct TrialResult {
   double lasers_on = 0;               //!< [s] after the blow
-  std::string outcome;                //!< what the cell said
+  std::string outcome;                //!< message of the scan's result
   std::vector<std::string> failures;  //!< promises that were broken
 };
 
-/// Makes trials of a running cell and holds it to its promises: lasers off in time and no more
-/// after that, no motion when all is well again, whole files that stay as they are, and a robot
-/// that stopped on its way.
+/// Runs trials on a running cell and checks its promises: the lasers go off in time and stay off,
+/// the robot stops and does not move again after recovery, and files are whole and stay unchanged.
 class TrialBench {
  public:
-  /// @param folder in which the cell leaves a file of each cloud
-  /// @param videe port on which videe_node serves
-  /// @param most_on [s] that lasers may be on after a blow
+  /// @param folder where the cell writes a file for each cloud
+  /// @param videe port of videe_node
+  /// @param max_on [s] that lasers may be on after a blow
   TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, std::uint16_t videe,
-             double most_on);
+             double max_on);
 
-  /// Waits for a cell that is well, makes the trial, and leaves the cell without a fault. Begins
-  /// anew where the scan ends by itself before the blow, as on a machine that is too busy.
-  /// @throw EndedBefore if it does so three times
-  /// @throw scan_cell_common::Error if the cell does not come to be well
+  /// Waits until the cell is ready, runs the trial, and leaves the cell without a fault. Starts
+  /// again if the scan ends by itself before the blow, as on a machine that is too busy.
+  /// @throw EndedBefore if that happens three times
+  /// @throw scan_cell_common::Error if the cell does not become ready
   TrialResult make(const Trial& trial, const std::string& name);
 
   int begun_anew() const { return begun_anew_; }
 
-  /// Files that are gone or changed since they were first seen whole, and those that are not.
+  /// Files that are broken, or were changed or removed since they were first seen whole.
   std::vector<std::string> broken_files();
 
  private:
   void begin(const Trial& trial, const std::string& name);
 
-  /// @return host time just before it falls
+  /// @return host time just before the blow
   scan_cell_common::Nanoseconds strike(Blow blow);
   void make_well(const Trial& trial);
   void check_end(const Trial& trial, TrialResult& result);
@@ -77,7 +76,7 @@ class TrialBench {
   const LaserTap& tap_;
   const std::string folder_;
   const std::uint16_t videe_;
-  const double most_on_;
+  const double max_on_;
   std::string killed_node_;
   pid_t killed_ = -1;
   int begun_anew_ = 0;

@@ -1,8 +1,10 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Strikes the simulated cell again and again, at random in mid move and in mid scan: emergency
-// stop, cable pulled, controller, driver, cell or videe_node killed. Says how long the lasers
-// stayed on, and which promise was broken.
+// Disturbs the simulated cell at random times during moves and scans: emergency stop, cable pulled,
+// controller, driver, cell or videe_node killed. Reports how long the lasers stayed on, and which
+// promise was broken.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -12,6 +14,7 @@
 
 #include "running_cell/started_cell.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 #include "trials/trial.h"
 
@@ -27,12 +30,12 @@ constexpr double kMilliseconds = 1e3;
 struct Options {
   int count = 200;
   unsigned seed = 1;
-  double most_on = 0.1;  //!< [s]
+  double max_on = 0.1;  //!< [s]
   std::string folder = "out/trials";
   std::vector<std::string> blows;
 };
 
-/// A random mix of equal parts, the same for the same seed.
+/// All kinds in equal numbers, in an order that the seed decides.
 std::vector<Trial> mix(const Options& options) {
   std::mt19937 random(options.seed);
   std::uniform_real_distribution<double> share(0.1, 0.7), pause(0, 2);
@@ -45,14 +48,14 @@ std::vector<Trial> mix(const Options& options) {
   for (int i = 0; i < options.count; ++i) {
     const auto blows = static_cast<int>(wanted.size());
     const Blow blow = wanted[static_cast<std::size_t>(i % blows)];
-    const Moment moment = i / blows % 2 == 0 ? Moment::MidScan : Moment::MidMove;
+    const Moment moment = i / blows % 2 == 0 ? Moment::kMidScan : Moment::kMidMove;
     trials.push_back({blow, moment, share(random), pause(random)});
   }
   std::shuffle(trials.begin(), trials.end(), random);
   return trials;
 }
 
-/// What came of all trials of one kind.
+/// Results of all trials of one kind.
 struct Tally {
   std::vector<double> lasers_on;  // [s]
   int broken = 0;
@@ -66,9 +69,9 @@ TrialResult make_safely(TrialBench& bench, const Trial& trial, const std::string
   }
 }
 
-void print(const std::map<std::string, Tally>& tallies, double most_on) {
+void print(const std::map<std::string, Tally>& tallies, double max_on) {
   std::printf("\nlasers on after the blow [ms], goal: %.0f\n%-36s %6s %8s %8s %8s\n",
-              kMilliseconds * most_on, "", "trials", "median", "most", "broken");
+              kMilliseconds * max_on, "", "trials", "median", "max", "broken");
   for (const auto& [kind, tally] : tallies) {
     std::vector<double> on = tally.lasers_on;
     std::sort(on.begin(), on.end());
@@ -86,12 +89,12 @@ int run(const Options& options) {
   const StartedCell started("trials", {LAUNCH_FILE, "folder:=" + clouds.string()}, folder);
   const LaserTap tap(kTapPort, kCircuitPort);
   RunningCell cell{ros::NodeHandle()};
-  cell.wait_until_well();  // or no trial would say anything
-  TrialBench bench(cell, tap, clouds, kVideePort, options.most_on);
+  cell.wait_until_well();  // otherwise no trial would be meaningful
+  TrialBench bench(cell, tap, clouds, kVideePort, options.max_on);
   std::map<std::string, Tally> tallies;
   int broken = 0, number = 0;
   for (const Trial& trial : mix(options)) {
-    const TrialResult result = make_safely(bench, trial, "trial_" + std::to_string(++number));
+    const TrialResult result = make_safely(bench, trial, fmt::format("trial_{}", ++number));
     const std::string kind = name_of(trial.blow) + ", " + name_of(trial.moment);
     Tally& tally = tallies[kind];
     tally.lasers_on.push_back(result.lasers_on);
@@ -103,7 +106,7 @@ int run(const Options& options) {
       std::printf("  BROKEN: %s\n", failure.c_str());
     std::fflush(stdout);
   }
-  print(tallies, options.most_on);
+  print(tallies, options.max_on);
   std::printf("%d of %d trials broke a promise; %d scans ended by themselves before the blow\n",
               broken, options.count, bench.begun_anew());
   return broken == 0 ? 0 : 1;
@@ -115,13 +118,14 @@ int main(int argc, char** argv) {
   Options options;
   for (const Blow blow : every_blow())
     options.blows.push_back(name_of(blow));
-  CLI::App app("Strikes the simulated cell again and again, and holds it to its promises");
-  app.add_option("--count", options.count, "trials")->check(CLI::PositiveNumber);
-  app.add_option("--seed", options.seed, "of their mix");
-  app.add_option("--most-on", options.most_on, "seconds that lasers may be on after a blow");
+  CLI::App app("Disturbs the simulated cell at random times, and checks its promises");
+  app.add_option("--count", options.count, "number of trials")->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "seed of their order and times");
+  app.add_option("--max-on", options.max_on, "seconds that lasers may be on after a blow");
+  scan_cell_common::refuse_renamed(app, {{"--most-on", "--max-on"}});
   app.add_option("--blows", options.blows, "which of them")
       ->check(CLI::IsMember(options.blows))
       ->capture_default_str();
-  app.add_option("--folder", options.folder, "where clouds and logs are left");
+  app.add_option("--folder", options.folder, "folder for clouds and logs");
   return scan_cell_common::tool_main("trials", app, argc, argv, [&] { return run(options); });
 }

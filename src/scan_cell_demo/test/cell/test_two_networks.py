@@ -16,7 +16,7 @@ SCRIPT = os.path.join(os.path.dirname(os.path.realpath(__file__)), 'two_networks
 AS_ROOT = [] if os.geteuid() == 0 else ['--user', '--map-root-user']
 NAMESPACE = ['unshare', '--net', '--pid', '--fork', '--kill-child', '--mount-proc'] + AS_ROOT
 TIMEOUT = 240  # [s] on a busy machine
-MOST_CLOUD_RMS = 0.3  # [mm]
+MAX_CLOUD_RMS = 0.3  # [mm]
 
 
 def why_not_allowed():
@@ -57,7 +57,7 @@ class TwoNetworks(unittest.TestCase):
         with open(os.path.join(self.folder, 'judged.json')) as file:
             cloud = json.load(file)
         self.assertGreater(cloud['points'], 10000)
-        self.assertLess(cloud['rms_mm'], MOST_CLOUD_RMS)
+        self.assertLess(cloud['rms_mm'], MAX_CLOUD_RMS)
 
 
 if __name__ == '__main__':

@@ -164,7 +164,7 @@ class WholeCell : public testing::Test {
 
   /// By the simulator's truth; a robot that drove on to the end of its line would stand there.
   void expect_standing_on_the_way() {
-    constexpr double kLeastWayLeft = 0.05;  // [m]
+    constexpr double kMinWayLeft = 0.05;  // [m]
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       still_ = 0;
@@ -172,7 +172,7 @@ class WholeCell : public testing::Test {
     wait_for("the flange to stand", [this] { return still_ >= 3; });
     wait_for("the driver to say so", [this] { return !moving_; });
     const std::lock_guard<std::mutex> lock(mutex_);
-    EXPECT_GT((program_.request.end.translation() - place_).norm(), kLeastWayLeft);
+    EXPECT_GT((program_.request.end.translation() - place_).norm(), kMinWayLeft);
   }
 
   /// Rows that show a laser line: the circuit's state, whatever the trigger's node says of it.

@@ -11,25 +11,16 @@ import unittest
 
 import numpy
 import rostest
+from scan_cell_common.ply import read_points
 
 from readme_user import SIMULATOR, User, commands
 
 PAGE = 'docs/your_own_scanner_and_robot.md'
 REFERENCE_WORLD = os.path.join(SIMULATOR, 'reference_frame.yaml')
 OBJECT_WORLD = os.path.join(SIMULATOR, 'object_frame.yaml')
-MOST_ERROR = 1.0  # [mm] RMS of a waypoint
-MOST_ANGLE = 3.0  # [deg] RMS of the tool's axis
+MAX_ERROR = 1.0  # [mm] RMS of a waypoint
+MAX_ANGLE = 3.0  # [deg] RMS of the tool's axis
 SPEED = 0.02
-
-
-def read_ply(path):
-    """x, y, z of a binary cloud of floats [m]."""
-    with open(path, 'rb') as file:
-        head, body = file.read().split(b'end_header\n', 1)
-    names = [line.split()[2].decode() for line in head.splitlines() if line.startswith(b'property')]
-    assert b'binary_little_endian' in head and all(b' float ' in line for line in head.splitlines()
-                                                   if line.startswith(b'property'))
-    return numpy.frombuffer(body, '<f4').reshape(-1, len(names))[:, :3].astype(float)
 
 
 def read_csv(path):
@@ -104,13 +95,13 @@ class OwnScanner(unittest.TestCase):
     def make_clouds(cls):
         """A reference in mm, and a scan with the table as CSV in mm."""
         cls.simulate('sample --part frame --world %s --points 60000 --noise 0.03 --output m.ply' % REFERENCE_WORLD)
-        reference = read_ply(cls.user.path('m.ply')) * 1e3
+        reference = read_points(cls.user.path('m.ply')) * 1e3
         with open(cls.user.path('reference.ply'), 'w') as file:
             file.write('ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n'
                        'property float z\nend_header\n' % len(reference))
             numpy.savetxt(file, reference, fmt='%.4f')
         cls.simulate('sample --world %s --points 150000 --seed 2 --noise 0.03 --output m.ply' % OBJECT_WORLD)
-        scan = read_ply(cls.user.path('m.ply')) * 1e3
+        scan = read_points(cls.user.path('m.ply')) * 1e3
         write_csv(cls.user.path('scan.csv'), ['x [mm]', 'y [mm]', 'z [mm]', 'intensity'],
                   numpy.column_stack([scan, numpy.full(len(scan), 143)]), ';')
 
@@ -157,9 +148,9 @@ class OwnScanner(unittest.TestCase):
         names, table = read_csv(self.user.path('adapted_%s.csv' % name))
         self.assertEqual(names, before)
         off = table[:, :3] / unit - self.true_place
-        self.assertLess(1e3 * numpy.sqrt((off ** 2).sum(axis=1).mean()), MOST_ERROR, name)
+        self.assertLess(1e3 * numpy.sqrt((off ** 2).sum(axis=1).mean()), MAX_ERROR, name)
         cosine = (axes_of(table[:, 3:-1]) * self.true_axis).sum(axis=1)
-        self.assertLess(numpy.degrees(numpy.sqrt((numpy.arccos(numpy.clip(cosine, -1, 1)) ** 2).mean())), MOST_ANGLE,
+        self.assertLess(numpy.degrees(numpy.sqrt((numpy.arccos(numpy.clip(cosine, -1, 1)) ** 2).mean())), MAX_ANGLE,
                         name)
         self.assertTrue((table[:, -1] == SPEED).all())
         self.assertEqual(json.loads(self.user.text('report_%s.json' % name))['verdict'], 'accepted')
@@ -167,7 +158,7 @@ class OwnScanner(unittest.TestCase):
     def test_every_command_of_the_page(self):
         self.run_next('--input scan.csv')
         self.run_next('--input profiles.csv')
-        box = read_ply(self.user.path('box.ply')) * 1e3
+        box = read_points(self.user.path('box.ply')) * 1e3
         self.assertTrue((abs(numpy.median(box, axis=0) - [80, 70, 20]) < 1).all(), numpy.median(box, axis=0))
         self.assertTrue((abs(numpy.ptp(box[:, :2], axis=0) - [80, 60]) < 3).all(), numpy.ptp(box, axis=0))
         for name, unit, axes_of in (('kuka', 1e3, lambda v: from_kuka(v)[:, :, 2]),

@@ -14,8 +14,8 @@ import rostest
 from readme_user import SIMULATOR, User, readme_command
 
 OBJECT_WORLD = os.path.join(SIMULATOR, 'object_frame.yaml')
-MOST_CLOUD_RMS = 0.3  # [mm]
-MOST_PATH_RMS = 1.0  # [mm]
+MAX_CLOUD_RMS = 0.3  # [mm]
+MAX_PATH_RMS = 1.0  # [mm]
 
 
 def positions(path):
@@ -46,15 +46,15 @@ class Readme(unittest.TestCase):
     def expect_true_path(self, *names):
         """The demo leaves what the simulator knows to be true of the same object."""
         difference = positions(self.user.path(*names)) - positions(self.user.path('out', 'true_path.csv'))
-        self.assertLess(numpy.sqrt((difference ** 2).sum(axis=1).mean()), MOST_PATH_RMS)
+        self.assertLess(numpy.sqrt((difference ** 2).sum(axis=1).mean()), MAX_PATH_RMS)
 
     def test_demo_meets_its_goals_on_a_bent_part(self):
         self.expect_well('demo')
         report = json.loads(self.user.text('out/report.json'))
         self.assertEqual(report['verdict'], 'accepted')
         self.assertEqual(report['goals_missed'], [])
-        self.assertLess(report['cloud_rms_mm'], MOST_CLOUD_RMS)
-        self.assertLess(report['path_rms_mm'], MOST_PATH_RMS)
+        self.assertLess(report['cloud_rms_mm'], MAX_CLOUD_RMS)
+        self.assertLess(report['path_rms_mm'], MAX_PATH_RMS)
         self.expect_true_path('out', 'adapted_path.csv')
 
     def test_scan_leaves_the_raw_and_the_clean_cloud(self):
@@ -65,7 +65,7 @@ class Readme(unittest.TestCase):
         self.assertEqual(judged, 0, self.user.log('judge.log'))
         cloud = json.loads(self.user.text('judged.json'))
         self.assertGreater(cloud['points'], 10000)
-        self.assertLess(cloud['rms_mm'], MOST_CLOUD_RMS)
+        self.assertLess(cloud['rms_mm'], MAX_CLOUD_RMS)
 
     def test_adapt_leaves_a_true_path(self):
         self.expect_well('adapt')

@@ -14,8 +14,8 @@ import yaml
 
 from readme_user import SIMULATOR, User, readme_command
 
-MOST_PLANE_RMS = 0.1  # [mm] held out
-MOST_HAND_EYE_ERROR = 0.3  # [mm]
+MAX_PLANE_RMS = 0.1  # [mm] held out
+MAX_HAND_EYE_ERROR = 0.3  # [mm]
 
 
 class ReadmeCalibration(unittest.TestCase):
@@ -32,7 +32,7 @@ class ReadmeCalibration(unittest.TestCase):
         with open(os.path.join(SIMULATOR, 'scanner.yaml')) as file:
             truth = yaml.safe_load(file)
         error = numpy.subtract(in_the_cell['flange_to_camera']['translation'], truth['flange_to_camera']['translation'])
-        self.assertLess(numpy.linalg.norm(error) * 1e3, MOST_HAND_EYE_ERROR)
+        self.assertLess(numpy.linalg.norm(error) * 1e3, MAX_HAND_EYE_ERROR)
 
         again = user.run(readme_command('rosrun scan_calibration calibrate '), 'again.log')
         self.assertEqual(again, 0, user.log('again.log'))
@@ -40,7 +40,7 @@ class ReadmeCalibration(unittest.TestCase):
         self.assertIn(b'<html', user.text('out/calibration.html'))
         planes = json.loads(user.text('out/calibration.json'))['laser_plane_rms_mm']
         for laser in ('laser_0', 'laser_1'):
-            self.assertLess(planes[laser]['held_out'], MOST_PLANE_RMS)
+            self.assertLess(planes[laser]['held_out'], MAX_PLANE_RMS)
 
 
 if __name__ == '__main__':

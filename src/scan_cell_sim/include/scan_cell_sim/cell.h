@@ -12,13 +12,16 @@
 
 namespace scan_cell_sim {
 
+/// What the simulated cell consists of, and where it listens.
 struct CellOptions {
-  scan_cell_common::ScannerModel scanner;
-  Eigen::Isometry3d base_link_in_world = Eigen::Isometry3d::Identity();
-  Optics optics;
-  CameraOptions camera;  //!< its sensor's size is taken from the scanner
-  std::string trigger_address = "127.0.0.1";
-  std::uint16_t trigger_port = 5420;  //!< 0: any free one
+  scan_cell_common::ScannerModel scanner;  //!< as it truly is
+  /// Where the robot truly stands.
+  Eigen::Isometry3d base_link_in_world =
+      Eigen::Isometry3d::Identity();          //!< where the robot truly stands
+  Optics optics;                              //!< how bright the lines are
+  CameraOptions camera;                       //!< its sensor's size is taken from the scanner
+  std::string trigger_address = "127.0.0.1";  //!< IPv4 to listen on for the trigger circuit
+  std::uint16_t trigger_port = 5420;          //!< 0: any free one
 };
 
 /// The scanner on the robot's flange in its world: each pulse of the trigger circuit makes the
@@ -41,6 +44,7 @@ class Cell {
 
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   };
+  /// Hears of each frame that is sent.
   using Observer = std::function<void(const TrueExposure&)>;
 
   /// Who hears of each frame before it is sent, in the camera's thread; none if empty. When this
@@ -51,10 +55,10 @@ class Cell {
   /// @throw as Scene; the old world stays
   void set_world(const World& world);
 
-  std::shared_ptr<const Scene> scene() const;
-  GigeCamera& camera() { return camera_; }
-  TriggerCircuit& circuit() { return circuit_; }
-  const TriggerCircuit& circuit() const { return circuit_; }
+  std::shared_ptr<const Scene> scene() const;                 //!< that the next frame shows
+  GigeCamera& camera() { return camera_; }                    //!< the camera on the wire
+  TriggerCircuit& circuit() { return circuit_; }              //!< the circuit on the wire
+  const TriggerCircuit& circuit() const { return circuit_; }  //!< the circuit on the wire
 
  private:
   void render(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels);

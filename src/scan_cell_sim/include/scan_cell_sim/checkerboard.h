@@ -18,7 +18,7 @@ struct Checkerboard {
   double square_size = 0.02;  //!< [m]
   double margin = 0.04;       //!< [m] of white plate around the squares
   double white = 0.8;         //!< reflectance, 0 .. 1
-  double black = 0.06;
+  double black = 0.06;        //!< reflectance, 0 .. 1
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< in world
 
   /// Reflectance at a point of the plate [m].

@@ -38,10 +38,10 @@ struct FiledEdge {
 /// the surface and off it.
 class Deformation {
  public:
-  using Term = std::variant<Bulge, Bend, FiledEdge>;
+  using Term = std::variant<Bulge, Bend, FiledEdge>;  //!< one displacement
 
-  void add(const Term& term) { terms_.push_back(term); }
-  bool empty() const { return terms_.empty(); }
+  void add(const Term& term) { terms_.push_back(term); }  //!< displacements add up
+  bool empty() const { return terms_.empty(); }           //!< whether it changes nothing
 
   /// Where a point [m] of the undeformed part went.
   Eigen::Vector3d apply(const Eigen::Vector3d& point) const;

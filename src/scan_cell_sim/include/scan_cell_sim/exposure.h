@@ -9,10 +9,10 @@ namespace scan_cell_sim {
 
 /// Part of the sensor that is read out [px].
 struct Region {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
+  int x = 0;       //!< first column
+  int y = 0;       //!< first row
+  int width = 0;   //!< columns
+  int height = 0;  //!< rows
 };
 
 /// How light becomes grey values.
@@ -26,7 +26,7 @@ struct Optics {
   double ambient = 4;
   double read_noise = 1.2;   //!< [grey value] standard deviation
   double shot_noise = 0.35;  //!< standard deviation over the root of the stripe's grey value
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;    //!< the same seed and frame give the same image
 };
 
 /// What the camera looks at in one frame.

@@ -12,24 +12,26 @@
 
 namespace scan_cell_sim {
 
+/// Where the camera is served, and its limits.
 struct CameraOptions {
   std::string address =
       "127.0.0.1";  //!< IPv4 of the interface to serve on; GigE Vision's port is fixed
-  std::string serial = "SIM001";
+  std::string serial = "SIM001";          //!< by which a client may name it
   std::string genicam_file;               //!< config/gige_camera.xml
   int sensor_width = 1696;                //!< [px]
   int sensor_height = 1710;               //!< [px]
   Region region = {336, 599, 1024, 512};  //!< at power-up
-  double least_period = 0.002;  //!< [s] of the sensor: a pulse sooner after the last one is lost
-  double wire_rate = 125e6;     //!< [bytes/s] Gigabit Ethernet
-  int most_pending = 200;       //!< frames kept for sending; a pulse beyond them is lost
+  double min_period = 0.002;  //!< [s] of the sensor: a pulse sooner after the last one is lost
+  double wire_rate = 125e6;   //!< [bytes/s] Gigabit Ethernet
+  int max_pending = 200;      //!< frames kept for sending; a pulse beyond them is lost
 };
 
+/// What goes wrong on purpose.
 struct CameraFaults {
   double lost_frames = 0;        //!< share of the pulses whose frame never leaves the camera
   double lost_packets = 0;       //!< share of the packets that never arrive, however often sent
   double packets_lost_once = 0;  //!< share that arrives only when asked for again
-  unsigned seed = 1;
+  unsigned seed = 1;             //!< another one loses other frames and packets
 };
 
 /// A GigE Vision camera with Aravis' registers and features (gige/control_server.h), whose sensor's
@@ -42,21 +44,22 @@ class GigeCamera {
   /// What to render: at which instant, with which lasers.
   struct Shot {
     scan_cell_common::Nanoseconds time = 0;  //!< host time
-    std::uint8_t lasers = 0;
-    double exposure = 0;      //!< [s]
-    double gain = 1;          //!< factor
-    std::uint64_t frame = 0;  //!< counts from 1, never wraps
+    std::uint8_t lasers = 0;                 //!< mask of those that are on
+    double exposure = 0;                     //!< [s]
+    double gain = 1;                         //!< factor
+    std::uint64_t frame = 0;                 //!< counts from 1, never wraps
   };
+  /// Draws a frame: region.width x region.height grey values, row by row.
   using Render = std::function<void(const Shot&, const Region&, std::uint8_t* pixels)>;
 
   /// What became of the pulses.
   struct Counts {
-    std::uint64_t pulses = 0;   //!< all
-    std::uint64_t ignored = 0;  //!< not acquiring, or not in trigger mode
-    std::uint64_t overrun = 0;  //!< too soon after the one before, or too many pending
-    std::uint64_t lost_on_purpose = 0;
-    std::uint64_t discarded = 0;  //!< pending when acquisition stopped
-    std::uint64_t frames = 0;     //!< sent, free-running ones included
+    std::uint64_t pulses = 0;           //!< all
+    std::uint64_t ignored = 0;          //!< not acquiring, or not in trigger mode
+    std::uint64_t overrun = 0;          //!< too soon after the one before, or too many pending
+    std::uint64_t lost_on_purpose = 0;  //!< by CameraFaults
+    std::uint64_t discarded = 0;        //!< pending when acquisition stopped
+    std::uint64_t frames = 0;           //!< sent, free-running ones included
   };
 
   /// Serves at once.
@@ -70,15 +73,15 @@ class GigeCamera {
   GigeCamera(const GigeCamera&) = delete;
   GigeCamera& operator=(const GigeCamera&) = delete;
 
-  void pulse(const TriggerCircuit::Pulse& pulse);
-  void set_faults(const CameraFaults& faults);
+  void pulse(const TriggerCircuit::Pulse& pulse);  //!< of the trigger circuit
+  void set_faults(const CameraFaults& faults);     //!< they replace the earlier ones
 
   /// Without power it does not answer; powered up again it has forgotten its settings.
   /// @throw scan_cell_common::ConnectionError if the address cannot be served
   void set_power(bool on);
-  bool has_power() const;
+  bool has_power() const;  //!< see set_power()
 
-  Counts counts() const;
+  Counts counts() const;  //!< since its start
 
  private:
   class Implementation;

@@ -13,10 +13,10 @@ namespace scan_cell_sim {
 
 /// How far points are from the true surfaces.
 struct CloudError {
-  std::size_t points = 0;
-  double rms = 0;   //!< [m]
-  double mean = 0;  //!< [m]
-  double max = 0;   //!< [m]
+  std::size_t points = 0;  //!< compared
+  double rms = 0;          //!< [m]
+  double mean = 0;         //!< [m]
+  double max = 0;          //!< [m]
 };
 
 /// @throw scan_cell_common::UnusableInput if there is no point, one is not finite, or no surface

@@ -3,15 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "scan_cell_common/scanner_model.h"
-#include "scan_cell_sim/ambient_light.h"
 #include "scan_cell_sim/exposure.h"
 #include "scan_cell_sim/scene.h"
-#include "scan_cell_sim/sensor_noise.h"
 
 namespace scan_cell_sim {
+
+class AmbientLight;
+class SensorNoise;
 
 /// Renders the laser lines as the camera sees them: each fan of light is followed from its
 /// projector to the first surface, and what is lit there is drawn where the lens puts it, if
@@ -20,13 +22,14 @@ namespace scan_cell_sim {
 /// the same image. Safe to use from several threads at once.
 class LaserLineRenderer {
  public:
+  /// @param scanner as it truly is
   LaserLineRenderer(const scan_cell_common::ScannerModel& scanner, const Optics& optics);
 
   /// Fills `pixels` (width x height of the region, row by row).
   void render(const Scene& scene, const Exposure& exposure, const Region& region,
               std::uint8_t* pixels) const;
 
-  const scan_cell_common::ScannerModel& scanner() const { return scanner_; }
+  const scan_cell_common::ScannerModel& scanner() const { return scanner_; }  //!< as it truly is
 
  private:
   /// Fan of one laser: directions axis + t * across, t being the tangent of the angle in the fan.
@@ -45,8 +48,8 @@ class LaserLineRenderer {
 
   scan_cell_common::ScannerModel scanner_;
   Optics optics_;
-  SensorNoise noise_;
-  AmbientLight ambient_;
+  std::shared_ptr<const SensorNoise> noise_;
+  std::shared_ptr<const AmbientLight> ambient_;
   std::vector<Fan> fans_;
 };
 

@@ -12,10 +12,10 @@ namespace scan_cell_sim {
 /// A part in the world, known exactly. Its own coordinates are those of the undeformed shape; a
 /// point of its material goes to pose * (scale * deformation(point)).
 struct Part {
-  std::string name;
-  Shape shape;
-  Deformation deformation;
-  double scale = 1;
+  std::string name;                                        //!< in its world
+  Shape shape;                                             //!< undeformed
+  Deformation deformation;                                 //!< in the shape's coordinates
+  double scale = 1;                                        //!< after the deformation
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< in world
   double reflectance = 0.7;                                //!< 0 .. 1, diffuse
 

@@ -17,8 +17,9 @@ namespace scan_cell_sim {
 class Scene {
  public:
   /// How far a triangle may be off the true surface [m].
-  static constexpr double kTolerance = 4e-6;
+  static constexpr double kTolerance = 4e-6;  //!< chosen
 
+  /// Where a ray meets a surface.
   struct Hit {
     Eigen::Vector3d point;   //!< [m] in world
     Eigen::Vector3d normal;  //!< unit vector, on the side the ray came from
@@ -35,8 +36,8 @@ class Scene {
   Scene(const World& world, const std::string& part);
 
   ~Scene();
-  Scene(Scene&&) noexcept;
-  Scene& operator=(Scene&&) noexcept;
+  Scene(Scene&&) noexcept;             //!< takes over the other's surfaces
+  Scene& operator=(Scene&&) noexcept;  //!< takes over the other's surfaces
 
   /// First surface along a ray. `direction` is a unit vector.
   std::optional<Hit> first_hit(const Eigen::Vector3d& origin,
@@ -45,6 +46,7 @@ class Scene {
   /// The calibration board, where there is one.
   const std::optional<Checkerboard>& board() const;
 
+  /// Whether the surface that was hit is the calibration board's.
   bool is_on_board(const Hit& hit) const;
 
   /// Whether nothing stands between two points, the first of which lies on a surface.
@@ -53,6 +55,7 @@ class Scene {
   /// Distance [m] from a point to the nearest surface; infinite where there is none.
   double distance_to_surface(const Eigen::Vector3d& point) const;
 
+  /// The triangles that rays meet, in world.
   const std::vector<Mesh>& meshes() const;
 
  private:

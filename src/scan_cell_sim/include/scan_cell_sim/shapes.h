@@ -15,8 +15,8 @@ namespace scan_cell_sim {
 
 /// Triangles over points [m]; seen from outside they turn counter-clockwise.
 struct Mesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Eigen::Vector3d> vertices;                //!< [m]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  //!< indices of vertices
 };
 
 /// A sheet that was put into a frame's opening and bulges.
@@ -29,7 +29,7 @@ struct Sheet {
 /// z = 0, with a hanger outside its +x side near the +y corner, which no half turn maps to itself.
 struct FrameShape {
   Eigen::Vector2d size = {0.200, 0.150};  //!< [m] outside
-  std::optional<Sheet> sheet;
+  std::optional<Sheet> sheet;             //!< in its opening; none: there is none
 };
 
 /// Box, centred in x and y on its own origin, standing on z = 0.
@@ -37,14 +37,14 @@ struct BoxShape {
   Eigen::Vector3d size = {0.10, 0.06, 0.04};  //!< [m]
 };
 
-using Shape = std::variant<FrameShape, BoxShape>;
+using Shape = std::variant<FrameShape, BoxShape>;  //!< of a part
 
 /// Where the hanger of a frame is: lower and upper corner of its foot and its height [m].
 struct Hanger {
-  Eigen::Vector3d least;
-  Eigen::Vector3d most;
+  Eigen::Vector3d least;  //!< lower corner
+  Eigen::Vector3d most;   //!< upper corner
 };
-Hanger hanger_of(const FrameShape& frame);
+Hanger hanger_of(const FrameShape& frame);  //!< of an undeformed frame
 
 /// Surface of the undeformed shape, cut so finely that no flat triangle is more than `tolerance`
 /// [m] off the surface, also after `deformation` was applied to its vertices.

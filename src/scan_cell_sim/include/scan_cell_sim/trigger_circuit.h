@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/net/udp_socket.h"
 
 namespace scan_cell_sim {
 
@@ -25,31 +26,33 @@ class TriggerCircuit {
     std::uint8_t lasers = 0;                 //!< bit mask of the lasers that are on: 1, 2
   };
 
+  /// Of the circuit's lines.
   struct State {
-    std::uint8_t lasers = 0;
-    bool pulse_line = false;
-    std::uint64_t pulses = 0;
-    std::uint64_t writes = 0;
+    std::uint8_t lasers = 0;        //!< mask of those that are on
+    bool pulse_line = false;        //!< level of the camera's line
+    std::uint64_t pulses = 0;       //!< so far
+    std::uint64_t writes = 0;       //!< datagrams of one byte so far
     std::uint64_t refused = 0;      //!< datagrams that were not one byte
     double longest_on[2] = {0, 0};  //!< [s] of each laser, the present one included
   };
 
-  using Observer = std::function<void(const Pulse&)>;
+  using Observer = std::function<void(const Pulse&)>;  //!< hears of each pulse
 
   /// @param port 0: any free one, see port()
-  /// @throw scan_cell_common::ConnectionError if the address cannot be listened on
+  /// @throw scan_cell_common::InvalidParameter if the address is no IPv4 address
+  /// @throw scan_cell_common::ConnectionError if it cannot be listened on
   TriggerCircuit(const std::string& address, std::uint16_t port);
   ~TriggerCircuit();
 
   TriggerCircuit(const TriggerCircuit&) = delete;
   TriggerCircuit& operator=(const TriggerCircuit&) = delete;
 
-  std::uint16_t port() const { return port_; }
+  std::uint16_t port() const { return endpoint_.port; }  //!< it listens on
 
   /// Who hears of each pulse, in the circuit's thread; none if empty. When this returns, the
   /// observer before is not called any more.
   void observe(const Observer& observer);
-  State state() const;
+  State state() const;  //!< of this moment
 
   /// Without power nobody listens on the port, and all lines are low.
   /// @throw scan_cell_common::ConnectionError if another program took the port meanwhile
@@ -60,10 +63,9 @@ class TriggerCircuit {
   void write(std::uint8_t data, scan_cell_common::Nanoseconds time);
   bool set_lines(std::uint8_t data, scan_cell_common::Nanoseconds time);
 
-  const std::string address_;
   std::mutex power_mutex_;  // of the socket and the thread
-  int socket_ = -1;
-  std::uint16_t port_ = 0;
+  std::optional<scan_cell_common::UdpSocket> socket_;
+  const scan_cell_common::Endpoint endpoint_;
   std::mutex observer_mutex_;  // held while the observer is called
   Observer observer_;
   mutable std::mutex mutex_;  // what follows

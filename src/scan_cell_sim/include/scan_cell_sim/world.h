@@ -20,9 +20,9 @@ struct Floor {
 
 /// All that stands in the cell. Its frame is `world`, z up.
 struct World {
-  std::optional<Floor> floor;
-  std::optional<Checkerboard> board;
-  std::vector<Part> parts;
+  std::optional<Floor> floor;         //!< none: there is no floor
+  std::optional<Checkerboard> board;  //!< none: there is no board
+  std::vector<Part> parts;            //!< with names of their own
 
   /// @throw scan_cell_common::UnusableInput if no part has this name
   const Part& part(const std::string& name) const;

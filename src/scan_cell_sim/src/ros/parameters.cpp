@@ -2,87 +2,92 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.h"
 
-#include <ros/package.h>
-
-#include "scan_cell_common/ros/parameter_reader.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace scan_cell_sim {
-namespace {
 
-using scan_cell_common::ParameterReader;
+using scan_cell_common::ParameterTable;
 
-void read_port(ParameterReader& reader, const std::string& name, std::uint16_t& port) {
-  int value = port;
-  reader.read(name, value, {1, 65535});
-  port = static_cast<std::uint16_t>(value);
+static void describe(ParameterTable& table, CameraOptions& camera) {
+  table.add("address", camera.address, "interface to serve the camera on");
+  table.add("serial", camera.serial, "that it answers with");
+  table.add("description", camera.genicam_file,
+            "GenICam description; none: the package's `config/gige_camera.xml`");
+  table.add("region_x", camera.region.x, {0, 65535, "px"}, "first column at power-up");
+  table.add("region_y", camera.region.y, {0, 65535, "px"}, "first row at power-up");
+  table.add("region_width", camera.region.width, {1, 65535, "px"}, "at power-up");
+  table.add("region_height", camera.region.height, {1, 65535, "px"}, "at power-up");
+  table.add("min_period", camera.min_period, {0, 1, "s"}, "shortest time between two exposures");
+  table.renamed("least_period", "min_period");
+  table.add("wire_rate", camera.wire_rate, {1e6, 1e10, "bytes/s"}, "Gigabit Ethernet");
+  table.add("max_pending", camera.max_pending, {1, 10000}, "frames kept for sending");
+  table.renamed("most_pending", "max_pending");
 }
 
-void read_camera(ParameterReader& reader, CameraOptions& camera) {
-  reader.read("camera/address", camera.address);
-  reader.read("camera/serial", camera.serial);
-  reader.read("camera/description", camera.genicam_file);
-  reader.read("camera/region_x", camera.region.x, {0, 65535});
-  reader.read("camera/region_y", camera.region.y, {0, 65535});
-  reader.read("camera/region_width", camera.region.width, {1, 65535});
-  reader.read("camera/region_height", camera.region.height, {1, 65535});
-  reader.read("camera/least_period", camera.least_period, {0, 1});
-  reader.read("camera/wire_rate", camera.wire_rate, {1e6, 1e10});
-  reader.read("camera/most_pending", camera.most_pending, {1, 10000});
+static void describe(ParameterTable& table, Optics& optics) {
+  const char* const grey = "grey value";
+  table.add("stripe_sigma", optics.stripe_sigma, {0.5, 20, "px"}, "cross-section of the line");
+  table.add("brightness", optics.brightness, {0, 10000, grey},
+            "peak on a white surface, met head on, 0.5 m from the projector");
+  table.add("exposure", optics.exposure, {1e-6, 1, "s"}, "exposure that `brightness` is meant for");
+  table.add("background", optics.background, {0, 255, grey}, "dark level and stray light");
+  table.add("ambient", optics.ambient, {0, 255, grey},
+            "of a white surface in the light of the room, at `exposure`");
+  table.add("read_noise", optics.read_noise, {0, 50, grey}, "standard deviation");
+  table.add("shot_noise", optics.shot_noise, {0, 10},
+            "standard deviation over the root of the line's grey value");
+  table.add("seed", optics.seed, {0, 2147483647},
+            "the same seed and frame number give the same image");
 }
 
-void read_optics(ParameterReader& reader, Optics& optics) {
-  int seed = static_cast<int>(optics.seed);
-  reader.read("optics/stripe_sigma", optics.stripe_sigma, {0.5, 20});
-  reader.read("optics/brightness", optics.brightness, {0, 10000});
-  reader.read("optics/exposure", optics.exposure, {1e-6, 1});
-  reader.read("optics/background", optics.background, {0, 255});
-  reader.read("optics/ambient", optics.ambient, {0, 255});
-  reader.read("optics/read_noise", optics.read_noise, {0, 50});
-  reader.read("optics/shot_noise", optics.shot_noise, {0, 10});
-  reader.read("optics/seed", seed, {0, 2147483647});
-  optics.seed = static_cast<std::uint64_t>(seed);
-}
-
-void read_controller(ParameterReader& reader, ControllerOptions& controller) {
-  reader.read("controller/address", controller.address);
-  read_port(reader, "controller/port", controller.port);
-  reader.read("controller/stream_period", controller.stream_period, {0.002, 0.010});
-  reader.read("controller/position_noise", controller.noise.position, {0, 0.1});
-  reader.read("controller/orientation_noise", controller.noise.orientation, {0, 0.1});
-  std::string mode = name_of(controller.mode);
-  reader.read_choice("controller/mode", mode, {"programming", "automatic", "remote"});
-  controller.mode = controller_mode_of(mode);
+static void describe(ParameterTable& table, WireFaults& faults) {
   for (const WireFault& fault : kWireFaults) {
-    const std::string name = fault.name;
-    reader.read("controller/to_client/" + name, controller.faults.to_client.*fault.value,
-                {0, fault.most});
-    reader.read("controller/from_client/" + name, controller.faults.from_client.*fault.value,
-                {0, fault.most});
+    table.add(fault.name, faults.*fault.value, {0, fault.most, fault.time ? "s" : ""},
+              (fault.time ? "" : "probability that a datagram ") + std::string(fault.effect));
   }
 }
 
-}  // namespace
+static void describe(ParameterTable& table, ControllerOptions& controller) {
+  table.add("address", controller.address, "of the controller");
+  table.add("port", controller.port, {1, 65535}, "of the controller, UDP");
+  table.add("stream_period", controller.stream_period, {0.002, 0.010, "s"},
+            "between two positions streamed");
+  table.add("position_noise", controller.noise.position, {0, 0.1, "m"},
+            "standard deviation of what it measures");
+  table.add("orientation_noise", controller.noise.orientation, {0, 0.1, "rad"},
+            "standard deviation of what it measures");
+  table.choice("mode", controller.mode, {"programming", "automatic", "remote"},
+               "where the mode selector stands at the start");
+  table.group("to_client", controller.faults.to_client);
+  table.group("from_client", controller.faults.from_client);
+}
 
-Parameters Parameters::load(const ros::NodeHandle& node) {
-  const std::string config = ros::package::getPath("scan_cell_sim") + "/config/";
-  Parameters parameters;
-  parameters.world = config + "reference_frame.yaml";
-  parameters.scanner = config + "scanner.yaml";
-  parameters.cell = config + "cell.yaml";
-  parameters.options.camera.genicam_file = config + "gige_camera.xml";
+void describe(ParameterTable& table, Parameters& parameters) {
+  table.add("world", parameters.world,
+            "world file; none: the package's `config/reference_frame.yaml`");
+  table.add("scanner", parameters.scanner,
+            "scanner model as it truly is; none: the package's `config/scanner.yaml`");
+  table.add("cell", parameters.cell,
+            "where the robot truly stands: `base_link_in_world`; none: the package's "
+            "`config/cell.yaml`");
+  table.add("true_flange_rate", parameters.true_flange_rate, {0.1, 1000, "Hz"},
+            "of `~true_flange`");
+  table.add("trigger/address", parameters.options.trigger_address, "of the trigger circuit");
+  table.add("trigger/port", parameters.options.trigger_port, {1, 65535},
+            "of the trigger circuit, UDP");
+  table.group("camera", parameters.options.camera);
+  table.group("optics", parameters.options.optics);
+  table.group("controller", parameters.controller);
+}
 
-  ParameterReader reader(node);
-  reader.read("world", parameters.world);
-  reader.read("scanner", parameters.scanner);
-  reader.read("cell", parameters.cell);
-  reader.read("true_flange_rate", parameters.true_flange_rate, {0.1, 1000});
-  reader.read("trigger/address", parameters.options.trigger_address);
-  read_port(reader, "trigger/port", parameters.options.trigger_port);
-  read_camera(reader, parameters.options.camera);
-  read_optics(reader, parameters.options.optics);
-  read_controller(reader, parameters.controller);
-  reader.refuse_unknown();
-  return parameters;
+void complete(Parameters& parameters, const std::string& config) {
+  const auto fill = [&config](std::string& path, const char* file) {
+    if (path.empty()) path = config + file;
+  };
+  fill(parameters.world, "reference_frame.yaml");
+  fill(parameters.scanner, "scanner.yaml");
+  fill(parameters.cell, "cell.yaml");
+  fill(parameters.options.camera.genicam_file, "gige_camera.xml");
 }
 
 }  // namespace scan_cell_sim

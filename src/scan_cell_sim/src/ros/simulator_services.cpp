@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator_services.h"
 
+#include <fmt/format.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/ros/service_answer.h"
 
 namespace scan_cell_sim {
 namespace {
 
+using scan_cell_common::answer;
 using scan_cell_common::InvalidParameter;
 
-constexpr std::uint32_t kFramesKept = 1000;  // for a subscriber that is slow
+constexpr std::uint32_t kFramesKept = 1000;  // for a slow subscriber; chosen
 
 CellOptions cell_options(const Parameters& parameters) {
   CellOptions options = parameters.options;
@@ -24,11 +27,11 @@ CellOptions cell_options(const Parameters& parameters) {
 
 void check_share(const std::string& name, double share) {
   if (share >= 0 && share <= 1) return;
-  throw InvalidParameter(name, std::to_string(share), "give 0 .. 1");
+  throw InvalidParameter(name, fmt::format("{:g}", share), "give 0 .. 1");
 }
 
 ControllerMode mode_of(const scan_cell_msgs::SetFaults::Request& faults) {
-  if (faults.robot_mode.empty()) return ControllerMode::Remote;
+  if (faults.robot_mode.empty()) return ControllerMode::kRemote;
   try {
     return controller_mode_of(faults.robot_mode);
   } catch (const ControllerRefusal&) {
@@ -59,7 +62,7 @@ ControllerFaults controller_faults(const scan_cell_msgs::SetFaults::Request& req
 }
 
 void check(const scan_cell_msgs::SetFaults::Request& faults) {
-  constexpr double kMostDrift = 0.1, kLongestRestart = 3600;
+  constexpr double kMaxDrift = 0.1, kLongestRestart = 3600;  // [s] chosen
   check_share("camera_lost_frames", faults.camera_lost_frames);
   check_share("camera_lost_packets", faults.camera_lost_packets);
   check_share("robot_lost_packets", faults.robot_lost_packets);
@@ -68,16 +71,16 @@ void check(const scan_cell_msgs::SetFaults::Request& faults) {
   const ControllerFaults controller = controller_faults(faults);
   check(controller.to_client, "robot_");
   if (!(controller.from_client.silence >= 0)) {
-    throw InvalidParameter("robot_deafness", std::to_string(faults.robot_deafness) + " s",
+    throw InvalidParameter("robot_deafness", fmt::format("{:g} s", faults.robot_deafness),
                            "give 0 s or more");
   }
-  if (!(std::abs(faults.robot_clock_drift) <= kMostDrift)) {
-    throw InvalidParameter("robot_clock_drift", std::to_string(faults.robot_clock_drift),
+  if (!(std::abs(faults.robot_clock_drift) <= kMaxDrift)) {
+    throw InvalidParameter("robot_clock_drift", fmt::format("{:g}", faults.robot_clock_drift),
                            "give -0.1 .. 0.1");
   }
   mode_of(faults);
   if (faults.robot_restart >= 0 && faults.robot_restart <= kLongestRestart) return;
-  throw InvalidParameter("robot_restart", std::to_string(faults.robot_restart) + " s",
+  throw InvalidParameter("robot_restart", fmt::format("{:g} s", faults.robot_restart),
                          "give 0 .. 3600 s");
 }
 
@@ -90,7 +93,7 @@ geometry_msgs::PoseStamped to_message(const Eigen::Isometry3d& flange, const ros
 }
 
 visualization_msgs::Marker marker(const Part& part, int id) {
-  constexpr double kTolerance = 1e-4;  // [m] enough to look at
+  constexpr double kTolerance = 1e-4;  // [m] enough to look at; chosen
   visualization_msgs::Marker result;
   result.header.frame_id = "world";
   result.header.stamp = ros::Time::now();
@@ -113,19 +116,6 @@ visualization_msgs::Marker marker(const Part& part, int id) {
     }
   }
   return result;
-}
-
-/// Runs what a service was asked for, and tells the caller how it went.
-template <class Response, class Call>
-bool answer(Response& response, const Call& call) {
-  try {
-    call();
-    response.success = true;
-  } catch (const scan_cell_common::Error& error) {
-    response.success = false;
-    response.message = error.what();
-  }
-  return true;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "panel.h"
 
+#include <fmt/format.h>
+
 #include <sstream>
 
 #include "controller/arm/wire_pose.h"
@@ -130,17 +132,12 @@ void Panel::change_fault(const Words& words) {
 
 std::string Panel::tell() const {
   const MotionState state = controller_.state();
-  const WireSix pose = shown(state.flange);
-  std::ostringstream text;
-  text << name_of(state.status) << ", mode " << name_of(state.readiness.mode()) << ", drives "
-       << (state.readiness.drives() ? "on" : "off")
-       << (state.readiness.e_stop() ? ", emergency stop" : "");
+  std::string text = fmt::format(
+      "{}, mode {}, drives {}{}", name_of(state.status), name_of(state.readiness.mode()),
+      state.readiness.drives() ? "on" : "off", state.readiness.e_stop() ? ", emergency stop" : "");
   for (const Complaint& alarm : state.readiness.alarms())
-    text << ", alarm: " << alarm.text;
-  text << ", flange [mm, deg]";
-  for (const double value : pose)
-    text << ' ' << value;
-  return text.str();
+    text += ", alarm: " + alarm.text;
+  return fmt::format("{}, flange [mm, deg] {:g}", text, fmt::join(shown(state.flange), " "));
 }
 
 }  // namespace scan_cell_sim

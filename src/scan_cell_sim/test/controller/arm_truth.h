@@ -62,5 +62,5 @@ inline scan_cell_sim::ControllerErrorCode refusal(const std::function<void()>& a
     return refused.code();
   }
   ADD_FAILURE() << "was not refused";
-  return scan_cell_sim::ControllerErrorCode::Malformed;
+  return scan_cell_sim::ControllerErrorCode::kMalformed;
 }

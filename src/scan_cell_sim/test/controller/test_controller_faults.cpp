@@ -9,6 +9,7 @@
 #include <set>
 
 #include "controller/bare_client.h"
+#include "controller/wire/faulty_wire.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"
 
@@ -188,9 +189,9 @@ TEST(ControllerFaults, AreRefusedByNameWhereTheyMakeNoSense) {
   };
   EXPECT_EQ(complaint([](ControllerFaults&) {}), "");
   EXPECT_EQ(complaint([](ControllerFaults& faults) { faults.to_client.lost = 1.5; }),
-            "to_client/lost: 1.500000; give 0 .. 1");
+            "to_client/lost: 1.5; give 0 .. 1");
   EXPECT_EQ(complaint([](ControllerFaults& faults) { faults.from_client.delay = -1; }),
-            "from_client/delay: -1.000000 s; give 0 .. 10 s");
+            "from_client/delay: -1 s; give 0 .. 10 s");
   EXPECT_NE(complaint([](ControllerFaults& faults) { faults.to_client.flipped = std::nan(""); }),
             "");
   EXPECT_NE(complaint([](ControllerFaults& faults) { faults.clock_drift = 1; }), "");
@@ -318,7 +319,7 @@ TEST_F(Faulty, RestartsWithANewClockAndNoSessionAndNeverResumes) {
   ASSERT_TRUE(eventually([this] { return controller_.state().flange.translation().y() > 0.02; }));
   const Nanoseconds restarted = host_now();
   controller_.restart(0.3);
-  EXPECT_TRUE(eventually([this] { return controller_.state().status != MotionStatus::Moving; }));
+  EXPECT_TRUE(eventually([this] { return controller_.state().status != MotionStatus::kMoving; }));
   const auto stopped = controller_.state().flange;
   client_.drain();
   json answer = nullptr;

@@ -91,36 +91,36 @@ TEST(SingularPostures, AreWhereTheJacobianHasNoInverse) {
 
 TEST(Line, IsRefusedStraightThroughTheStraightWrist) {
   EXPECT_EQ(refused_line(degrees(0, 0, -90, 0, 45, 0), degrees(0, 0, -90, 0, -45, 0)),
-            ControllerErrorCode::Singular);
+            ControllerErrorCode::kSingular);
   EXPECT_EQ(refused_line(degrees(0, 0, -90, 0, 20, 0), degrees(0, 0, -90, 0, -20, 0)),
-            ControllerErrorCode::Singular);
+            ControllerErrorCode::kSingular);
 }
 
 TEST(Line, IsRefusedAtASingularEnd) {
   const Joints bent = degrees(0, 0, -90, 0, 45, 0);
   const Joints straight = degrees(0, 0, -90, 0, 0, 0);
-  EXPECT_EQ(refused_line(bent, straight), ControllerErrorCode::Singular);
-  EXPECT_EQ(refused_line(straight, bent), ControllerErrorCode::Singular);
+  EXPECT_EQ(refused_line(bent, straight), ControllerErrorCode::kSingular);
+  EXPECT_EQ(refused_line(straight, bent), ControllerErrorCode::kSingular);
 }
 
 TEST(Line, IsRefusedOverTheAxisOfTheBase) {
   // leaning back by 40 degrees the wrist's centre is in front of axis 1, and then behind it
   EXPECT_EQ(refused_line(degrees(0, -40, -80, 0, 60, 0), degrees(0, -40, -60, 0, 60, 0)),
-            ControllerErrorCode::Singular);
+            ControllerErrorCode::kSingular);
 }
 
 TEST(Line, IsRefusedWhereTheWristWouldTurnOver) {
   // the flange's axis swings past the forearm's at one degree: J4 would have to turn half around
   const Joints from = degrees(0, 0, -90, 3, 20, 0);
   const Joints past = degrees(0, 0, -90, -3, -20, 0);
-  EXPECT_EQ(refused_line(from, past), ControllerErrorCode::Singular);
+  EXPECT_EQ(refused_line(from, past), ControllerErrorCode::kSingular);
 }
 
 TEST(Line, ThatLeavesTheReachIsRefusedAsSuchHoweverFarItGoes) {
   const Joints from = degrees(0, 0, -90, 0, 90, 0);
   for (const double x : {1.6, 100.0, 1e300}) {
     EXPECT_EQ(refusal([&] { plan_line(from, looking_down(x, 0, 0.6), {}); }),
-              ControllerErrorCode::OutOfReach);
+              ControllerErrorCode::kOutOfReach);
   }
 }
 

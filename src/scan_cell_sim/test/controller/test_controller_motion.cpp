@@ -7,7 +7,7 @@
 
 #include "controller/arm/wire_pose.h"
 #include "controller/arm_truth.h"
-#include "scan_cell_sim/controller/motion_control.h"
+#include "controller/motion/motion_control.h"
 
 using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
@@ -142,14 +142,14 @@ TEST_F(Motion, RunsALineStraightAtTheSpeedAskedFor) {
     const Vector3d passed = state.flange.translation() - start_.translation();
     EXPECT_LT(passed.cross(direction).norm(), 1e-9);
     expect_same(product_of_exponentials(state.joints), state.flange, 3e-9);
-    EXPECT_EQ(state.status, MotionStatus::Moving);
+    EXPECT_EQ(state.status, MotionStatus::kMoving);
     if (time > 0.3 && time < duration - 0.3) {
       const Vector3d step = at(time + 0.01).flange.translation() - state.flange.translation();
       EXPECT_NEAR(step.norm(), 0.0025, 1e-8);
     }
   }
-  EXPECT_EQ(at(duration - 0.001).status, MotionStatus::Moving);
-  EXPECT_EQ(at(duration + 0.001).status, MotionStatus::Arrived);
+  EXPECT_EQ(at(duration - 0.001).status, MotionStatus::kMoving);
+  EXPECT_EQ(at(duration + 0.001).status, MotionStatus::kArrived);
   EXPECT_EQ(at(duration + 0.001).motion, 7u);
   expect_same(at(duration + 0.001).flange, end, 1e-9);
 }
@@ -179,8 +179,8 @@ TEST_F(Motion, MovesAllAxesTogetherAndTheSlowestAtItsSpeed) {
     EXPECT_NEAR(passed[1], 0, 1e-12);
   }
   EXPECT_NEAR((at(0.5).joints[0] - at(0.4).joints[0]) / 0.1, 140 * kDegree, 1e-6);
-  EXPECT_EQ(at(duration - 0.001).status, MotionStatus::Moving);
-  EXPECT_EQ(at(duration + 0.001).status, MotionStatus::Arrived);
+  EXPECT_EQ(at(duration - 0.001).status, MotionStatus::kMoving);
+  EXPECT_EQ(at(duration + 0.001).status, MotionStatus::kArrived);
 }
 
 TEST_F(Motion, TakesTheOverrideAtOnce) {
@@ -193,7 +193,7 @@ TEST_F(Motion, TakesTheOverrideAtOnce) {
   };
   EXPECT_NEAR(speed(0.45), 0.25, 1e-6);
   EXPECT_NEAR(speed(0.50 + 0.2 + 0.01), 0.05, 1e-6);  // 0.2 m/s less at 1 m/s^2
-  EXPECT_EQ(at(10).status, MotionStatus::Arrived);
+  EXPECT_EQ(at(10).status, MotionStatus::kArrived);
   expect_same(at(10).flange, looking_down(0.80, 0.30, 0.60), 1e-9);
 }
 
@@ -201,8 +201,8 @@ TEST_F(Motion, BrakesOnItsPathAndStaysStopped) {
   control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
   control_.stop(std::nullopt, kStart + from_seconds(0.5));
   const double stopped_at = 0.25 * 0.5 - 0.03125 + 0.03125;  // cruise, and as long to brake
-  EXPECT_EQ(at(0.74).status, MotionStatus::Moving);
-  EXPECT_EQ(at(0.76).status, MotionStatus::Stopped);
+  EXPECT_EQ(at(0.74).status, MotionStatus::kMoving);
+  EXPECT_EQ(at(0.76).status, MotionStatus::kStopped);
   EXPECT_NEAR(at(100).flange.translation().y(), stopped_at, 1e-9);
 }
 
@@ -210,27 +210,27 @@ TEST_F(Motion, DoesNotGoOnAfterAnEmergencyStop) {
   control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
   control_.press_e_stop(kStart + from_seconds(0.5));
   const auto stopped = at(0.6);
-  EXPECT_EQ(stopped.status, MotionStatus::Stopped);
-  EXPECT_EQ(stopped.why->code, ControllerErrorCode::EmergencyStop);
+  EXPECT_EQ(stopped.status, MotionStatus::kStopped);
+  EXPECT_EQ(stopped.why->code, ControllerErrorCode::kEmergencyStop);
   EXPECT_EQ(
       refusal([this] { control_.move_to_joints(2, at(0).joints, 0, kStart + 1'000'000'000); }),
-      ControllerErrorCode::EmergencyStop);
+      ControllerErrorCode::kEmergencyStop);
   control_.release_e_stop();
-  control_.reset_alarms(Source::Client);
-  control_.switch_drives(true, Source::Client, kStart + 2'000'000'000);
+  control_.reset_alarms(Source::kClient);
+  control_.switch_drives(true, Source::kClient, kStart + 2'000'000'000);
   expect_same(at(20).flange, stopped.flange, 1e-12);
-  EXPECT_EQ(at(20).status, MotionStatus::Stopped);
+  EXPECT_EQ(at(20).status, MotionStatus::kStopped);
 }
 
 TEST_F(Motion, StaysWithin250MillimetresASecondInModeProgramming) {
   auto settings = control_.settings();
   settings.line.speed = 1.5;
   control_.set(settings, kStart);
-  control_.select(ControllerMode::Programming, kStart);
-  control_.switch_drives(true, Source::Panel, kStart);
+  control_.select(ControllerMode::kProgramming, kStart);
+  control_.switch_drives(true, Source::kPanel, kStart);
   const auto fastest = [this](double from) {
     double speed = 0;
-    for (double time = from; at(time).status == MotionStatus::Moving; time += 0.01) {
+    for (double time = from; at(time).status == MotionStatus::kMoving; time += 0.01) {
       const Vector3d way = at(time + 0.01).flange.translation() - at(time).flange.translation();
       speed = std::max(speed, way.norm() / 0.01);
     }
@@ -246,50 +246,50 @@ TEST_F(Motion, StaysWithin250MillimetresASecondInModeProgramming) {
 }
 
 TEST_F(Motion, EndsForGoodWhenTheEnablingDeviceIsReleased) {
-  control_.select(ControllerMode::Programming, kStart);
+  control_.select(ControllerMode::kProgramming, kStart);
   EXPECT_EQ(refusal([this] { control_.move_to_joints(1, at(0).joints, 0, kStart); }),
-            ControllerErrorCode::EmergencyStop)
+            ControllerErrorCode::kEmergencyStop)
       << "another mode switches the drives off";
-  control_.switch_drives(true, Source::Panel, kStart);
+  control_.switch_drives(true, Source::kPanel, kStart);
   control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
-  control_.switch_drives(false, Source::Panel, kStart + from_seconds(0.5));
-  EXPECT_EQ(at(0.6).status, MotionStatus::Stopped);
-  EXPECT_EQ(at(0.6).why->code, ControllerErrorCode::EmergencyStop);
-  control_.switch_drives(true, Source::Panel, kStart + from_seconds(1));
+  control_.switch_drives(false, Source::kPanel, kStart + from_seconds(0.5));
+  EXPECT_EQ(at(0.6).status, MotionStatus::kStopped);
+  EXPECT_EQ(at(0.6).why->code, ControllerErrorCode::kEmergencyStop);
+  control_.switch_drives(true, Source::kPanel, kStart + from_seconds(1));
   expect_same(at(20).flange, at(0.6).flange, 1e-12);
 }
 
 TEST_F(Motion, EndsWhenAnotherModeIsSelected) {
   control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
-  control_.select(ControllerMode::Automatic, kStart + from_seconds(0.5));
-  EXPECT_EQ(at(0.6).status, MotionStatus::Stopped);
-  EXPECT_EQ(at(0.6).why->code, ControllerErrorCode::Mode);
-  control_.switch_drives(true, Source::Panel, kStart + from_seconds(1));
+  control_.select(ControllerMode::kAutomatic, kStart + from_seconds(0.5));
+  EXPECT_EQ(at(0.6).status, MotionStatus::kStopped);
+  EXPECT_EQ(at(0.6).why->code, ControllerErrorCode::kMode);
+  control_.switch_drives(true, Source::kPanel, kStart + from_seconds(1));
   EXPECT_EQ(refusal([this] { control_.move_to_joints(2, at(0).joints, 0, kStart + 2000000000); }),
-            ControllerErrorCode::Mode);
+            ControllerErrorCode::kMode);
 }
 
 TEST_F(Motion, EndsWithAnAlarmThatStandsUntilItIsReset) {
   control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
   control_.fail("following error of J2", kStart + from_seconds(0.5));
-  EXPECT_EQ(at(0.6).status, MotionStatus::Error);
+  EXPECT_EQ(at(0.6).status, MotionStatus::kError);
   ASSERT_EQ(at(0.6).readiness.alarms().size(), 1u);
   EXPECT_EQ(at(0.6).readiness.alarms().front().text, "following error of J2");
   EXPECT_FALSE(at(0.6).readiness.drives());
   const auto move = [this] { control_.move_to_joints(2, at(0).joints, 0, kStart + 1000000000); };
-  EXPECT_EQ(refusal(move), ControllerErrorCode::Alarm);
-  EXPECT_EQ(refusal([this] { control_.switch_drives(true, Source::Client, kStart); }),
-            ControllerErrorCode::Alarm);
-  control_.reset_alarms(Source::Client);
-  EXPECT_EQ(refusal(move), ControllerErrorCode::EmergencyStop) << "the drives are off still";
-  control_.switch_drives(true, Source::Client, kStart);
+  EXPECT_EQ(refusal(move), ControllerErrorCode::kAlarm);
+  EXPECT_EQ(refusal([this] { control_.switch_drives(true, Source::kClient, kStart); }),
+            ControllerErrorCode::kAlarm);
+  control_.reset_alarms(Source::kClient);
+  EXPECT_EQ(refusal(move), ControllerErrorCode::kEmergencyStop) << "the drives are off still";
+  control_.switch_drives(true, Source::kClient, kStart);
   EXPECT_NO_THROW(move());
 }
 
 TEST(Readiness, KeepsTheFirstAlarmAndTheNewest) {
   scan_cell_sim::Readiness readiness;
   for (int i = 0; i < 20; ++i)
-    readiness.raise({ControllerErrorCode::MotionFailed, std::to_string(i)});
+    readiness.raise({ControllerErrorCode::kMotionFailed, std::to_string(i)});
   ASSERT_EQ(readiness.alarms().size(), 4u);
   EXPECT_EQ(readiness.alarms().front().text, "0");
   EXPECT_EQ(readiness.alarms().back().text, "19");
@@ -299,14 +299,14 @@ TEST_F(Motion, RefusesWhatTheRobotCannotDo) {
   const auto to_pose = [this](const Isometry3d& pose) {
     return refusal([&] { control_.move_to_pose(1, pose, 0, kStart); });
   };
-  EXPECT_EQ(to_pose(looking_down(3, 0, 0.6)), ControllerErrorCode::OutOfReach);
+  EXPECT_EQ(to_pose(looking_down(3, 0, 0.6)), ControllerErrorCode::kOutOfReach);
   Joints beyond = at(0).joints;
   beyond[2] = 5 * kDegree;
   EXPECT_EQ(refusal([&] { control_.move_to_joints(1, beyond, 0, kStart); }),
-            ControllerErrorCode::JointLimit);
+            ControllerErrorCode::kJointLimit);
   control_.move_to_pose(1, looking_down(0.80, 0.30, 0.60), 0, kStart);
   EXPECT_EQ(refusal([&] { control_.move_to_joints(2, at(0).joints, 0, kStart + 1000); }),
-            ControllerErrorCode::Moving);
+            ControllerErrorCode::kMoving);
   EXPECT_EQ(control_.motions_begun(), 1u);
 }
 

@@ -198,7 +198,7 @@ TEST_F(Rules, OpenHasTheFirstNumberOfItsSession) {
   EXPECT_EQ(code(client_.ask(3, {{"cmd", "OPEN"}})), kOutOfTurn) << "it is open already";
   EXPECT_EQ(code(client_.ask(1, {{"cmd", "OPEN"}})), kStraggler);
   EXPECT_EQ(code(client_.ask(7, {{"cmd", "OPEN"}}, 101)), kOutOfTurn);
-  EXPECT_EQ(controller_.state().status, MotionStatus::Moving) << "none of them opened a session";
+  EXPECT_EQ(controller_.state().status, MotionStatus::kMoving) << "none of them opened a session";
   EXPECT_EQ(code(client_.ask(1, {{"cmd", "OPEN"}}, 101)), 0);
 }
 

@@ -124,10 +124,10 @@ TEST_F(Wire, StopsWhenItsClientGoesSilent) {
   client_.open();
   client_.ask(2, move_to(800, 350, 600));  // takes 1.65 s
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (controller_.state().status == MotionStatus::Moving &&
+  while (controller_.state().status == MotionStatus::kMoving &&
          std::chrono::steady_clock::now() < deadline)
     usleep(10000);
-  EXPECT_EQ(controller_.state().status, MotionStatus::Stopped);
+  EXPECT_EQ(controller_.state().status, MotionStatus::kStopped);
   EXPECT_LT(controller_.state().flange.translation().y(), 0.34);
   client_.drain();
   EXPECT_EQ(code(client_.ask(3, {{"cmd", "STOP"}})), 3);
@@ -159,11 +159,11 @@ TEST_F(Wire, AnswersEveryMistakeWithItsCode) {
 TEST_F(Wire, TakesMotionsAsItsModeAllows) {
   client_.open();
   const json short_way = move_to(800, 5, 600);
-  controller_.select(ControllerMode::Automatic);
+  controller_.select(ControllerMode::kAutomatic);
   controller_.switch_drives(true);
   EXPECT_EQ(client_.ask(2, {{"cmd", "GET_STATIC_POSE"}})["state"]["mode"], "automatic");
   EXPECT_EQ(code(client_.ask(3, short_way)), 16);
-  controller_.select(ControllerMode::Programming);
+  controller_.select(ControllerMode::kProgramming);
   EXPECT_EQ(code(client_.ask(4, short_way)), 11) << "nobody holds the enabling device";
   EXPECT_EQ(code(client_.ask(5, {{"cmd", "SET_DRIVES"}, {"drives", true}})), 16);
   controller_.switch_drives(true);

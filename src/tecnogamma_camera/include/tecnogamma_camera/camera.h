@@ -23,30 +23,33 @@ class MissingFeature : public scan_cell_common::Error {
   using Error::Error;
 };
 
+/// What makes the camera take a frame.
 enum class Trigger {
-  FREE_RUN,  //!< the camera's own clock
-  EXTERNAL   //!< one frame a pulse
+  kFreeRun,  //!< the camera's own clock
+  kExternal  //!< one frame a pulse
 };
 
 /// Part of the sensor that is read out [px]. Width or height 0: all that is right of or below the
 /// offset.
 struct Region {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
+  int x = 0;       //!< [px] first column
+  int y = 0;       //!< [px] first row
+  int width = 0;   //!< [px] 0: to the sensor's edge
+  int height = 0;  //!< [px] 0: to the sensor's edge
 };
 
+/// Whether they are the same region.
 inline bool operator==(const Region& a, const Region& b) {
   return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
+/// Whether they are different regions.
 inline bool operator!=(const Region& a, const Region& b) {
   return !(a == b);
 }
 
 /// What a camera is set to before it starts. An empty optional leaves the camera's own value.
 struct CameraSettings {
-  Region region;
+  Region region;                         //!< that is read out
   std::optional<double> exposure;        //!< [s]
   std::optional<double> gain;            //!< [dB], or the camera's own unit
   std::optional<double> rate;            //!< [Hz] of free run
@@ -56,11 +59,12 @@ struct CameraSettings {
   std::string pixel_format = "Mono8";  //!< GenICam PixelFormat; one of pixel_format_names()
 };
 
+/// A camera as it describes itself.
 struct CameraDescription {
-  std::string id;  //!< by which it can be opened again
-  std::string vendor;
-  std::string model;
-  std::string serial;
+  std::string id;          //!< by which it can be opened again
+  std::string vendor;      //!< as the camera tells it
+  std::string model;       //!< as the camera tells it
+  std::string serial;      //!< as the camera tells it
   std::string transport;   //!< GigE Vision, USB3 Vision ...
   int sensor_columns = 0;  //!< [px]
   int sensor_rows = 0;     //!< [px]
@@ -91,7 +95,7 @@ struct Frame {
   Nanoseconds device_time = 0;             //!< [ns] camera's clock at the exposure; 0: not known
   Nanoseconds host_time = 0;               //!< [ns] when it was received
   std::uint32_t packets_lost = 0;          //!< packets missing from it
-  GreyImage image;
+  GreyImage image;                         //!< without pixels where packets are missing
 
   Nanoseconds time = 0;    //!< [ns] of the exposure on the host's clock, where known already; or 0
   bool restarted = false;  //!< the counter and the clock begin anew with this frame
@@ -114,7 +118,7 @@ class Camera {
  public:
   virtual ~Camera() = default;
 
-  virtual CameraDescription describe() = 0;
+  virtual CameraDescription describe() = 0;  //!< of the connected camera
 
   /// @throw scan_cell_common::Refused while running
   /// @throw scan_cell_common::InvalidParameter naming the setting and the camera's range
@@ -139,7 +143,7 @@ class Camera {
   /// Pulses a camera whose trigger source is "Software".
   virtual void software_trigger() = 0;
 
-  virtual StreamStatistics statistics() = 0;
+  virtual StreamStatistics statistics() = 0;  //!< since it was opened
 
   /// The value of one of its GenICam features; none where it does not have it.
   virtual std::optional<std::int64_t> feature(const std::string& /*name*/) { return std::nullopt; }

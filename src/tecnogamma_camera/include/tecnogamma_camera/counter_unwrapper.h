@@ -8,8 +8,8 @@ namespace tecnogamma_camera {
 
 /// The values a device's frame counter runs through: first .. last, then first again.
 struct CounterRule {
-  std::uint64_t first;
-  std::uint64_t last;
+  std::uint64_t first;  //!< value after `last`
+  std::uint64_t last;   //!< greatest value
 };
 
 constexpr CounterRule kGigEVisionBlockId{1, 65535};  //!< 0 is never sent with an image
@@ -20,16 +20,17 @@ constexpr CounterRule kCounter64{0, INT64_MAX};      //!< never wraps: GigE Visi
 
 /// What one counter value says about the frames before it.
 struct CounterStep {
+  /// How the value follows the one before.
   enum class Kind {
-    FIRST,     //!< the first frame
-    NEXT,      //!< the one after the last
-    GAP,       //!< `lost` frames before it never came
-    REPEATED,  //!< the same frame once more
-    BACKWARD,  //!< an earlier frame: late, or the device was restarted. Nothing is guessed
-    INVALID    //!< not a value of this counter
+    kFirst,     //!< the first frame
+    kNext,      //!< the one after the last
+    kGap,       //!< `lost` frames before it never came
+    kRepeated,  //!< the same frame once more
+    kBackward,  //!< an earlier frame: late, or the device was restarted. Nothing is guessed
+    kInvalid    //!< not a value of this counter
   };
 
-  Kind kind;
+  Kind kind;                //!< how it follows
   std::uint64_t count = 0;  //!< unwrapped: starts at the first value, never wraps; 0 for INVALID
   std::uint64_t lost = 0;   //!< of a GAP
 };
@@ -39,8 +40,10 @@ struct CounterStep {
 /// the device was restarted.
 class CounterUnwrapper {
  public:
+  /// @param rule the values that the counter runs through
   explicit CounterUnwrapper(const CounterRule& rule) : rule_(rule) {}
 
+  /// Takes the device's next value.
   CounterStep unwrap(std::uint64_t raw);
 
   /// The next value is the first again.

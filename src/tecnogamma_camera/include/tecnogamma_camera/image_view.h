@@ -10,18 +10,19 @@ namespace tecnogamma_camera {
 /// A grey image that someone else owns: the pixels of a region of the sensor, row by row.
 template <class Pixel>
 struct ImageView {
-  const Pixel* pixels = nullptr;
-  int columns = 0;
-  int rows = 0;
-  std::ptrdiff_t stride = 0;  //!< [pixels] from one row to the next
-  int first_column = 0;       //!< [px] sensor column of the first pixel
-  int first_row = 0;          //!< [px] sensor row of the first pixel
+  const Pixel* pixels = nullptr;  //!< stay the caller's
+  int columns = 0;                //!< [px]
+  int rows = 0;                   //!< [px]
+  std::ptrdiff_t stride = 0;      //!< [pixels] from one row to the next
+  int first_column = 0;           //!< [px] sensor column of the first pixel
+  int first_row = 0;              //!< [px] sensor row of the first pixel
 
+  /// The pixels of a row, from 0.
   const Pixel* row(int index) const { return pixels + index * stride; }
 };
 
-using ImageView8 = ImageView<std::uint8_t>;
-using ImageView16 = ImageView<std::uint16_t>;
+using ImageView8 = ImageView<std::uint8_t>;    //!< 8 bits a pixel
+using ImageView16 = ImageView<std::uint16_t>;  //!< up to 16 bits a pixel
 
 /// An ImageView8 or an ImageView16: which, tells `bits`. Grey values are 0 .. 2^bits - 1, in the
 /// host's byte order, whatever the way they came over the wire.
@@ -29,14 +30,15 @@ struct GreyImage : ImageView<void> {
   int bits = 8;  //!< of a grey value: 8, or 9 .. 16 in 16 bit pixels
 
   GreyImage() = default;
+  /// @param grey_bits of a pixel that are used
   template <class Pixel>
   GreyImage(const ImageView<Pixel>& view, int grey_bits = 8 * static_cast<int>(sizeof(Pixel)))
       : ImageView<void>{view.pixels, view.columns,      view.rows,
                         view.stride, view.first_column, view.first_row},
         bits(grey_bits) {}
 
-  int greatest_grey_value() const { return (1 << bits) - 1; }
-  int bytes_per_pixel() const { return bits > 8 ? 2 : 1; }
+  int greatest_grey_value() const { return (1 << bits) - 1; }  //!< that a pixel may have
+  int bytes_per_pixel() const { return bits > 8 ? 2 : 1; }     //!< 1 or 2
 
   /// @pre Pixel has bytes_per_pixel() bytes
   template <class Pixel>

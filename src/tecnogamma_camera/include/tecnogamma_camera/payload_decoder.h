@@ -20,8 +20,8 @@ struct DecodedFrame {
   std::optional<std::uint32_t> ticks;      //!< of the camera's clock at the exposure, raw
   std::uint32_t packets_lost = 0;          //!< as the camera tells; then neither peaks nor pixels
   std::uint32_t impossible_peaks = 0;      //!< left out of `peaks`
-  bool has_peaks = false;
-  PeakProfile peaks;
+  bool has_peaks = false;                  //!< false: an image
+  PeakProfile peaks;                       //!< where it has them
   ImageView8 image;                  //!< its place; with pixels where the payload holds an image
   std::vector<std::uint8_t> pixels;  //!< of `image`, where they do not lie in the payload
 };

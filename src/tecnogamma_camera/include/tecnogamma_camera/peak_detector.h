@@ -9,21 +9,20 @@
 #include "tecnogamma_camera/image_view.h"
 #include "tecnogamma_camera/peak_profile.h"
 
+namespace scan_cell_common {
+class ParameterTable;
+}
+
 namespace tecnogamma_camera {
 
 /// Which of several spots in a row is the laser's.
 enum class Choice {
-  BRIGHTEST,  //!< greatest sum of the grey values above the trigger level, the leftmost of equals
-  FIRST,      //!< the leftmost
-  LAST        //!< the rightmost
+  kBrightest,  //!< greatest sum of the grey values above the trigger level, the leftmost of equals
+  kFirst,      //!< the leftmost
+  kLast        //!< the rightmost
 };
 
-/// "brightest", "first", "last".
-const std::vector<std::string>& choice_names();
-
-/// @throw scan_cell_common::InvalidParameter if there is no such choice
-Choice to_choice(const std::string& name);
-
+/// A trigger level that is found in each frame.
 constexpr int kAutomaticLevel = -1;
 
 /// How a detector finds the laser's spot in a row.
@@ -33,13 +32,13 @@ struct DetectorSettings {
   int trigger_level = kAutomaticLevel;
   int permanence = 2;  //!< [px] lit pixels in a row that make a rising edge, dark ones a falling
   int window = 0;  //!< [px] most columns of the centre of gravity; 0: as the stripe's width asks
-  double most_width = 0;  //!< [px] of a spot, as the profile tells it: wider ones are passed over
-                          //!< before the choice; 0: any width
-  Choice choice = Choice::BRIGHTEST;
-
-  /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range
-  void check() const;
+  double max_width = 0;  //!< [px] of a spot, as the profile tells it: wider ones are passed over
+                         //!< before the choice; 0: any width
+  Choice choice = Choice::kBrightest;  //!< among several spots in a row
 };
+
+/// With range, unit and meaning of each.
+void describe(scan_cell_common::ParameterTable& table, DetectorSettings& settings);
 
 /// Finds the laser line in a frame: it runs vertically, with one peak a row.
 ///
@@ -51,7 +50,7 @@ struct DetectorSettings {
 /// chosen, the row has no peak, since its middle is not known and the other spots are more likely
 /// reflections.
 ///
-/// Spots wider than `most_width` (shiny objects, lamps) are left out of the choice, cut or not.
+/// Spots wider than `max_width` (shiny objects, lamps) are left out of the choice, cut or not.
 ///
 /// The automatic trigger level is 3.5 standard deviations of the noise above the background, both
 /// measured in tiles of the frame (background.h), so that it follows a dark offset and an ambient

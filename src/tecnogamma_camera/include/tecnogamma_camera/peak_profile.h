@@ -7,6 +7,7 @@
 
 namespace tecnogamma_camera {
 
+/// Stands in a row without a peak.
 constexpr float kNoPeak = std::numeric_limits<float>::quiet_NaN();
 
 /// The laser line of one frame: one element a row in each array, from sensor row first_row
@@ -17,7 +18,7 @@ struct PeakProfile {
   std::vector<float> width;      //!< [px] columns of the stripe, from rising to falling edge
   std::vector<float> intensity;  //!< [grey value] brightest pixel of the stripe
 
-  int rows() const { return static_cast<int>(position.size()); }
+  int rows() const { return static_cast<int>(position.size()); }  //!< of each array
 
   /// All rows without a peak. Allocates only where the number of rows grows.
   void clear(int new_first_row, int rows) {

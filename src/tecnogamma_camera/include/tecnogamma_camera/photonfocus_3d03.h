@@ -19,6 +19,7 @@ constexpr Photonfocus3D03Peak decode_photonfocus_peak(std::uint8_t row0, std::ui
   return {static_cast<float>(row0 << 8 | row1) / 64.F, row2 & 0x3F, row3 >> 4};
 }
 
+/// Where the camera's scan area is, and its mode.
 struct Photonfocus3D03Settings {
   int scan_first_row = -1;    //!< [px] Peak0_3DY; -1: ask the camera
   int scan_rows = -1;         //!< [px] Peak0_3DH; -1: ask the camera

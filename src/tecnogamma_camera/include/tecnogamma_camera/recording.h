@@ -36,6 +36,7 @@ using OpenRecording = std::function<std::unique_ptr<Recording>(const std::string
 /// By the word before the colon in a camera's name, such as "folder".
 using RecordingKinds = std::map<std::string, OpenRecording>;
 
+/// How a recording is played.
 struct PlaybackOptions {
   double speed = 1;   //!< times as fast as recorded; 0: as fast as the frames are taken
   bool loop = false;  //!< from the end back to the beginning, as a camera that was restarted
@@ -52,7 +53,7 @@ class RecordedCamera : public Camera {
   RecordedCamera(std::unique_ptr<Recording> recording, const PlaybackOptions& options,
                  bool is_payload);
 
-  CameraDescription describe() override;
+  CameraDescription describe() override;  //!< of the camera that was recorded
   void configure(const CameraSettings& settings) override;
   void set_exposure(double exposure) override;
   /// @throw scan_cell_common::InvalidParameter if the frames have no times and no rate was given
@@ -60,7 +61,7 @@ class RecordedCamera : public Camera {
   void stop() override { running_ = false; }
   std::optional<Frame> grab(std::chrono::microseconds timeout) override;
   void software_trigger() override;
-  StreamStatistics statistics() override { return statistics_; }
+  StreamStatistics statistics() override { return statistics_; }  //!< of the playback
   void throw_if_lost() override {}
 
  private:

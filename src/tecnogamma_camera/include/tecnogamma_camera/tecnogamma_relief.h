@@ -8,18 +8,19 @@ namespace tecnogamma_camera {
 
 /// What a Tecnogamma camera tells of a frame (thesis, section 3.2, TCamFrameInfo).
 struct TecnogammaFrameInfo {
-  std::uint32_t time_counter = 0;
-  std::uint16_t frame_counter = 0;
-  std::uint8_t first_kernel = 0;  //!< of the region, in kernels of 32 columns
-  std::uint8_t kernels = 0;       //!< of the region
-  std::uint16_t first_row = 0;    //!< of the region
-  std::uint16_t last_row = 0;     //!< of the region, included
-  std::uint8_t decimation = 0;    //!< of live images alone: every n-th pixel
-  std::uint32_t packets_lost = 0;
-  std::uint32_t offset = 0;  //!< [bytes] of the payload in the memory that follows
-  std::uint32_t size = 0;    //!< [bytes] of the payload
+  std::uint32_t time_counter = 0;   //!< in units of payload_tick
+  std::uint16_t frame_counter = 0;  //!< wraps 65535 to 0
+  std::uint8_t first_kernel = 0;    //!< of the region, in kernels of 32 columns
+  std::uint8_t kernels = 0;         //!< of the region
+  std::uint16_t first_row = 0;      //!< of the region
+  std::uint16_t last_row = 0;       //!< of the region, included
+  std::uint8_t decimation = 0;      //!< of live images alone: every n-th pixel
+  std::uint32_t packets_lost = 0;   //!< above 0: the frame has no peaks
+  std::uint32_t offset = 0;         //!< [bytes] of the payload in the memory that follows
+  std::uint32_t size = 0;           //!< [bytes] of the payload
 };
 
+/// What the camera does not publish.
 struct TecnogammaSettings {
   double tick = 0;  //!< [s] of the time counter; 0: not known, the frames are stamped on receipt
   int sensor_columns = 1696;  //!< [px] LUPA3000

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tecnogamma_camera/open_camera.h"
+#include "open_camera.h"
 
 #include "payload/decoding_camera.h"
 #include "recording/folder_recording.h"

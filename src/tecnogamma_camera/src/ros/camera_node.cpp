@@ -5,11 +5,12 @@
 
 #include <stdexcept>
 
+#include "parameters.h"
 #include "scan_cell_common/ros/node_main.h"
 
 /// The nodelet tecnogamma_camera/Camera as a node of its own.
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(
+  return scan_cell_common::node_main<tecnogamma_camera::Parameters>(
       argc, argv, "tecnogamma_camera",
       "Grabs from a GigE Vision camera, or a recording, and publishes images and laser line "
       "profiles.",

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera_nodelet.h"
 
+#include <fmt/format.h>
+
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "bag_recording.h"
 #include "diagnostics.h"
 #include "messages.h"
-#include "scan_cell_common/ros/logger_list.h"
-#include "scan_cell_common/ros/shutdown_request.h"
+#include "scan_cell_common/ros/load_parameters.h"
+#include "scan_cell_common/ros/service_answer.h"
 
 namespace tecnogamma_camera {
 namespace {
@@ -20,20 +22,26 @@ Region region_of(const CameraConfig& config) {
   return {config.region_x, config.region_y, config.region_width, config.region_height};
 }
 
+void set_region(CameraConfig& config, const Region& region) {
+  config.region_x = region.x;
+  config.region_y = region.y;
+  config.region_width = region.width;
+  config.region_height = region.height;
+}
+
+void check_word(const char* name, std::uint8_t value, std::uint8_t most) {
+  if (value <= most) return;
+  throw scan_cell_common::InvalidParameter(name, fmt::format("{}", value),
+                                           "give one of SetAcquisition's");
+}
+
 }  // namespace
 
-void CameraNodelet::onInit() {
-  scan_cell_common::shut_down_on_signals();
-  scan_cell_common::withdraw_logger_list();
-  try {
-    parameters_ = Parameters::load(getPrivateNodeHandle());
-    if (!parameters_.scanner_model.empty())
-      model_ = scan_cell_common::load_scanner_model(parameters_.scanner_model);
-    detector_ = make_detector(parameters_.detector, parameters_.detection);
-  } catch (const std::exception& error) {
-    NODELET_FATAL("%s", error.what());
-    throw;
-  }
+void CameraNodelet::start() {
+  parameters_ = scan_cell_common::load_parameters<Parameters>(getPrivateNodeHandle());
+  if (!parameters_.scanner_model.empty())
+    model_ = scan_cell_common::load_scanner_model(parameters_.scanner_model);
+  detector_ = make_detector(parameters_.detector, parameters_.detection);
   advertise();
   acquisition_ = std::make_unique<Acquisition>(
       parameters_.acquisition,
@@ -101,10 +109,10 @@ void CameraNodelet::on_trouble(const std::string& reason) {
 }
 
 void CameraNodelet::on_frame(const NumberedFrame& frame) {
-  const bool live_only = frame.mode == AcquisitionMode::LIVE_ONLY;
+  const bool live_only = frame.mode == AcquisitionMode::kLiveOnly;
   if (!live_only) publish_profile(frame);
   if (!frame.frame.image.pixels) return;
-  const bool with_image = live_only || (frame.mode == AcquisitionMode::RELIEF_LIVE &&
+  const bool with_image = live_only || (frame.mode == AcquisitionMode::kReliefLive &&
                                         profiles_to_image_++ % parameters_.live_ratio == 0);
   if (with_image) publish_image(frame);
 }
@@ -140,24 +148,40 @@ void CameraNodelet::publish_image(const NumberedFrame& frame) {
 
 bool CameraNodelet::set_acquisition(Request& request,
                                     scan_cell_msgs::SetAcquisition::Response& response) {
-  try {
-    if (request.mode > Request::RELIEF_LIVE) {
-      throw scan_cell_common::InvalidParameter("mode", std::to_string(request.mode),
-                                               "give one of SetAcquisition's");
-    }
-    if (request.trigger > Request::EXTERNAL_TRIGGER) {
-      throw scan_cell_common::InvalidParameter("trigger", std::to_string(request.trigger),
-                                               "give one of SetAcquisition's");
-    }
+  scan_cell_common::answer(response, [&] {
+    check_word("mode", request.mode, Request::RELIEF_LIVE);
+    check_word("trigger", request.trigger, Request::EXTERNAL_TRIGGER);
+    const auto mode = static_cast<AcquisitionMode>(request.mode);
     const auto trigger =
-        request.trigger == Request::FREE_RUN ? Trigger::FREE_RUN : Trigger::EXTERNAL;
-    response.acquisition = acquisition_->set(static_cast<AcquisitionMode>(request.mode), trigger);
-    response.success = true;
-  } catch (const scan_cell_common::Error& error) {
-    response.success = false;
-    response.message = error.what();
-  }
+        request.trigger == Request::FREE_RUN ? Trigger::kFreeRun : Trigger::kExternal;
+    response.acquisition = request.change_settings
+                               ? set_and_show(mode, trigger, from_message(request.settings))
+                               : acquisition_->set(mode, trigger);
+  });
+  const AcquisitionState now = acquisition_->state();
+  response.settings = to_message(now.settings.exposure.value_or(0), now.settings.region);
+  if (now.connected) response.taken = to_message(now.camera.exposure, now.camera.region);
   return true;
+}
+
+std::uint32_t CameraNodelet::set_and_show(AcquisitionMode mode, Trigger trigger,
+                                          const CameraChange& change) {
+  const boost::lock_guard<boost::recursive_mutex> lock(reconfigure_mutex_);
+  try {
+    const std::uint32_t acquisition = acquisition_->set(mode, trigger, change);
+    show(acquisition_->state().settings);
+    return acquisition;
+  } catch (const scan_cell_common::Error&) {
+    show(acquisition_->state().settings);  // they may have been taken before the start failed
+    throw;
+  }
+}
+
+/// To those who tune it through dynamic_reconfigure.
+void CameraNodelet::show(const CameraSettings& settings) {
+  config_.exposure = settings.exposure.value_or(0);
+  set_region(config_, settings.region);
+  reconfigure_->updateConfig(config_);
 }
 
 void CameraNodelet::reconfigure(CameraConfig& config) {
@@ -165,7 +189,7 @@ void CameraNodelet::reconfigure(CameraConfig& config) {
   settings.trigger_level = config.trigger_level;
   settings.permanence = config.permanence;
   settings.window = config.window;
-  settings.most_width = config.most_width;
+  settings.max_width = config.max_width;
   {
     const std::lock_guard<std::mutex> lock(detector_mutex_);
     detector_ = make_detector(parameters_.detector, settings);
@@ -195,10 +219,7 @@ void CameraNodelet::change_region(CameraConfig& config) {
     acquisition_->set_region(region_of(config));
   } catch (const scan_cell_common::Error& error) {
     NODELET_ERROR("region not changed: %s", error.what());
-    config.region_x = config_.region_x;
-    config.region_y = config_.region_y;
-    config.region_width = config_.region_width;
-    config.region_height = config_.region_height;
+    set_region(config, region_of(config_));
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <dynamic_reconfigure/server.h>
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/SetAcquisition.h>
 #include <tecnogamma_camera/CameraConfig.h>
@@ -15,14 +14,15 @@
 #include <string>
 
 #include "parameters.h"
+#include "scan_cell_common/ros/nodelet.h"
 #include "scan_cell_common/scanner_model.h"
 
 namespace tecnogamma_camera {
 
 /// Publishes ~profiles, ~image_raw, ~camera_info and diagnostics; serves ~set_acquisition.
-class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
+class CameraNodelet : public scan_cell_common::Nodelet, public AcquisitionListener {
  private:
-  void onInit() override;
+  void start() override;
   void advertise();
   RecordingKinds recordings() const;
   void start_reconfigure();
@@ -37,6 +37,8 @@ class CameraNodelet : public nodelet::Nodelet, public AcquisitionListener {
   void publish_image(const NumberedFrame& frame);
   bool set_acquisition(scan_cell_msgs::SetAcquisition::Request& request,
                        scan_cell_msgs::SetAcquisition::Response& response);
+  std::uint32_t set_and_show(AcquisitionMode mode, Trigger trigger, const CameraChange& change);
+  void show(const CameraSettings& settings);
   void reconfigure(CameraConfig& config);
   void change_exposure(CameraConfig& config);
   void change_region(CameraConfig& config);

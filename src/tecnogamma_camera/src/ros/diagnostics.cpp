@@ -9,11 +9,11 @@ using diagnostic_msgs::DiagnosticStatus;
 
 const char* to_text(AcquisitionMode mode) {
   switch (mode) {
-    case AcquisitionMode::LIVE_ONLY:
+    case AcquisitionMode::kLiveOnly:
       return "live only";
-    case AcquisitionMode::RELIEF_ONLY:
+    case AcquisitionMode::kReliefOnly:
       return "relief only";
-    case AcquisitionMode::RELIEF_LIVE:
+    case AcquisitionMode::kReliefLive:
       return "relief and live";
     default:
       return "stopped";
@@ -21,7 +21,7 @@ const char* to_text(AcquisitionMode mode) {
 }
 
 const char* to_text(Trigger trigger) {
-  return trigger == Trigger::FREE_RUN ? "free run" : "external trigger";
+  return trigger == Trigger::kFreeRun ? "free run" : "external trigger";
 }
 
 /// Frames that are missing or damaged, whatever the reason.

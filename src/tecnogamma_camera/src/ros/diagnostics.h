@@ -4,7 +4,7 @@
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
-#include "tecnogamma_camera/acquisition.h"
+#include "acquisition/acquisition.h"
 
 namespace tecnogamma_camera {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "messages.h"
 
+#include <fmt/format.h>
 #include <sensor_msgs/distortion_models.h>
 #include <sensor_msgs/image_encodings.h>
 
@@ -50,6 +51,35 @@ sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::st
   return message;
 }
 
+CameraChange from_message(const scan_cell_msgs::CameraSettings& settings) {
+  using scan_cell_common::InvalidParameter;
+  constexpr double kMaxExposure = 10;           // [s] as the parameter's
+  constexpr std::uint32_t kMaxPixels = 65'535;  // as the parameters'
+  if (!(settings.exposure >= 0 && settings.exposure <= kMaxExposure)) {
+    throw InvalidParameter("exposure", fmt::format("{} s", settings.exposure),
+                           fmt::format("give 0 .. {} s", kMaxExposure));
+  }
+  const auto pixels = [&](const char* name, std::uint32_t value) {
+    if (value <= kMaxPixels) return static_cast<int>(value);
+    throw InvalidParameter(name, fmt::format("{} px", value),
+                           fmt::format("give 0 .. {} px", kMaxPixels));
+  };
+  return {settings.exposure,
+          {pixels("region_x", settings.region_x), pixels("region_y", settings.region_y),
+           pixels("region_width", settings.region_width),
+           pixels("region_height", settings.region_height)}};
+}
+
+scan_cell_msgs::CameraSettings to_message(double exposure, const Region& region) {
+  scan_cell_msgs::CameraSettings message;
+  message.exposure = exposure;
+  message.region_x = static_cast<std::uint32_t>(region.x);
+  message.region_y = static_cast<std::uint32_t>(region.y);
+  message.region_width = static_cast<std::uint32_t>(region.width);
+  message.region_height = static_cast<std::uint32_t>(region.height);
+  return message;
+}
+
 void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info) {
   const auto& image = frame.frame.image;
   info.roi.x_offset = image.first_column;
@@ -60,14 +90,13 @@ void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info) {
 
 std::string find_fault(const scan_cell_common::ScannerModel& model,
                        const CameraDescription& camera) {
-  const auto size = [](int columns, int rows) {
-    return std::to_string(columns) + " x " + std::to_string(rows) + " pixels";
-  };
   if (model.camera.width == camera.sensor_columns && model.camera.height == camera.sensor_rows)
     return "";
-  return "scanner_model: of a sensor of " + size(model.camera.width, model.camera.height) +
-         ", this camera has " + size(camera.sensor_columns, camera.sensor_rows) +
-         "; load the model of this camera";
+  return fmt::format(
+      "scanner_model: of a sensor of {} x {} pixels, this camera has {} x {} pixels; load the "
+      "model "
+      "of this camera",
+      model.camera.width, model.camera.height, camera.sensor_columns, camera.sensor_rows);
 }
 
 sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,

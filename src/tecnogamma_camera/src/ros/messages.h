@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <scan_cell_msgs/CameraSettings.h>
 #include <scan_cell_msgs/PeakProfile.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
 #include <string>
 
+#include "acquisition/acquisition.h"
 #include "scan_cell_common/scanner_model.h"
-#include "tecnogamma_camera/acquisition.h"
 #include "tecnogamma_camera/peak_profile.h"
 
 namespace tecnogamma_camera {
@@ -20,6 +21,12 @@ scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std:
 
 /// @pre the frame is complete
 sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id);
+
+/// @throw scan_cell_common::InvalidParameter naming the field that is out of range
+CameraChange from_message(const scan_cell_msgs::CameraSettings& settings);
+
+/// @param exposure [s]
+scan_cell_msgs::CameraSettings to_message(double exposure, const Region& region);
 
 /// Tells where on the sensor the frame's image lies.
 void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info);

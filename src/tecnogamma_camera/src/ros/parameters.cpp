@@ -3,110 +3,116 @@
 #include "parameters.h"
 
 #include "frame/pixel_format.h"
-#include "scan_cell_common/ros/parameter_reader.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace tecnogamma_camera {
 namespace {
 
-using scan_cell_common::ParameterReader;
+using scan_cell_common::ParameterTable;
 
-void read_optional(ParameterReader& reader, const std::string& name, std::optional<double>& value,
-                   double unset, const ParameterReader::Range& range) {
-  double number = unset;
-  reader.read(name, number, range);
+/// A number that is left to the camera where it is `unset`.
+void describe_optional(ParameterTable& table, const std::string& name, std::optional<double>& value,
+                       double unset, const ParameterTable::Range& range,
+                       const std::string& meaning) {
+  double number = value.value_or(unset);
+  table.add(name, number, range, meaning);
   if (number != unset) value = number;
 }
 
-void read_camera(ParameterReader& reader, CameraSettings& camera) {
-  constexpr ParameterReader::Range kPixels{0, 65535};
-  reader.read("region_x", camera.region.x, kPixels);
-  reader.read("region_y", camera.region.y, kPixels);
-  reader.read("region_width", camera.region.width, kPixels);
-  reader.read("region_height", camera.region.height, kPixels);
-  read_optional(reader, "exposure", camera.exposure, 0, {0, 10});
-  read_optional(reader, "gain", camera.gain, -1, {-1, 1000});
-  read_optional(reader, "rate", camera.rate, 0, {0, 100000});
-  reader.read("trigger_source", camera.trigger_source);
-  reader.read("strobe_line", camera.strobe_line);
-  reader.read("strobe_source", camera.strobe_source);
-  reader.read_choice("pixel_format", camera.pixel_format, pixel_format_names());
+void describe_camera(ParameterTable& table, CameraSettings& camera) {
+  const ParameterTable::Range pixels{0, 65535, "px"};
+  table.add("region_x", camera.region.x, pixels, "first sensor column that is read out");
+  table.add("region_y", camera.region.y, pixels, "first sensor row that is read out");
+  table.add("region_width", camera.region.width, pixels, "0: to the sensor's right edge");
+  table.add("region_height", camera.region.height, pixels, "0: to the sensor's lower edge");
+  describe_optional(table, "exposure", camera.exposure, 0, {0, 10, "s"},
+                    "0: as the camera is set; once one was given, 0 is refused");
+  describe_optional(table, "gain", camera.gain, -1, {-1, 1000},
+                    "in the camera's unit, mostly dB; -1: as the camera is set");
+  describe_optional(table, "rate", camera.rate, 0, {0, 100000, "Hz"},
+                    "of free run; 0: as the camera is set");
+  table.add("trigger_source", camera.trigger_source,
+            "GenICam TriggerSource of the external trigger (`Software` on Aravis' fake camera)");
+  table.add("strobe_line", camera.strobe_line,
+            "GenICam LineSelector of the output to drive while the camera runs; none: no line is "
+            "touched");
+  table.add("strobe_source", camera.strobe_source, "GenICam LineSource of that output");
+  table.choice("pixel_format", camera.pixel_format, pixel_format_names(),
+               "GenICam PixelFormat; packed ones are unpacked on the host");
 }
 
-void read_detection(ParameterReader& reader, Parameters& parameters) {
-  reader.read_choice("detector", parameters.detector, detector_names());
-  std::string choice = choice_names().front();
-  reader.read_choice("choice", choice, choice_names());
-  parameters.detection.choice = to_choice(choice);
-  reader.read("trigger_level", parameters.detection.trigger_level, {kAutomaticLevel, 65535});
-  reader.read("permanence", parameters.detection.permanence, {1, 64});
-  reader.read("window", parameters.detection.window, {0, 255});
-  reader.read("most_width", parameters.detection.most_width, {0, 65535});
-  reader.read("live_ratio", parameters.live_ratio, {1, 100000});
+void describe_stream(ParameterTable& table, AravisOptions& stream) {
+  table.add("buffers", stream.buffers, {4, 1000},
+            "frames that may wait; too few show as `stream underruns`");
+  table.add("packet_size", stream.packet_size, {0, 65535, "bytes"},
+            "0: the largest that comes through");
+  table.add("packet_socket", stream.packet_socket,
+            "receive below the IP stack where the rights allow it");
+  table.add("packet_resend", stream.packet_resend, "ask for missing packets");
+  table.add("realtime", stream.realtime, "real-time receiving thread where the rights allow it");
 }
 
-void read_stream(ParameterReader& reader, AravisOptions& stream) {
-  reader.read("buffers", stream.buffers, {4, 1000});
-  reader.read("packet_size", stream.packet_size, {0, 65535});
-  reader.read("packet_socket", stream.packet_socket);
-  reader.read("packet_resend", stream.packet_resend);
-  reader.read("realtime", stream.realtime);
+void describe_recording(ParameterTable& table, Parameters& parameters) {
+  table.add("bag_topic", parameters.bag_topic, "of the images in a bag; none: the only one");
+  table.add("playback_speed", parameters.source.playback.speed, {0, 1000},
+            "of a recording: times as fast as it was made; 0: as fast as it goes");
+  table.add("loop", parameters.source.playback.loop,
+            "of a recording: from its end back to its beginning");
 }
 
-void read_recording(ParameterReader& reader, Parameters& parameters) {
-  reader.read("bag_topic", parameters.bag_topic);
-  reader.read("playback_speed", parameters.source.playback.speed, {0, 1000});
-  reader.read("loop", parameters.source.playback.loop);
-}
-
-void read_payload(ParameterReader& reader, PayloadOptions& payload) {
-  reader.read_choice("payload", payload.format, payload_names());
-  reader.read("payload_tick", payload.tecnogamma.tick, {0, 1});
-  reader.read("scan_first_row", payload.photonfocus.scan_first_row, {-1, 65535});
-  reader.read("scan_rows", payload.photonfocus.scan_rows, {-1, 1024});
-  reader.read("scan_with_image", payload.photonfocus.with_image);
+void describe_payload(ParameterTable& table, PayloadOptions& payload) {
+  table.choice("payload", payload.format, payload_names(), "what the frames hold (below)");
+  table.add("payload_tick", payload.tecnogamma.tick, {0, 1, "s"},
+            "of the time counter in relief frames; 0: not known, the transport's time is taken");
+  table.add("scan_first_row", payload.photonfocus.scan_first_row, {-1, 65535, "px"},
+            "Peak0_3DY of a 3D03; -1: the camera is asked");
+  table.add("scan_rows", payload.photonfocus.scan_rows, {-1, 1024, "px"},
+            "Peak0_3DH of a 3D03; -1: the camera is asked");
+  table.add("scan_with_image", payload.photonfocus.with_image,
+            "the 3D03 is in its mode 2D&3D, not in 3Donly");
   payload.tecnogamma.check();
   payload.photonfocus.check();
 }
 
-AcquisitionMode to_mode(const std::string& name) {
-  if (name == "live_only") return AcquisitionMode::LIVE_ONLY;
-  if (name == "relief_only") return AcquisitionMode::RELIEF_ONLY;
-  return name == "relief_live" ? AcquisitionMode::RELIEF_LIVE : AcquisitionMode::STOP;
-}
-
-void read_acquisition(ParameterReader& reader, AcquisitionParameters& acquisition) {
-  std::string mode = "stop";
-  reader.read_choice("mode", mode, {"stop", "live_only", "relief_only", "relief_live"});
-  acquisition.mode = to_mode(mode);
-  std::string trigger = "external_trigger";
-  reader.read_choice("trigger", trigger, {"free_run", "external_trigger"});
-  acquisition.trigger = trigger == "free_run" ? Trigger::FREE_RUN : Trigger::EXTERNAL;
-  std::string clock = "mapped";
-  reader.read_choice("device_clock", clock, {"mapped", "host"});
+void describe_acquisition(ParameterTable& table, AcquisitionParameters& acquisition) {
+  table.choice("mode", acquisition.mode, {"stop", "live_only", "relief_only", "relief_live"},
+               "once the camera is first found");
+  table.choice("trigger", acquisition.trigger, {"free_run", "external_trigger"}, "of `mode`");
+  std::string clock = acquisition.clock.device_is_host ? "host" : "mapped";
+  table.choice("device_clock", clock, {"mapped", "host"},
+               "host: the camera's clock is the host's (PTP, a camera on this computer) and is "
+               "taken as it is; more than 1 s between them is an error");
   acquisition.clock.device_is_host = clock == "host";
-  reader.read("retry_period", acquisition.retry_period, {0.1, 60});
-  reader.read("start_timeout", acquisition.start_timeout, {0.1, 60});
-  reader.read("arming_time", acquisition.arming_time, {0, 10});
-  reader.read("silence_timeout", acquisition.silence_timeout, {0.1, 3600});
-  reader.read("clock_window", acquisition.clock.window, {0.1, 3600});
+  table.add("clock_window", acquisition.clock.window, {0.1, 3600, "s"},
+            "over which the least delay is sought");
+  table.add("retry_period", acquisition.retry_period, {0.1, 60, "s"},
+            "between tries to find the camera; it does not grow");
+  table.add("start_timeout", acquisition.start_timeout, {0.1, 60, "s"},
+            "for the camera to be found, and for the first frame of free run");
+  table.add("arming_time", acquisition.arming_time, {0, 10, "s"},
+            "after a start in which a camera may miss pulses");
+  table.add("silence_timeout", acquisition.silence_timeout, {0.1, 3600, "s"},
+            "without a frame in free run: the camera is taken for lost");
 }
 
 }  // namespace
 
-Parameters Parameters::load(const ros::NodeHandle& node) {
-  Parameters parameters;
-  ParameterReader reader(node);
-  reader.read("camera", parameters.camera);
-  reader.read("frame_id", parameters.frame_id);
-  reader.read("scanner_model", parameters.scanner_model);
-  read_detection(reader, parameters);
-  read_stream(reader, parameters.source.stream);
-  read_recording(reader, parameters);
-  read_payload(reader, parameters.source.payload);
-  read_camera(reader, parameters.acquisition.camera);
-  read_acquisition(reader, parameters.acquisition);
-  reader.refuse_unknown();
-  return parameters;
+void describe(ParameterTable& table, Parameters& parameters) {
+  table.add("camera", parameters.camera,
+            "id, serial number or address (an IP address is asked directly, without a search); "
+            "`folder:PATH` or `bag:PATH`: a recording; none: the only camera that answers");
+  table.add("frame_id", parameters.frame_id, "of images and profiles");
+  table.add("scanner_model", parameters.scanner_model,
+            "file for `camera_info` (scanner_model.md); none: uncalibrated");
+  table.choice("detector", parameters.detector, detector_names(), "that finds the laser's line");
+  describe(table, parameters.detection);
+  table.add("live_ratio", parameters.live_ratio, {1, 100000},
+            "profiles to an image in RELIEF_LIVE");
+  describe_acquisition(table, parameters.acquisition);
+  describe_camera(table, parameters.acquisition.camera);
+  describe_payload(table, parameters.source.payload);
+  describe_recording(table, parameters);
+  describe_stream(table, parameters.source.stream);
 }
 
 }  // namespace tecnogamma_camera

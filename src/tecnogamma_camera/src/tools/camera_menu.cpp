@@ -5,8 +5,8 @@
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "open_camera.h"
 #include "scan_cell_common/tool_main.h"
-#include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"
 
@@ -91,7 +91,7 @@ class Menu {
   /// Grabs one whole frame in free run and hands it to `use`.
   template <class Use>
   void grab(const Use& use) {
-    camera().start(tecnogamma_camera::Trigger::FREE_RUN);
+    camera().start(tecnogamma_camera::Trigger::kFreeRun);
     const StopAtEnd stop{camera()};
     constexpr int kTries = 5;
     for (int i = 0; i < kTries; ++i) {

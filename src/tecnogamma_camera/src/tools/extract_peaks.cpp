@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 #include "tecnogamma_camera/grey_image_file.h"
 #include "tecnogamma_camera/peak_detector.h"
@@ -42,23 +43,17 @@ int main(int argc, char** argv) {
   scan_cell_common::Outputs outputs;
   CLI::App app("Finds the laser line in an image: one peak a row, written as CSV");
   app.option_defaults()->always_capture_default();
-  std::string image, output, detector = "fir_derivative", choice = "brightest";
+  std::string image, output, detector = "fir_derivative";
   DetectorSettings settings;
   app.add_option("--image", image, "8 or 16 bit grey pixels; the line runs vertically")->required();
   outputs.add(app, "--output", output, "CSV: row,position,width,intensity")->required();
   app.add_option("--detector", detector, "threshold, center_of_gravity or fir_derivative");
-  app.add_option("--trigger-level", settings.trigger_level,
-                 "grey value of the image's own pixels; -1: above the noise of the background");
-  app.add_option("--permanence", settings.permanence, "pixels that make an edge");
-  app.add_option("--window", settings.window,
-                 "most columns of the centre of gravity; 0: as the stripe's width asks");
-  app.add_option("--most-width", settings.most_width,
-                 "pixels: wider spots (shiny objects) are passed over; 0: any width");
-  app.add_option("--choice", choice, "of several spots in a row: brightest, first or last");
+  scan_cell_common::ParameterOptions typed;
+  typed.add(app, settings);
   return scan_cell_common::tool_main(
       "extract_peaks", app, argc, argv,
       [&] {
-        settings.choice = tecnogamma_camera::to_choice(choice);
+        typed.read(settings);
         extract(image, output, detector, settings);
         return 0;
       },

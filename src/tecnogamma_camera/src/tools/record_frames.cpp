@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <mutex>
 
+#include "acquisition/acquisition.h"
+#include "open_camera.h"
 #include "recording/folder_recorder.h"
 #include "scan_cell_common/interrupts.h"
 #include "scan_cell_common/tool_main.h"
-#include "tecnogamma_camera/acquisition.h"
-#include "tecnogamma_camera/open_camera.h"
 
 namespace {
 
@@ -95,11 +95,11 @@ void record(const Options& options) {
   tecnogamma_camera::Acquisition acquisition(
       options.acquisition, [&] { return tecnogamma_camera::open_camera(options.camera, source); },
       writer);
-  acquisition.set(AcquisitionMode::RELIEF_ONLY,
-                  options.external ? Trigger::EXTERNAL : Trigger::FREE_RUN);
+  acquisition.set(AcquisitionMode::kReliefOnly,
+                  options.external ? Trigger::kExternal : Trigger::kFreeRun);
   writer.wait(acquisition);
   const std::uint64_t written = writer.finish();  // first: the camera may be gone
-  acquisition.set(AcquisitionMode::STOP, Trigger::FREE_RUN);
+  acquisition.set(AcquisitionMode::kStop, Trigger::kFreeRun);
   const auto counts = acquisition.state().frames;
   std::printf("%llu frames in %s, %llu lost, %llu incomplete\n",
               static_cast<unsigned long long>(written), options.output.c_str(),

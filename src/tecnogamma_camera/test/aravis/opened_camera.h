@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "aravis/aravis_camera.h"
 #include "aravis/fake_cameras.h"
-#include "tecnogamma_camera/aravis_camera.h"
 
 /// What the tests of cameras on 127.0.0.1 have in common.
 namespace fake_cameras {

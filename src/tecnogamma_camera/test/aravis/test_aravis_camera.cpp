@@ -7,8 +7,8 @@
 
 #include "aravis/line_camera.h"
 #include "aravis/opened_camera.h"
+#include "open_camera.h"
 #include "payload/payloads.h"
-#include "tecnogamma_camera/open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 using fake_cameras::genicam_file;
@@ -65,7 +65,7 @@ TEST(AravisCamera, StreamsEveryFrameAcrossTheTurnOfItsCounter) {
   const auto camera = open();
   camera->configure(small_region(200));
   tecnogamma_camera::CounterUnwrapper unwrapper(camera->describe().counter);
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   constexpr int kFrames = 300;  // the counter of the fake camera starts at 65400
   std::uint64_t lost = 0;
   for (int i = 0; i < kFrames; ++i) {
@@ -73,7 +73,7 @@ TEST(AravisCamera, StreamsEveryFrameAcrossTheTurnOfItsCounter) {
     ASSERT_TRUE(frame);
     const CounterStep step = unwrapper.unwrap(frame->counter);
     using Kind = CounterStep::Kind;
-    ASSERT_TRUE(step.kind == Kind::NEXT || step.kind == Kind::GAP || i == 0);
+    ASSERT_TRUE(step.kind == Kind::kNext || step.kind == Kind::kGap || i == 0);
     lost += step.lost;
     if (frame->packets_lost > 0) continue;
     EXPECT_EQ(frame->image.columns, 256);
@@ -93,7 +93,7 @@ TEST(AravisCamera, ShowsWhatIsInFrontOfIt) {
   LineCamera line;
   const auto camera = open();
   camera->configure(small_region(50));
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   const auto frame = grab(*camera);
   ASSERT_TRUE(frame);
   ASSERT_EQ(frame->packets_lost, 0U);
@@ -108,7 +108,7 @@ TEST(AravisCamera, ExposesOneFrameAPulse) {
   const Program program;
   const auto camera = open();
   camera->configure(small_region(50));
-  camera->start(Trigger::EXTERNAL);
+  camera->start(Trigger::kExternal);
   EXPECT_FALSE(camera->grab(std::chrono::milliseconds(300)));
   std::uint64_t counter = 0;
   for (int i = 0; i < 5; ++i) {
@@ -120,7 +120,7 @@ TEST(AravisCamera, ExposesOneFrameAPulse) {
     EXPECT_FALSE(camera->grab(std::chrono::milliseconds(100)));
   }
   camera->stop();
-  camera->start(Trigger::FREE_RUN);  // and back
+  camera->start(Trigger::kFreeRun);  // and back
   EXPECT_TRUE(grab(*camera));
 }
 
@@ -134,7 +134,7 @@ TEST(AravisCamera, HandsOutGreyValuesOfMoreThanEightBitsPackedOrNot) {
     settings.pixel_format = format;
     camera->configure(settings);
     EXPECT_EQ(camera->describe().grey_bits, bits);
-    camera->start(Trigger::FREE_RUN);
+    camera->start(Trigger::kFreeRun);
     const auto frame = grab(*camera);
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->image.bits, bits);
@@ -181,7 +181,7 @@ TEST(AravisCamera, ThatSends3D03FramesGivesItsPeaksNumbersAndTimes) {
   settings.rate = 50;
   camera->configure(settings);
   tecnogamma_camera::CounterUnwrapper unwrapper(camera->describe().counter);
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   scan_cell_common::Nanoseconds last = 0;
   for (int i = 0; i < 30; ++i) {
     const auto frame = grab(*camera);
@@ -189,13 +189,13 @@ TEST(AravisCamera, ThatSends3D03FramesGivesItsPeaksNumbersAndTimes) {
     ASSERT_EQ(frame->fault, "");
     if (frame->packets_lost > 0) continue;
     const CounterStep step = unwrapper.unwrap(frame->counter);
-    ASSERT_TRUE(step.kind == CounterStep::Kind::NEXT || step.kind == CounterStep::Kind::GAP ||
+    ASSERT_TRUE(step.kind == CounterStep::Kind::kNext || step.kind == CounterStep::Kind::kGap ||
                 i == 0);
     ASSERT_NE(frame->peaks, nullptr);
     EXPECT_EQ(frame->peaks->rows(), 256);
     EXPECT_EQ(frame->peaks->first_row, 2048 - 64 - 256);
     EXPECT_EQ(frame->peaks->position[0], 300 + 58.75);
-    if (step.kind == CounterStep::Kind::NEXT) {
+    if (step.kind == CounterStep::Kind::kNext) {
       EXPECT_EQ(frame->device_time - last, 100000);
     }
     last = frame->device_time;
@@ -213,20 +213,20 @@ TEST(AravisCamera, NeverHandsOutPixelsOfAFrameWithPacketsMissing) {
   settings.region = {0, 0, 512, 32};
   settings.rate = 100;
   camera->configure(settings);
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   int whole = 0, incomplete = 0, without_number = 0;
   tecnogamma_camera::CounterUnwrapper unwrapper(camera->describe().counter);
   EXPECT_TRUE(fake_cameras::wait_until([&] {
     const auto frame = grab(*camera);
     if (!frame) return false;
     const CounterStep::Kind step = unwrapper.unwrap(frame->counter).kind;
-    EXPECT_NE(step, CounterStep::Kind::BACKWARD) << "the number of an earlier frame";
-    EXPECT_NE(step, CounterStep::Kind::REPEATED) << "the number of an earlier frame";
+    EXPECT_NE(step, CounterStep::Kind::kBackward) << "the number of an earlier frame";
+    EXPECT_NE(step, CounterStep::Kind::kRepeated) << "the number of an earlier frame";
     if (frame->packets_lost > 0) {
       ++incomplete;
       EXPECT_EQ(frame->image.pixels, nullptr);
       EXPECT_EQ(frame->image.rows, 32);
-      without_number += step == CounterStep::Kind::INVALID ? 1 : 0;
+      without_number += step == CounterStep::Kind::kInvalid ? 1 : 0;
     } else {
       ++whole;
     }
@@ -238,7 +238,7 @@ TEST(AravisCamera, IsFoundAgainAfterItWasLost) {
   auto program = std::make_unique<Program>();
   auto camera = open();
   camera->configure(small_region(50));
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   ASSERT_TRUE(grab(*camera));
   program.reset();
   EXPECT_TRUE(fake_cameras::wait_until([&] {
@@ -253,6 +253,6 @@ TEST(AravisCamera, IsFoundAgainAfterItWasLost) {
   program = std::make_unique<Program>();
   camera = open();
   camera->configure(small_region(50));
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   EXPECT_TRUE(grab(*camera));
 }

@@ -24,9 +24,9 @@ TEST(AravisCamera, TakesParametersOnlyInStopButForTheExposure) {
   const Program program;
   const auto camera = open();
   camera->configure(small_region(50));
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   EXPECT_THROW(camera->configure(small_region(20)), Refused);
-  EXPECT_THROW(camera->start(Trigger::FREE_RUN), Refused);
+  EXPECT_THROW(camera->start(Trigger::kFreeRun), Refused);
   camera->set_exposure(0.004);
   EXPECT_DOUBLE_EQ(camera->describe().exposure, 0.004);
   camera->stop();
@@ -51,7 +51,7 @@ TEST(AravisCamera, NamesTheParameterThatItDoesNotTake) {
   settings = {};
   settings.trigger_source = "Line9";
   camera->configure(settings);
-  EXPECT_THROW(camera->start(Trigger::EXTERNAL), scan_cell_common::Error);
+  EXPECT_THROW(camera->start(Trigger::kExternal), scan_cell_common::Error);
 }
 
 TEST(AravisCamera, KeepsItsRegionWhereAnotherIsRefused) {
@@ -63,7 +63,7 @@ TEST(AravisCamera, KeepsItsRegionWhereAnotherIsRefused) {
   CameraSettings settings = small_region(50);
   settings.region.width = 250;  // the camera takes 240
   EXPECT_EQ(refused_parameter([&] { camera->configure(settings); }), "region");
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   const auto frame = grab(*camera);
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->packets_lost, 0U) << "the frame must be of the region that was kept";
@@ -92,10 +92,10 @@ TEST(AravisCamera, KeepsTheRateOfFreeRunAfterAnExternalTrigger) {
   LineCamera line(file);
   const auto camera = open();
   camera->configure(small_region(50));
-  camera->start(Trigger::EXTERNAL);
+  camera->start(Trigger::kExternal);
   EXPECT_FALSE(line.rate_is_enabled());
   camera->stop();
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   EXPECT_TRUE(line.rate_is_enabled());
   std::filesystem::remove(file);
 }
@@ -108,12 +108,12 @@ TEST(AravisCamera, NamesTheFeatureThatItDoesNotHave) {
     const auto camera = open();
     camera->configure(small_region(50));
     try {
-      camera->start(Trigger::EXTERNAL);
+      camera->start(Trigger::kExternal);
       FAIL();
     } catch (const MissingFeature& error) {
       EXPECT_EQ(error.value(), "TriggerSource");
     }
-    camera->start(Trigger::FREE_RUN);  // what it has still works
+    camera->start(Trigger::kFreeRun);  // what it has still works
     EXPECT_TRUE(grab(*camera));
   }
   std::filesystem::remove(file);
@@ -133,7 +133,7 @@ TEST(AravisCamera, DrivesTheStrobeWhileItRunsAndSetsTheLineBack) {
   settings.strobe_line = "Line1";
   camera->configure(settings);
   EXPECT_EQ(line.read_feature(1), 0U) << "nothing is driven in STOP";
-  for (const Trigger trigger : {Trigger::EXTERNAL, Trigger::FREE_RUN}) {
+  for (const Trigger trigger : {Trigger::kExternal, Trigger::kFreeRun}) {
     camera->start(trigger);
     EXPECT_EQ(line.read_feature(0), 1U);
     EXPECT_EQ(line.read_feature(1), 1U);
@@ -144,7 +144,7 @@ TEST(AravisCamera, DrivesTheStrobeWhileItRunsAndSetsTheLineBack) {
   }
   settings.strobe_source = "Moonlight";
   camera->configure(settings);
-  EXPECT_THROW(camera->start(Trigger::FREE_RUN), scan_cell_common::Error);
+  EXPECT_THROW(camera->start(Trigger::kFreeRun), scan_cell_common::Error);
   for (unsigned i = 0; i < 3; ++i)
     EXPECT_EQ(line.read_feature(i), i == 2 ? 1U : 0U) << "also where the start fails";
   std::filesystem::remove(file);
@@ -157,12 +157,12 @@ TEST(AravisCamera, NeedsLinesOnlyWhereAStrobeIsAskedFor) {
   settings.strobe_line = "Line1";
   camera->configure(settings);
   try {
-    camera->start(Trigger::FREE_RUN);
+    camera->start(Trigger::kFreeRun);
     FAIL();
   } catch (const MissingFeature& error) {
     EXPECT_EQ(error.value(), "LineSelector");
   }
   camera->configure(small_region(50));
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   EXPECT_TRUE(grab(*camera));
 }

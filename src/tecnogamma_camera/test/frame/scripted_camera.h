@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "acquisition/acquisition.h"
 #include "aravis/fake_cameras.h"
-#include "tecnogamma_camera/acquisition.h"
 
 /// A camera that does what a test tells it, and an acquisition of it.
 namespace scripted {
@@ -85,11 +85,11 @@ class ScriptedCamera : public Camera {
     const std::lock_guard<std::mutex> lock(script_.mutex);
     EXPECT_FALSE(script_.running) << "parameters are written only in STOP";
     script_.region = settings.region;
+    refuse_long(settings.exposure.value_or(0));
     if (settings.exposure) script_.exposure = *settings.exposure;
   }
   void set_exposure(double exposure) override {
-    if (exposure > 1)
-      throw scan_cell_common::InvalidParameter("exposure", "too long", "shorten it");
+    refuse_long(exposure);
     const std::lock_guard<std::mutex> lock(script_.mutex);
     script_.exposure = exposure;
   }
@@ -125,6 +125,10 @@ class ScriptedCamera : public Camera {
   }
 
  private:
+  static void refuse_long(double exposure) {
+    if (exposure > 1)
+      throw scan_cell_common::InvalidParameter("exposure", "too long", "shorten it");
+  }
   Script& script_;
 };
 

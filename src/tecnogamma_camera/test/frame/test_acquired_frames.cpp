@@ -8,7 +8,7 @@ using namespace scripted;  // NOLINT
 
 TEST_F(AcquisitionOfScriptedCamera, UnwrapsTheCounterAndCountsWhatIsMissing) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   for (const std::uint64_t raw : {65534, 65535, 0, 3, 3})
     script_.send(raw);
   script_.send(70000);
@@ -24,7 +24,7 @@ TEST_F(AcquisitionOfScriptedCamera, UnwrapsTheCounterAndCountsWhatIsMissing) {
 
 TEST_F(AcquisitionOfScriptedCamera, TellsALateFrameFromARestartedCamera) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   script_.send(50, 5000);
   script_.send(49, 4900);  // late: its time is earlier
   script_.send(51, 5100);
@@ -38,7 +38,7 @@ TEST_F(AcquisitionOfScriptedCamera, TellsALateFrameFromARestartedCamera) {
 
 TEST_F(AcquisitionOfScriptedCamera, TakesACounterWithoutClockThatCountsOnFromLessForRestarted) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   for (const std::uint64_t raw : {50, 49, 51, 48, 52, 1, 2, 3, 4})
     script_.send(raw);
   // 49 and 48 are late; 1 and 2 could be, and only 3 shows that it was restarted.
@@ -57,7 +57,7 @@ TEST_F(AcquisitionOfScriptedCamera, TakesACounterWithoutClockThatCountsOnFromLes
 
 TEST_F(AcquisitionOfScriptedCamera, TakesLateFramesBetweenOthersForLateHoweverMany) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   for (const std::uint64_t raw : {50, 40, 51, 41, 52, 42, 53})
     script_.send(raw);
   expect_frames(
@@ -66,7 +66,7 @@ TEST_F(AcquisitionOfScriptedCamera, TakesLateFramesBetweenOthersForLateHoweverMa
 
 TEST_F(AcquisitionOfScriptedCamera, NoticesARestartAlsoWhereTheClockWasSetBackWithTheCounter) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   script_.send(500, 5000000);
   for (std::uint64_t raw = 1; raw <= 4; ++raw)
     script_.send(raw, static_cast<scan_cell_common::Nanoseconds>(1000 * raw));
@@ -75,7 +75,7 @@ TEST_F(AcquisitionOfScriptedCamera, NoticesARestartAlsoWhereTheClockWasSetBackWi
 
 TEST_F(AcquisitionOfScriptedCamera, BeginsANewAcquisitionWhereTheFrameSaysSo) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   Frame frame;
   frame.counter = 7;
   frame.device_time = 700;
@@ -92,7 +92,7 @@ TEST_F(AcquisitionOfScriptedCamera, BeginsANewAcquisitionWhereTheFrameSaysSo) {
 
 TEST_F(AcquisitionOfScriptedCamera, TakesTheTimeThatWasRecordedAsItIs) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   Frame frame;
   frame.counter = 1;
   frame.device_time = 500;
@@ -105,7 +105,7 @@ TEST_F(AcquisitionOfScriptedCamera, TakesTheTimeThatWasRecordedAsItIs) {
 
 TEST_F(AcquisitionOfScriptedCamera, DropsAndCountsFramesWithAFaultAndTellsTheFirst) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   script_.send(1);
   Frame damaged;
   for (const char* fault : {"cut off after 3 bytes", "cut off after 4 bytes"}) {
@@ -125,7 +125,7 @@ TEST_F(AcquisitionOfScriptedCamera, DropsAndCountsFramesWithAFaultAndTellsTheFir
 
 TEST_F(AcquisitionOfScriptedCamera, MapsTheCamerasClockToTheHosts) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   script_.send(1, 5000);
   script_.send(2, 6000);
   expect_frames({{1, 1, 0}, {1, 2, 0}});
@@ -134,7 +134,7 @@ TEST_F(AcquisitionOfScriptedCamera, MapsTheCamerasClockToTheHosts) {
 
 TEST_F(AcquisitionOfScriptedCamera, KeepsItsClockMapWhereAFrameComesLate) {
   Acquisition& acquisition = start();
-  acquisition.set(AcquisitionMode::RELIEF_ONLY, Trigger::EXTERNAL);
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   script_.send(1, 5000);
   script_.send(3, 7000, 0, 2000000);
   script_.send(2, 6000, 0, 9000000);  // overtaken by the one before

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "acquisition/frame_numbering.h"
 #include "scan_cell_common/errors.h"
-#include "tecnogamma_camera/frame_numbering.h"
 
 using namespace tecnogamma_camera;
 

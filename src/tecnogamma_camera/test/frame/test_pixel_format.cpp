@@ -60,7 +60,7 @@ TEST(PixelFormat, UnpacksWhatWasPackedBitByBit) {
 TEST(PixelFormat, NeverReadsPastTheBytesOfItsPixels) {
   for (const std::string& name : tecnogamma_camera::pixel_format_names()) {
     const PixelFormat& format = pixel_format(name);
-    if (format.packing == tecnogamma_camera::Packing::BYTES) continue;
+    if (format.packing == tecnogamma_camera::Packing::kBytes) continue;
     for (std::size_t count = 1; count < 9; ++count) {
       // A value after the last byte would show: all bits of it are set.
       std::vector<std::uint8_t> bytes(format.bytes(count) + 2, 0);

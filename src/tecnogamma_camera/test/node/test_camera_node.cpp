@@ -44,6 +44,21 @@ class CameraNode : public testing::Test {
     return call.response;
   }
 
+  /// In free run, with these settings.
+  static SetAcquisition::Response set(int mode, double exposure, int region_width,
+                                      int region_height = 64) {
+    SetAcquisition call;
+    call.request.mode = mode;
+    call.request.change_settings = true;
+    call.request.settings.exposure = exposure;
+    call.request.settings.region_x = 64;
+    call.request.settings.region_y = 32;
+    call.request.settings.region_width = region_width;
+    call.request.settings.region_height = region_height;
+    EXPECT_TRUE(ros::service::call("camera/set_acquisition", call));
+    return call.response;
+  }
+
   /// The value that the node settled on.
   static int reconfigure(const std::string& name, int value) {
     dynamic_reconfigure::Reconfigure call;
@@ -211,6 +226,48 @@ TEST_F(CameraNode, ChangesTheDetectorWhileRunningAndTheRegionOnlyInStop) {
 TEST_F(CameraNode, SaysThatTheCamerasOwnExposureCannotBeHadBack) {
   EXPECT_EQ(expose(0.004), 0.004);
   EXPECT_EQ(expose(0), 0.004);  // refused: the value shown is the one in the camera
+}
+
+TEST_F(CameraNode, StartsWithExposureAndRegionOfTheRequestAndTellsWhatTheCameraTook) {
+  const auto before = set(SetAcquisition::Request::STOP);
+  EXPECT_EQ(before.taken.region_width, 256U);
+  const auto started = set(SetAcquisition::Request::RELIEF_ONLY, 0.003, 128, 0);
+  ASSERT_TRUE(started.success) << started.message;
+  EXPECT_GT(started.acquisition, 0U);
+  EXPECT_EQ(started.settings.exposure, 0.003);
+  EXPECT_EQ(started.settings.region_height, 0U);  // as asked for: to the sensor's edge
+  EXPECT_NEAR(started.taken.exposure, 0.003, 1e-6);
+  EXPECT_EQ(started.taken.region_x, 64U);
+  EXPECT_EQ(started.taken.region_width, 128U);
+  EXPECT_EQ(started.taken.region_height, 2048U - 32U);
+  EXPECT_TRUE(wait_until([this] {
+    const auto profiles = profiles_.messages();
+    return !profiles.empty() && profiles.back().position.size() == 2048 - 32;
+  }));
+  EXPECT_EQ(reconfigure("region_width", 128), 128) << "dynamic_reconfigure must know";
+  const auto restored = set(SetAcquisition::Request::STOP, 0.004, 256);
+  EXPECT_TRUE(restored.success) << restored.message;
+  EXPECT_EQ(restored.acquisition, 0U);
+  EXPECT_EQ(restored.taken.region_height, 64U);
+}
+
+TEST_F(CameraNode, RefusesSettingsByFieldValueAndCureAndKeepsWhatItHad) {
+  ASSERT_TRUE(set(SetAcquisition::Request::RELIEF_ONLY, 0.004, 256).success);
+  const auto refused = [](double exposure, int width, const std::string& why) {
+    const auto answer = set(SetAcquisition::Request::RELIEF_ONLY, exposure, width);
+    EXPECT_FALSE(answer.success) << why;
+    EXPECT_NE(answer.message.find(why), std::string::npos) << answer.message;
+    EXPECT_EQ(answer.settings.exposure, 0.004) << why;
+    EXPECT_EQ(answer.settings.region_width, 256U) << why;
+    EXPECT_EQ(answer.taken.region_width, 256U) << why;
+    EXPECT_NEAR(answer.taken.exposure, 0.004, 1e-6) << why;
+  };
+  refused(std::nan(""), 256, "exposure: nan s; give 0 .. 10 s");
+  refused(11, 256, "exposure: 11 s; give 0 .. 10 s");
+  refused(0, 256, "exposure: 0 s: the camera's own was overwritten; give one above 0");
+  refused(0.004, 70'000, "region_width: 70000 px; give 0 .. 65535 px");
+  refused(0.004, 4096, "region: 4096 x 64 at 64, 32; the sensor has 2048 x 2048 pixels");
+  refused(1e-9, 128, "exposure: 1e-09 s; this camera takes");  // the region was written already
 }
 
 TEST_F(CameraNode, RefusesToStartWithABadParameterAndNamesIt) {

@@ -49,7 +49,7 @@ TEST(ImageMessage, IsMono16OfTheCamerasOwnGreyValuesAboveEightBits) {
   tecnogamma_camera::Frame frame;
   frame.image = {tecnogamma_camera::ImageView16{pixels, 3, 2, 4, 10, 20}, 12};
   const auto message = tecnogamma_camera::to_image_message(
-      {tecnogamma_camera::AcquisitionMode::LIVE_ONLY, 1, 5, 1000, frame, camera()}, "camera");
+      {tecnogamma_camera::AcquisitionMode::kLiveOnly, 1, 5, 1000, frame, camera()}, "camera");
   EXPECT_EQ(message->encoding, "mono16");
   EXPECT_EQ(message->width, 3U);
   EXPECT_EQ(message->height, 2U);

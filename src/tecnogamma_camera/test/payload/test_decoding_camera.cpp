@@ -93,7 +93,7 @@ std::optional<Frame> grab(DecodingCamera& camera) {
 
 TEST(DecodingCamera, GivesNumberAndTimeOfThePayloadNotOfItsTransport) {
   auto camera = tecnogamma({{relief(500, 4000000)}, {relief(501, 4001000)}});
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   const auto first = grab(camera);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->counter, 500U);
@@ -110,13 +110,13 @@ TEST(DecodingCamera, GivesNumberAndTimeOfThePayloadNotOfItsTransport) {
 
 TEST(DecodingCamera, KeepsTheTransportsTimeWhereThePayloadsUnitIsNotKnown) {
   auto camera = tecnogamma({{relief(500, 4000000)}}, 0);
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   EXPECT_EQ(grab(camera)->device_time, 77);
 }
 
 TEST(DecodingCamera, MakesAFaultOfAPayloadThatCannotBeDecodedAndGoesOn) {
   auto camera = tecnogamma({{relief(1, 0).substr(0, 40)}, {relief(2, 0)}});
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   const auto damaged = grab(camera);
   ASSERT_TRUE(damaged);
   EXPECT_NE(damaged->fault.find("cut off"), std::string::npos) << damaged->fault;
@@ -129,7 +129,7 @@ TEST(DecodingCamera, MakesAFaultOfAPayloadThatCannotBeDecodedAndGoesOn) {
 
 TEST(DecodingCamera, HasNoNumberWherePacketsOfTheTransportAreMissing) {
   auto camera = tecnogamma({{relief(1, 0), 0, 5}, {relief(2, 0, 3)}});
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   const auto torn = grab(camera);
   EXPECT_EQ(torn->counter, kNoFrameNumber);
   EXPECT_EQ(torn->packets_lost, 5U);
@@ -154,7 +154,7 @@ TEST(DecodingCamera, HandsOutCombinedFramesOneByOne) {
   DecodingCamera camera(std::make_unique<PayloadCamera>(
                             std::deque<PayloadCamera::Sent>{{sent.bytes, 32}, {fillers.bytes, 32}}),
                         std::make_unique<Photonfocus3D03Decoder>(settings));
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   constexpr std::uint64_t kCounters[] = {0xFFFFFE, 0xFFFFFF, 0};  // of 24 bits
   scan_cell_common::Nanoseconds time = 0;
   for (int block = 0; block < 3; ++block) {
@@ -180,7 +180,7 @@ TEST(DecodingCamera, TellsARestartWithTheFirstFrameAlsoAfterAPayloadWithoutFrame
       std::make_unique<PayloadCamera>(std::deque<PayloadCamera::Sent>{
           {sent.bytes, 32}, {fillers.bytes, 32, 0, true}, {sent.bytes, 32}, {sent.bytes, 33}}),
       std::make_unique<Photonfocus3D03Decoder>(settings));
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   EXPECT_FALSE(grab(camera)->restarted);
   EXPECT_FALSE(grab(camera)->restarted);
   EXPECT_FALSE(grab(camera)) << "fillers";
@@ -196,10 +196,10 @@ TEST(DecodingCamera, ForgetsWhatWasNotHandedOutWhenItIsStopped) {
   DecodingCamera camera(
       std::make_unique<PayloadCamera>(std::deque<PayloadCamera::Sent>{{sent.bytes, 32}}),
       std::make_unique<Photonfocus3D03Decoder>(settings));
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   EXPECT_TRUE(grab(camera));
   camera.stop();
   EXPECT_FALSE(grab(camera)) << "the second of the two";
-  camera.start(Trigger::EXTERNAL);
+  camera.start(Trigger::kExternal);
   EXPECT_FALSE(grab(camera));
 }

@@ -183,9 +183,9 @@ TEST_P(EachDetector, TakesTheSideThatIsChosenAmongReflections) {
   }
   image.add_noise(1.5, 3);
   DetectorSettings settings;
-  settings.choice = Choice::FIRST;
+  settings.choice = Choice::kFirst;
   EXPECT_LT(errors(detect(image, settings), [](int row) { return line(row) - 100; }).worst, 0.3);
-  settings.choice = Choice::LAST;
+  settings.choice = Choice::kLast;
   EXPECT_LT(errors(detect(image, settings), [](int row) { return line(row) + 100; }).worst, 0.3);
 }
 
@@ -198,11 +198,11 @@ TEST_P(EachDetector, PassesOverWhatIsWiderThanALineCanBe) {
   image.add_noise(1.5, 3);
   EXPECT_GT(errors(detect(image)).worst, 100);
   DetectorSettings settings;
-  settings.most_width = 30;
+  settings.max_width = 30;
   const Errors found = errors(detect(image, settings));
   EXPECT_EQ(found.missing, 0);
   EXPECT_LT(found.worst, 0.5);
-  settings.most_width = 5;
+  settings.max_width = 5;
   EXPECT_LT(peaks(detect(image, settings)), 5) << "all but noise";
 }
 

@@ -20,7 +20,7 @@ using tecnogamma_camera::PeakProfile;
 
 namespace {
 
-DetectorSettings settings(int trigger_level, int permanence, Choice choice = Choice::BRIGHTEST) {
+DetectorSettings settings(int trigger_level, int permanence, Choice choice = Choice::kBrightest) {
   DetectorSettings result;
   result.trigger_level = trigger_level;
   result.permanence = permanence;
@@ -52,7 +52,7 @@ PeakProfile threshold(const std::string& picture, const DetectorSettings& with) 
 }
 
 float threshold_position(const std::string& picture, int permanence,
-                         Choice choice = Choice::BRIGHTEST) {
+                         Choice choice = Choice::kBrightest) {
   return threshold(picture, settings(100, permanence, choice)).position[0];
 }
 
@@ -112,15 +112,15 @@ TEST(ThresholdDetector, TakesTheSpotWithTheMostLightAndTheLeftOfEquals) {
 }
 
 TEST(PeakDetector, TakesTheFirstOrTheLastSpotWhereThatIsChosen) {
-  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::FIRST), 2.5F);
-  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::LAST), 13.5F);
-  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::BRIGHTEST), 8.0F);
-  EXPECT_EQ(threshold_position("..#..+++++..#....", 2, Choice::FIRST), 7.0F);  // too short an edge
+  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::kFirst), 2.5F);
+  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::kLast), 13.5F);
+  EXPECT_EQ(threshold_position("..##..+++++..##..", 2, Choice::kBrightest), 8.0F);
+  EXPECT_EQ(threshold_position("..#..+++++..#....", 2, Choice::kFirst), 7.0F);  // too short an edge
 }
 
 TEST(ThresholdDetector, PassesOverSpotsThatAreTooWide) {
   DetectorSettings narrow = settings(105, 2);
-  narrow.most_width = 4;
+  narrow.max_width = 4;
   EXPECT_EQ(threshold("..###....+++++...", narrow).position[0], 3.0F);
   EXPECT_EQ(threshold("..####....+++++...", narrow).position[0], 3.5F) << "4 is not above 4";
   EXPECT_EQ(threshold("#######...###....", narrow).position[0], 11.0F) << "also if it is cut";
@@ -203,8 +203,8 @@ TEST(PeakDetector, RefusesSettingsOutOfRangeByName) {
   EXPECT_EQ(refused(window), "window");
   DetectorSettings width;
   for (const double most : {-1.0, 70000.0, std::nan("")}) {
-    width.most_width = most;
-    EXPECT_EQ(refused(width), "most_width") << most;
+    width.max_width = most;
+    EXPECT_EQ(refused(width), "max_width") << most;
   }
   EXPECT_THROW(make_detector("parabola", {}), scan_cell_common::InvalidParameter);
 }

@@ -79,7 +79,7 @@ std::vector<Nanoseconds> times(int frames, Nanoseconds step) {
 
 TEST(RecordedCamera, GivesEachFrameOnceWithItsNumberAndTimesThenSaysThatItEnded) {
   RecordedCamera recorded = camera(times(3, kMillisecond));
-  recorded.start(Trigger::FREE_RUN);
+  recorded.start(Trigger::kFreeRun);
   for (std::uint64_t i = 1; i <= 3; ++i) {
     const auto frame = grab(recorded);
     ASSERT_TRUE(frame);
@@ -97,17 +97,17 @@ TEST(RecordedCamera, BeginsAnewWithEachStart) {
   RecordedCamera recorded = camera(times(3, kMillisecond));
   EXPECT_THROW(grab(recorded), Refused);
   for (int i = 0; i < 2; ++i) {
-    recorded.start(Trigger::EXTERNAL);
+    recorded.start(Trigger::kExternal);
     EXPECT_EQ(grab(recorded)->counter, 1U);
     EXPECT_EQ(grab(recorded)->counter, 2U);
-    EXPECT_THROW(recorded.start(Trigger::EXTERNAL), Refused);
+    EXPECT_THROW(recorded.start(Trigger::kExternal), Refused);
     recorded.stop();
   }
 }
 
 TEST(RecordedCamera, LoopsAsACameraThatWasRestartedWithTimesThatGoOn) {
   RecordedCamera recorded = camera(times(3, kMillisecond), 0, true);
-  recorded.start(Trigger::FREE_RUN);
+  recorded.start(Trigger::kFreeRun);
   Nanoseconds last = 0;
   for (int i = 0; i < 9; ++i) {
     const auto frame = grab(recorded);
@@ -122,7 +122,7 @@ TEST(RecordedCamera, LoopsAsACameraThatWasRestartedWithTimesThatGoOn) {
 TEST(RecordedCamera, KeepsTheRecordedPaceTimesTheSpeed) {
   using Clock = std::chrono::steady_clock;
   RecordedCamera recorded = camera(times(5, 10 * kMillisecond), 0.5);
-  recorded.start(Trigger::FREE_RUN);
+  recorded.start(Trigger::kFreeRun);
   const auto begin = Clock::now();
   for (int i = 0; i < 5; ++i)
     ASSERT_TRUE(grab(recorded));
@@ -131,7 +131,7 @@ TEST(RecordedCamera, KeepsTheRecordedPaceTimesTheSpeed) {
 
 TEST(RecordedCamera, HandsOutNothingBeforeItsTime) {
   RecordedCamera recorded = camera({kMillisecond, 3'600'000 * kMillisecond}, 1);
-  recorded.start(Trigger::FREE_RUN);
+  recorded.start(Trigger::kFreeRun);
   ASSERT_TRUE(grab(recorded));
   EXPECT_FALSE(recorded.grab(std::chrono::milliseconds(1)));
   EXPECT_TRUE(grab(recorded)) << "a pause of an hour is shortened";
@@ -139,15 +139,15 @@ TEST(RecordedCamera, HandsOutNothingBeforeItsTime) {
 
 TEST(RecordedCamera, AsksForARateWhereTheFramesHaveNoTimes) {
   RecordedCamera recorded = camera({0, 0}, 1);
-  EXPECT_THROW(recorded.start(Trigger::FREE_RUN), InvalidParameter);
+  EXPECT_THROW(recorded.start(Trigger::kFreeRun), InvalidParameter);
   CameraSettings settings;
   settings.rate = 1000;
   recorded.configure(settings);
-  recorded.start(Trigger::FREE_RUN);
+  recorded.start(Trigger::kFreeRun);
   EXPECT_TRUE(grab(recorded));
   EXPECT_TRUE(grab(recorded));
   RecordedCamera fast = camera({0, 0});
-  fast.start(Trigger::FREE_RUN);
+  fast.start(Trigger::kFreeRun);
   EXPECT_TRUE(grab(fast));
 }
 
@@ -157,7 +157,7 @@ TEST(RecordedCamera, CutsTheRegionOutOfWhatWasRecorded) {
   settings.region = {102, 51, 4, 0};
   recorded.configure(settings);
   EXPECT_EQ(recorded.describe().region, (Region{102, 51, 4, 5}));
-  recorded.start(Trigger::FREE_RUN);
+  recorded.start(Trigger::kFreeRun);
   const auto frame = grab(recorded);
   const auto image = frame->image.as<std::uint8_t>();
   EXPECT_EQ(image.columns, 4);

@@ -10,7 +10,7 @@
 
 #include "aravis/line_camera.h"
 #include "aravis/opened_camera.h"
-#include "tecnogamma_camera/open_camera.h"
+#include "open_camera.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 using fake_cameras::grab;
@@ -54,7 +54,7 @@ TEST(RecordFrames, WritesAFolderThatPlaysAsTheCameraDid) {
   options.playback.speed = 0;
   const auto camera = tecnogamma_camera::open_camera("folder:" + folder.string(), options);
   EXPECT_EQ(camera->describe().sensor_columns, 2048);
-  camera->start(Trigger::FREE_RUN);
+  camera->start(Trigger::kFreeRun);
   std::uint64_t number = 0;
   scan_cell_common::Nanoseconds device_time = 0, time = 0;
   for (int i = 0; i < 5; ++i) {

@@ -14,8 +14,8 @@ struct ScalePrior {
   double value = 0;      //!< 0: nothing is known
   double deviation = 0;  //!< one standard deviation; 0: the scale is exactly that
 
-  bool is_known() const { return value > 0; }
-  bool is_fixed() const { return is_known() && deviation == 0; }
+  bool is_known() const { return value > 0; }                     //!< whether anything is known
+  bool is_fixed() const { return is_known() && deviation == 0; }  //!< whether it is exact
 
   /// Scales within four deviations; all of them where nothing is known.
   ScaleRange range() const;
@@ -39,8 +39,8 @@ Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers);
 /// What is known before the search. It bounds the search, and decides between poses that the
 /// surfaces alone cannot tell apart.
 struct Prior {
-  ScalePrior scale;
-  std::optional<PosePrior> pose;
+  ScalePrior scale;               //!< of the object
+  std::optional<PosePrior> pose;  //!< none: any pose
 
   /// Whether a similarity contradicts nothing of it.
   bool allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const;

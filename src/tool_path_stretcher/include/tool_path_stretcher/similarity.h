@@ -4,24 +4,27 @@
 
 #include <Eigen/Geometry>
 #include <limits>
-
-#include "tool_path_stretcher/points.h"
+#include <vector>
 
 namespace tool_path_stretcher {
 
+using Points = std::vector<Eigen::Vector3d>;  //!< [m]
+
 /// p_object = scale * rotation * p_reference + translation
 struct Similarity {
-  double scale = 1;
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  //!< [m]
+  double scale = 1;                                        //!< above 0
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  //!< proper
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();   //!< [m]
 
+  /// Reference to object [m].
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
     return scale * (rotation * point) + translation;
   }
+  /// Object to reference [m].
   Eigen::Vector3d inverse(const Eigen::Vector3d& point) const {
     return rotation.transpose() * (point - translation) / scale;
   }
-  Eigen::Matrix4d matrix() const;
+  Eigen::Matrix4d matrix() const;  //!< 4 x 4, homogeneous
 };
 
 /// The rotation nearest to a matrix, in the least squares of its elements (Kabsch 1978).
@@ -32,8 +35,8 @@ double distance(const Similarity& a, const Similarity& b, const Points& points);
 
 /// Scales that are allowed; all of them by default.
 struct ScaleRange {
-  double least = 0;
-  double most = std::numeric_limits<double>::infinity();
+  double least = 0;                                       //!< smallest allowed
+  double most = std::numeric_limits<double>::infinity();  //!< greatest allowed
 };
 
 /// Least squares over pairs of points, with the symmetric scale of Horn 1987, which wrong pairs do

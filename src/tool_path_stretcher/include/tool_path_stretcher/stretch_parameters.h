@@ -7,6 +7,10 @@
 
 #include "tool_path_stretcher/prior.h"
 
+namespace scan_cell_common {
+class ParameterTable;
+}
+
 namespace tool_path_stretcher {
 
 /// The thesis' two methods (9.2 and 9.7), corrected.
@@ -15,7 +19,7 @@ enum class Method {
   kGeneral,  //!< similarity, smooth deformation, waypoints set on the scanned surface
 };
 
-std::string to_string(Method method);
+std::string to_string(Method method);  //!< as parameters write it
 
 /// @throw scan_cell_common::InvalidParameter if it is neither affine nor general
 Method method_from_string(const std::string& name);
@@ -26,36 +30,35 @@ enum class StandOff {
   kScale,  //!< it grows with the part
 };
 
-std::string to_string(StandOff stand_off);
-
-/// @throw scan_cell_common::InvalidParameter if it is neither keep nor scale
-StandOff stand_off_from_string(const std::string& name);
-
+/// Of stretch(); docs/tool_path_stretcher.md says what each does.
 struct StretchParameters {
-  Method method = Method::kGeneral;
+  Method method = Method::kGeneral;               //!< how the path is mapped
   Eigen::Vector3d leaf = {0.002, 0.002, 0.0005};  //!< [m] grid reduction after loading
   Prior prior;                                    //!< what is known of size and pose before
-  double min_scale = 0.45;
-  double max_scale = 2.2;
+  double min_scale = 0.45;                        //!< beyond: kScaleAtBound
+  double max_scale = 2.2;                         //!< beyond: kScaleAtBound
   double scale_range = 0.15;    //!< affine: searched about the initial scale, 0.15 = +-15 %
   int scale_steps = 15;         //!< affine: to each side
   int min_points = 200;         //!< of each surface after reduction
   double resample_spacing = 0;  //!< [m] along the path; 0: its own waypoints
-  StandOff stand_off = StandOff::kKeep;
-  double max_path_distance = 0.02;    //!< [m] of a waypoint from the reference
-  double inlier_distance = 0.002;     //!< [m] of a point that counts as explained
-  double min_inlier_ratio = 0.8;      //!< of the object's points, or it is the wrong part
-  double min_overlap = 0.3;           //!< of the reference's points, or it is the wrong part
+  StandOff stand_off = StandOff::kKeep;  //!< of a path that does not touch the surface
+  double max_path_distance = 0.02;       //!< [m] of a waypoint from the reference
+  double inlier_distance = 0.002;        //!< [m] of a point that counts as explained
+  double min_inlier_ratio = 0.8;         //!< of the object's points, or it is the wrong part
+  double min_overlap = 0.3;              //!< of the reference's points, or it is the wrong part
   double ambiguity_distance = 0.001;  //!< [m] two poses differ if they put a waypoint so far apart
   int deformation_level = 3;          //!< finest deformation graph, of 3; 0: none
   double support_radius = 0;          //!< [m] 0: from the object's spacing
-  int min_support = 6;
-  double max_hole_distance = 0.01;  //!< [m] from the scan, up to which a waypoint may be inferred
-  double tolerance = 0.002;         //!< [m] of an adapted waypoint from the scanned surface
-  double max_deformation = 0.012;   //!< [m] of 95 % of the surface, or it is the wrong part
+  int min_support = 6;                //!< points; with fewer a waypoint is inferred
+  double max_hole_distance = 0.01;    //!< [m] from the scan, up to which a waypoint may be inferred
+  double tolerance = 0.002;           //!< [m] of an adapted waypoint from the scanned surface
+  double max_deformation = 0.012;     //!< [m] of 95 % of the surface, or it is the wrong part
   double max_stranger = 0.004;     //!< [m] that the scan beside a waypoint may be off the reference
   double max_displacement = 0.02;  //!< [m] of a waypoint from where the similarity puts it
 };
+
+/// All parameters with range, unit and meaning.
+void describe(scan_cell_common::ParameterTable& table, StretchParameters& parameters);
 
 /// @throw scan_cell_common::InvalidParameter naming what is out of range
 void check(const StretchParameters& parameters);

@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/PolygonMesh.h>
-
 #include <memory>
 #include <string>
 
-#include "scan_cell_common/cloud_files.h"
-#include "tool_path_stretcher/points.h"
+#include "tool_path_stretcher/similarity.h"
+
+namespace pcl {
+struct PointXYZ;
+struct PolygonMesh;
+template <class Point>
+class PointCloud;
+}  // namespace pcl
 
 namespace tool_path_stretcher {
+
+class KdTree;
 
 /// Where a surface ends or has a sharp edge: it shows a position along the surface that a smooth
 /// surface itself does not.
@@ -18,9 +24,10 @@ struct Rim {
   Points points;           //!< [m]
   Points outward;          //!< unit length, in the surface and away from it
   std::vector<bool> open;  //!< whether the surface ends there, rather than bends sharply
-  std::shared_ptr<const KdTree> tree;
+  std::shared_ptr<const KdTree> tree;  //!< of the points
 };
 
+/// Which of a surface's samples.
 enum class Density { kFewest, kFew, kSome, kMany };
 
 /// Points spread evenly over a surface, whatever its own density, without loose ones far from all
@@ -33,6 +40,7 @@ struct Samples {
   std::vector<std::size_t> most;    //!< at most 20,000
   std::vector<std::size_t> patch;   //!< of each of `most`: number of the patch that it lies in
 
+  /// Indices of the points, from fewest to many.
   const std::vector<std::size_t>& of(Density density) const;
 };
 
@@ -45,11 +53,11 @@ struct Surface {
   /// neighbours lie so far off its plane: nothing on a face, much beside an edge, half a spacing at
   /// most.
   std::vector<double> blur;
-  double spacing = 0;  //!< [m] typical distance of neighbouring points
-  double size = 0;     //!< [m] root mean square distance from the centroid
-  std::shared_ptr<const KdTree> tree;
-  Samples samples;
-  Rim rim;
+  double spacing = 0;                  //!< [m] typical distance of neighbouring points
+  double size = 0;                     //!< [m] root mean square distance from the centroid
+  std::shared_ptr<const KdTree> tree;  //!< of the points
+  Samples samples;                     //!< of the points
+  Rim rim;                             //!< its ends and sharp edges
 };
 
 /// A surface from a cloud: its points are reduced on the grid, or a coarser one that leaves at most
@@ -73,6 +81,7 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
 Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf,
                      double metres_per_unit = 1);
 
-Points to_points(const scan_cell_common::Cloud& cloud);
+/// The positions [m] of a cloud.
+Points to_points(const pcl::PointCloud<pcl::PointXYZ>& cloud);
 
 }  // namespace tool_path_stretcher

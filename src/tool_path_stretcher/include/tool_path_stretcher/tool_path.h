@@ -11,24 +11,27 @@ namespace tool_path_stretcher {
 
 /// One pose of the tool in the path's frame [m], with its process values.
 struct Waypoint {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  /// Identity rotation where the path has none.
+  Eigen::Isometry3d pose =
+      Eigen::Isometry3d::Identity();   //!< identity rotation where the path has none
   std::vector<double> process_values;  //!< in the order of ToolPath::process_names
 };
 
 /// A run of waypoints in which the tool stays in contact.
 struct Segment {
-  std::string name;
-  std::vector<Waypoint> waypoints;
+  std::string name;                 //!< as in the file
+  std::vector<Waypoint> waypoints;  //!< in the order of the motion
 };
 
 /// A path of the tool. Order and count of segments and waypoints mean something and are kept.
 struct ToolPath {
-  std::string name;
-  bool has_orientation = false;  //!< false: the rotations are identity and mean nothing
-  std::vector<std::string> process_names;
-  std::vector<Segment> segments;
+  std::string name;                        //!< as in the file
+  bool has_orientation = false;            //!< false: the rotations are identity and mean nothing
+  std::vector<std::string> process_names;  //!< of each waypoint's process values
+  std::vector<Segment> segments;           //!< in the order of the motion
 };
 
+/// Of all segments.
 std::size_t waypoint_count(const ToolPath& path);
 
 /// @throw scan_cell_common::UnusableInput if the path has no waypoint, an empty segment, a waypoint
@@ -40,11 +43,6 @@ void check(const ToolPath& path);
 /// process values are interpolated linearly, rotations the short way.
 /// @throw scan_cell_common::UnusableInput if that makes too many waypoints
 ToolPath resampled(const ToolPath& path, double spacing);
-
-/// The one range of a spacing to resample to [m]; 0 leaves a path its own waypoints.
-/// @param name of the parameter that holds it
-/// @throw scan_cell_common::InvalidParameter if it is neither 0 nor in the range
-void check_resample_spacing(const std::string& name, double spacing);
 
 /// The rotations of a segment as unit quaternions, each in the hemisphere of the one before, so
 /// that what interpolates them goes the short way. The first has w >= 0.

@@ -37,10 +37,13 @@ void check_tool_path_name(const std::string& path);
 /// The parsers behind load_tool_path_file(); `source` names the text in errors.
 ToolPathFile parse_tool_path_csv(const std::string& text, const std::string& source,
                                  const PathConventions& conventions = {});
+/// As parse_tool_path_csv().
 ToolPathFile parse_tool_path_yaml(const std::string& text, const std::string& source,
                                   const PathConventions& conventions = {});
 
+/// The text of a CSV file.
 std::string tool_path_to_csv(const ToolPath& path, const PathLayout& layout = {});
+/// The text of a YAML file.
 std::string tool_path_to_yaml(const ToolPath& path, const PathLayout& layout = {});
 
 }  // namespace tool_path_stretcher

@@ -31,22 +31,23 @@ std::string to_string(Reason reason);
 
 /// A pose that explains the object, and where it would put the path.
 struct PoseCandidate {
-  Similarity similarity;
-  Points waypoints;  //!< [m] in the object's frame, over all segments
+  Similarity similarity;  //!< reference to object
+  Points waypoints;       //!< [m] in the object's frame, over all segments
 };
 
+/// Accepted, or the reason to refuse.
 struct Verdict {
-  Reason reason = Reason::kAccepted;
+  Reason reason = Reason::kAccepted;           //!< kAccepted, or why not
   std::string message;                         //!< the thing, the value and what would help
   std::vector<std::size_t> waypoints;          //!< concerned, counted over all segments
   std::vector<PoseCandidate> candidates = {};  //!< ambiguous: those between which nothing decides
 
-  bool accepted() const { return reason == Reason::kAccepted; }
+  bool accepted() const { return reason == Reason::kAccepted; }  //!< whether there is a path
 };
 
 /// Ends the stretching with a verdict; stretch() catches it.
 struct Refusal {
-  Verdict verdict;
+  Verdict verdict;  //!< with the reason
 };
 
 }  // namespace tool_path_stretcher

@@ -7,7 +7,9 @@
 #include <limits>
 #include <optional>
 
-#include "search/alignment.h"
+#include "alignment/refinement.h"
+#include "geometry/kd_tree.h"
+#include "search/candidates.h"
 #include "stopwatch.h"
 #include "yardsticks/pcl_pipeline.h"
 #include "yardsticks/registration_data.h"
@@ -22,7 +24,7 @@ constexpr double kDegree = M_PI / 180;
 /// The best pose of a search over all of them; none where nothing fits.
 std::optional<Similarity> searched(const Surface& reference, const Surface& object,
                                    const Prior& prior) {
-  const auto candidates = find_candidates(reference, object, prior, [](double) {});
+  const auto candidates = find_candidates({reference, object}, prior, [](double) {});
   if (candidates.empty()) return std::nullopt;
   return candidates.front().similarity;
 }
@@ -66,7 +68,7 @@ void print_car(const std::string& data) {
     object = surface_from_cloud(car.object, leaf, "object");
   });
   measure("here, from identity", car.truth, [&] {
-    return refine(reference, object, Similarity(), ScalePrior{}, Density::kMany, 60);
+    return refine({reference, object}, Similarity(), ScalePrior{}, Density::kMany, 60);
   });
   measure("here, nothing known", car.truth, [&] { return searched(reference, object, Prior{}); });
   measure("PCL's ICP with scale, from identity", car.truth, [&] {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_path_stretcher/report.h"
+#include "report.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

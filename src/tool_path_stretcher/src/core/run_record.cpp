@@ -1,15 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
+#include "report.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
-#include "tool_path_stretcher/report.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -21,27 +20,11 @@ std::string sha256_of(const std::string& bytes, const std::string& file) {
     throw scan_cell_common::FileError(file, "its SHA-256 could not be computed",
                                       "check the installation of OpenSSL");
   }
-  constexpr const char* kDigits = "0123456789abcdef";
-  constexpr unsigned int kBase = 16;
-  std::string text;
-  for (unsigned int i = 0; i < length; ++i) {
-    text += kDigits[digest.at(i) / kBase];
-    text += kDigits[digest.at(i) % kBase];
-  }
-  return text;
-}
-
-/// The larger of two, of which one may not be known.
-double larger(double one, double other) {
-  return std::fmax(one, other);
+  return fmt::format("{:02x}", fmt::join(digest.begin(), digest.begin() + length, ""));
 }
 
 std::string millimetres(double metres) {
-  if (!std::isfinite(metres)) return "unknown";
-  std::ostringstream text;
-  text.precision(3);
-  text << 1e3 * metres << " mm";
-  return text.str();
+  return std::isfinite(metres) ? fmt::format("{:.3g} mm", 1e3 * metres) : "unknown";
 }
 
 }  // namespace
@@ -58,22 +41,22 @@ QualitySummary summary_of(const std::vector<WaypointQuality>& quality) {
   QualitySummary summary;
   for (const WaypointQuality& each : quality) {
     ++(each.measured ? summary.measured : summary.inferred);
-    summary.largest_displacement = larger(summary.largest_displacement, each.displacement);
+    summary.largest_displacement = std::fmax(summary.largest_displacement, each.displacement);
     summary.largest_expected_error_normal =
-        larger(summary.largest_expected_error_normal, each.expected_error_normal);
+        std::fmax(summary.largest_expected_error_normal, each.expected_error_normal);
     summary.largest_expected_error_tangential =
-        larger(summary.largest_expected_error_tangential, each.expected_error_tangential);
+        std::fmax(summary.largest_expected_error_tangential, each.expected_error_tangential);
   }
   return summary;
 }
 
 std::string to_string(const QualitySummary& summary) {
-  return std::to_string(summary.measured + summary.inferred) + " waypoints, " +
-         std::to_string(summary.measured) + " measured and " + std::to_string(summary.inferred) +
-         " inferred, displaced by up to " + millimetres(summary.largest_displacement) +
-         ", expected error up to " + millimetres(summary.largest_expected_error_normal) +
-         " along the normal and " + millimetres(summary.largest_expected_error_tangential) +
-         " along the surface";
+  return fmt::format(
+      "{} waypoints, {} measured and {} inferred, displaced by up to {}, expected error up to {} "
+      "along the normal and {} along the surface",
+      summary.measured + summary.inferred, summary.measured, summary.inferred,
+      millimetres(summary.largest_displacement), millimetres(summary.largest_expected_error_normal),
+      millimetres(summary.largest_expected_error_tangential));
 }
 
 }  // namespace tool_path_stretcher

@@ -2,29 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/stretcher.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 
-#include "geometry/robust.h"
+#include "alignment/refinement.h"
+#include "geometry/points.h"
 #include "placement/expected_error.h"
 #include "scan_cell_common/errors.h"
-#include "search/alignment.h"
+#include "search/candidates.h"
+#include "search/scale_search.h"
 #include "verdict/ambiguity.h"
 #include "verdict/checks.h"
 #include "verdict/handedness.h"
 #include "verdict/partial_verdict.h"
+#include "verdict/placement_checks.h"
 
 namespace tool_path_stretcher {
 namespace {
-
-/// A candidate after the deformation graph was fitted to it.
-struct Fitted {
-  Mapping mapping;
-  Explanation explanation;
-  bool of_partial_reference = false;  // it need not explain all of the object
-};
 
 /// Tells the caller how far the work is, and ends it where the caller wants that.
 class Stages {
@@ -33,7 +31,7 @@ class Stages {
 
   void report(const std::string& stage, double done) const {
     if (progress_ && !progress_(stage, done)) {
-      throw Refusal{{Reason::kCancelled, "cancelled during '" + stage + "'", {}}};
+      throw Refusal{{Reason::kCancelled, fmt::format("cancelled during '{}'", stage), {}}};
     }
   }
 
@@ -63,7 +61,7 @@ double capped_cost(const Explanation& explanation, double noise) {
 }
 
 void sort_best_first(std::vector<Fitted>& fitted) {
-  constexpr double kDeviations = 3;
+  constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
   double noise = fitted.front().explanation.noise;
   for (const Fitted& each : fitted)
     noise = std::min(noise, each.explanation.noise);
@@ -77,10 +75,10 @@ void sort_best_first(std::vector<Fitted>& fitted) {
   fitted = std::move(sorted);
 }
 
-/// Of what explains the object about as well as the first does, so much that the rest of the work
-/// stays short: first what lays the path elsewhere, since that decides.
+/// Keeps a few of those that explain the object about as well as the first does, so that the rest
+/// of the work stays short: first those that lay the path elsewhere, since they decide.
 void keep_few(const ToolPath& path, double tolerance, std::vector<Fitted>& fitted) {
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMost = 4;  // chosen
   const Explanation& best = fitted.front().explanation;
   fitted.erase(
       std::remove_if(fitted.begin() + 1, fitted.end(),
@@ -92,44 +90,6 @@ void keep_few(const ToolPath& path, double tolerance, std::vector<Fitted>& fitte
     return !same_path(path, first, each.mapping, tolerance);
   });
   fitted.resize(kMost);
-}
-
-/// Fits the deformation graph to the candidates that may yet win, best first: a coarse one to all,
-/// the finest to those that it does not rule out. A pose is judged after it: a bend must not decide
-/// between two poses that a small feature tells apart.
-std::vector<Fitted> fit_all(const Surface& reference, const Surface& object, const ToolPath& path,
-                            const std::vector<Candidate>& candidates,
-                            const StretchParameters& parameters, const Stages& stages) {
-  constexpr double kHopeless = 5;  // times the cost of the best
-  constexpr int kCoarse = 1;
-  constexpr int kIterations = 30;
-  const ScalePrior& scale = parameters.prior.scale;
-  const auto explained = [&](const Mapping& mapping) {
-    return Fitted{mapping, explain(reference, object, mapping, parameters.inlier_distance), false};
-  };
-  std::vector<Fitted> fitted;
-  for (const Candidate& candidate : candidates) {
-    if (candidate.bulk_cost > kHopeless * candidates.front().bulk_cost) continue;
-    fitted.push_back(
-        explained(sketch_deformation(reference, object, candidate.similarity, scale,
-                                     std::min(kCoarse, parameters.deformation_level))));
-    stages.report("refine", 0.5 + 0.1 * static_cast<double>(fitted.size()) /
-                                      static_cast<double>(candidates.size()));
-  }
-  sort_best_first(fitted);
-  keep_few(path, parameters.ambiguity_distance, fitted);
-  for (std::size_t i = 0; i < fitted.size(); ++i) {
-    Similarity start = fitted[i].mapping.similarity;
-    if (fitted[i].mapping.graph.empty()) {
-      start = refine(reference, object, start, scale, Density::kMany, kIterations);
-    }
-    fitted[i] =
-        explained(fit_deformation(reference, object, start, scale, parameters.deformation_level));
-    stages.report("refine",
-                  0.6 + 0.1 * static_cast<double>(i + 1) / static_cast<double>(fitted.size()));
-  }
-  sort_best_first(fitted);
-  return fitted;
 }
 
 /// Puts the one that lies nearest to the given pose first, of those that explain the object as well
@@ -147,16 +107,13 @@ void prefer_given_pose(const PosePrior& given, const Eigen::Vector3d& middle,
   std::swap(fitted.front(), fitted[nearest]);
 }
 
-Mapping affine_mapping(const Surface& reference, const Surface& object, const Similarity& start,
-                       const StretchParameters& parameters, const Stages& stages) {
-  const ScalePrior& known = parameters.prior.scale;
-  if (known.is_fixed()) return {start, {}};
-  const ScaleSearch search = search_scale(
-      reference, object, start, known.is_known() ? known.value : principal_scale(reference, object),
-      parameters.scale_range, parameters.scale_steps, parameters.inlier_distance,
-      stages.within("scale search", 0.7, 0.9));
-  if (search.at_bound) refuse_search_at_bound(search.best.scale, parameters);
-  return {search.best, {}};
+void tell(const Fitted& fitted, StretchResult& result) {
+  result.aligned = true;
+  result.similarity = fitted.mapping.similarity;
+  result.deformation_nodes = fitted.mapping.graph.nodes().size();
+  result.rms = fitted.explanation.rms;
+  result.inlier_ratio = fitted.explanation.inlier_ratio;
+  result.overlap = fitted.explanation.overlap;
 }
 
 ToolPath waypoints_of(const ToolPath& path, double spacing) {
@@ -168,110 +125,172 @@ ToolPath waypoints_of(const ToolPath& path, double spacing) {
   }
 }
 
-void tell(const Mapping& mapping, const Explanation& explanation, StretchResult& result) {
-  result.aligned = true;
-  result.similarity = mapping.similarity;
-  result.deformation_nodes = mapping.graph.nodes().size();
-  result.rms = explanation.rms;
-  result.inlier_ratio = explanation.inlier_ratio;
-  result.overlap = explanation.overlap;
-}
-
-/// Where the best of all poses does not explain the object: the pose of a reference that shows only
-/// a part of it, if there is one.
-std::optional<Fitted> partial_reference(const Surface& reference, const Surface& object,
-                                        const ToolPath& path, PartialSearch& search,
-                                        const StretchParameters& parameters) {
-  const std::optional<Similarity> pose =
-      pose_of_partial_reference(path, reference, object, search, parameters);
-  if (!pose) return {};
-  const Mapping mapping{*pose, {}};
-  return Fitted{mapping, explain(reference, object, mapping, parameters.inlier_distance), true};
-}
-
-std::string accepted_message(const Fitted& fitted) {
+std::string accepted_message(const Fitted& fitted, bool partial_reference) {
   const std::string adapted = "the path was adapted";
-  if (!fitted.of_partial_reference) return adapted;
-  constexpr double kPercent = 100;
-  return adapted + "; the reference shows only a part of the object, about " +
-         std::to_string(std::lround(kPercent * fitted.explanation.inlier_ratio)) + " % of its scan";
+  if (!partial_reference) return adapted;
+  return fmt::format("{}; the reference shows only a part of the object, about {} % of its scan",
+                     adapted, std::lround(100 * fitted.explanation.inlier_ratio));
 }
 
-/// The best mapping, or a refusal: nothing explains the object, or more than one mapping does.
-Fitted choose(const Surface& reference, const Surface& object, const ToolPath& path,
-              const StretchParameters& parameters, const Stages& stages, StretchResult& result) {
-  PartialSearch partial(reference, object, parameters.prior);
-  const std::vector<Candidate> candidates = find_candidates(
-      reference, object, parameters.prior, partial, stages.within("align", 0.05, 0.5));
-  if (candidates.empty()) {
-    refuse_wrong_part(parameters.prior.pose || parameters.prior.scale.is_known()
-                          ? "no pose of the reference fits it with the scale and the initial pose "
-                            "given, as far as they may be off"
-                          : "no pose of the reference fits the object at all");
-  }
-  const Eigen::Vector3d centroid = principal_frame(reference.points).centroid;
-  std::vector<Fitted> fitted = fit_all(reference, object, path, candidates, parameters, stages);
-  if (parameters.prior.pose) prefer_given_pose(*parameters.prior.pose, centroid, fitted);
-  tell(fitted.front().mapping, fitted.front().explanation, result);
-  if (fitted.front().explanation.inlier_ratio < parameters.min_inlier_ratio) {
-    const auto whole = partial_reference(reference, object, path, partial, parameters);
-    if (whole) fitted = {*whole};
-    tell(fitted.front().mapping, fitted.front().explanation, result);
-    if (!whole) {
-      check_handedness(reference, object, fitted.front().mapping, fitted.front().explanation,
-                       parameters);
-      check_explained(fitted.front().explanation, parameters);
+/// The work on one path.
+class Adaptation {
+ public:
+  /// @throw Refusal if the path makes no sense
+  Adaptation(const SurfacePair& surfaces, const ToolPath& path, const StretchParameters& parameters,
+             const Stages& stages)
+      : surfaces_(surfaces),
+        path_(waypoints_of(path, parameters.resample_spacing)),
+        parameters_(parameters),
+        stages_(stages),
+        centroid_(principal_frame(surfaces.reference.points).centroid),
+        partial_(surfaces, parameters.prior) {}
+
+  /// Fills in the result as far as the work comes.
+  /// @throw Refusal
+  void run(StretchResult& result) {
+    std::vector<Fitted> fitted = choose();
+    tell(fitted.front(), result);
+    bool partial_reference = false;
+    if (fitted.front().explanation.inlier_ratio < parameters_.min_inlier_ratio) {
+      if (const auto pose = pose_of_partial_reference(path_, surfaces_, partial_, parameters_)) {
+        fitted = {explained({*pose, {}})};
+        partial_reference = true;
+        tell(fitted.front(), result);
+      }
     }
-  } else {
-    check_handedness(reference, object, fitted.front().mapping, fitted.front().explanation,
-                     parameters);
+    check_choice(fitted, partial_reference);
+    result.verdict.message = accepted_message(fitted.front(), partial_reference);
+    Mapping mapping = fitted.front().mapping;
+    if (parameters_.method == Method::kAffine) {
+      mapping = affine_mapping(mapping.similarity);
+      tell(explained(mapping), result);
+    }
+    adapt(mapping, result);
   }
-  const Fitted& best = fitted.front();
-  check_overlap(best.explanation, best.mapping.similarity, parameters);
-  check_deformation(reference, best.mapping, parameters);
-  for (std::size_t i = 1; i < fitted.size(); ++i) {
-    check_unambiguous(path, best.mapping, fitted[i].mapping, reference, object, best.explanation,
-                      fitted[i].explanation, parameters);
-  }
-  for (const Mapping& slid :
-       slid_along_itself(reference, object, best.mapping, parameters.prior.scale)) {
-    if (!parameters.prior.allows(slid.similarity, centroid)) continue;
-    check_unambiguous(path, best.mapping, slid, reference, object, best.explanation,
-                      explain(reference, object, slid, parameters.inlier_distance), parameters);
-  }
-  constexpr double kWhole = 0.95;
-  if (std::min(best.explanation.overlap, best.explanation.inlier_ratio) < kWhole)
-    check_rivals(path, reference, best.mapping, partial, parameters);
-  return best;
-}
 
-void run(const Surface& reference, const Surface& object, const ToolPath& given,
-         const StretchParameters& parameters, const Stages& stages, StretchResult& result) {
-  stages.report("check", 0);
-  check_surfaces(reference, object, parameters);
-  check_path(given, reference, parameters);
-  const ToolPath path = waypoints_of(given, parameters.resample_spacing);
-  stages.report("align", 0.05);
-  const Fitted chosen = choose(reference, object, path, parameters, stages, result);
-  result.verdict.message = accepted_message(chosen);
-  Mapping mapping = chosen.mapping;
-  if (parameters.method == Method::kAffine) {
-    mapping = affine_mapping(reference, object, mapping.similarity, parameters, stages);
-    tell(mapping, explain(reference, object, mapping, parameters.inlier_distance), result);
+ private:
+  Fitted explained(const Mapping& mapping) const {
+    return fitted(surfaces_, mapping, parameters_.inlier_distance);
   }
-  stages.report("adapt", 0.9);
-  const double spacing = mapping.similarity.scale * reference.spacing + object.spacing;
-  Placement placement =
-      place(path, reference, object, mapping,
-            {parameters.support_radius, parameters.min_support, most_stranger(parameters, spacing),
-             parameters.method == Method::kGeneral, parameters.stand_off == StandOff::kKeep});
-  expect_errors(path, {reference, object, mapping, parameters.prior}, placement);
-  result.quality = placement.quality;
-  check_fold_over(path, placement.path, reference, object, mapping);
-  check_placement(placement.quality, spacing, parameters);
-  stages.report("done", 1);
-  result.path = std::move(placement.path);
-  result.reference_path = path;
+
+  /// All mappings that may explain the object, best first.
+  /// @throw Refusal if there is none
+  std::vector<Fitted> choose() {
+    const Prior& prior = parameters_.prior;
+    const std::vector<Candidate> candidates =
+        find_candidates(surfaces_, prior, partial_, stages_.within("align", 0.05, 0.5));
+    if (candidates.empty()) {
+      refuse_wrong_part(prior.pose || prior.scale.is_known()
+                            ? "no pose of the reference fits it with the scale and the initial "
+                              "pose given, as far as they may be off"
+                            : "no pose of the reference fits the object at all");
+    }
+    std::vector<Fitted> fitted = sketched(candidates);
+    keep_few(path_, parameters_.ambiguity_distance, fitted);
+    deform(fitted);
+    if (prior.pose) prefer_given_pose(*prior.pose, centroid_, fitted);
+    return fitted;
+  }
+
+  /// The candidates that may yet win with a coarse deformation graph, best first. A pose is judged
+  /// with a graph: a bend must not decide between two poses that a small feature tells apart.
+  std::vector<Fitted> sketched(const std::vector<Candidate>& candidates) const {
+    constexpr double kHopeless = 5;  // times the cost of the best; chosen
+    constexpr int kCoarse = 1;       // level of the graph
+    std::vector<Fitted> result;
+    for (const Candidate& candidate : candidates) {
+      if (candidate.bulk_cost > kHopeless * candidates.front().bulk_cost) continue;
+      result.push_back(
+          explained(sketch_deformation(surfaces_, candidate.similarity, parameters_.prior.scale,
+                                       std::min(kCoarse, parameters_.deformation_level))));
+      stages_.report("refine", 0.5 + 0.1 * static_cast<double>(result.size()) /
+                                         static_cast<double>(candidates.size()));
+    }
+    sort_best_first(result);
+    return result;
+  }
+
+  /// Fits the finest deformation graph, and sorts again.
+  void deform(std::vector<Fitted>& fitted) const {
+    constexpr int kIterations = 30;  // at most; chosen
+    const ScalePrior& scale = parameters_.prior.scale;
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+      Similarity start = fitted[i].mapping.similarity;
+      if (fitted[i].mapping.graph.empty())
+        start = refine(surfaces_, start, scale, Density::kMany, kIterations);
+      fitted[i] =
+          explained(fit_deformation(surfaces_, start, scale, parameters_.deformation_level));
+      stages_.report("refine",
+                     0.6 + 0.1 * static_cast<double>(i + 1) / static_cast<double>(fitted.size()));
+    }
+    sort_best_first(fitted);
+  }
+
+  /// @throw Refusal if the best does not explain the object, or another one does, too
+  void check_choice(const std::vector<Fitted>& fitted, bool partial_reference) {
+    constexpr double kWhole = 0.95;  // of either surface's points; chosen
+    const Fitted& best = fitted.front();
+    if (!partial_reference) {
+      check_handedness(surfaces_, best, parameters_);
+      check_explained(best.explanation, parameters_);
+    }
+    check_overlap(best, parameters_);
+    check_deformation(surfaces_.reference, best.mapping, parameters_);
+    for (std::size_t i = 1; i < fitted.size(); ++i)
+      check_unambiguous(path_, surfaces_, best, fitted[i], parameters_);
+    for (const Mapping& slid :
+         slid_along_itself(surfaces_, best.mapping, parameters_.prior.scale)) {
+      if (!parameters_.prior.allows(slid.similarity, centroid_)) continue;
+      check_unambiguous(path_, surfaces_, best, explained(slid), parameters_);
+    }
+    if (std::min(best.explanation.overlap, best.explanation.inlier_ratio) < kWhole)
+      check_rivals(path_, surfaces_, best.mapping, partial_, parameters_);
+  }
+
+  Mapping affine_mapping(const Similarity& start) const {
+    const ScalePrior& known = parameters_.prior.scale;
+    if (known.is_fixed()) return {start, {}};
+    const double scale = known.is_known() ? known.value : principal_scale(surfaces_);
+    const ScaleSearch search =
+        search_scale(surfaces_, start, scale, parameters_.scale_range, parameters_.scale_steps,
+                     parameters_.inlier_distance, stages_.within("scale search", 0.7, 0.9));
+    if (search.at_bound) refuse_search_at_bound(search.best.scale, parameters_);
+    return {search.best, {}};
+  }
+
+  void adapt(const Mapping& mapping, StretchResult& result) const {
+    stages_.report("adapt", 0.9);
+    const double spacing =
+        mapping.similarity.scale * surfaces_.reference.spacing + surfaces_.object.spacing;
+    Placement placement = place(
+        path_, surfaces_, mapping,
+        {parameters_.support_radius, parameters_.min_support, max_stranger(parameters_, spacing),
+         parameters_.method == Method::kGeneral, parameters_.stand_off == StandOff::kKeep});
+    expect_errors(path_, {surfaces_, mapping, parameters_.prior}, placement);
+    result.quality = placement.quality;
+    check_fold_over(path_, placement.path, surfaces_, mapping);
+    check_placement(placement.quality, spacing, parameters_);
+    stages_.report("done", 1);
+    result.path = std::move(placement.path);
+    result.reference_path = path_;
+  }
+
+  const SurfacePair surfaces_;
+  const ToolPath path_;
+  const StretchParameters& parameters_;
+  const Stages& stages_;
+  const Eigen::Vector3d centroid_;  // of the reference [m]
+  PartialSearch partial_;
+};
+
+void run(const SurfacePair& surfaces, const ToolPath& path, const StretchParameters& parameters,
+         const Stages& stages, StretchResult& result) {
+  stages.report("check", 0);
+  check_surfaces(surfaces, parameters);
+  check_path(path, surfaces.reference, parameters);
+  Adaptation adaptation(surfaces, path, parameters, stages);
+  stages.report("align", 0.05);
+  adaptation.run(result);
 }
 
 }  // namespace
@@ -285,7 +304,7 @@ StretchResult stretch(const Surface& reference, const Surface& object, const Too
   result.reference_points = reference.points.size();
   result.object_points = object.points.size();
   try {
-    run(reference, object, path, parameters, Stages(progress), result);
+    run({reference, object}, path, parameters, Stages(progress), result);
   } catch (const Refusal& refusal) {
     result.verdict = refusal.verdict;
   }

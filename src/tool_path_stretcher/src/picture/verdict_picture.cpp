@@ -10,7 +10,8 @@
 #include <sstream>
 
 #include "canvas.h"
-#include "tool_path_stretcher/residuals.h"
+#include "geometry/kd_tree.h"
+#include "mapping/residuals.h"
 
 namespace tool_path_stretcher {
 namespace {

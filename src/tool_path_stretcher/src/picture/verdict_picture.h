@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tool_path_stretcher/report.h"
+#include "report.h"
 #include "tool_path_stretcher/similarity.h"
 #include "tool_path_stretcher/surface.h"
 #include "tool_path_stretcher/tool_path.h"

@@ -1,8 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/kd_tree.h"
 #include "scan_cell_common/errors.h"
 #include "verdict_picture.h"
 
@@ -16,15 +19,15 @@ constexpr const char* kCure = "give the files of the run that wrote the report";
 void check_same(const std::string& file, const std::optional<FileRecord>& reported,
                 const std::string& role) {
   if (!reported || record_of(file, reported->units).sha256 == reported->sha256) return;
-  throw UnusableInput(file, "not the " + role + " of the report, which was " + reported->name,
-                      kCure);
+  throw UnusableInput(
+      file, fmt::format("not the {} of the report, which was {}", role, reported->name), kCure);
 }
 
 void check_points(const Surface& surface, std::size_t reported, const std::string& role) {
   if (reported == 0 || surface.points.size() == reported) return;
   throw UnusableInput(role,
-                      std::to_string(surface.points.size()) + " points after the grid reduction, " +
-                          std::to_string(reported) + " in the report",
+                      fmt::format("{} points after the grid reduction, {} in the report",
+                                  surface.points.size(), reported),
                       std::string(kCure) + ", and its --leaf and --units");
 }
 
@@ -40,9 +43,7 @@ Points positions_of(const ToolPath& path) {
 void check_waypoints(const ToolPath& path, std::size_t reported, const std::string& role) {
   const std::size_t count = waypoint_count(path);
   if (count == reported) return;
-  throw UnusableInput(
-      role, std::to_string(count) + " waypoints, " + std::to_string(reported) + " in the report",
-      kCure);
+  throw UnusableInput(role, fmt::format("{} waypoints, {} in the report", count, reported), kCure);
 }
 
 /// The report says how far each waypoint is from where the similarity puts it, but for a stand-off
@@ -62,11 +63,12 @@ void check_displacements(const PictureInput& input) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     const double moved = (to[i] - similarity * from[i]).norm();
     if (std::abs(moved - reported[i]) <= stand_off + kRounding) continue;
-    throw UnusableInput("adapted path",
-                        "waypoint " + std::to_string(i) + " lies " + std::to_string(1e3 * moved) +
-                            " mm from where the similarity puts it, " +
-                            std::to_string(1e3 * reported[i]) + " mm in the report",
-                        kCure);
+    throw UnusableInput(
+        "adapted path",
+        fmt::format("waypoint {} lies {:.4g} mm from where the similarity puts it, {:.4g} "
+                    "mm in the report",
+                    i, 1e3 * moved, 1e3 * reported[i]),
+        kCure);
   }
 }
 

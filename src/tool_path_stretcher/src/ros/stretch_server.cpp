@@ -6,6 +6,8 @@
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
+#include "scan_cell_common/ros/load_parameters.h"
+#include "stretch_messages.h"
 #include "tool_path_stretcher/ros/conversions.h"
 
 namespace tool_path_stretcher {
@@ -23,7 +25,7 @@ void check_frame(const std::string& what, const std_msgs::Header& header,
 
 StretchServer::StretchServer(const ros::NodeHandle& private_node)
     : node_(private_node),
-      parameters_(load_parameters(private_node)),
+      parameters_(scan_cell_common::load_parameters<StretchParameters>(private_node)),
       reference_(node_.advertise<sensor_msgs::PointCloud2>("reference", 1, true)),
       object_(node_.advertise<sensor_msgs::PointCloud2>("object", 1, true)),
       reference_path_(node_.advertise<nav_msgs::Path>("reference_path", 1, true)),

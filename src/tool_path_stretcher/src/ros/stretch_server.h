@@ -6,8 +6,8 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/StretchToolPathAction.h>
 
-#include "parameters.h"
-#include "tool_path_stretcher/report.h"
+#include "report.h"
+#include "tool_path_stretcher/stretch_parameters.h"
 
 namespace tool_path_stretcher {
 

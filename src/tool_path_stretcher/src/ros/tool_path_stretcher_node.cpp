@@ -4,7 +4,7 @@
 #include "stretch_server.h"
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(
+  return scan_cell_common::node_main<tool_path_stretcher::StretchParameters>(
       argc, argv, "tool_path_stretcher",
       "Adapts a tool path proven on a reference part to a scanned object: an action.", [] {
         const tool_path_stretcher::StretchServer server(ros::NodeHandle("~"));

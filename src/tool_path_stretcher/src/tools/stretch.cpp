@@ -10,11 +10,12 @@
 #include <sstream>
 
 #include "file_options.h"
+#include "report.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
+#include "scan_cell_common/parameter_options.h"
 #include "scan_cell_common/tool_main.h"
 #include "scan_cell_common/units.h"
-#include "tool_path_stretcher/report.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace {
@@ -36,18 +37,12 @@ struct Options {
   std::string path;
   std::string output;
   std::string report;
-  std::string method = "general";
-  std::string stand_off = "keep";
   tool_path_stretcher::FileOptions files;
-  std::vector<double> leaf;
-  std::vector<double> initial_pose;
-  tool_path_stretcher::PosePrior about;
+  scan_cell_common::ParameterOptions typed;
   StretchParameters parameters;
 };
 
 void add_options(CLI::App& app, Options& options, Outputs& outputs) {
-  StretchParameters& p = options.parameters;
-  options.leaf = {p.leaf.x(), p.leaf.y(), p.leaf.z()};
   app.add_option("--reference", options.reference,
                  "reference part: a cloud (PLY, PCD, XYZ, CSV) or a mesh (STL, OBJ, PLY)")
       ->required();
@@ -56,67 +51,7 @@ void add_options(CLI::App& app, Options& options, Outputs& outputs) {
   outputs.add(app, "--output", options.output, "tool path on the object: CSV or YAML")->required();
   outputs.add(app, "--report", options.report, "report: JSON")->required();
   add_file_options(app, options.files);
-  app.add_option("--method", options.method, "affine or general")->capture_default_str();
-  app.add_option("--leaf", options.leaf, "grid reduction x y z [m]")
-      ->capture_default_str()
-      ->expected(3);
-  app.add_option("--scale", p.prior.scale.value, "known before; 0: free")->capture_default_str();
-  app.add_option("--scale-deviation", p.prior.scale.deviation,
-                 "of the scale known before, one standard deviation; 0: it is exact")
-      ->capture_default_str();
-  app.add_option("--initial-pose", options.initial_pose,
-                 "reference to object, known before: x y z [m] qx qy qz qw")
-      ->expected(7);
-  app.add_option("--initial-pose-angle", options.about.angle, "farthest that may be off [rad]")
-      ->capture_default_str();
-  app.add_option("--initial-pose-distance", options.about.distance,
-                 "farthest that may put the reference's centroid off [m]")
-      ->capture_default_str();
-  app.add_option("--resample-spacing", p.resample_spacing,
-                 "steps of the path [m]; 0: its own waypoints")
-      ->capture_default_str();
-  app.add_option("--stand-off", options.stand_off,
-                 "keep: of a path that does not touch, as long as it is; scale: with the part")
-      ->capture_default_str();
-  app.add_option("--min-scale", p.min_scale, "least scale accepted")->capture_default_str();
-  app.add_option("--max-scale", p.max_scale, "greatest scale accepted")->capture_default_str();
-  app.add_option("--scale-range", p.scale_range, "affine: range searched, 0.15 = +-15 %")
-      ->capture_default_str();
-  app.add_option("--scale-steps", p.scale_steps, "affine: steps to each side")
-      ->capture_default_str();
-  app.add_option("--min-points", p.min_points, "least points of a cloud")->capture_default_str();
-  app.add_option("--max-path-distance", p.max_path_distance,
-                 "farthest a waypoint may be from the reference [m]")
-      ->capture_default_str();
-  app.add_option("--inlier-distance", p.inlier_distance, "of an explained point [m]")
-      ->capture_default_str();
-  app.add_option("--min-inlier-ratio", p.min_inlier_ratio, "of the object's points")
-      ->capture_default_str();
-  app.add_option("--min-overlap", p.min_overlap, "share of the reference scanned")
-      ->capture_default_str();
-  app.add_option("--ambiguity-distance", p.ambiguity_distance,
-                 "two poses differ if they put a waypoint so far apart [m]")
-      ->capture_default_str();
-  app.add_option("--deformation-level", p.deformation_level,
-                 "finest deformation graph, 1 to 3; 0: none")
-      ->capture_default_str();
-  app.add_option("--support-radius", p.support_radius, "of a waypoint [m]; 0: automatic")
-      ->capture_default_str();
-  app.add_option("--min-support", p.min_support, "scanned points beside a waypoint")
-      ->capture_default_str();
-  app.add_option("--max-hole-distance", p.max_hole_distance,
-                 "up to which a waypoint is inferred [m]")
-      ->capture_default_str();
-  app.add_option("--tolerance", p.tolerance, "waypoint to scanned surface [m]")
-      ->capture_default_str();
-  app.add_option("--max-deformation", p.max_deformation,
-                 "of 95 % of the surface, or it is the wrong part [m]")
-      ->capture_default_str();
-  app.add_option("--max-stranger", p.max_stranger,
-                 "of scanned points beside a waypoint from the reference [m]")
-      ->capture_default_str();
-  app.add_option("--max-displacement", p.max_displacement, "over the similarity [m]")
-      ->capture_default_str();
+  options.typed.add(app, options.parameters);
 }
 
 bool show_progress(const std::string& stage, double progress) {
@@ -161,14 +96,7 @@ void remove_old_report(const Options& options) {
 void check_options(Options& options) {
   tool_path_stretcher::check_tool_path_name(options.output);
   remove_old_path(options);
-  options.parameters.method = tool_path_stretcher::method_from_string(options.method);
-  options.parameters.leaf = Eigen::Vector3d(options.leaf[0], options.leaf[1], options.leaf[2]);
-  options.parameters.stand_off = tool_path_stretcher::stand_off_from_string(options.stand_off);
-  if (!options.initial_pose.empty()) {
-    options.about.pose = tool_path_stretcher::pose_from_numbers(options.initial_pose);
-    options.parameters.prior.pose = options.about;
-  }
-  tool_path_stretcher::check(options.parameters);
+  options.typed.read(options.parameters);
 }
 
 tool_path_stretcher::ToolPath read_path(const Options& options, Run& run) {

@@ -234,7 +234,8 @@ TEST(Orientations, AreProcessValuesWhereAPersonSaysSo) {
 
 TEST(Orientations, AreRefusedWhereTheConventionDoesNotFit) {
   const std::string angles = "x,y,z,rx,ry,rz\n0,0,0,0,0,0\n";
-  EXPECT_TRUE(names(complaint(angles, euler("zyx", AngleUnit::kNotGiven)), "angles of no unit"));
+  EXPECT_TRUE(
+      names(complaint(angles, euler("zyx", AngleUnit::kNotGiven)), "angles without a unit"));
   EXPECT_THROW(first_pose(angles, euler("zyz", AngleUnit::kDegrees)), InvalidParameter);
   EXPECT_THROW(first_pose(angles, euler("zxw", AngleUnit::kDegrees)), InvalidParameter);
   EXPECT_THROW(first_pose("x,y,z\n0,0,0\n", euler("zyx", AngleUnit::kDegrees)), InvalidParameter);

@@ -71,12 +71,12 @@ TEST(Resampling, HasOneRangeOfSpacings) {
     EXPECT_THROW(check(parameters), scan_cell_common::InvalidParameter) << bad;
   }
   try {
-    check_resample_spacing("/stretcher/resample_spacing", 1e-7);
+    StretchParameters parameters;
+    parameters.resample_spacing = 1e-7;
+    check(parameters);
     FAIL();
   } catch (const scan_cell_common::InvalidParameter& error) {
-    EXPECT_STREQ(error.what(),
-                 "/stretcher/resample_spacing: 1e-07 m; give 1e-6 to 10 m, or 0 for the path's own "
-                 "waypoints");
+    EXPECT_STREQ(error.what(), "resample_spacing: 1e-07; give a value from 1e-06 to 10, or 0");
   }
 }
 

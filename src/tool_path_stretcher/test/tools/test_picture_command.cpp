@@ -11,8 +11,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "report.h"
 #include "scan_cell_common/cloud_files.h"
-#include "tool_path_stretcher/report.h"
 
 namespace fs = std::filesystem;
 
@@ -183,7 +183,7 @@ TEST_F(PictureCommand, RefusesWhatDoesNotFitTheFiguresOfAReportWithoutFiles) {
   EXPECT_EQ(run("--adapted " + file("path.csv")), 0) << complaint();
   std::ofstream(file("moved.csv")) << "x,y,z\n0.1,0.05,0\n0.1,0.105,0\n0.2,0.1,0\n";
   EXPECT_EQ(run("--adapted " + file("moved.csv")), 1);
-  EXPECT_NE(complaint().find("waypoint 1 lies 5.0"), std::string::npos) << complaint();
+  EXPECT_NE(complaint().find("waypoint 1 lies 5 mm"), std::string::npos) << complaint();
   std::ofstream(file("short.csv")) << "x,y,z\n0.1,0.05,0\n";
   EXPECT_EQ(run("--adapted " + file("short.csv")), 1);
   for (const char* const figure : {"reference_points", "object_points"}) {

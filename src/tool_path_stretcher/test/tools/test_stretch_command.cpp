@@ -12,9 +12,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "report.h"
 #include "scan_cell_common/cloud_files.h"
 #include "synthetic_parts.h"
-#include "tool_path_stretcher/report.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace fs = std::filesystem;

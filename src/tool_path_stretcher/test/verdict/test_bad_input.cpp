@@ -141,7 +141,7 @@ const BadCase kClouds[] = {
     {"OnePointBeyondAllCells",
      [](Input& input) { input.object[9].x() = 1e30; },
      Reason::kUnusableInput,
-     {"object, point 9: 1e+30 m", "remove points"}},
+     {"object, point 9: at 1e+30 m", "remove outliers"}},
     {"TinyCloud",
      [](Input& input) { scale(input.object, 1e-30); },
      Reason::kUnusableInput,
@@ -179,11 +179,11 @@ const BadCase kUnits[] = {
     {"PathInMillimetres",
      [](Input& input) { scale(input.path, kMillimetres); },
      Reason::kUnusableInput,
-     {"tool path: it lies on the reference only once it is divided by 1000", "--path-units mm"}},
+     {"tool path: it lies on the reference only if it is divided by 1000", "--path-units mm"}},
     {"PathInInches",
      [](Input& input) { scale(input.path, kInches); },
      Reason::kUnusableInput,
-     {"only once it is divided by 39.37", "--path-units inch"}},
+     {"only if it is divided by 39.37", "--path-units inch"}},
 };
 
 const BadCase kPaths[] = {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "report.h"
 #include "scan_cell_common/errors.h"
 #include "stretch_case.h"
-#include "tool_path_stretcher/report.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 using namespace tool_path_stretcher;

@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report.h"
 #include "scan_cell_common/errors.h"
 #include "synthetic_parts.h"
-#include "tool_path_stretcher/report.h"
-#include "verdict/checks.h"
+#include "verdict/placement_checks.h"
 
 using namespace tool_path_stretcher;
 using synthetic::Part;
@@ -172,7 +172,7 @@ TEST(FoldOver, IsRefusedWhereTheSurfaceIsTurnedOver) {
         waypoint.pose.translation() = mapping * waypoint.pose.translation();
     }
     try {
-      check_fold_over(frame.path(), adapted, reference, reference, mapping);
+      check_fold_over(frame.path(), adapted, {reference, reference}, mapping);
     } catch (const Refusal& refusal) {
       return refusal.verdict;
     }
@@ -190,7 +190,7 @@ TEST(FoldOver, IsRefusedWhereThePathRunsBack) {
   std::vector<Waypoint>& waypoints = adapted.segments[0].waypoints;
   std::swap(waypoints[10].pose, waypoints[11].pose);
   try {
-    check_fold_over(frame.path(), adapted, reference, reference, {});
+    check_fold_over(frame.path(), adapted, {reference, reference}, {});
     FAIL() << "not refused";
   } catch (const Refusal& refusal) {
     EXPECT_EQ(to_string(refusal.verdict.reason), "fold_over");

@@ -12,6 +12,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "geometry/points.h"
+
 namespace cases {
 namespace {
 
@@ -89,14 +91,14 @@ Pose by_features(const Described& source, const Described& target, float leaf) {
 }
 
 Pose by_icp(const Cloud::Ptr& source, const Cloud::Ptr& target, const Eigen::Matrix4f& start,
-            double most_distance) {
+            double max_distance) {
   pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ> icp;
   using Estimation =
       pcl::registration::TransformationEstimationSVDScale<pcl::PointXYZ, pcl::PointXYZ>;
   icp.setTransformationEstimation(std::make_shared<Estimation>());
   icp.setInputSource(source);
   icp.setInputTarget(target);
-  icp.setMaxCorrespondenceDistance(most_distance);
+  icp.setMaxCorrespondenceDistance(max_distance);
   icp.setMaximumIterations(100);
   icp.setTransformationEpsilon(1e-10);
   Cloud aligned;
@@ -131,9 +133,9 @@ PclResult pcl_pipeline(const Points& reference, const Points& object, const Tool
   return result;
 }
 
-PclResult pcl_icp(const Points& reference, const Points& object, double most_distance) {
+PclResult pcl_icp(const Points& reference, const Points& object, double max_distance) {
   const Pose pose = by_icp(cloud_of(reference, 1), cloud_of(object, 1), Eigen::Matrix4f::Identity(),
-                           most_distance);
+                           max_distance);
   return {{}, pose.converged, similarity_of(pose.transform)};
 }
 

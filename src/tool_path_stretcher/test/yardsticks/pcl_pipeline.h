@@ -20,6 +20,6 @@ struct PclResult {
 PclResult pcl_pipeline(const Points& reference, const Points& object, const ToolPath& path);
 
 /// pcl::IterativeClosestPoint with free scale from where the clouds lie.
-PclResult pcl_icp(const Points& reference, const Points& object, double most_distance);
+PclResult pcl_icp(const Points& reference, const Points& object, double max_distance);
 
 }  // namespace cases

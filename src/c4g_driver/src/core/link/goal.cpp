@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "c4g_driver/goal.h"
 
-#include <sstream>
+#include <fmt/format.h>
 
 namespace c4g_driver {
 
@@ -15,25 +15,25 @@ std::string reason_of(const RobotState& state, const char* otherwise) {
 }  // namespace
 
 Goal::Goal(std::uint64_t motion, const Target& target, const ArrivalTolerance& tolerance)
-    : motion_(motion), target_(target), tolerance_(tolerance), outcome_(Outcome::Underway) {}
+    : motion_(motion), target_(target), tolerance_(tolerance), outcome_(Outcome::kUnderway) {}
 
 void Goal::update(const RobotState& state) {
   if (!underway() || state.motion != motion_) return;
   progress_ = state.progress;
   switch (state.status) {
-    case MotionStatus::Idle:
-    case MotionStatus::Moving:
+    case MotionStatus::kIdle:
+    case MotionStatus::kMoving:
       return;
-    case MotionStatus::Arrived: {
+    case MotionStatus::kArrived: {
       const std::string missed = missed_by(state);
-      end(missed.empty() ? Outcome::Reached : Outcome::Failed, missed);
+      end(missed.empty() ? Outcome::kReached : Outcome::kFailed, missed);
       return;
     }
-    case MotionStatus::Stopped:
-      end(Outcome::Stopped, reason_of(state, "stopped"));
+    case MotionStatus::kStopped:
+      end(Outcome::kStopped, reason_of(state, "stopped"));
       return;
-    case MotionStatus::Error:
-      end(Outcome::Failed, reason_of(state, "the controller gives no reason"));
+    case MotionStatus::kError:
+      end(Outcome::kFailed, reason_of(state, "the controller gives no reason"));
       return;
   }
 }
@@ -54,10 +54,8 @@ std::string Goal::missed_by(const RobotState& state) const {
     angle = (state.joints - std::get<Joints>(target_)).cwiseAbs().maxCoeff();
   }
   if (position <= tolerance_.position && angle <= tolerance_.angle) return "";
-  std::ostringstream text;
-  text << "the controller says it arrived, " << position << " m and " << angle
-       << " rad from the target";
-  return text.str();
+  return fmt::format("the controller reports arrival, {:g} m and {:g} rad from the target",
+                     position, angle);
 }
 
 }  // namespace c4g_driver

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "c4g_driver/pose_feed.h"
+#include "link/pose_feed.h"
 
 #include <limits>
 
@@ -25,24 +25,24 @@ void PoseFeed::restart(Clock::time_point now) {
 PoseFeed::Verdict PoseFeed::take(const RobotState& robot, Nanoseconds arrival, Source source,
                                  Clock::time_point now) {
   if (robot.controller_time <= newest_) {
-    ++counts_.overtaken;
-    return Verdict::Overtaken;
+    ++dropped_.overtaken;
+    return Verdict::kOvertaken;
   }
   newest_ = robot.controller_time;
   clock_.add(robot.controller_time, arrival);
   latest_ = {clock_.to_host(robot.controller_time), arrival, robot};
   const bool was_moving = moving_;
-  moving_ = robot.status == MotionStatus::Moving;
+  moving_ = robot.status == MotionStatus::kMoving;
   // A better estimate of the wire's delay may put it before one that was handed on already; so does
   // a host clock that was set back, and for longer.
   if (latest_->time <= handed_on_) {
-    ++counts_.backward;
-    return Verdict::Backward;
+    ++dropped_.backward;
+    return Verdict::kBackward;
   }
   handed_on_ = latest_->time;
-  const bool counts = source == Source::Stream || !was_moving || !moving_;
+  const bool counts = source == Source::kStream || !was_moving || !moving_;
   if (counts && arrival - latest_->time < timeout_) fresh_at_ = now;
-  return Verdict::HandOn;
+  return Verdict::kHandOn;
 }
 
 bool PoseFeed::stale(Clock::time_point now) const {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "c4g_driver/sequence_monitor.h"
+#include "link/sequence_monitor.h"
 
 namespace c4g_driver {
 
@@ -12,17 +12,17 @@ SequenceMonitor::Verdict SequenceMonitor::take(std::uint64_t number) {
     seen_ = step < kMemory ? seen_ << step : std::bitset<kMemory>();
     seen_.set(0);
     newest_ = number;
-    return Verdict::Next;
+    return Verdict::kNext;
   }
   const std::uint64_t age = newest_ - number;
   if (age >= kMemory || seen_.test(age)) {
     ++counts_.repeated;
-    return Verdict::Repeated;
+    return Verdict::kRepeated;
   }
   seen_.set(age);
   ++counts_.reordered;
   if (counts_.lost > 0) --counts_.lost;  // it was counted as lost when the later one came
-  return Verdict::Late;
+  return Verdict::kLate;
 }
 
 void SequenceMonitor::restart() {

@@ -48,15 +48,15 @@ Joints turned_near(Joints joints, const RobotModel& robot, const Joints& near) {
 
 std::optional<Joints> step_to(const RobotModel& robot, const Eigen::Isometry3d& flange,
                               const Joints& near) {
-  constexpr double kPrecision = 1e-9;  // [m] and [rad]
-  constexpr double kMostStep = 0.3;    // [rad]
-  constexpr int kSteps = 15;
+  constexpr double kPrecision = 1e-9;  // [m] and [rad]; chosen
+  constexpr double kMaxStep = 0.3;     // [rad] chosen
+  constexpr int kSteps = 15;           // chosen
   Joints joints = near;
   for (int step = 0; step < kSteps && joints.allFinite(); ++step) {
     const Joints error = twist(robot.flange_at(joints), flange);
     if (error.head<3>().norm() < kPrecision && error.tail<3>().norm() < kPrecision) return joints;
     const Joints change = robot.jacobian_at(joints).partialPivLu().solve(error);
-    joints += change * std::min(1.0, kMostStep / change.cwiseAbs().maxCoeff());
+    joints += change * std::min(1.0, kMaxStep / change.cwiseAbs().maxCoeff());
   }
   return std::nullopt;
 }
@@ -65,8 +65,8 @@ Postures postures_for(const RobotModel& robot, const Eigen::Isometry3d& flange,
                       const Joints& near) {
   constexpr unsigned kStarts = 48;
   constexpr double kClose = 1e-5;  // KDL takes smaller rotations for none: step_to does the rest
-  constexpr int kIterations = 60;
-  constexpr double kSame = 1e-4;  // [rad]
+  constexpr int kIterations = 60;  // chosen
+  constexpr double kSame = 1e-4;   // [rad] chosen
   const Joints weights = (Joints() << 1, 1, 1, 0.1, 0.1, 0.1).finished();
   KDL::ChainIkSolverPos_LMA solver(robot.chain(), weights, kClose, kIterations);
   Postures found;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "c4g_driver/robot_model.h"
 
+#include <fmt/format.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <kdl/chainfksolverpos_recursive.hpp>
@@ -64,8 +65,7 @@ KDL::Chain chain_of(const urdf::ModelInterface& model, const std::string& base,
   for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment)
     chain.addSegment(*segment);
   if (chain.getNrOfJoints() != 6) {
-    refuse(std::to_string(chain.getNrOfJoints()) + " moving joints from '" + base + "' to '" +
-               flange + "'",
+    refuse(fmt::format("{} moving joints from '{}' to '{}'", chain.getNrOfJoints(), base, flange),
            "give an arm of six");
   }
   return chain;

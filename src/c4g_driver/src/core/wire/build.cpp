@@ -1,11 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
-#include "c4g_driver/codec.h"
-#include "c4g_driver/wire_units.h"
 #include "scan_cell_common/errors.h"
+#include "wire/codec.h"
 #include "wire/seal.h"
+#include "wire/wire_units.h"
 
 namespace c4g_driver {
 namespace {
@@ -80,9 +82,9 @@ std::string build(const Request& request, std::uint64_t session, std::uint64_t s
 }
 
 void check_size(const std::string& what, std::size_t bytes) {
-  if (bytes <= kMostDatagramBytes) return;
-  throw Refused(what, std::to_string(bytes) + " bytes",
-                "give a value of fewer than " + std::to_string(kMostDatagramBytes) + " bytes");
+  if (bytes <= kMaxDatagramBytes) return;
+  throw Refused(what, fmt::format("{} bytes", bytes),
+                fmt::format("give a value of fewer than {} bytes", kMaxDatagramBytes));
 }
 
 }  // namespace c4g_driver

@@ -8,8 +8,8 @@
 namespace c4g_driver {
 namespace {
 
-constexpr double kLeast = 1e3;  // [ns]
-constexpr double kInAnOctave = 8;
+constexpr double kLeast = 1e3;     // [ns] chosen
+constexpr double kInAnOctave = 8;  // classes; chosen
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "c4g_driver/codec.h"
+#include "wire/codec.h"
 
 /// What the values of the controller's parameters mean, as JSON in the units of the wire.
 namespace c4g_driver {

@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <rapidjson/document.h>
 #include <rapidjson/stringbuffer.h>
 #include <rapidjson/writer.h>
@@ -9,10 +10,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "c4g_driver/codec.h"
-#include "c4g_driver/wire_units.h"
 #include "scan_cell_common/errors.h"
+#include "wire/codec.h"
 #include "wire/seal.h"
+#include "wire/wire_units.h"
 
 namespace c4g_driver {
 namespace {
@@ -24,7 +25,7 @@ using Json = Document::ValueType;
 
 constexpr int kVersion = 1;
 constexpr double kMillimetre = 1e-3;
-constexpr double kMostMagnitude = 1e5;  // mm, deg, %, frames/s: beyond it is nonsense
+constexpr double kMaxMagnitude = 1e5;  // mm, deg, %, frames/s: beyond it is nonsense
 
 [[noreturn]] void refuse(const std::string& key, const std::string& value) {
   throw ProtocolError("C4G packet: " + key, value, "see c4g_protocol.md");
@@ -39,7 +40,7 @@ const Json& entry(const Json& packet, const char* key) {
 double number(const Json& value, const char* key) {
   if (!value.IsNumber()) refuse(key, "not a number");
   const double result = value.GetDouble();
-  if (!(std::abs(result) <= kMostMagnitude)) refuse(key, "out of range");
+  if (!(std::abs(result) <= kMaxMagnitude)) refuse(key, "out of range");
   return result;
 }
 
@@ -83,19 +84,19 @@ WireSix pose(const Json& packet) {
 
 MotionStatus status(const Json& packet) {
   const std::string_view word = text(packet, "status");
-  if (word == "idle") return MotionStatus::Idle;
-  if (word == "moving") return MotionStatus::Moving;
-  if (word == "arrived") return MotionStatus::Arrived;
-  if (word == "stopped") return MotionStatus::Stopped;
-  if (word == "error") return MotionStatus::Error;
+  if (word == "idle") return MotionStatus::kIdle;
+  if (word == "moving") return MotionStatus::kMoving;
+  if (word == "arrived") return MotionStatus::kArrived;
+  if (word == "stopped") return MotionStatus::kStopped;
+  if (word == "error") return MotionStatus::kError;
   refuse("status", "none of idle, moving, arrived, stopped, error");
 }
 
 ControllerMode mode(const Json& packet) {
   const std::string_view word = text(packet, "mode");
-  if (word == "programming") return ControllerMode::Programming;
-  if (word == "automatic") return ControllerMode::Automatic;
-  if (word == "remote") return ControllerMode::Remote;
+  if (word == "programming") return ControllerMode::kProgramming;
+  if (word == "automatic") return ControllerMode::kAutomatic;
+  if (word == "remote") return ControllerMode::kRemote;
   refuse("mode", "none of programming, automatic, remote");
 }
 
@@ -126,9 +127,9 @@ void assign_printable(std::string_view said, boost::static_string<80>& shown) {
 }
 
 ControllerError complaint(const Json& value) {
-  constexpr std::uint64_t kMostCode = 1'000'000;
+  constexpr std::uint64_t kMaxCode = 1'000'000;  // c4g_protocol.md goes to 18; chosen
   ControllerError result;
-  result.code = static_cast<int>(whole(value, "code", kMostCode));
+  result.code = static_cast<int>(whole(value, "code", kMaxCode));
   assign_printable(text(value, "text"), result.text);
   return result;
 }
@@ -151,10 +152,10 @@ void read_alarms(const Json& packet, Alarms& alarms) {
 }
 
 RobotState robot_state(const Json& packet) {
-  constexpr std::uint64_t kMostMicroseconds = 1ull << 52;  // 142 years; whole in a double
+  constexpr std::uint64_t kMaxMicroseconds = 1ull << 52;  // 142 years; whole in a double
   RobotState state;
   state.controller_time =
-      1000 * static_cast<scan_cell_common::Nanoseconds>(whole(packet, "t", kMostMicroseconds));
+      1000 * static_cast<scan_cell_common::Nanoseconds>(whole(packet, "t", kMaxMicroseconds));
   state.flange = pose_from_wire(pose(packet));
   state.joints = joints_from_wire(six(packet, "joints"));
   state.status = status(packet);
@@ -203,7 +204,7 @@ Reply reply(const Json& packet) {
   if (!packet.IsObject()) refuse("datagram", "not a JSON object");
   const std::uint64_t version = whole(packet, "c4g", UINT64_MAX);
   if (version != kVersion) {
-    throw ProtocolError("C4G version", std::to_string(version),
+    throw ProtocolError("C4G version", fmt::format("{}", version),
                         "use a controller program that speaks version 1");
   }
   const std::string_view type = text(packet, "type");
@@ -218,14 +219,14 @@ Reply reply(const Json& packet) {
 // All that the parser needs lies on the stack: a datagram has no more values than bytes. Numbers
 // are good to a few units in the last place; RapidJSON's full precision is undefined for 0E42.
 Reply parse(std::string_view datagram) {
-  constexpr std::size_t kValues = (kMostDatagramBytes + 1) * sizeof(Json);
+  constexpr std::size_t kValues = (kMaxDatagramBytes + 1) * sizeof(Json);
   constexpr unsigned kFlags = rapidjson::kParseInsituFlag | rapidjson::kParseIterativeFlag |
                               rapidjson::kParseValidateEncodingFlag;
-  if (datagram.size() > kMostDatagramBytes) {
-    refuse("length", std::to_string(datagram.size()) + " bytes");
+  if (datagram.size() > kMaxDatagramBytes) {
+    refuse("length", fmt::format("{} bytes", datagram.size()));
   }
   check_seal(datagram);
-  std::array<char, kMostDatagramBytes + 1> text;
+  std::array<char, kMaxDatagramBytes + 1> text;
   *std::copy(datagram.begin(), datagram.end(), text.begin()) = '\0';
   if (std::strlen(text.data()) != datagram.size()) refuse("datagram", "not a JSON object");
   alignas(Json) std::array<char, 2 * kValues> values;

@@ -6,15 +6,15 @@ namespace c4g_driver {
 
 const char* name_of(MotionStatus status) {
   switch (status) {
-    case MotionStatus::Idle:
+    case MotionStatus::kIdle:
       return "idle";
-    case MotionStatus::Moving:
+    case MotionStatus::kMoving:
       return "moving";
-    case MotionStatus::Arrived:
+    case MotionStatus::kArrived:
       return "arrived";
-    case MotionStatus::Stopped:
+    case MotionStatus::kStopped:
       return "stopped";
-    case MotionStatus::Error:
+    case MotionStatus::kError:
       return "error";
   }
   return "";
@@ -22,11 +22,11 @@ const char* name_of(MotionStatus status) {
 
 const char* name_of(ControllerMode mode) {
   switch (mode) {
-    case ControllerMode::Programming:
+    case ControllerMode::kProgramming:
       return "programming";
-    case ControllerMode::Automatic:
+    case ControllerMode::kAutomatic:
       return "automatic";
-    case ControllerMode::Remote:
+    case ControllerMode::kRemote:
       return "remote";
   }
   return "";

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "c4g_driver/wire_units.h"
+#include "wire/wire_units.h"
 
 #include <cmath>
 

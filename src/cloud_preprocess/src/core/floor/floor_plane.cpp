@@ -16,18 +16,18 @@ namespace {
 /// Points around which the surface is level: without them the walls of a box would look like a
 /// stack of thin floors.
 OrientedPoints level_points(const OrientedPoints& points, double tilt) {
-  constexpr double kNoise = 0.25;  // [rad] of a normal from few points
-  const double least_z = std::cos(tilt + kNoise);
+  constexpr double kNoise = 0.25;  // [rad] of a normal from few points; chosen
+  const double min_z = std::cos(tilt + kNoise);
   std::vector<Eigen::Index> level;
   for (Eigen::Index i = 0; i < points.points.cols(); ++i) {
-    if (std::abs(points.normals(2, i)) >= least_z) level.push_back(i);
+    if (std::abs(points.normals(2, i)) >= min_z) level.push_back(i);
   }
   return points.only(level);
 }
 
 /// Where the points begin and end along an axis, without the outermost few.
 std::array<double, 2> extent(const OrientedPoints& points, Eigen::Index axis) {
-  constexpr double kOutermost = 0.005;
+  constexpr double kOutermost = 0.005;  // of the points, at either end; chosen
   std::vector<double> values(points.points.row(axis).begin(), points.points.row(axis).end());
   std::sort(values.begin(), values.end());
   const auto skip = static_cast<std::size_t>(kOutermost * static_cast<double>(values.size()));
@@ -36,7 +36,7 @@ std::array<double, 2> extent(const OrientedPoints& points, Eigen::Index axis) {
 
 /// A flat inside a frame does not come near the edge of what was scanned on any side.
 bool reaches_edge(const OrientedPoints& part, const OrientedPoints& whole) {
-  constexpr double kNear = 0.02;  // of the whole's extent
+  constexpr double kNear = 0.02;  // of the whole's extent; chosen
   for (const Eigen::Index axis : {0, 1}) {
     const auto [part_least, part_most] = extent(part, axis);
     const auto [least, most] = extent(whole, axis);
@@ -57,15 +57,15 @@ OrientedPoints points_below(const OrientedPoints& points, const Plane& plane, do
 /// The floor of a sample whose z is up.
 std::optional<Floor> find_level_floor(const OrientedPoints& sample,
                                       const FloorParameters& parameters) {
-  const std::size_t least_points = least_points_of(sample, parameters);
+  const std::size_t min_points = min_points_of(sample, parameters);
   OrientedPoints candidates = level_points(sample, parameters.tilt);
   const PlaneSearch search{parameters.distance, Eigen::Vector3d::UnitZ(), parameters.tilt};
-  while (candidates.size() >= least_points) {
+  while (candidates.size() >= min_points) {
     const auto found = largest_plane(candidates, search);
-    if (!found || found->inliers.size() < least_points) break;
+    if (!found || found->inliers.size() < min_points) break;
     const double distance = parameters.distance;
     const std::size_t below = points_below(sample, found->plane, distance).size();
-    if (below <= share_of(sample, parameters.most_below)) {
+    if (below <= share_of(sample, parameters.max_below)) {
       if (!reaches_edge(candidates.only(found->inliers), sample)) break;
       return Floor{found->plane, found->inliers.size()};
     }
@@ -92,8 +92,8 @@ std::optional<Floor> find_floor(const OrientedPoints& sample, const Eigen::Vecto
 
 std::vector<std::size_t> find_objects(const OrientedPoints& sample,
                                       const FloorParameters& parameters) {
-  constexpr double kGap = 0.01;    // [m]
-  constexpr double kSpacings = 5;  // nearer clusters cannot be told apart
+  constexpr double kGap = 0.01;    // [m] chosen
+  constexpr double kSpacings = 5;  // nearer clusters cannot be told apart; chosen
   Cloud cloud;
   for (const auto& point : sample.points.colwise()) {
     const Eigen::Vector3f place = point.cast<float>();
@@ -101,7 +101,7 @@ std::vector<std::size_t> find_objects(const OrientedPoints& sample,
   }
   std::vector<std::size_t> sizes;
   for (const auto& cluster : clusters(cloud, std::max(kGap, kSpacings * sample.spacing))) {
-    if (cluster.size() >= least_points_of(sample, parameters)) sizes.push_back(cluster.size());
+    if (cluster.size() >= min_points_of(sample, parameters)) sizes.push_back(cluster.size());
   }
   std::sort(sizes.rbegin(), sizes.rend());
   return sizes;

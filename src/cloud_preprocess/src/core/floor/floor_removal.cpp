@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/floor_removal.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "floor/floor_plane.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {
@@ -23,12 +26,11 @@ double angle_between(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
   return std::acos(std::clamp(one.dot(other), -1.0, 1.0));
 }
 
-std::string text_of(const Eigen::Vector3d& vector, const char* format = "(%.4g, %.4g, %.4g)") {
-  char text[120];
+std::string text_of(const Eigen::Vector3d& vector,
+                    const char* numbers = "({:.4g}, {:.4g}, {:.4g})") {
   constexpr double kShown = 5e-5;  // less would be written as -0.0000
   const Eigen::Vector3d clean = (vector.array().abs() < kShown).select(0, vector);
-  std::snprintf(text, sizeof(text), format, clean.x(), clean.y(), clean.z());
-  return text;
+  return fmt::format(fmt::runtime(numbers), clean.x(), clean.y(), clean.z());
 }
 
 int percent(std::size_t points, const OrientedPoints& sample) {
@@ -54,35 +56,35 @@ constexpr const char* kNoFloorHere =
 [[noreturn]] void refuse_table(const Floor& table, const Eigen::Vector3d& up,
                                const OrientedPoints& sample) {
   const Eigen::Vector3d& found = table.plane.normal;
-  char value[200];
-  std::snprintf(value, sizeof(value),
-                "%s, but %.1f deg from it a plane of %d %% of the points looks like a table",
-                text_of(up).c_str(), degrees(angle_between(found, up)),
-                percent(table.points, sample));
-  throw UnusableInput("up", value,
-                      "set up: " + text_of(found, "[%.4f, %.4f, %.4f]") + " (clean_cloud: --up " +
-                          text_of(found, "%.4f,%.4f,%.4f") + ", or --up auto) if it is one, or " +
-                          kNoFloorHere);
+  throw UnusableInput(
+      "up",
+      fmt::format("{}, but {:.1f} deg from it a plane of {} % of the points looks like a table",
+                  text_of(up), degrees(angle_between(found, up)), percent(table.points, sample)),
+      fmt::format("set up: {} (clean_cloud: --up {}, or --up auto) if it is one, or {}",
+                  text_of(found, "[{:.4f}, {:.4f}, {:.4f}]"),
+                  text_of(found, "{:.4f},{:.4f},{:.4f}"), kNoFloorHere));
 }
 
 [[noreturn]] void refuse_objects(const std::vector<std::size_t>& objects,
                                  const OrientedPoints& sample, const FloorParameters& parameters) {
-  std::string shares;
+  std::vector<int> shares;
   for (const std::size_t points : objects)
-    shares += (shares.empty() ? "" : ", ") + std::to_string(percent(points, sample));
-  char value[160];
-  std::snprintf(value, sizeof(value), "%s, but no floor is within %.1f deg of it, and %zu objects",
-                text_of(parameters.up).c_str(), degrees(parameters.tilt), objects.size());
-  throw UnusableInput("up", value + (" stand there (" + shares + " % of the points)"),
-                      "one of them may be the floor: set up, away from it (clean_cloud: --up x,y,z "
-                      "or --up auto), a limit that cuts it off, or " +
-                          std::string(kNoFloorHere));
+    shares.push_back(percent(points, sample));
+  throw UnusableInput(
+      "up",
+      fmt::format("{}, but no floor is within {:.1f} deg of it, and {} objects stand there ({} % "
+                  "of the points)",
+                  text_of(parameters.up), degrees(parameters.tilt), objects.size(),
+                  fmt::join(shares, ", ")),
+      fmt::format("one of them may be the floor: set up, away from it (clean_cloud: --up x,y,z or "
+                  "--up auto), a limit that cuts it off, or {}",
+                  kNoFloorHere));
 }
 
-/// What was taken for the floor is none where a larger table stands in another direction: on its
-/// side, the lowest face of the part looks like a floor.
+/// Whether a larger table in another direction shows that what was found is not the floor: where
+/// the table stands on its side, the lowest face of the part looks like a floor.
 bool contradicts(const Floor& table, const std::optional<Floor>& floor) {
-  constexpr double kOtherDirection = 0.17;  // [rad]
+  constexpr double kOtherDirection = 0.17;  // [rad] 10 degrees; chosen
   return !floor || (angle_between(table.plane.normal, floor->plane.normal) > kOtherDirection &&
                     table.points > floor->points);
 }
@@ -108,15 +110,31 @@ std::optional<Plane> floor_of(const OrientedPoints& sample, const FloorParameter
 
 }  // namespace
 
-void check_up(const Eigen::Vector3d& up) {
+void describe(scan_cell_common::ParameterTable& table, FloorParameters& parameters) {
+  table.add("automatic", parameters.automatic, "look for the floor; false: limits only");
+  table.add("margin", parameters.margin, {0, 1, "m"},
+            "points up to this above the floor go with it");
+  table.add("distance", parameters.distance, {1e-5, 0.1, "m"},
+            "how far points of the floor may lie from its plane");
+  table.add("up", parameters.up, {-1e3, 1e3},
+            "direction away from the floor, in the cloud's frame, of any length");
   constexpr double kLeast = 1e-6;
-  if (up.norm() >= kLeast) return;
-  throw scan_cell_common::InvalidParameter("up", text_of(up),
-                                           "give the direction away from the floor: 0, 0, 1");
+  if (parameters.up.norm() < kLeast)
+    table.refuse("up", text_of(parameters.up), "give the direction away from the floor: 0, 0, 1");
+  table.add("any_direction", parameters.any_direction,
+            "true: look for a table in any direction, and along `up` where there is none");
+  table.add("tilt", parameters.tilt, {1e-3, 0.7, "rad"},
+            "how far the floor's normal may lean from `up`");
+  table.add("min_share", parameters.min_share, {1e-3, 1}, "of all points, that a floor must have");
+  table.renamed("least_share", "min_share");
+  table.add("max_below", parameters.max_below, {0, 0.5},
+            "of all points, that may lie below a floor");
+  table.renamed("most_below", "max_below");
+  describe(table, parameters.limits);
 }
 
 FloorRemoval::FloorRemoval(const FloorParameters& parameters) : parameters_(parameters) {
-  check(parameters_);
+  scan_cell_common::check(parameters_);
 }
 
 std::string FloorRemoval::apply(Cloud& cloud) const {
@@ -132,11 +150,9 @@ std::string FloorRemoval::apply(Cloud& cloud) const {
     return floor->height(point) <= parameters_.margin;
   };
   cloud.erase(std::remove_if(cloud.begin(), cloud.end(), on_floor), cloud.end());
-  char text[200];
-  std::snprintf(text, sizeof(text), "%zu on or below the floor through %s m, which leans %.2f deg",
-                before - cloud.size(), text_of(floor->point, "(%.4f, %.4f, %.4f)").c_str(),
-                degrees(angle_between(floor->normal, parameters_.up.normalized())));
-  return message + text;
+  return fmt::format("{}{} on or below the floor through {} m, which leans {:.2f} deg", message,
+                     before - cloud.size(), text_of(floor->point, "({:.4f}, {:.4f}, {:.4f})"),
+                     degrees(angle_between(floor->normal, parameters_.up.normalized())));
 }
 
 }  // namespace cloud_preprocess

@@ -13,11 +13,10 @@ inline std::size_t share_of(const OrientedPoints& sample, double share) {
   return static_cast<std::size_t>(share * static_cast<double>(sample.size()));
 }
 
-/// That a floor must have.
-inline std::size_t least_points_of(const OrientedPoints& sample,
-                                   const FloorParameters& parameters) {
-  constexpr std::size_t kLeastPoints = 50;
-  return std::max(kLeastPoints, share_of(sample, parameters.least_share));
+/// Points that a floor must have.
+inline std::size_t min_points_of(const OrientedPoints& sample, const FloorParameters& parameters) {
+  constexpr std::size_t kMinPoints = 50;  // chosen
+  return std::max(kMinPoints, share_of(sample, parameters.min_share));
 }
 
 }  // namespace cloud_preprocess

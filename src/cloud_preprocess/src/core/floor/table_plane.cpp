@@ -30,7 +30,7 @@ class Footprint {
  public:
   /// @param spacing [m] of neighbouring points
   Footprint(const Eigen::Matrix2Xd& points, double spacing) {
-    constexpr double kOutermost = 0.005;
+    constexpr double kOutermost = 0.005;  // of the points in each direction; chosen
     for (std::size_t i = 0; i < kDirections; ++i) {
       const double angle = 2 * M_PI * static_cast<double>(i) / kDirections;
       directions_[i] = {std::cos(angle), std::sin(angle)};
@@ -43,10 +43,10 @@ class Footprint {
     }
     const double width = reach_[0] + reach_[kDirections / 2];
     const double depth = reach_[kDirections / 4] + reach_[3 * kDirections / 4];
-    constexpr double kWithin = 0.02;
+    constexpr double kWithin = 0.02;  // of the width; chosen
     rim_ = kWithin * std::max(width, depth);
-    constexpr double kSpacings = 6;  // some ten points a cell
-    constexpr double kFinest = 1e-3;
+    constexpr double kSpacings = 6;   // some ten points a cell; chosen
+    constexpr double kFinest = 1e-3;  // of the width; chosen
     side_ = std::max(kSpacings * spacing, kFinest * std::max(width, depth));
     for (const auto& point : points.colwise())
       cells_.insert(cell_of(point));
@@ -71,7 +71,7 @@ class Footprint {
   }
 
  private:
-  static constexpr std::size_t kDirections = 16;
+  static constexpr std::size_t kDirections = 16;  // chosen
   using Cell = std::pair<std::int64_t, std::int64_t>;
 
   Cell cell_of(const Eigen::Vector2d& point) const {
@@ -104,19 +104,19 @@ Sides sides_of(const Plane& plane, const OrientedPoints& sample,
 
 bool looks_like_table(const FoundPlane& found, const OrientedPoints& sample,
                       const FloorParameters& parameters) {
-  constexpr double kLeastOnIt = 0.005;  // of the sample
+  constexpr double kMinOnIt = 0.005;    // of the sample; chosen, as the next
   constexpr double kSurrounded = 0.75;  // of what lies before it: a rim's plane surrounds less
-  constexpr double kMostCovered = 0.5;  // of the plane: the far side of a plate covers it
+  constexpr double kMaxCovered = 0.5;   // of the plane: the far side of a plate covers it
   const Sides sides = sides_of(found.plane, sample, parameters);
-  if (sides.below > share_of(sample, parameters.most_below)) return false;
-  if (sides.above.size() <= share_of(sample, kLeastOnIt)) return false;
+  if (sides.below > share_of(sample, parameters.max_below)) return false;
+  if (sides.above.size() <= share_of(sample, kMinOnIt)) return false;
   const Footprint footprint(flattened(sample, found.inliers, found.plane), sample.spacing);
   const Eigen::Matrix2Xd above = flattened(sample, sides.above, found.plane);
   std::size_t surrounded = 0;
   for (const auto& point : above.colwise())
     surrounded += footprint.surrounds(point) ? 1 : 0;
   return static_cast<double>(surrounded) >= kSurrounded * static_cast<double>(above.cols()) &&
-         footprint.covered_by(above) <= kMostCovered;
+         footprint.covered_by(above) <= kMaxCovered;
 }
 
 std::vector<Eigen::Index> all_but(const std::vector<Eigen::Index>& indices,
@@ -136,14 +136,14 @@ std::vector<Eigen::Index> all_but(const std::vector<Eigen::Index>& indices,
 }  // namespace
 
 std::optional<Floor> find_table(const OrientedPoints& sample, const FloorParameters& parameters) {
-  constexpr int kMostPlanes = 8;
+  constexpr int kMaxPlanes = 8;  // chosen
   const PlaneSearch search{parameters.distance, parameters.up.normalized(), M_PI};
   std::vector<Eigen::Index> left;
   for (Eigen::Index i = 0; i < sample.points.cols(); ++i)
     left.push_back(i);
-  for (int planes = 0; planes < kMostPlanes; ++planes) {
+  for (int planes = 0; planes < kMaxPlanes; ++planes) {
     const auto in_left = largest_plane(sample.only(left), search);
-    if (!in_left || in_left->inliers.size() < least_points_of(sample, parameters)) break;
+    if (!in_left || in_left->inliers.size() < min_points_of(sample, parameters)) break;
     FoundPlane found{in_left->plane, {}};
     for (const Eigen::Index place : in_left->inliers)
       found.inliers.push_back(left[static_cast<std::size_t>(place)]);

@@ -15,7 +15,7 @@ std::vector<std::vector<KdTree::Index>> clusters(const scan_cell_common::Cloud& 
     seen[start] = true;
     std::vector<KdTree::Index> cluster{start};
     for (std::size_t next = 0; next < cluster.size(); ++next) {
-      tree.within(points[cluster[next]], gap, near);
+      tree.within(points[cluster[next]].data, static_cast<float>(gap * gap), near);
       for (const auto& [point, squared] : near) {
         if (!seen[point]) cluster.push_back(point);
         seen[point] = true;

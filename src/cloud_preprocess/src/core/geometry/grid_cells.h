@@ -17,7 +17,7 @@ struct GridCells {
 };
 
 /// @param leaf [m] above 0
-/// @throw scan_cell_common::UnusableInput if a point lies beyond a million cells
+/// @throw scan_cell_common::UnusableInput if a point lies more than a million cells out
 GridCells sort_into_grid(const scan_cell_common::Cloud& cloud, const Eigen::Vector3d& leaf);
 
 }  // namespace cloud_preprocess

@@ -15,8 +15,8 @@
 namespace cloud_preprocess {
 namespace {
 
-constexpr std::size_t kSamplePoints = 20000;  // keeps the search well below a second
-constexpr double kNormalNoise = 0.35;         // [rad] of a normal from few points
+constexpr std::size_t kSamplePoints = 20000;  // chosen: keeps the search well below a second
+constexpr double kNormalNoise = 0.35;         // [rad] of a normal from few points; chosen
 
 /// Least-squares plane; the normal is on the axis' side.
 Plane fit_plane(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& axis) {
@@ -40,14 +40,14 @@ class Ransac {
       : points_(points), search_(search) {}
 
   std::optional<Plane> run() {
-    constexpr std::size_t kMostDraws = 50000;
-    constexpr std::size_t kMostCounts = 3000;
+    constexpr std::size_t kMaxDraws = 50000;  // of three points; chosen
+    constexpr std::size_t kMaxCounts = 3000;  // of a plane's inliers; chosen
     std::size_t counts = 0;
-    for (std::size_t draws = 1; draws <= needed_ && draws <= kMostDraws; ++draws) {
+    for (std::size_t draws = 1; draws <= needed_ && draws <= kMaxDraws; ++draws) {
       const std::optional<Plane> plane = draw();
       if (!plane) continue;
       count(*plane);
-      if (++counts == kMostCounts) break;
+      if (++counts == kMaxCounts) break;
     }
     return best_;
   }
@@ -63,7 +63,7 @@ class Ransac {
     const Eigen::Vector3d ab = points_.points.col(chosen[1]) - a;
     const Eigen::Vector3d ac = points_.points.col(chosen[2]) - a;
     const Eigen::Vector3d cross = ab.cross(ac);
-    constexpr double kThinnest = 1e-2;  // sine of the angle between two sides
+    constexpr double kThinnest = 1e-2;  // sine of the angle between two sides; chosen
     if (!(cross.norm() > kThinnest * ab.norm() * ac.norm())) return std::nullopt;
     const Plane plane{a, cross.normalized()};
     if (leans_too_far(plane.normal, search_)) return std::nullopt;
@@ -74,14 +74,14 @@ class Ransac {
     return plane;
   }
 
-  /// After so many draws the best plane has been hit, but in one of ten thousand runs.
+  /// Counts the inliers; the more there are, the fewer draws find a plane as good.
   void count(const Plane& plane) {
-    constexpr double kMiss = 1e-4;
+    constexpr double kMiss = 1e-4;  // probability that the best plane was not hit; chosen
     const auto heights =
         (plane.normal.transpose() * points_.points).array() - plane.normal.dot(plane.point);
     const Eigen::Index found = (heights.abs() <= search_.distance).count();
-    if (found <= most_) return;
-    most_ = found;
+    if (found <= max_) return;
+    max_ = found;
     best_ = plane;
     const double share = static_cast<double>(found) / static_cast<double>(points_.size());
     const double hit = std::pow(share, 3);
@@ -91,7 +91,7 @@ class Ransac {
   const OrientedPoints& points_;
   const PlaneSearch& search_;
   std::mt19937 generator_{1};
-  Eigen::Index most_ = 0;
+  Eigen::Index max_ = 0;
   std::size_t needed_ = static_cast<std::size_t>(-1);
   std::optional<Plane> best_;
 };
@@ -121,7 +121,7 @@ OrientedPoints sample_with_normals(const Cloud& cloud) {
   Cloud chosen;
   std::mt19937 generator(1);
   std::sample(cloud.begin(), cloud.end(), std::back_inserter(chosen), kSamplePoints, generator);
-  constexpr std::size_t kNeighbours = 10;
+  constexpr std::size_t kNeighbours = 10;  // the point itself is one; chosen
   const KdTree tree(chosen);
   std::vector<KdTree::Index> indices(std::min(kNeighbours, chosen.size()));
   std::vector<float> squared(indices.size());
@@ -131,7 +131,7 @@ OrientedPoints sample_with_normals(const Cloud& cloud) {
   result.normals.resize(3, static_cast<Eigen::Index>(chosen.size()));
   Eigen::Matrix3Xd around(3, static_cast<Eigen::Index>(indices.size()));
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    tree.nearest(chosen[i], indices, squared);
+    tree.nearest(chosen[i].data, indices.size(), indices.data(), squared.data());
     for (std::size_t k = 0; k < indices.size(); ++k) {
       around.col(static_cast<Eigen::Index>(k)) = chosen[indices[k]].getVector3fMap().cast<double>();
     }
@@ -147,12 +147,12 @@ OrientedPoints sample_with_normals(const Cloud& cloud) {
 }
 
 std::optional<FoundPlane> largest_plane(const OrientedPoints& points, const PlaneSearch& search) {
-  constexpr std::size_t kLeast = 3;
+  constexpr std::size_t kLeast = 3;  // points of a plane
   if (points.size() < kLeast) return std::nullopt;
   const std::optional<Plane> best = Ransac(points, search).run();
   if (!best) return std::nullopt;
   FoundPlane found{*best, inliers_of(*best, points, search.distance)};
-  constexpr int kRefits = 3;
+  constexpr int kRefits = 3;  // chosen
   for (int i = 0; i < kRefits && found.inliers.size() >= kLeast; ++i) {
     found.plane = fit_plane(points.points(Eigen::all, found.inliers), search.axis);
     found.inliers = inliers_of(found.plane, points, search.distance);

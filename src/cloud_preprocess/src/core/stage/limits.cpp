@@ -2,32 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/limits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "cloud_preprocess/stage.h"
+#include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {
 
-void check_order(char axis, double least, double most) {
-  if (least < most) return;
-  const std::string name(1, axis);
-  throw scan_cell_common::InvalidParameter(
-      name + "_min", std::to_string(least),
-      "give less than " + name + "_max, which is " + std::to_string(most));
+void describe_axis(scan_cell_common::ParameterTable& table, const std::string& axis, double& min,
+                   double& max) {
+  const std::string meaning = "limit by hand, in the cloud's frame, cut before all else";
+  table.add(axis + "_min", min, {-Limits::kNone, Limits::kNone, "m"}, meaning);
+  table.add(axis + "_max", max, {-Limits::kNone, Limits::kNone, "m"}, meaning);
+  if (min < max) return;
+  table.refuse(axis + "_min", fmt::format("{:g}", min),
+               fmt::format("give less than {}_max, which is {:g}", axis, max));
 }
 
 }  // namespace
 
+void describe(scan_cell_common::ParameterTable& table, Limits& limits) {
+  describe_axis(table, "x", limits.x_min, limits.x_max);
+  describe_axis(table, "y", limits.y_min, limits.y_max);
+  describe_axis(table, "z", limits.z_min, limits.z_max);
+}
+
 bool Limits::contain(const pcl::PointXYZ& point) const {
   return point.x >= x_min && point.x <= x_max && point.y >= y_min && point.y <= y_max &&
          point.z >= z_min && point.z <= z_max;
-}
-
-void check_order(const Limits& limits) {
-  check_order('x', limits.x_min, limits.x_max);
-  check_order('y', limits.y_min, limits.y_max);
-  check_order('z', limits.z_min, limits.z_max);
 }
 
 std::string cut(Cloud& cloud, const Limits& limits) {

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/stage.h"
 
+#include <fmt/format.h>
 #include <pcl/common/common.h>
-
-#include <cstdio>
 
 #include "scan_cell_common/errors.h"
 
@@ -19,7 +18,7 @@ Cloud Stage::run(Cloud cloud, StageReport& report) const {
     throw UnusableInput(name() + ": cloud",
                         report.points_in == 0
                             ? "no points"
-                            : "no finite point among " + std::to_string(report.points_in),
+                            : fmt::format("no finite point among {}", report.points_in),
                         "scan again, and check exposure and laser");
   }
   try {
@@ -32,7 +31,7 @@ Cloud Stage::run(Cloud cloud, StageReport& report) const {
                         "set the limits by hand, or leave this stage out");
   }
   if (report.non_finite > 0) {
-    report.message += "; " + std::to_string(report.non_finite) + " points were not finite";
+    report.message += fmt::format("; {} points were not finite", report.non_finite);
   }
   report.points_out = cloud.size();
   return cloud;
@@ -41,12 +40,8 @@ Cloud Stage::run(Cloud cloud, StageReport& report) const {
 std::string bounds_text(const Cloud& cloud) {
   pcl::PointXYZ least, most;
   pcl::getMinMax3D(cloud, least, most);
-  char text[160];
-  std::snprintf(text, sizeof(text), "x %.4f .. %.4f, y %.4f .. %.4f, z %.4f .. %.4f m",
-                static_cast<double>(least.x), static_cast<double>(most.x),
-                static_cast<double>(least.y), static_cast<double>(most.y),
-                static_cast<double>(least.z), static_cast<double>(most.z));
-  return text;
+  return fmt::format("x {:.4f} .. {:.4f}, y {:.4f} .. {:.4f}, z {:.4f} .. {:.4f} m", least.x,
+                     most.x, least.y, most.y, least.z, most.z);
 }
 
 }  // namespace cloud_preprocess

@@ -1,82 +1,76 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pose_frame_binder/frame_matcher.h"
+#include "matching/frame_matcher.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace pose_frame_binder {
 namespace {
 
 /// Frames held at most until enough of them agree; then they are dropped.
-constexpr std::size_t kMostHeld = 64;
+constexpr std::size_t kMaxHeld = 64;
 
 std::string milliseconds(Nanoseconds time) {
-  constexpr double kPerMillisecond = 1e6;
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3f ms", static_cast<double>(time) / kPerMillisecond);
-  return text;
+  constexpr double kPerMillisecond = 1e6;  // [ns]
+  return fmt::format("{:.3f} ms", static_cast<double>(time) / kPerMillisecond);
 }
 
 }  // namespace
 
-FrameMatcher::FrameMatcher(const PulseLog& pulses, const Settings& settings)
+FrameMatcher::FrameMatcher(const PulseLog& pulses, FrameLog& frames, const Settings& settings)
     : pulses_(pulses),
+      frames_(frames),
       settings_(settings),
       margin_(static_cast<std::size_t>(settings.frames_to_agree) - 1),
       tolerance_(scan_cell_common::from_seconds(settings.latency_tolerance)),
-      latency_(scan_cell_common::from_seconds(settings.camera_latency)) {}
-
-void FrameMatcher::add(std::size_t number, const Frame& frame) {
-  queue_.push_back({number, frame});
-}
+      initial_latency_(scan_cell_common::from_seconds(settings.camera_latency)) {}
 
 double FrameMatcher::latency() const {
-  return latency_measured_ ? scan_cell_common::to_seconds(latency_)
-                           : std::numeric_limits<double>::quiet_NaN();
+  return latency_ ? scan_cell_common::to_seconds(*latency_)
+                  : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<FrameMatcher::Result> FrameMatcher::advance() {
-  while (!queue_.empty() && pulses_.settled(queue_.front().frame.stamp - latency_)) {
-    take(queue_.front());
-    queue_.pop_front();
-  }
-  const bool last = !unconfirmed_.empty() && unconfirmed_.back().pulse + 1 == pulses_.size();
-  if (pulses_.ended() && last)
-    release(unconfirmed_.size());  // no frame can come that would confirm them
-  return std::exchange(results_, {});
+void FrameMatcher::advance() {
+  while (next_ < frames_.end() && pulses_.settled(frames_[next_].frame.stamp - expected_latency()))
+    take(frames_[next_++]);
+  const bool last = last_pulse_ && *last_pulse_ + 1 == pulses_.size();
+  // No frame can come that would confirm them.
+  if (pulses_.ended() && last) confirm(frames_.count(FrameState::kAgreed));
 }
 
-std::vector<FrameMatcher::Result> FrameMatcher::finish() {
-  results_ = advance();
+void FrameMatcher::finish() {
+  advance();
   elect_from_few();
-  flush();
-  if (doubted_) drop_unconfirmed("the frames after it do not agree");
-  release(unconfirmed_.size());
-  return std::exchange(results_, {});
+  judge_held(false);
+  if (last_judged_disagreed()) drop_unconfirmed("the frames after it do not agree");
+  confirm(frames_.count(FrameState::kAgreed));
 }
 
-void FrameMatcher::take(const Entry& entry) {
-  const Frame& frame = entry.frame;
+void FrameMatcher::take(FrameRecord& record) {
+  const Frame& frame = record.frame;
   if (frame.acquisition < acquisition_) {
-    drop(entry, DropReason::OutOfOrder, "the camera was started again since");
+    drop(record, DropReason::kOutOfOrder, "the camera was started again since");
     return;
   }
   if (frame.acquisition > acquisition_) {
     elect_from_few();
-    flush();
+    judge_held(false);
     drop_unconfirmed("before the camera was started again");
     begin_acquisition(frame.acquisition);
   }
   const bool usable = frame.corrupt.empty();
-  if (held_.empty() && (agrees(frame) || is_behind(frame) || (offset_ && !usable))) {
-    judge(entry);
+  const bool none_held = frames_.count(FrameState::kHeld) == 0;
+  if (none_held && (agrees(frame) || is_behind(frame) || (offset_ && !usable))) {
+    judge(record, false);
     return;
   }
-  held_.push_back(entry);
+  if (none_held) first_held_ = record.number;
+  frames_.set(record, FrameState::kHeld);
   if (usable) vote(frame);
-  if (held_.size() > kMostHeld) flush();
+  if (frames_.count(FrameState::kHeld) > kMaxHeld) judge_held(false);
 }
 
 void FrameMatcher::begin_acquisition(std::uint32_t acquisition) {
@@ -88,7 +82,7 @@ void FrameMatcher::begin_acquisition(std::uint32_t acquisition) {
 }
 
 PulseLog::Place FrameMatcher::locate(const Frame& frame) const {
-  return pulses_.locate(frame.stamp - latency_, tolerance_);
+  return pulses_.locate(frame.stamp - expected_latency(), tolerance_);
 }
 
 std::optional<std::size_t> FrameMatcher::pulse_of(const Frame& frame) const {
@@ -125,21 +119,19 @@ void FrameMatcher::vote(const Frame& frame) {
 }
 
 void FrameMatcher::elect(const Offset& offset, Votes votes) {
-  disputed_ = offset_ ? follow(offset) != offset : votes_.size() > 1;
-  if (offset_ && disputed_) {
+  const bool disputed = offset_ ? follow(offset) != offset : votes_.size() > 1;
+  if (offset_ && disputed) {
     slips_ += offset_->run == offset.run;
     drop_next_ = margin_;
     drop_unconfirmed("before the counter slipped");
   }
   offset_ = offset;
-  if (!latency_measured_) {
+  if (!latency_) {
     std::vector<Nanoseconds>& distances = votes.distances;
     std::sort(distances.begin(), distances.end());
-    latency_ += distances[distances.size() / 2];
-    latency_measured_ = true;
+    latency_ = initial_latency_ + distances[distances.size() / 2];
   }
-  flush();
-  disputed_ = false;
+  judge_held(disputed);
 }
 
 FrameMatcher::Offset FrameMatcher::follow(const Offset& next) const {
@@ -151,88 +143,106 @@ FrameMatcher::Offset FrameMatcher::follow(const Offset& next) const {
 
 void FrameMatcher::elect_from_few() {
   if (votes_.size() != 1) return;
-  const auto& [offset, votes] = *votes_.begin();
-  const auto usable = std::count_if(held_.begin(), held_.end(),
-                                    [](const Entry& e) { return e.frame.corrupt.empty(); });
-  const bool unanimous = votes.distances.size() == static_cast<std::size_t>(usable);
+  const auto [offset, votes] = *votes_.begin();
+  const bool unanimous = votes.distances.size() == usable_held();
   const bool new_run = !offset_ || offset_->run != offset.run;
   if (unanimous && new_run && votes.first_count == 1) elect(offset, votes);
 }
 
-void FrameMatcher::flush() {
-  votes_.clear();
-  for (const Entry& entry : std::exchange(held_, {}))
-    judge(entry);
+std::size_t FrameMatcher::usable_held() const {
+  std::size_t usable = 0;
+  if (frames_.count(FrameState::kHeld) == 0) return usable;
+  for (std::size_t number = first_held_; number < next_; ++number) {
+    const FrameRecord& record = frames_[number];
+    usable += record.state == FrameState::kHeld && record.frame.corrupt.empty();
+  }
+  return usable;
 }
 
-void FrameMatcher::judge(const Entry& entry) {
-  const Frame& frame = entry.frame;
-  if (!frame.corrupt.empty()) {
-    drop(entry, DropReason::Corrupt, frame.corrupt);
-  } else if (is_behind(frame)) {
-    const bool repeated = !take_out_of_gap(frame.counter);
-    drop(entry, repeated ? DropReason::Repeated : DropReason::OutOfOrder,
-         "came after frame " + std::to_string(*last_counter_));
-  } else if (agrees(frame)) {
-    accept(entry);
-  } else {
-    refuse(entry);
+void FrameMatcher::judge_held(bool disputed) {
+  votes_.clear();
+  for (std::size_t number = first_held_; frames_.count(FrameState::kHeld) > 0; ++number) {
+    if (frames_[number].state == FrameState::kHeld) judge(frames_[number], disputed);
   }
 }
 
-void FrameMatcher::accept(const Entry& entry) {
-  const std::uint64_t counter = entry.frame.counter;
+void FrameMatcher::judge(FrameRecord& record, bool disputed) {
+  const Frame& frame = record.frame;
+  if (!frame.corrupt.empty()) {
+    drop(record, DropReason::kCorrupt, frame.corrupt);
+  } else if (is_behind(frame)) {
+    const bool repeated = !take_out_of_gap(frame.counter);
+    drop(record, repeated ? DropReason::kRepeated : DropReason::kOutOfOrder,
+         fmt::format("came after frame {}", *last_counter_));
+  } else if (agrees(frame)) {
+    accept(record);
+  } else {
+    refuse(record, disputed);
+  }
+}
+
+void FrameMatcher::accept(FrameRecord& record) {
+  const std::uint64_t counter = record.frame.counter;
   const std::uint64_t expected = last_counter_ ? *last_counter_ + 1 : 0;
   if (counter > expected) gaps_[expected] = counter - 1;
   last_counter_ = counter;
-  const PulseLog::Place place = locate(entry.frame);
-  last_pulse_ = place.pulse;
+  const PulseLog::Place place = locate(record.frame);
+  record.pulse = last_pulse_ = place.pulse;
   constexpr Nanoseconds kMemory = 10;  // frames over which the latency is followed
-  latency_ += place.distance / kMemory;
-  doubted_ = false;
-  unconfirmed_.push_back({entry.number, counter, *place.pulse});
+  *latency_ += place.distance / kMemory;
+  if (frames_.count(FrameState::kAgreed) == 0) first_agreed_ = record.number;
+  frames_.set(record, FrameState::kAgreed);
   if (drop_next_ > 0) {
     --drop_next_;
     drop_unconfirmed("after the counter slipped, or the camera was started again");
-  } else if (unconfirmed_.size() > margin_) {
-    release(unconfirmed_.size() - margin_);
+  } else if (frames_.count(FrameState::kAgreed) > margin_) {
+    confirm(frames_.count(FrameState::kAgreed) - margin_);
   }
 }
 
-void FrameMatcher::release(std::size_t count) {
-  for (; count > 0; --count) {
-    const Unconfirmed& frame = unconfirmed_.front();
-    results_.push_back({frame.number, frame.pulse, std::nullopt});
-    unconfirmed_.pop_front();
-  }
+void FrameMatcher::confirm(std::size_t count) {
+  for (; count > 0; --count)
+    frames_.set(first_agreed(), FrameState::kMatched);
 }
 
 void FrameMatcher::drop_unconfirmed(const std::string& detail) {
-  for (const Unconfirmed& frame : std::exchange(unconfirmed_, {})) {
-    results_.push_back({frame.number, frame.pulse,
-                        Drop{DropReason::CounterSlip, frame.number, frame.counter,
-                             pulses_[frame.pulse].count, detail}});
-  }
+  while (frames_.count(FrameState::kAgreed) > 0)
+    frames_.drop(first_agreed(), DropReason::kCounterSlip, detail);
 }
 
-void FrameMatcher::refuse(const Entry& entry) {
-  const PulseLog::Place place = locate(entry.frame);
+FrameRecord& FrameMatcher::first_agreed() {
+  first_agreed_ = std::max(first_agreed_, frames_.first());
+  while (frames_[first_agreed_].state != FrameState::kAgreed)
+    ++first_agreed_;
+  return frames_[first_agreed_];
+}
+
+bool FrameMatcher::last_judged_disagreed() const {
+  for (std::size_t number = next_; number-- > frames_.first();) {
+    const FrameRecord& record = frames_[number];
+    if (record.state == FrameState::kAgreed) return false;
+    if (record.state == FrameState::kDropped && record.reason == DropReason::kCounterSlip)
+      return true;
+  }
+  return false;
+}
+
+void FrameMatcher::refuse(FrameRecord& record, bool disputed) {
+  const PulseLog::Place place = locate(record.frame);
   if (!place.pulse) {
-    drop(entry, DropReason::NoTrigger,
-         "no pulse at its stamp less the latency of " + milliseconds(latency_));
+    drop(record, DropReason::kNoTrigger,
+         "no pulse at its stamp less the latency of " + milliseconds(expected_latency()));
     return;
   }
-  doubted_ = true;
-  if (disputed_) {
+  if (disputed) {
     drop_next_ = margin_;
     drop_unconfirmed("next to a frame that does not agree, where the counter slipped");
   }
-  std::string detail = "its stamp gives pulse " + std::to_string(pulses_[*place.pulse].count);
-  detail +=
-      offset_ ? ", its counter pulse " +
-                    std::to_string(static_cast<std::int64_t>(entry.frame.counter) - offset_->value)
-              : ", and too few frames agree on the counter's offset";
-  drop(entry, DropReason::CounterSlip, detail);
+  std::string detail = fmt::format("its stamp gives pulse {}", pulses_[*place.pulse].count);
+  detail += offset_ ? fmt::format(", its counter pulse {}",
+                                  static_cast<std::int64_t>(record.frame.counter) - offset_->value)
+                    : ", and too few frames agree on the counter's offset";
+  drop(record, DropReason::kCounterSlip, detail);
 }
 
 bool FrameMatcher::take_out_of_gap(std::uint64_t counter) {
@@ -247,13 +257,9 @@ bool FrameMatcher::take_out_of_gap(std::uint64_t counter) {
   return true;
 }
 
-void FrameMatcher::drop(const Entry& entry, DropReason reason, const std::string& detail) {
-  Result result;
-  result.frame = entry.number;
-  result.pulse = pulse_of(entry.frame);
-  const std::uint64_t count = result.pulse ? pulses_[*result.pulse].count : 0;
-  result.drop = Drop{reason, entry.number, entry.frame.counter, count, detail};
-  results_.push_back(result);
+void FrameMatcher::drop(FrameRecord& record, DropReason reason, const std::string& detail) {
+  record.pulse = pulse_of(record.frame);
+  frames_.drop(record, reason, detail);
 }
 
 }  // namespace pose_frame_binder

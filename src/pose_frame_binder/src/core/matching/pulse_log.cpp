@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pose_frame_binder/pulse_log.h"
+#include "matching/pulse_log.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,28 +21,29 @@ double length(const ConstantSpeed& motion) {
 
 void check_number(const char* name, double value, double most) {
   if (value > 0 && value <= most) return;
-  throw scan_cell_common::InvalidParameter(std::string("constant_speed/") + name,
-                                           std::to_string(value),
-                                           "give a number above 0, up to " + std::to_string(most));
+  throw scan_cell_common::InvalidParameter(fmt::format("constant_speed/{}", name),
+                                           fmt::format("{}", value),
+                                           fmt::format("give a number above 0, up to {}", most));
 }
 
 }  // namespace
 
 void check(const ConstantSpeed& motion) {
-  constexpr double kMostSpeed = 100;     // [m/s]
-  constexpr double kMostRate = 1e5;      // [Hz]
-  constexpr double kLeastLength = 1e-4;  // [m]
-  constexpr double kHalfTurn = 1e-6;     // [rad]
-  check_number("speed", motion.speed, kMostSpeed);
-  check_number("frame_rate", motion.frame_rate, kMostRate);
+  // Chosen: what no cell does, and what no direction can be told from.
+  constexpr double kMaxSpeed = 100;    // [m/s]
+  constexpr double kMaxRate = 1e5;     // [Hz]
+  constexpr double kMinLength = 1e-4;  // [m]
+  constexpr double kHalfTurn = 1e-6;   // [rad]
+  check_number("speed", motion.speed, kMaxSpeed);
+  check_number("frame_rate", motion.frame_rate, kMaxRate);
   if (!motion.start.matrix().allFinite() || !motion.end.matrix().allFinite()) {
     throw scan_cell_common::InvalidParameter(
-        "constant_speed/start, end", "not given, or no poses",
+        "constant_speed/start, end", "missing, or not poses",
         "give x, y, z [m] and a unit quaternion qx, qy, qz, qw");
   }
-  if (length(motion) < kLeastLength) {
-    throw scan_cell_common::InvalidParameter("constant_speed/start, end", "at the same place",
-                                             "give two: they say the direction");
+  if (length(motion) < kMinLength) {
+    throw scan_cell_common::InvalidParameter("constant_speed/start, end", "at the same position",
+                                             "give two positions: they give the direction");
   }
   const Eigen::AngleAxisd turn(motion.start.linear().transpose() * motion.end.linear());
   if (M_PI - std::abs(turn.angle()) < kHalfTurn) {
@@ -51,7 +54,7 @@ void check(const ConstantSpeed& motion) {
 
 ConstantSpeedRule::ConstantSpeedRule(const Settings& settings)
     : motion_(settings.constant_speed),
-      most_off_(settings.most_pose_gap),
+      max_off_(settings.max_pose_gap),
       length_(length(settings.constant_speed)) {}
 
 std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const PulseLog& pulses,
@@ -59,27 +62,28 @@ std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const Pulse
   const Pulse& pulse = pulses[index];
   const Pulse& first = pulses[0];
   if (pulses.run(index) != pulses.run(0)) {
-    return refuse(DropReason::NoPoseBefore,
+    return refuse(DropReason::kNoPoseBefore,
                   "the trigger was armed again: when that motion began is not known");
   }
   const double since_start = static_cast<double>(pulse.count - 1) / motion_.frame_rate;
   const double since_first = static_cast<double>(pulse.count - first.count) / motion_.frame_rate;
   const double off = to_seconds(pulse.time - first.time) - since_first;
-  if (std::abs(off) > most_off_) {
-    return refuse(DropReason::PoseGap, "its pulse came " + std::to_string(off) +
-                                           " s off a constant frame rate, at most " +
-                                           std::to_string(most_off_) + " s allowed");
+  if (std::abs(off) > max_off_) {
+    return refuse(
+        DropReason::kPoseGap,
+        fmt::format("its pulse came {:.6g} s off a constant frame rate, at most {} s allowed", off,
+                    max_off_));
   }
   const double fraction = since_start * motion_.speed / length_;
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the fraction, which is of order 1
   if (fraction > 1 + kRounding) {
-    return refuse(DropReason::NoPoseAfter, "the motion has ended before it");
+    return refuse(DropReason::kNoPoseAfter, "the motion has ended before it");
   }
   const Eigen::Isometry3d moved =
       scan_cell_common::interpolate(motion_.start, motion_.end, std::min(fraction, 1.0));
   PoseAnswer answer;
   Match& match = answer.match.emplace();
-  match.rule = Rule::ConstantSpeed;
+  match.rule = Rule::kConstantSpeed;
   match.pulse = pulse;
   // What moved an object from start to `moved` moves the scanner the other way, seen from it.
   match.pose = motion_.object_moves ? motion_.start * moved.inverse() * motion_.start : moved;

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -15,7 +17,7 @@ double FirstPoseRule::position_error(std::size_t used, Nanoseconds time,
                                      const PoseLog& poses) const {
   const bool before = poses[used].time <= time;
   const double away = std::abs(to_seconds(time - poses[used].time));
-  if (before ? used + 1 == poses.size() : used == 0) return settings_.most_speed * away;
+  if (before ? used + 1 == poses.size() : used == 0) return settings_.max_speed * away;
   const TimedPose& first = poses[before ? used : used - 1];
   const TimedPose& second = poses[before ? used + 1 : used];
   const double share = away / to_seconds(second.time - first.time);
@@ -26,7 +28,7 @@ double FirstPoseRule::position_error(std::size_t used, Nanoseconds time,
 PoseAnswer FirstPoseRule::take(std::size_t used, Rule rule, const Pulse& pulse,
                                const PoseLog& poses) const {
   const double after_pose = to_seconds(pulse.time - poses[used].time);
-  if (std::abs(after_pose) > settings_.most_pose_gap) {
+  if (std::abs(after_pose) > settings_.max_pose_gap) {
     return refuse_gap(std::abs(after_pose), settings_);
   }
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -57,19 +59,19 @@ std::optional<PoseAnswer> FirstPoseRule::find(std::size_t index, const PulseLog&
   const bool two = first + 1 < poses.size();
   if (!poses.settled(two ? poses[first + 1].time : kNever)) return std::nullopt;
   if (two && poses[first + 1].time < next_pulse) {
-    return take(first, Rule::PosesShareFrame, pulse, poses);
+    return take(first, Rule::kPosesShareFrame, pulse, poses);
   }
   const bool same_time = first < poses.size() && poses[first].time == pulse.time;
   if (first == 0 && !same_time) {
-    return refuse(DropReason::NoPoseBefore, "no pose was measured up to the pulse");
+    return refuse(DropReason::kNoPoseBefore, "no pose was measured up to the pulse");
   }
   const std::size_t held = same_time ? first : first - 1;
   if (index > 0 && pulses[index - 1].time >= poses[held].time) {
-    return refuse(DropReason::SharedPose,
-                  "an earlier pulse keeps the pose of " + std::to_string(poses[held].time) + " ns");
+    return refuse(DropReason::kSharedPose,
+                  fmt::format("an earlier pulse keeps the pose of {} ns", poses[held].time));
   }
   const bool shared = held + 1 == poses.size() ? !last : next_pulse < poses[held + 1].time;
-  return take(held, shared ? Rule::FramesSharePose : Rule::OneToOne, pulse, poses);
+  return take(held, shared ? Rule::kFramesSharePose : Rule::kOneToOne, pulse, poses);
 }
 
 }  // namespace pose_frame_binder

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include "poses/pose_rules.h"
 
 namespace pose_frame_binder {
@@ -9,10 +11,10 @@ using scan_cell_common::to_seconds;
 PoseAnswer InterpolationRule::between(const TimedPose& before, const TimedPose& after,
                                       const Pulse& pulse) const {
   const double gap = to_seconds(after.time - before.time);
-  if (gap > settings_.most_pose_gap) return refuse_gap(gap, settings_);
+  if (gap > settings_.max_pose_gap) return refuse_gap(gap, settings_);
   PoseAnswer answer;
   Match& match = answer.match.emplace();
-  match.rule = Rule::Interpolated;
+  match.rule = Rule::kInterpolated;
   match.pulse = pulse;
   match.pose = scan_cell_common::interpolate(before, after, pulse.time);
   match.time_to_before = to_seconds(pulse.time - before.time);
@@ -27,15 +29,14 @@ std::optional<PoseAnswer> InterpolationRule::find(std::size_t index, const Pulse
   const std::size_t after = poses.first_at_or_after(pulse.time);
   if (after == poses.size()) {
     if (!poses.ended()) return std::nullopt;
-    return refuse(poses.size() == 0 ? DropReason::NoPoseBefore : DropReason::NoPoseAfter,
-                  "the last of " + std::to_string(poses.size()) + " poses is earlier");
+    return refuse(poses.size() == 0 ? DropReason::kNoPoseBefore : DropReason::kNoPoseAfter,
+                  fmt::format("the last of {} poses is earlier", poses.size()));
   }
   if (!poses.settled(poses[after].time)) return std::nullopt;
   if (poses[after].time == pulse.time) return between(poses[after], poses[after], pulse);
   if (after == 0) {
-    return refuse(
-        DropReason::NoPoseBefore,
-        "the first pose is " + std::to_string(to_seconds(poses[0].time - pulse.time)) + " s later");
+    return refuse(DropReason::kNoPoseBefore, fmt::format("the first pose is {:.6g} s later",
+                                                         to_seconds(poses[0].time - pulse.time)));
   }
   return between(poses[after - 1], poses[after], pulse);
 }

@@ -1,6 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pose_frame_binder/pose_log.h"
+#include "poses/pose_log.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -8,7 +10,7 @@
 
 namespace pose_frame_binder {
 
-PoseLog::PoseLog(Nanoseconds settle, std::size_t most) : settle_(settle), most_(most) {}
+PoseLog::PoseLog(Nanoseconds settle, std::size_t max_poses) : settle_(settle), max_(max_poses) {}
 
 void PoseLog::add(const TimedPose& pose) {
   if (!pose.pose.matrix().allFinite()) {
@@ -24,9 +26,9 @@ void PoseLog::add(const TimedPose& pose) {
     ++repeated_;
     return;
   }
-  if (poses_.size() >= most_) {
-    throw scan_cell_common::Refused("pose log", "full with " + std::to_string(most_) + " poses",
-                                    "raise most_poses, or scan for less time");
+  if (poses_.size() >= max_) {
+    throw scan_cell_common::Refused("pose log", fmt::format("full with {} poses", max_),
+                                    "raise max_poses, or scan for less time");
   }
   poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(place), pose);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pose_frame_binder/pose_rule.h"
+#include "poses/pose_rule.h"
 
 namespace pose_frame_binder {
 
@@ -42,8 +42,8 @@ class ConstantSpeedRule : public PoseRule {
 
  private:
   const ConstantSpeed motion_;
-  const double most_off_;  // [s]
-  const double length_;    // [m]
+  const double max_off_;  // [s]
+  const double length_;   // [m]
 };
 
 PoseAnswer refuse(DropReason reason, const std::string& detail);

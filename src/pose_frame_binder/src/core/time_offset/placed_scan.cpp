@@ -13,11 +13,11 @@ using scan_cell_common::to_seconds;
 namespace {
 
 std::optional<Eigen::Isometry3d> pose_at(const std::vector<TimedPose>& poses, Nanoseconds time,
-                                         double most_gap) {
+                                         double max_gap) {
   const auto before = [](const TimedPose& pose, Nanoseconds t) { return pose.time < t; };
   const auto after = std::lower_bound(poses.begin(), poses.end(), time, before);
   if (after == poses.begin() || after == poses.end()) return std::nullopt;
-  if (to_seconds(after->time - (after - 1)->time) > most_gap) return std::nullopt;
+  if (to_seconds(after->time - (after - 1)->time) > max_gap) return std::nullopt;
   return scan_cell_common::interpolate(*(after - 1), *after, time);
 }
 
@@ -25,7 +25,7 @@ std::optional<Eigen::Isometry3d> pose_at(const std::vector<TimedPose>& poses, Na
 
 PlacedScan::PlacedScan(const UnboundScan& scan, double delay, std::size_t most,
                        const TimeOffsetSettings& settings)
-    : most_distance_(settings.most_distance) {
+    : max_distance_(settings.max_distance) {
   constexpr double kAround = 0.02;  // [s] over which the velocity is taken
   std::size_t all = 0;
   for (const UnboundScan::Line& line : scan.lines)
@@ -35,16 +35,16 @@ PlacedScan::PlacedScan(const UnboundScan& scan, double delay, std::size_t most,
   for (const UnboundScan::Line& line : scan.lines) {
     const Nanoseconds time = line.time + from_seconds(delay);
     const Nanoseconds around = from_seconds(kAround);
-    const auto before = pose_at(scan.poses, time - around, settings.most_pose_gap);
-    const auto pose = pose_at(scan.poses, time, settings.most_pose_gap);
-    const auto after = pose_at(scan.poses, time + around, settings.most_pose_gap);
+    const auto before = pose_at(scan.poses, time - around, settings.max_pose_gap);
+    const auto pose = pose_at(scan.poses, time, settings.max_pose_gap);
+    const auto after = pose_at(scan.poses, time + around, settings.max_pose_gap);
     if (!before || !pose || !after) continue;
     for (const Eigen::Vector3d& point : line.points) {
       if (number++ % stride != 0 || !point.allFinite()) continue;
       points_.push_back({*pose * point, (*after * point - *before * point) / (2 * kAround)});
     }
   }
-  if (!points_.empty()) tree_.emplace(3, *this, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  if (!points_.empty()) tree_.emplace(points_);
 }
 
 Eigen::Vector3d PlacedScan::mean_velocity() const {
@@ -55,9 +55,9 @@ Eigen::Vector3d PlacedScan::mean_velocity() const {
 }
 
 double PlacedScan::distance(const Eigen::Vector3d& place) const {
-  std::size_t nearest = 0;
+  Tree::Index nearest = 0;
   double square = 0;
-  tree_->knnSearch(place.data(), 1, &nearest, &square);
+  tree_->nearest(place.data(), 1, &nearest, &square);
   return std::sqrt(square);
 }
 
@@ -66,10 +66,10 @@ std::optional<PlacedScan::Patch> PlacedScan::patch_at(const Eigen::Vector3d& pla
   constexpr double kIndependent = 3;  // of them: those of one line share the error of its pose
   constexpr double kFlat = 0.1;       // thickness over width, of a plane
   constexpr double kInside = 1.0;     // distance from the middle over width
-  std::array<std::size_t, kPoints> indices;
+  std::array<Tree::Index, kPoints> indices;
   std::array<double, kPoints> squares;
-  if (tree_->knnSearch(place.data(), kPoints, indices.data(), squares.data()) < kPoints ||
-      squares[0] > most_distance_ * most_distance_) {
+  if (tree_->nearest(place.data(), kPoints, indices.data(), squares.data()) < kPoints ||
+      squares[0] > max_distance_ * max_distance_) {
     return std::nullopt;
   }
   Patch patch;

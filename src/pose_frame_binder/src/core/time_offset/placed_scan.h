@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <nanoflann.hpp>
 #include <optional>
 
+#include "scan_cell_common/kd_tree.h"
 #include "time_offset/time_offset.h"
 
 namespace pose_frame_binder {
@@ -42,20 +42,15 @@ class PlacedScan {
   /// To the nearest point [m].
   double distance(const Eigen::Vector3d& place) const;
 
-  // For the tree.
-  std::size_t kdtree_get_point_count() const { return points_.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return points_[i].place[static_cast<Eigen::Index>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-
  private:
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PlacedScan>,
-                                                   PlacedScan, 3, std::size_t>;
-  const double most_distance_;
+  struct Coordinate {
+    double operator()(const Point& point, std::size_t axis) const {
+      return point.place[static_cast<Eigen::Index>(axis)];
+    }
+  };
+  using Tree = scan_cell_common::KdTree<std::vector<Point>, Coordinate, double>;
+
+  const double max_distance_;
   std::vector<Point> points_;
   std::optional<Tree> tree_;
 };

@@ -16,8 +16,8 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kMostPoints = 60'000;  // of a scan, in its tree
-constexpr std::size_t kMostAsked = 5'000;    // of a scan, looked for in the other
+constexpr std::size_t kMaxPoints = 60'000;  // of a scan, in its tree
+constexpr std::size_t kMaxAsked = 5'000;    // of a scan, looked for in the other
 
 /// The motion's direction, and two across it.
 struct Axes {
@@ -37,7 +37,7 @@ Axes axes_of(const Eigen::Vector3d& velocity) {
 void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, const Axes& axes,
              const TimeOffsetSettings& settings, std::vector<OffsetPair>& pairs) {
   constexpr double kBlock = 0.01;  // [m]
-  const std::size_t stride = asked.points().size() / kMostAsked + 1;
+  const std::size_t stride = asked.points().size() / kMaxAsked + 1;
   for (std::size_t i = 0; i < asked.points().size(); i += stride) {
     const PlacedScan::Point& point = asked.points()[i];
     const auto patch = there.patch_at(point.place);
@@ -45,7 +45,7 @@ void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, cons
     const Eigen::Vector3d& normal = patch->normal;
     OffsetPair pair;
     pair.residual = normal.dot(point.place - patch->middle);
-    pair.on_relief = std::abs(normal.dot(axes.along)) >= settings.least_relief;
+    pair.on_relief = std::abs(normal.dot(axes.along)) >= settings.min_relief;
     // Flat patches say nothing but their noise about the delay.
     Eigen::Matrix3d of_normal;
     of_normal.row(0) = (pair.on_relief ? 1 : 0) * (point.velocity - patch->velocity).transpose();
@@ -79,20 +79,20 @@ double root_mean_square(const std::vector<OffsetPair>& pairs) {
 double search(const PlacedScan& forward, const PlacedScan& backward,
               const TimeOffsetSettings& settings) {
   constexpr double kStep = 1e-3;  // [m]
-  constexpr double kMostSteps = 200;
+  constexpr double kMaxSteps = 200;
   constexpr std::size_t kAsked = 1500;
   const double speed = (forward.mean_velocity() - backward.mean_velocity()).norm();
-  const double steps = std::min(kMostSteps, std::ceil(settings.most_delay * speed / kStep));
+  const double steps = std::min(kMaxSteps, std::ceil(settings.max_delay * speed / kStep));
   const std::size_t stride = backward.points().size() / kAsked + 1;
   double best = 0, least = std::numeric_limits<double>::infinity();
   for (double step = -steps; step <= steps; ++step) {
-    const double delay = step / steps * settings.most_delay;
+    const double delay = step / steps * settings.max_delay;
     double sum = 0;
     for (std::size_t i = 0; i < backward.points().size(); i += stride) {
       const PlacedScan::Point& point = backward.points()[i];
       const Eigen::Vector3d place =
           point.place + delay * (point.velocity - forward.mean_velocity());
-      sum += std::min(forward.distance(place), settings.most_distance);
+      sum += std::min(forward.distance(place), settings.max_distance);
     }
     if (sum >= least) continue;
     least = sum;
@@ -111,9 +111,9 @@ void check_scan(const PlacedScan& scan, const char* name) {
 
 Axes check_directions(const PlacedScan& forward, const PlacedScan& backward) {
   const Eigen::Vector3d there = forward.mean_velocity(), back = backward.mean_velocity();
-  constexpr double kLeastSpeed = 1e-3;  // [m/s]
-  constexpr double kOpposite = -0.9;    // cosine
-  if (there.norm() > kLeastSpeed && back.norm() > kLeastSpeed &&
+  constexpr double kMinSpeed = 1e-3;  // [m/s]
+  constexpr double kOpposite = -0.9;  // cosine
+  if (there.norm() > kMinSpeed && back.norm() > kMinSpeed &&
       there.normalized().dot(back.normalized()) < kOpposite) {
     return axes_of(there - back);
   }
@@ -130,20 +130,20 @@ void check_overlap(const std::vector<OffsetPair>& pairs) {
 
 void check_relief(const TimeOffset& offset, const std::vector<OffsetPair>& pairs,
                   const TimeOffsetSettings& settings) {
-  constexpr std::size_t kLeastPairs = 200;
-  constexpr std::size_t kLeastBlocks = 4;
+  constexpr std::size_t kMinPairs = 200;
+  constexpr std::size_t kMinBlocks = 4;
   std::map<int, int> blocks;
   for (const OffsetPair& pair : pairs)
     if (pair.on_relief) ++blocks[pair.block];
   const char* const cure =
       "put something with slopes along the motion there, such as a box on its edge or a pipe";
-  if (offset.on_relief < kLeastPairs || blocks.size() < kLeastBlocks) {
+  if (offset.on_relief < kMinPairs || blocks.size() < kMinBlocks) {
     throw UnusableInput("relief along the motion",
                         std::to_string(offset.on_relief) + " of " + std::to_string(offset.pairs) +
                             " points lie on slopes",
                         cure);
   }
-  if (!(offset.uncertainty <= settings.most_uncertainty)) {
+  if (!(offset.uncertainty <= settings.max_uncertainty)) {
     throw UnusableInput("time offset", "uncertain by " + std::to_string(offset.uncertainty) + " s",
                         cure);
   }
@@ -153,8 +153,8 @@ void check_relief(const TimeOffset& offset, const std::vector<OffsetPair>& pairs
 
 TimeOffset estimate_time_offset(const UnboundScan& forward, const UnboundScan& backward,
                                 const TimeOffsetSettings& settings) {
-  const PlacedScan there(forward, 0, kMostPoints, settings);
-  const PlacedScan back(backward, 0, kMostPoints, settings);
+  const PlacedScan there(forward, 0, kMaxPoints, settings);
+  const PlacedScan back(backward, 0, kMaxPoints, settings);
   check_scan(there, "forward");
   check_scan(back, "backward");
   const Axes axes = check_directions(there, back);
@@ -162,13 +162,13 @@ TimeOffset estimate_time_offset(const UnboundScan& forward, const UnboundScan& b
   offset.apart_before = root_mean_square(pair_up(there, back, axes, settings));
   offset.pose_delay = search(there, back, settings);
 
-  constexpr int kMostSteps = 25;
+  constexpr int kMaxSteps = 25;
   constexpr double kConverged = 0.03;  // of the uncertainty
   OffsetFit fit;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const std::vector<OffsetPair> pairs =
-        pair_up(PlacedScan(forward, offset.pose_delay, kMostPoints, settings),
-                PlacedScan(backward, offset.pose_delay, kMostPoints, settings), axes, settings);
+        pair_up(PlacedScan(forward, offset.pose_delay, kMaxPoints, settings),
+                PlacedScan(backward, offset.pose_delay, kMaxPoints, settings), axes, settings);
     check_overlap(pairs);
     fit = fit_offset(pairs);
     offset.pairs = pairs.size();
@@ -183,10 +183,10 @@ TimeOffset estimate_time_offset(const UnboundScan& forward, const UnboundScan& b
     if (std::abs(fit.solution[0]) < kConverged * offset.uncertainty) break;
   }
   if (std::abs(fit.solution[0]) > offset.uncertainty ||
-      std::abs(offset.pose_delay) > settings.most_delay) {
+      std::abs(offset.pose_delay) > settings.max_delay) {
     throw UnusableInput("time offset",
                         "not settled near " + std::to_string(offset.pose_delay) + " s",
-                        "check that both scans show the same scene, or raise most_delay");
+                        "check that both scans show the same scene, or raise max_delay");
   }
   return offset;
 }

@@ -23,11 +23,11 @@ struct UnboundScan {
 };
 
 struct TimeOffsetSettings {
-  double most_delay = 0.1;         //!< [s] offsets looked for: - to + this
-  double most_distance = 0.01;     //!< [m] between points of the two scans that can be one
-  double most_pose_gap = 0.05;     //!< [s]
-  double least_relief = 0.1;       //!< sine of the slope along the motion, from which it counts
-  double most_uncertainty = 1e-3;  //!< [s] one standard deviation
+  double max_delay = 0.1;         //!< [s] offsets looked for: - to + this
+  double max_distance = 0.01;     //!< [m] between points of the two scans that can be one
+  double max_pose_gap = 0.05;     //!< [s]
+  double min_relief = 0.1;        //!< sine of the slope along the motion, from which it counts
+  double max_uncertainty = 1e-3;  //!< [s] one standard deviation
 };
 
 struct TimeOffset {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checks/diagnosis.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
@@ -19,17 +21,17 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using scan_cell_common::UnusableInput;
 
-constexpr double kDegree = M_PI / 180;
 const char* const kPoses = "poses of the session";
 
-std::string degrees(double angle) {
-  return figure(angle / kDegree, " deg");
-}
-
-/// Median angle that the flange turned between views, and that the camera did: the same, wherever
-/// the camera sits on the flange.
+/// Median angles by which flange and camera turned between views. They are the same, wherever the
+/// camera sits on the flange.
 struct Turns {
   double flange = 0, camera = 0;  // [rad]
+
+  std::string text() const {
+    return fmt::format("the flange turns by {} between views, the camera by {} (medians)",
+                       degrees(flange), degrees(camera));
+  }
 };
 
 Turns median_turns(const PosePairs& pairs) {
@@ -57,14 +59,14 @@ PosePairs shifted(const PosePairs& pairs, int shift) {
 
 [[noreturn]] void refuse_step(int shift, const std::string& from, std::size_t part,
                               std::size_t whole) {
-  const std::string which =
-      shift > 0 ? "with the pose of the view after it" : "with the pose of the view before it";
-  throw UnusableInput(kPoses,
-                      "out of step with the images: from " + from + " on, " + share(part, whole) +
-                          " images go " + which + (std::abs(shift) > 1 ? " the next" : ""),
-                      shift > 0
-                          ? "a pose too many was recorded, or an image is missing, before it"
-                          : "an image too many was recorded, or a pose is missing, before it");
+  const char* const place = std::abs(shift) > 1 ? "second " : "";
+  throw UnusableInput(
+      kPoses,
+      fmt::format("out of step with the images: from {} on, {} images go with the pose of the "
+                  "{}view {} it",
+                  from, share(part, whole), place, shift > 0 ? "after" : "before"),
+      shift > 0 ? "before that view, a pose too many was recorded or an image is missing"
+                : "before that view, an image too many was recorded or a pose is missing");
 }
 
 void check_step(const PosePairs& pairs, const Isometry3d& half_turn) {
@@ -79,10 +81,10 @@ void check_step(const PosePairs& pairs, const Isometry3d& half_turn) {
   }
 }
 
-/// Views that do not fit as they are but do with a neighbour's pose.
+/// Views that do not fit their own pose but that of a neighbour.
 void check_later_step(const PosePairs& pairs, const HandEye& found, const Isometry3d& half_turn) {
-  constexpr std::size_t kFew = 3;
-  constexpr double kTurn = 2 * kDegree;
+  constexpr std::size_t kMinMisfits = 3;    // chosen: fewer are single errors
+  constexpr double kMaxTurn = 2 * kDegree;  // chosen: as for a view that fits (hand_eye.cpp)
   for (const int shift : {1, -1}) {
     std::size_t misfits = 0, cured = 0;
     std::string first;
@@ -98,10 +100,11 @@ void check_later_step(const PosePairs& pairs, const HandEye& found, const Isomet
                               found.flange_to_camera * board;
       const double angle =
           std::min(angle_of(miss.linear()), angle_of(miss.linear() * half_turn.linear()));
-      if (angle > kTurn) continue;
+      if (angle > kMaxTurn) continue;
       if (cured++ == 0) first = pairs.names[image];
     }
-    if (misfits >= kFew && 5 * cured >= 4 * misfits) refuse_step(shift, first, cured, misfits);
+    if (misfits >= kMinMisfits && 5 * cured >= 4 * misfits)
+      refuse_step(shift, first, cured, misfits);
   }
 }
 
@@ -116,25 +119,22 @@ void check_direction(const PosePairs& pairs, const Isometry3d& half_turn) {
                       "give the pose of tool0 in base_link, not of base_link in tool0");
 }
 
-/// An angle of so many radians, read as degrees, is small whatever it was.
+/// Radians that are read as degrees give small angles.
 void check_radians_as_degrees(const PosePairs& pairs, const Turns& turns) {
-  constexpr double kMost = 3 * M_PI * kDegree;  // three Euler angles of half a turn
-  constexpr double kRatio = 4;
+  constexpr double kMaxAngle = 3 * M_PI * kDegree;  // [rad] three Euler angles of pi "degrees"
+  constexpr double kMinRatio = 4;                   // chosen; radians as degrees give 57
   double largest = 0;
   for (const Isometry3d& pose : pairs.flange)
     largest = std::max(largest, angle_of(pose.linear()));
-  if (largest > kMost || turns.camera < kRatio * turns.flange) return;
-  throw UnusableInput("angles of the poses",
-                      "the flange turns by " + degrees(turns.flange) +
-                          " between views where the camera turns by " + degrees(turns.camera) +
-                          " (medians)",
+  if (largest > kMaxAngle || turns.camera < kMinRatio * turns.flange) return;
+  throw UnusableInput("angles of the poses", turns.text(),
                       "they are in radians and were read as degrees");
 }
 
-/// How well the flange's positions [m] agree with the camera's poses when nothing is said of the
-/// flange's orientation: board and flange in turn, as relative RMS of the flange's travel.
+/// How well the flange's positions [m] agree with the camera's poses, without the flange's
+/// orientations: board and flange are fitted in turn. RMS relative to the flange's travel.
 double position_misfit(const PosePairs& pairs) {
-  constexpr int kSteps = 200;
+  constexpr int kSteps = 200;  // chosen: alternating fits converge slowly
   const auto count = static_cast<Eigen::Index>(pairs.flange.size());
   Eigen::Matrix3Xd flange(3, count), camera(3, count);
   std::vector<Matrix3d> turn;
@@ -154,7 +154,7 @@ double position_misfit(const PosePairs& pairs) {
     const Eigen::Matrix4d fit = Eigen::umeyama(expected, flange, true);
     const Eigen::Matrix3Xd back = (fit.inverse() * flange.colwise().homogeneous()).topRows<3>();
     misfit = (fit.topLeftCorner<3, 3>() * (back - expected)).norm() / travel;
-    // The lever that suits best, the board's plane free to shift
+    // The best lever, with the board free to shift
     Eigen::MatrixXd rows(3 * count, 6);
     Eigen::VectorXd right(3 * count);
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -168,24 +168,22 @@ double position_misfit(const PosePairs& pairs) {
 }
 
 void check_orientations(const PosePairs& pairs, const Turns& turns) {
-  constexpr double kSmall = 0.05;
-  constexpr double kRatio = 1.5;
-  if (!(position_misfit(pairs) < kSmall)) return;
-  const bool scrambled = turns.flange > kRatio * turns.camera;
+  constexpr double kMaxMisfit = 0.05;  // of the flange's travel, chosen
+  constexpr double kMinRatio = 1.5;    // chosen: scrambled angles turn further than the camera
+  if (!(position_misfit(pairs) < kMaxMisfit)) return;
+  const bool scrambled = turns.flange > kMinRatio * turns.camera;
   throw UnusableInput(
       "angles of the poses",
-      "the flange's positions fit the images, its orientations do not: it turns by " +
-          degrees(turns.flange) + " between views where the camera turns by " +
-          degrees(turns.camera) + " (medians)",
-      scrambled ? "degrees were read as radians, or the convention of the angles "
-                  "(order, axes, quaternion's order) is another"
-                : "check the convention of the angles: their order and axes, or "
-                  "the order of the quaternion");
+      "the flange's positions fit the images, its orientations do not: " + turns.text(),
+      scrambled ? "degrees were read as radians, or the angles follow another convention "
+                  "(order, axes, order of the quaternion)"
+                : "check the convention of the angles: their order and axes, or the order of the "
+                  "quaternion");
 }
 
-/// About how many axes the flange turned, and how far.
+/// The flange must turn about two axes, far enough.
 void check_axes(const PosePairs& pairs, const HandEye& found) {
-  constexpr double kLeast = 2 * kDegree;
+  constexpr double kMinTurn = 2 * kDegree;  // RMS, chosen
   Matrix3d scatter = Matrix3d::Zero();
   double count = 0;
   const auto first = static_cast<std::size_t>(
@@ -199,41 +197,43 @@ void check_axes(const PosePairs& pairs, const HandEye& found) {
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(scatter / count);
   const double second = std::sqrt(std::max(0., axes.eigenvalues()[1]));
-  if (second > kLeast) return;
+  if (second > kMinTurn) return;
+  if (std::sqrt(axes.eigenvalues()[2]) < kMinTurn) {
+    throw UnusableInput("orientations of the flange", "they do not differ",
+                        "the camera's pose on the flange is undetermined: turn the flange by 20 "
+                        "degrees or more about two axes");
+  }
   const Vector3d axis = axes.eigenvectors().col(2);
-  const bool none = std::sqrt(axes.eigenvalues()[2]) < kLeast;
-  char text[160];
-  std::snprintf(text, sizeof(text),
-                "about one axis only (%.2f %.2f %.2f in tool0), %.2g deg about others", axis.x(),
-                axis.y(), axis.z(), second / kDegree);
   throw UnusableInput(
-      "orientations of the flange", none ? "they do not differ" : text,
-      none ? "the camera's pose on the flange is left undetermined: turn the flange by 20 degrees "
-             "or more about two axes"
-           : "the camera's place on the flange along this axis is left undetermined: turn the "
-             "flange by 20 degrees or more about a second axis too");
+      "orientations of the flange",
+      fmt::format("about one axis only ({:.2f} {:.2f} {:.2f} in tool0), {:.2g} deg about others",
+                  axis.x(), axis.y(), axis.z(), second / kDegree),
+      "the camera's position on the flange along this axis is undetermined: turn the flange by 20 "
+      "degrees or more about a second axis too");
 }
 
 }  // namespace
 
 bool agree(const HandEye& found, std::size_t of) {
-  constexpr double kMost = 0.6;
-  return found.count >= 4 && static_cast<double>(found.count) >= kMost * static_cast<double>(of);
+  constexpr double kMinShare = 0.6;     // of the views, chosen
+  constexpr std::size_t kMinCount = 4;  // chosen: three always agree
+  return found.count >= kMinCount &&
+         static_cast<double>(found.count) >= kMinShare * static_cast<double>(of);
 }
 
 void check_tilts(const PosePairs& pairs) {
-  constexpr double kLeast = 5 * kDegree;
+  constexpr double kMinTilt = 5 * kDegree;  // between two views, chosen
   double widest = 0;
   for (const Isometry3d& a : pairs.board)
     for (const Isometry3d& b : pairs.board)
       widest = std::max(widest,
                         std::acos(std::clamp(a.linear().col(2).dot(b.linear().col(2)), -1., 1.)));
-  if (widest > kLeast) return;
+  if (widest > kMinTilt) return;
   throw UnusableInput(
       "views of the session",
       "all parallel: the board's tilt to the camera differs by " + degrees(widest) + " at most",
-      "focal length and distance, and the camera's place on the flange, are left undetermined: "
-      "tilt the camera by 20 degrees or more, in several directions");
+      "focal length, distance and the camera's position on the flange are undetermined: tilt the "
+      "camera by 20 degrees or more, in several directions");
 }
 
 HandEye agreed_hand_eye(const PosePairs& pairs, const BoardSurface& surface) {
@@ -251,33 +251,31 @@ HandEye agreed_hand_eye(const PosePairs& pairs, const BoardSurface& surface) {
   check_orientations(pairs, turns);
   throw UnusableInput(
       kPoses,
-      share(found.count, pairs.flange.size()) +
-          " views agree on where the camera sits on the flange; the flange turns by " +
-          degrees(turns.flange) + " between views, the camera by " + degrees(turns.camera) +
-          " (medians)",
-      "check that each pose is of tool0 in base_link, that it belongs to its image, and that the "
-      "board stood still");
+      fmt::format("{} views agree on where the camera sits on the flange; {}",
+                  share(found.count, pairs.flange.size()), turns.text()),
+      "check that each pose is of tool0 in base_link and belongs to its image, and that the board "
+      "did not move");
 }
 
 void check_board_size(const HandEye& hand_eye, const PosePairs& pairs, double square_size) {
-  constexpr double kMost = 0.03;  // a board bent by a millimetre may feign half of it
-  constexpr double kSure = 5;     // deviations
+  constexpr double kMaxMiss = 0.03;     // chosen: a board bent by a millimetre can cause half of it
+  constexpr double kMinDeviations = 5;  // chosen
   const double miss = std::abs(hand_eye.scale - 1);
-  if (miss < kMost || miss < kSure * hand_eye.scale_deviation) return;
+  if (miss < kMaxMiss || miss < kMinDeviations * hand_eye.scale_deviation) return;
   double travel = 0;
   for (const Isometry3d& pose : pairs.flange)
     travel = std::max(travel, (pose.translation() - pairs.flange.front().translation()).norm());
-  constexpr double kRoom = 20;  // [m] that no robot travels
-  if (travel > kRoom) {
+  constexpr double kMaxTravel = 20;  // [m] of any robot, chosen
+  if (travel > kMaxTravel) {
     throw UnusableInput("positions of the poses",
-                        "the flange travels " + figure(travel, " m") + " where the images show " +
-                            figure(travel / hand_eye.scale, " m"),
-                        "they are in millimetres: give metres, or say so");
+                        fmt::format("the flange travels {} where the images show {}",
+                                    figure(travel, " m"), figure(travel / hand_eye.scale, " m")),
+                        "they are in millimetres: give metres");
   }
   throw UnusableInput("board square size",
-                      figure(square_size * 1e3, " mm") + "; the robot's travel says " +
-                          figure(square_size * hand_eye.scale * 1e3, " mm") + " +- " +
-                          figure(square_size * hand_eye.scale_deviation * 1e3, " mm"),
+                      fmt::format("{}; the robot's travel says {} +- {}", millimetres(square_size),
+                                  millimetres(square_size * hand_eye.scale),
+                                  millimetres(square_size * hand_eye.scale_deviation)),
                       "measure the board, and check the units of its size and of the poses");
 }
 

@@ -18,18 +18,18 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180;
-constexpr double kAgrees = 2 * kDegree;   // rotation of a view with the others'
-constexpr double kAgreesRelative = 0.03;  // offset of a view, of its distance from the board
+constexpr double kMaxAngle = 2 * kDegree;  // of a view from the others, chosen
+constexpr double kMaxOffset = 0.03;  // of the board, over its distance from the camera, chosen
+constexpr int kReweighings = 20;     // chosen: the weights no longer change
 
-/// Rotation X with flange motion * X = X * camera motion, as well as it goes (Park and Martin).
+/// Rotation X with flange motion * X = X * camera motion, by least squares (Park and Martin).
 class RotationFit {
  public:
   void add(const Matrix3d& flange_motion, const Matrix3d& camera_motion) {
-    constexpr double kUnclear = 175 * kDegree;  // about which axis it turned
+    constexpr double kMaxTurn = 175 * kDegree;  // chosen: near a half turn the axis flips
     const Vector3d flange = rotation_vector(flange_motion);
     const Vector3d camera = rotation_vector(camera_motion);
-    if (flange.norm() > kUnclear || camera.norm() > kUnclear) return;
+    if (flange.norm() > kMaxTurn || camera.norm() > kMaxTurn) return;
     sum_ += flange * camera.transpose();
   }
   Matrix3d solve() const { return nearest_rotation(sum_); }
@@ -40,6 +40,9 @@ class RotationFit {
 
 class Search {
  public:
+  /// x, the camera in the flange [m]; scale of the camera's lengths; p, the board in the base [m]
+  using Offsets = Eigen::Matrix<double, 7, 1>;
+
   Search(const std::vector<Isometry3d>& flange, const std::vector<Isometry3d>& board,
          const Isometry3d& half_turn)
       : flange_(flange), board_(board), half_turn_(half_turn) {
@@ -49,7 +52,7 @@ class Search {
   }
 
   HandEye run() {
-    constexpr int kTriples = 500;
+    constexpr int kTriples = 500;  // chosen: with half outliers all miss once in 10^29
     if (flange_.size() < 3) return best_;
     std::mt19937 generator(1);
     const auto draw = [&] { return static_cast<std::size_t>(generator() % flange_.size()); };
@@ -62,7 +65,6 @@ class Search {
       refine_rotation();
     take_most_as_they_are();
     solve_translation();
-    solve_at_given_size();
     return best_;
   }
 
@@ -72,7 +74,9 @@ class Search {
     refine_board(camera.linear());
     take_most_as_they_are();
     best_.flange_to_camera = camera;
-    if (best_.count > 0) solve_board(camera.translation());
+    Offsets known = Offsets::Unit(3);
+    known.head<3>() = camera.translation();
+    if (best_.count > 0) solve_robustly({4, 5, 6}, known);
     return best_;
   }
 
@@ -85,7 +89,7 @@ class Search {
                            : Matrix3d(board_[i].linear());
   }
 
-  /// Of three views that are taken as they are: if most are turned, "turned" means the others.
+  /// Of three views as they are. If most views are turned, "turned" means the others.
   Matrix3d from_triple(std::size_t a, std::size_t b, std::size_t c) const {
     RotationFit fit;
     const std::size_t pairs[][2] = {{a, b}, {b, c}, {c, a}};
@@ -102,8 +106,8 @@ class Search {
     trial.base_to_board.linear() = board;
     judge_rotations(trial);
     const double misfit = total(trial);
-    if (misfit < least_) {
-      least_ = misfit;
+    if (misfit < min_) {
+      min_ = misfit;
       best_ = trial;
     }
   }
@@ -119,7 +123,7 @@ class Search {
       const double turned = angle_of(miss * half_turn_.linear());
       trial.turned[i] = turned < plain;
       trial.angle[i] = std::min(turned, plain);
-      trial.fits[i] = trial.angle[i] < kAgrees;
+      trial.fits[i] = trial.angle[i] < kMaxAngle;
       trial.count += trial.fits[i];
     }
   }
@@ -127,7 +131,7 @@ class Search {
   static double total(const HandEye& trial) {
     double sum = 0;
     for (const double angle : trial.angle)
-      sum += std::min(angle * angle, kAgrees * kAgrees);
+      sum += std::min(angle * angle, kMaxAngle * kMaxAngle);
     return sum;
   }
 
@@ -150,8 +154,8 @@ class Search {
         boards += flange_[i].linear() * trial.flange_to_camera.linear() * oriented(i);
     trial.base_to_board.linear() = nearest_rotation(boards);
     judge_rotations(trial);
-    if (total(trial) <= least_) {
-      least_ = total(trial);
+    if (total(trial) <= min_) {
+      min_ = total(trial);
       best_ = trial;
     }
   }
@@ -165,62 +169,41 @@ class Search {
     best_.base_to_board.linear() = best_.base_to_board.linear() * half_turn_.linear();
   }
 
-  /// The board's origin is at one place: F_i (x + scale X c_i) = p, linear in x, scale and p.
-  void solve_translation() {
-    constexpr int kReweighings = 20;
-    const std::size_t count = flange_.size();
-    std::vector<double> weights(count, 1);
-    for (int step = 0; step < kReweighings; ++step) {
-      Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(7, 7);
-      Eigen::VectorXd right = Eigen::VectorXd::Zero(7);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (!best_.fits[i] && step == 0) weights[i] = 0;
-        const Eigen::Matrix<double, 3, 7> rows = equations(i);
-        normal += weights[i] * rows.transpose() * rows;
-        right -= weights[i] * rows.transpose() * flange_[i].translation();
-      }
-      const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(normal);
-      const Eigen::VectorXd solution = solver.solve(right);
-      judge_translations(solution, weights);
-      best_.scale_deviation = std::sqrt(variance_ * solver.pseudoInverse()(3, 3));
-    }
-    accept_offsets();
-  }
-
-  /// The board's place with the camera's known: F_i (x + X c_i) = p.
-  void solve_board(const Vector3d& camera) {
-    constexpr int kReweighings = 20;
-    std::vector<double> weights(best_.fits.begin(), best_.fits.end());
-    Eigen::VectorXd solution(7);
-    solution << camera, 1, Vector3d::Zero();
-    for (int step = 0; step < kReweighings; ++step) {
-      Vector3d sum = Vector3d::Zero();
-      double weight = 0;
-      solution.tail<3>().setZero();
-      for (std::size_t i = 0; i < flange_.size(); ++i) {
-        sum += weights[i] * (equations(i) * solution + flange_[i].translation());
-        weight += weights[i];
-      }
-      solution.tail<3>() = sum / weight;
-      judge_translations(solution, weights);
-    }
-    accept_offsets();
-  }
-
-  /// The same with the board's size as it was given.
-  void solve_at_given_size() {
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(6, 6);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(6);
+  /// Least squares of F_i (x + scale X c_i) = p, the board's origin, for some of the unknowns.
+  /// @param free of the unknowns; the others stay
+  void solve(const std::vector<int>& free, const std::vector<double>& weights, Offsets& solution) {
+    const auto count = static_cast<Eigen::Index>(free.size());
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+    for (const int unknown : free)
+      solution[unknown] = 0;
     for (std::size_t i = 0; i < flange_.size(); ++i) {
-      if (!best_.fits[i]) continue;
       const Eigen::Matrix<double, 3, 7> all = equations(i);
-      Eigen::Matrix<double, 3, 6> rows;
-      rows << all.leftCols<3>(), all.rightCols<3>();
-      normal += rows.transpose() * rows;
-      right -= rows.transpose() * (flange_[i].translation() + all.col(3));
+      const Eigen::Matrix3Xd rows = all(Eigen::all, free);
+      normal += weights[i] * rows.transpose() * rows;
+      right -= weights[i] * rows.transpose() * (all * solution + flange_[i].translation());
     }
-    const Eigen::VectorXd solution =
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(normal).solve(right);
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(normal);
+    const Eigen::VectorXd found = solver.solve(right);
+    solution(free) = found;
+    covariance_ = solver.pseudoInverse();
+  }
+
+  void solve_robustly(const std::vector<int>& free, Offsets solution) {
+    std::vector<double> weights(best_.fits.begin(), best_.fits.end());
+    for (int step = 0; step < kReweighings; ++step) {
+      solve(free, weights, solution);
+      judge_translations(solution, weights);
+    }
+    accept_offsets();
+  }
+
+  void solve_translation() {
+    solve_robustly({0, 1, 2, 3, 4, 5, 6}, Offsets::Zero());
+    best_.scale_deviation = std::sqrt(variance_ * covariance_(3, 3));
+    // Again with the board's size as it was given
+    Offsets solution = Offsets::Unit(3);
+    solve({0, 1, 2, 4, 5, 6}, {best_.fits.begin(), best_.fits.end()}, solution);
     best_.flange_to_camera.translation() = solution.head<3>();
     best_.base_to_board.translation() = solution.tail<3>();
   }
@@ -237,8 +220,8 @@ class Search {
     return best_.turned[i] ? board_[i] * half_turn_.translation() : board_[i].translation();
   }
 
-  /// Weights of Geman and McClure, on the median's scale.
-  void judge_translations(const Eigen::VectorXd& solution, std::vector<double>& weights) {
+  /// Geman-McClure weights, scaled by the median.
+  void judge_translations(const Offsets& solution, std::vector<double>& weights) {
     best_.flange_to_camera.translation() = solution.head<3>();
     best_.scale = solution[3];
     best_.base_to_board.translation() = solution.tail<3>();
@@ -247,12 +230,12 @@ class Search {
       best_.offset[i] = (equations(i) * solution + flange_[i].translation()).norm();
       if (best_.fits[i]) fitting.push_back(best_.offset[i]);
     }
-    constexpr double kLeast = 1e-9;   // [m]
-    constexpr double kChi3 = 1.5382;  // median of the length of a vector of unit noise
-    const double typical = std::max(median(fitting) / kChi3, kLeast);
+    constexpr double kMinDeviation = 1e-9;  // [m] rounding, where the poses are exact
+    constexpr double kReach = 4;            // standard deviations, chosen
+    const double typical = std::max(median(fitting) / kMedianLength3, kMinDeviation);
     variance_ = typical * typical;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      const double miss = best_.offset[i] / (4 * typical);
+      const double miss = best_.offset[i] / (kReach * typical);
       weights[i] = best_.fits[i] ? 1 / ((1 + miss * miss) * (1 + miss * miss)) : 0;
     }
   }
@@ -261,7 +244,7 @@ class Search {
     best_.count = 0;
     for (std::size_t i = 0; i < flange_.size(); ++i) {
       const double distance = std::abs(best_.scale) * board_[i].translation().norm();
-      best_.fits[i] = best_.fits[i] && best_.offset[i] < kAgreesRelative * distance;
+      best_.fits[i] = best_.fits[i] && best_.offset[i] < kMaxOffset * distance;
       best_.count += best_.fits[i];
     }
   }
@@ -270,15 +253,12 @@ class Search {
   const std::vector<Isometry3d>& board_;
   const Isometry3d half_turn_;
   HandEye best_;
-  double least_ = std::numeric_limits<double>::infinity();
-  double variance_ = 0;
+  double min_ = std::numeric_limits<double>::infinity();
+  double variance_ = 0;         // [m^2] of an offset
+  Eigen::MatrixXd covariance_;  // of the last solution, over variance_
 };
 
 }  // namespace
-
-double angle_of(const Eigen::Matrix3d& rotation) {
-  return rotation_vector(rotation).norm();
-}
 
 HandEye fit_hand_eye(const std::vector<Eigen::Isometry3d>& flange,
                      const std::vector<Eigen::Isometry3d>& board,

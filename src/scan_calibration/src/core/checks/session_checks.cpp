@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checks/session_checks.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "checks/hand_eye.h"
 #include "geometry/statistics.h"
 #include "scan_cell_common/errors.h"
 
@@ -15,22 +16,19 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kDegree = M_PI / 180;
-
 void check_board(const Observations& observations) {
   const Board& board = observations.board;
   if (board.columns < 2 || board.rows < 2) {
-    throw UnusableInput("board", std::to_string(board.columns) + " x " + std::to_string(board.rows),
+    throw UnusableInput("board", fmt::format("{} x {}", board.columns, board.rows),
                         "give the inner corners along each side, two or more");
   }
   if (!(board.square_size > 0) || !std::isfinite(board.square_size)) {
     throw UnusableInput("board square size", figure(board.square_size, " m"), "give it in metres");
   }
   if (observations.width < 1 || observations.height < 1) {
-    throw UnusableInput(
-        "image size",
-        std::to_string(observations.width) + " x " + std::to_string(observations.height),
-        "give the sensor's columns and rows");
+    throw UnusableInput("image size",
+                        fmt::format("{} x {}", observations.width, observations.height),
+                        "give the sensor's columns and rows");
   }
 }
 
@@ -41,32 +39,32 @@ void check_view(const Observations& observations, const ViewObservation& view) {
   if (!view.base_to_flange.matrix().allFinite())
     refuse("its pose is not finite", "record it again");
   const Eigen::Matrix3d rotation = view.base_to_flange.linear();
-  constexpr double kRotation = 1e-6;
-  if (!(rotation * rotation.transpose()).isIdentity(kRotation) || !(rotation.determinant() > 0))
-    refuse("its pose does not hold a rotation", "record it again");
+  constexpr double kMaxError = 1e-6;  // of R R^T from the identity, chosen: rounding of a file
+  if (!(rotation * rotation.transpose()).isIdentity(kMaxError) || !(rotation.determinant() > 0))
+    refuse("its pose is not a rigid motion", "record it again");
   for (const SeenCorner& corner : view.corners) {
     if (corner.column < 0 || corner.column >= observations.board.columns || corner.row < 0 ||
         corner.row >= observations.board.rows) {
-      refuse("corner " + std::to_string(corner.column) + ", " + std::to_string(corner.row),
+      refuse(fmt::format("corner {}, {}", corner.column, corner.row),
              "the board does not have it: check the board's size");
     }
     if (!corner.pixel.allFinite()) refuse("a corner is not finite", "detect it again");
   }
   if (view.lines.size() != observations.lasers.size()) {
-    refuse(std::to_string(view.lines.size()) + " lines",
-           "give one a laser, empty where it does not show");
+    refuse(fmt::format("{} lines", view.lines.size()),
+           "give one per laser, empty where it does not show");
   }
   for (const auto& line : view.lines)
     for (const Eigen::Vector2d& point : line)
-      if (!point.allFinite()) refuse("a laser's point is not finite", "detect it again");
+      if (!point.allFinite()) refuse("a laser point is not finite", "detect it again");
 }
 
-/// Why a view cannot tell a pose of the board; empty if it can.
+/// Why a view does not determine a pose of the board; empty if it does.
 std::string too_little(const BoardView& view, const Board& board) {
-  constexpr std::size_t kLeastCorners = 8;
-  if (view.places.size() < kLeastCorners)
-    return "shows " + std::to_string(view.places.size()) + " corners of the board; " +
-           std::to_string(kLeastCorners) + " are needed";
+  constexpr std::size_t kMinCorners = 8;  // chosen: 16 numbers for the six of a pose
+  if (view.places.size() < kMinCorners)
+    return fmt::format("shows {} corners of the board; {} are needed", view.places.size(),
+                       kMinCorners);
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
   for (const Eigen::Vector2d& place : view.places)
@@ -74,9 +72,8 @@ std::string too_little(const BoardView& view, const Board& board) {
   for (const Eigen::Vector2d& place : view.places)
     scatter += (place - mean) * (place - mean).transpose();
   const double across = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scatter).eigenvalues()[0];
-  constexpr double kLeastSpread = 0.3;  // [squares] RMS
-  if (std::sqrt(across / static_cast<double>(view.places.size())) <
-      kLeastSpread * board.square_size)
+  constexpr double kMinSpread = 0.3;  // [squares] RMS, chosen: two rows have 0.5
+  if (std::sqrt(across / static_cast<double>(view.places.size())) < kMinSpread * board.square_size)
     return "shows corners along one line only";
   return "";
 }
@@ -94,19 +91,19 @@ double corner_distance(const BoardView& a, const BoardView& b) {
 }
 
 bool same_pose(const BoardView& a, const BoardView& b) {
-  constexpr double kApart = 5e-4;  // [m]
-  constexpr double kTurned = 0.1 * kDegree;
+  constexpr double kMaxDistance = 5e-4;        // [m] chosen: well above a robot's repeatability
+  constexpr double kMaxAngle = 0.1 * kDegree;  // [rad] chosen: the same
   const Eigen::Isometry3d motion = a.measured.inverse() * b.measured;
-  return motion.translation().norm() < kApart && angle_of(motion.linear()) < kTurned;
+  return motion.translation().norm() < kMaxDistance && angle_of(motion.linear()) < kMaxAngle;
 }
 
-/// Keeps the first of views that were taken at one pose and show the same.
+/// Keeps the first of views that have the same pose and show the same.
 void leave_out_repeated(UsableViews& usable) {
-  constexpr double kSameCorners = 3;  // [px]
+  constexpr double kMaxDistance = 3;  // [px] of the corners, chosen
   BoardViews kept;
   for (BoardView& view : usable.views) {
     const auto repeats = [&](const BoardView& other) {
-      return same_pose(other, view) && corner_distance(other, view) < kSameCorners;
+      return same_pose(other, view) && corner_distance(other, view) < kMaxDistance;
     };
     const auto first = std::find_if(kept.begin(), kept.end(), repeats);
     if (first == kept.end()) {
@@ -119,7 +116,7 @@ void leave_out_repeated(UsableViews& usable) {
   usable.views = std::move(kept);
 }
 
-/// Several pictures of different scenes at one pose: the poses were not recorded.
+/// Different images with the same pose: the poses were not recorded.
 void check_distinct(const BoardViews& views) {
   std::vector<const BoardView*> distinct;
   std::string repeated;
@@ -132,12 +129,13 @@ void check_distinct(const BoardViews& views) {
       repeated = view.name + " has the pose of " + (*same)->name;
     }
   }
-  if (distinct.size() < kLeastViews) {
-    throw UnusableInput("poses of the session",
-                        std::to_string(distinct.size()) + " different ones in " +
-                            std::to_string(views.size()) + " views: " + repeated,
-                        "record the pose at every view; " + std::to_string(kLeastViews) +
-                            " different ones are needed, 15 or more are good");
+  if (distinct.size() < kMinViews) {
+    throw UnusableInput(
+        "poses of the session",
+        fmt::format("{} different ones in {} views: {}", distinct.size(), views.size(), repeated),
+        fmt::format("record the pose of every view; {} different ones are needed, 15 or more are "
+                    "recommended",
+                    kMinViews));
   }
 }
 
@@ -170,31 +168,31 @@ UsableViews usable_views(const Observations& observations) {
 }
 
 void check_enough(const BoardViews& views, const std::vector<RejectedView>& rejected) {
-  if (views.size() >= kLeastViews) return;
-  std::string value = std::to_string(views.size()) + " usable";
-  for (const RejectedView& view : rejected)
-    if (view.laser.empty()) {
-      value += ", " + view.name + " " + view.reason;
-      break;
-    }
+  if (views.size() >= kMinViews) return;
+  std::string value = fmt::format("{} usable", views.size());
+  const auto first = std::find_if(rejected.begin(), rejected.end(),
+                                  [](const RejectedView& view) { return view.laser.empty(); });
+  if (first != rejected.end()) value += fmt::format(", {} {}", first->name, first->reason);
   throw UnusableInput("views of the session", value,
-                      std::to_string(kLeastViews) +
-                          " at different poses are needed, 15 or more are good: add some");
+                      fmt::format("{} at different poses are needed, 15 or more are recommended: "
+                                  "add some",
+                                  kMinViews));
 }
 
 void check_lasers_seen(const Observations& observations, const BoardViews& views) {
-  constexpr std::size_t kLeastLines = 3;
-  constexpr std::size_t kLeastPoints = 5;
+  constexpr std::size_t kMinLines = 3;   // chosen: two lines fit more than one plane
+  constexpr std::size_t kMinPoints = 5;  // of a line, chosen
   for (std::size_t laser = 0; laser < observations.lasers.size(); ++laser) {
     const auto seen = static_cast<std::size_t>(std::count_if(
         views.begin(), views.end(),
-        [&](const BoardView& view) { return view.lines[laser].pixels.size() >= kLeastPoints; }));
-    if (seen >= kLeastLines) continue;
+        [&](const BoardView& view) { return view.lines[laser].pixels.size() >= kMinPoints; }));
+    if (seen >= kMinLines) continue;
     throw UnusableInput(observations.lasers[laser],
                         "its line shows in " + share(seen, views.size()) + " views",
                         seen == 0 ? "check that it is switched on, its peaks and its exposure"
-                                  : "at least " + std::to_string(kLeastLines) +
-                                        " are needed: hold the board into its light");
+                                  : fmt::format("at least {} are needed: hold the board into its "
+                                                "light",
+                                                kMinLines));
   }
 }
 

@@ -6,8 +6,7 @@
 
 namespace scan_calibration {
 
-/// Below this nothing is estimated.
-constexpr std::size_t kLeastViews = 6;
+constexpr std::size_t kMinViews = 6;  //!< for an estimate; chosen
 
 /// The views that can be used at all.
 struct UsableViews {
@@ -20,10 +19,10 @@ struct UsableViews {
 /// views are left
 UsableViews usable_views(const Observations& observations);
 
-/// The same for a camera alone: what is known of the robot is not looked at.
+/// The same for a camera alone: the robot's poses are not checked.
 UsableViews usable_board_views(const Observations& observations);
 
-/// @throw scan_cell_common::UnusableInput if fewer views than kLeastViews are left
+/// @throw scan_cell_common::UnusableInput if fewer views than kMinViews are left
 void check_enough(const BoardViews& views, const std::vector<RejectedView>& rejected);
 
 /// @throw scan_cell_common::UnusableInput naming a laser that shows in too few views

@@ -3,10 +3,13 @@
 #include "estimate/camera_fit.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <opencv2/calib3d.hpp>
 
+#include "geometry/opencv.h"
 #include "geometry/statistics.h"
 #include "scan_cell_common/errors.h"
 
@@ -15,60 +18,47 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-std::vector<cv::Point3f> places_of(const BoardView& view) {
-  std::vector<cv::Point3f> points;
-  for (const Eigen::Vector2d& place : view.places)
-    points.emplace_back(static_cast<float>(place.x()), static_cast<float>(place.y()), 0.f);
+BoardPoints points_of(const BoardView& view) {
+  BoardPoints points;
+  for (std::size_t i = 0; i < view.places.size(); ++i)
+    points.add(view.places[i], view.pixels[i]);
   return points;
 }
 
-std::vector<cv::Point2f> pixels_of(const BoardView& view) {
-  std::vector<cv::Point2f> points;
-  for (const Eigen::Vector2d& pixel : view.pixels)
-    points.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
-  return points;
-}
-
-/// Focal lengths to start from: Zhang's, then some that lenses have.
+/// Focal lengths [px] to start from: Zhang's, then common ones.
 std::vector<double> focal_lengths(const BoardViews& views, int width, int height) {
-  std::vector<std::vector<cv::Point3f>> places;
-  std::vector<std::vector<cv::Point2f>> pixels;
-  for (const BoardView& view : views) {
-    places.push_back(places_of(view));
-    pixels.push_back(pixels_of(view));
-  }
+  std::vector<BoardPoints> seen;
+  std::transform(views.begin(), views.end(), std::back_inserter(seen), points_of);
+  const BoardPointLists points(seen);
+  constexpr double kMin = 0.2, kMax = 20;  // of the longer side, chosen: fisheye to telephoto
   const int size = std::max(width, height);
   std::vector<double> result;
   try {
-    const cv::Mat matrix = cv::initCameraMatrix2D(places, pixels, cv::Size(width, height), 1);
+    const cv::Mat matrix = cv::initCameraMatrix2D(points.places, points.pixels, {width, height}, 1);
     const double zhang = matrix.at<double>(0, 0);
-    if (zhang > 0.2 * size && zhang < 20 * size) result.push_back(zhang);
+    if (zhang > kMin * size && zhang < kMax * size) result.push_back(zhang);
   } catch (const cv::Exception&) {
-    // Views that determine none: the fit from the others tells
+    // The views determine none: the other focal lengths have to do
   }
   for (const double focal : {1., 2., 0.5, 4., 8.})
     result.push_back(focal * size);
   return result;
 }
 
-Eigen::Isometry3d board_pose(const BoardView& view, const CameraVector& camera) {
-  const cv::Matx33d matrix(camera[0], 0, camera[2], 0, camera[1], camera[3], 0, 0, 1);
-  const cv::Vec<double, 5> distortion(camera[4], camera[5], camera[6], camera[7], camera[8]);
-  cv::Vec3d turn, shift;
-  if (!cv::solvePnP(places_of(view), pixels_of(view), matrix, distortion, turn, shift, false,
-                    cv::SOLVEPNP_IPPE)) {
+Eigen::Isometry3d board_pose(const BoardView& view,
+                             const scan_cell_common::CameraIntrinsics& camera) {
+  const BoardPoints points = points_of(view);
+  cv::Vec3d rotation, translation;
+  if (!cv::solvePnP(points.places, points.pixels, camera_matrix(camera), distortion(camera),
+                    rotation, translation, false, cv::SOLVEPNP_IPPE)) {
     throw UnusableInput("view " + view.name, "its corners fit no pose",
                         "check the order of the corners");
   }
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const Eigen::Vector3d axis(turn[0], turn[1], turn[2]);
-  if (axis.norm() > 0)
-    pose.linear() = Eigen::AngleAxisd(axis.norm(), axis.normalized()).toRotationMatrix();
-  pose.translation() << shift[0], shift[1], shift[2];
-  return pose;
+  return pose_of(rotation, translation);
 }
 
-/// A camera alone is a scanner whose measured poses are where the board has the camera, and free.
+/// A camera alone, as a scanner whose measured poses put the camera where the board has it, and
+/// are free.
 class FreePoses {
  public:
   FreePoses(BoardViews& views, const BoardSurface& surface,
@@ -81,7 +71,7 @@ class FreePoses {
     constexpr double kFree = std::numeric_limits<double>::infinity();
     noise_ = {1, {}, kFree, kFree};
     for (BoardView& view : views)
-      view.measured = board_pose(view, state_.camera).inverse();
+      view.measured = board_pose(view, camera).inverse();
   }
 
   void solve(FitChoice choice) {
@@ -89,9 +79,9 @@ class FreePoses {
     fit(views_, surface_, noise_, choice, state_);
   }
 
-  /// Solves with what misses weighted less.
+  /// Solves with less weight on outliers.
   void solve_robustly(const FitChoice& choice) {
-    constexpr int kReweighings = 3;
+    constexpr int kReweighings = 3;  // chosen: the joint estimate goes on from there
     for (int i = 0; i < kReweighings; ++i) {
       reweigh();
       solve(choice);
@@ -109,13 +99,12 @@ class FreePoses {
 
  private:
   void reweigh() {
-    constexpr double kRayleigh = 1.17741;  // median of the length of a vector of unit noise
     std::vector<double> lengths;
     for (std::size_t i = 0; i < views_.size(); ++i)
       for (const Eigen::Vector2d& residual : residuals(i))
         lengths.push_back(residual.norm());
-    constexpr double kLeast = 1e-4;  // [px]
-    noise_.corner_px = std::max(median(lengths) / kRayleigh, kLeast);
+    constexpr double kMinDeviation = 1e-4;  // [px] chosen: rounding
+    noise_.corner_px = std::max(median(lengths) / kMedianLength2, kMinDeviation);
     weigh(state_, surface_, noise_, Multiplicities{}, views_);
   }
 
@@ -132,19 +121,16 @@ class FreePoses {
 }  // namespace
 
 double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<double>& weights) {
-  double squares = 0, count = 0;
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    if (!(weights[i] > 0)) continue;
-    squares += residuals[i].squaredNorm();
-    count += 1;
-  }
-  return std::sqrt(squares / count);
+  SquareSum sum;
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    if (weights[i] > 0) sum.add(residuals[i].squaredNorm());
+  return sum.rms();
 }
 
 CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, int height,
                      bool square_pixels, bool robust) {
-  constexpr double kGood = 2;         // [px] of the median view: no need to look for a better start
-  constexpr double kMostMiss = 0.01;  // of the image's width: this is not that board
+  constexpr double kGood = 2;        // [px] of the median view, chosen: no better start is needed
+  constexpr double kMaxMiss = 0.01;  // of the image's width, chosen: it is another board
   FitChoice choice;
   choice.square_pixels = square_pixels;
   BoardViews scratch = views;
@@ -160,9 +146,9 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
       if (robust) poses.solve_robustly(choice);
       found = poses.result();
     } catch (const UnusableInput&) {
-      continue;  // no camera is near this start: there are others
+      continue;  // no camera near this start: try the next
     } catch (const cv::Exception&) {
-      continue;  // no pose from these corners
+      continue;  // these corners give no pose
     }
     const double typical = median(found.rms_px);
     if (typical < least) {
@@ -172,11 +158,11 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
     }
     if (least < kGood) break;
   }
-  if (!(least < kMostMiss * width)) {
+  if (!(least < kMaxMiss * width)) {
     throw UnusableInput(
         "corners of the board",
-        best.rms_px.empty() ? "fit no camera" : "miss any camera by " + figure(least, " px"),
-        "check the board's columns and rows, and that the corners are named row by row");
+        best.rms_px.empty() ? "fit no camera" : "miss the best camera by " + figure(least, " px"),
+        "check the board's columns and rows, and that the corners are listed row by row");
   }
   for (std::size_t i = 0; i < views.size(); ++i)
     views[i].weights = scratch[i].weights;

@@ -6,28 +6,28 @@
 
 namespace scan_calibration {
 
-/// The camera alone: intrinsics, and where it had the board in each view.
+/// A camera alone: intrinsics, and where it had the board in each view.
 struct CameraFit {
-  ScannerState state;  //!< only the camera is meant
+  ScannerState state;  //!< only its camera counts
   std::vector<Eigen::Isometry3d> camera_to_board;
   std::vector<double> rms_px;  //!< a view
   double corner_px = 0;        //!< robust standard deviation along each axis
 };
 
 /// From Zhang's closed form and the perspective pose of each view, then least squares.
-/// @param views their corners are weighted anew, if `robust`
-/// @throw scan_cell_common::UnusableInput if no camera sees the board as the views say
+/// @param views their corners are reweighted, if `robust`
+/// @throw scan_cell_common::UnusableInput if no camera explains the views
 CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, int height,
                      bool square_pixels, bool robust);
 
-/// Where a camera that is known, or nearly right, had the board in each view; robustly.
-/// @param views their corners are weighted anew
+/// The same robustly from a camera that is known, or nearly right.
+/// @param views their corners are reweighted
 /// @param keep whether the camera stays as it is
-/// @throw scan_cell_common::UnusableInput if it cannot see the board as the views say
+/// @throw scan_cell_common::UnusableInput if it cannot explain the views
 CameraFit fit_near(BoardViews& views, const BoardSurface& surface,
                    const scan_cell_common::CameraIntrinsics& camera, bool keep);
 
-/// RMS [px] of residuals, each weighted 0 left out.
+/// RMS [px] of the residuals that have a weight.
 double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<double>& weights);
 
 }  // namespace scan_calibration

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate/joint_estimate.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "estimate/rejection.h"
@@ -14,15 +16,6 @@ namespace {
 
 double change(const NoiseLevels& before, const NoiseLevels& after) {
   return (noise_vector(after).array() / noise_vector(before).array()).log().abs().maxCoeff();
-}
-
-/// The robot is not off by more than its poses are from where each view's corners alone put it.
-NoiseLevels most_noise(const NoiseLevels& start) {
-  constexpr double kAllowed = 1.5;  // that is a median of few
-  NoiseLevels most = unbounded_noise(start.line_px.size());
-  most.robot_m = kAllowed * start.robot_m;
-  most.robot_rad = kAllowed * start.robot_rad;
-  return most;
 }
 
 Multiplicities multiplicities(const JointEstimate& estimate, const Observations& observations,
@@ -38,20 +31,19 @@ void check_majority(std::size_t before, const JointEstimate& estimate) {
   if (2 * estimate.views.size() > before) return;
   throw scan_cell_common::UnusableInput(
       "views of the session",
-      share(before - estimate.views.size(), before) + " do not fit the others; " +
-          estimate.rejected.back().name + ": " + estimate.rejected.back().reason,
-      "check the poses, the board's size and that the board stood still");
+      fmt::format("{} do not fit the others; {}: {}", share(before - estimate.views.size(), before),
+                  estimate.rejected.back().name, estimate.rejected.back().reason),
+      "check the poses and the board's size, and that the board did not move");
 }
 
 }  // namespace
 
 JointEstimate estimate_jointly(Start start, const Observations& observations,
                                const CalibrationOptions& options, const FitChoice& choice) {
-  constexpr int kMostRounds = 12;
-  constexpr double kStill = 0.02;  // relative, of the noise
+  constexpr int kMaxRounds = 12;       // chosen: four are usual
+  constexpr double kConverged = 0.02;  // relative change of the noise, chosen
   const BoardSurface surface(observations.board);
   const NoiseLevels given = given_noise(options, observations.lasers.size());
-  const NoiseLevels most = most_noise(start.noise);
   const std::size_t before = start.views.size();
   JointEstimate estimate;
   estimate.views = std::move(start.views);
@@ -59,20 +51,20 @@ JointEstimate estimate_jointly(Start start, const Observations& observations,
   estimate.noise.levels = start.noise;
   estimate.choice = choice;
   estimate.rejected = std::move(start.rejected);
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     estimate.multiplicities = multiplicities(estimate, observations, surface);
     weigh(estimate.state, surface, estimate.noise.levels, estimate.multiplicities, estimate.views);
     fit(estimate.views, surface, estimate.noise.levels, choice, estimate.state);
     const NormalEquations equations(estimate.views, surface, estimate.noise.levels, choice,
                                     estimate.state);
     const NoiseLevels assumed = estimate.noise.levels;
-    estimate.noise = estimate_noise(equations, given, most);
+    estimate.noise = estimate_noise(equations, given);
     const bool left_out =
         reject_misfits(surface, estimate.noise.levels, equations, observations.lasers,
                        estimate.views, estimate.state, estimate.rejected);
     check_majority(before, estimate);
     check_lasers_seen(observations, estimate.views);
-    if (!left_out && round > 0 && change(assumed, estimate.noise.levels) < kStill) break;
+    if (!left_out && round > 0 && change(assumed, estimate.noise.levels) < kConverged) break;
   }
   fit(estimate.views, surface, estimate.noise.levels, choice, estimate.state);
   return estimate;

@@ -7,7 +7,7 @@
 
 namespace scan_calibration {
 
-/// Views, what they were found to say, and how sure that is.
+/// Views, the model fitted to them, and its noise.
 struct JointEstimate {
   BoardViews views;
   ScannerState state;
@@ -17,14 +17,13 @@ struct JointEstimate {
   std::vector<RejectedView> rejected;
 };
 
-/// From a start to the least squares of everything together: in turn the fit, the noise, the
-/// weights, and what does not fit left out, until nothing changes.
-/// @throw scan_cell_common::UnusableInput if the views do not agree with one another
+/// Iterates fit, noise, weights and the rejection of what does not fit until nothing changes.
+/// @throw scan_cell_common::UnusableInput if the views contradict one another
 JointEstimate estimate_jointly(Start start, const Observations& observations,
                                const CalibrationOptions& options, const FitChoice& choice);
 
-/// The same model without some views, from where it stands; noise and weights stay.
-/// @param keep a view of the estimate
+/// The model refitted without some views, with the same noise and weights.
+/// @param keep per view of the estimate
 JointEstimate without(const JointEstimate& estimate, const BoardSurface& surface,
                       const std::vector<bool>& keep);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate/known_camera.h"
 
-#include <cmath>
+#include <fmt/core.h>
 
 #include "geometry/statistics.h"
 #include "scan_cell_common/errors.h"
@@ -12,25 +12,22 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kFarBetter = 3;  // times what is left to explain
+constexpr double kFarBetter = 3;  // ratio of the misfits, chosen
 
-/// Typical of the views that fit, along an axis.
+/// Robust standard deviation of the board along an axis, over the views that fit.
 struct Scatter {
   explicit Scatter(const HandEye& found) {
-    constexpr double kChi3 = 1.5382;  // median length of a vector of unit noise
     std::vector<double> offsets, angles;
     for (std::size_t i = 0; i < found.fits.size(); ++i) {
       if (!found.fits[i]) continue;
       offsets.push_back(found.offset[i]);
       angles.push_back(found.angle[i]);
     }
-    position = median(offsets) / kChi3;
-    angle = median(angles) / kChi3;
+    position = median(offsets) / kMedianLength3;
+    angle = median(angles) / kMedianLength3;
   }
 
-  std::string text() const {
-    return figure(position * 1e3, " mm") + " and " + figure(angle * 180 / M_PI, " deg");
-  }
+  std::string text() const { return millimetres(position) + " and " + degrees(angle); }
 
   double position = 0;  // [m]
   double angle = 0;     // [rad]
@@ -43,9 +40,8 @@ KnownCamera::KnownCamera(const ExistingScanner& existing, const Observations& ob
   const scan_cell_common::CameraIntrinsics& camera = existing.model.camera;
   if (camera.width == observations.width && camera.height == observations.height) return;
   throw UnusableInput("camera of " + existing.file,
-                      std::to_string(camera.width) + " x " + std::to_string(camera.height) +
-                          " pixels; the images have " + std::to_string(observations.width) + " x " +
-                          std::to_string(observations.height),
+                      fmt::format("{} x {} pixels; the images have {} x {}", camera.width,
+                                  camera.height, observations.width, observations.height),
                       "it is another camera: calibrate it too");
 }
 
@@ -54,41 +50,41 @@ CameraFit KnownCamera::fit(BoardViews& views) const {
 }
 
 void KnownCamera::check_lens(const BoardViews& views, const CameraFit& fit) {
-  constexpr double kMinded = 0.3;  // [px] below which it is not far
+  constexpr double kMinMisfit = 0.3;  // [px] chosen: less is not worth a refusal
   BoardViews again = views;
   const double kept = median(fit.rms_px);
   const double fitted = median(fit_near(again, surface_, existing_.model.camera, false).rms_px);
-  const std::string value = "corners miss it by " + figure(kept, " px") +
-                            " (RMS, median of the views), a camera fitted to these views by " +
-                            figure(fitted, " px");
-  if (kept > kMinded && kept > kFarBetter * fitted) {
+  const std::string value = fmt::format(
+      "corners miss it by {} (RMS, median of the views), a camera fitted to these views by {}",
+      figure(kept, " px"), figure(fitted, " px"));
+  if (kept > kMinMisfit && kept > kFarBetter * fitted) {
     throw UnusableInput("camera of " + existing_.file, value,
-                        "its lens or focus was changed: calibrate the camera too");
+                        "its lens or focus has changed: calibrate the camera too");
   }
   note_ = "camera and flange_to_camera are kept from " + existing_.file + ": " + value;
 }
 
 HandEye KnownCamera::hand_eye(const PosePairs& pairs) {
-  constexpr double kMinded = 3e-4;                   // [m]
-  constexpr double kMindedAngle = 0.1 * M_PI / 180;  // [rad]
+  constexpr double kMinScatter = 3e-4;        // [m] chosen: less is not worth a refusal
+  constexpr double kMinTurn = 0.1 * kDegree;  // [rad] chosen: the same
   const Eigen::Isometry3d half_turn = surface_.half_turn();
   const HandEye free = fit_hand_eye(pairs.flange, pairs.board, half_turn);
   if (agree(free, pairs.flange.size())) check_board_size(free, pairs, board_.square_size);
   const HandEye kept =
       fit_board(existing_.model.flange_to_camera, pairs.flange, pairs.board, half_turn);
   const bool fits = agree(kept, pairs.flange.size());
-  if (!fits) agreed_hand_eye(pairs, surface_);  // says what else may be wrong with the poses
+  if (!fits) agreed_hand_eye(pairs, surface_);  // finds what else is wrong with the poses
   const Scatter by_kept(kept), by_free(free);
-  const auto far = [](double one, double other, double minded) {
-    return one > minded && one > kFarBetter * other;
+  const auto far = [](double one, double other, double min) {
+    return one > min && one > kFarBetter * other;
   };
   const std::string fitted = ", a pose fitted to these views by " + by_free.text();
-  if (!fits || far(by_kept.position, by_free.position, kMinded) ||
-      far(by_kept.angle, by_free.angle, kMindedAngle)) {
+  if (!fits || far(by_kept.position, by_free.position, kMinScatter) ||
+      far(by_kept.angle, by_free.angle, kMinTurn)) {
     throw UnusableInput("flange_to_camera of " + existing_.file,
                         fits ? "scatters the board by " + by_kept.text() + " between views" + fitted
                              : share(kept.count, pairs.flange.size()) + " views fit it",
-                        "the camera was moved on the flange: calibrate it too");
+                        "the camera has moved on the flange: calibrate it too");
   }
   note_ += "; it scatters the board by " + by_kept.text() + " between views" + fitted;
   return kept;

@@ -4,14 +4,14 @@
 
 #include "checks/diagnosis.h"
 #include "estimate/camera_fit.h"
-#include "scan_calibration/existing_scanner.h"
+#include "scan_calibration/calibration.h"
 
 namespace scan_calibration {
 
-/// A camera that is kept, held against the views of a session.
+/// A camera that is kept, checked against the views of a session.
 class KnownCamera {
  public:
-  /// @throw scan_cell_common::UnusableInput if the images are not of its size
+  /// @throw scan_cell_common::UnusableInput if the images have another size
   KnownCamera(const ExistingScanner& existing, const Observations& observations);
 
   /// Where it had the board in each view.
@@ -22,9 +22,9 @@ class KnownCamera {
   /// better
   void check_lens(const BoardViews& views, const CameraFit& fit);
 
-  /// Where its place on the flange has the board.
+  /// The board by its pose on the flange.
   /// @throw scan_cell_common::UnusableInput as agreed_hand_eye() and check_board_size(), and if a
-  /// place fitted to the views explains them far better
+  /// pose fitted to the views explains them far better
   HandEye hand_eye(const PosePairs& pairs);
 
   /// How well the views fit it, in words.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate/rejection.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -14,10 +16,11 @@
 namespace scan_calibration {
 namespace {
 
-constexpr double kDeviations = 6;  // of the logarithm of what views miss by
-constexpr double kFactor = 2.5;
+constexpr double kMisfitDeviations = 6;  // of the logarithms of what the views miss by, chosen
+constexpr double kMisfitFactor = 2.5;    // over the median of the views, chosen
+constexpr double kMinMisfit = 0.01;      // [px] chosen: less does no harm
 
-/// What the corners and lines of a view, without its measured pose, say of its correction.
+/// The correction of a view by its corners and lines, without its measured pose.
 struct FreeCorrection {
   Vector6d value;
   Matrix6d covariance;
@@ -35,19 +38,18 @@ FreeCorrection free_correction(const ViewSquares& squares, const NoiseGroups& gr
   return {correction - solver.solve(gradient), solver.solve(Matrix6d::Identity())};
 }
 
-/// Position or orientation of the poses: what each misses by, in deviations squared.
+/// By how much the position or orientation of each pose is off.
 struct PoseMisses {
   std::vector<double> length;  // [m] or [rad]
   std::vector<double> square;  // over its own variance
-  double typical = 0;          // robust deviation along an axis
+  double typical = 0;          // robust standard deviation along an axis
 };
 
 PoseMisses pose_misses(const std::vector<FreeCorrection>& free, Eigen::Index first, double noise) {
-  constexpr double kChi3 = 1.5382;  // median length of a vector of unit noise
   PoseMisses result;
   for (const FreeCorrection& correction : free)
     result.length.push_back(correction.value.segment<3>(first).norm());
-  result.typical = std::max(noise, median(result.length) / kChi3);
+  result.typical = std::max(noise, median(result.length) / kMedianLength3);
   for (const FreeCorrection& correction : free) {
     const Eigen::Vector3d value = correction.value.segment<3>(first);
     Eigen::Matrix3d variance = correction.covariance.block<3, 3>(first, first);
@@ -57,13 +59,15 @@ PoseMisses pose_misses(const std::vector<FreeCorrection>& free, Eigen::Index fir
   return result;
 }
 
-/// One in a hundred thousand, three numbers, their noise known from `views` of them.
-double most_square(std::size_t views) {
-  constexpr double kChi3 = 25.9;
-  return kChi3 * (1 + 10. / static_cast<double>(views));
+/// The square of three normal numbers that one in a hundred thousand exceeds, for noise estimated
+/// from so many views.
+double max_square(std::size_t views) {
+  constexpr double kChiSquare = 25.9;  // quantile 1 - 1e-5, 3 degrees of freedom
+  constexpr double kFewViews = 10;     // chosen: doubles it for ten views
+  return kChiSquare * (1 + kFewViews / static_cast<double>(views));
 }
 
-/// A reason for each view; empty: it fits.
+/// Why each view does not fit; empty: it fits.
 using Reasons = std::vector<std::string>;
 
 void judge_poses(const NormalEquations& equations, const NoiseLevels& noise,
@@ -74,62 +78,48 @@ void judge_poses(const NormalEquations& equations, const NoiseLevels& noise,
     free.push_back(free_correction(equations.views[i], groups, state.corrections[i]));
   const PoseMisses shift = pose_misses(free, 0, noise.robot_m);
   const PoseMisses turn = pose_misses(free, 3, noise.robot_rad);
-  const double most = most_square(reasons.size());
+  const double most = max_square(reasons.size());
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (!reasons[i].empty() || (shift.square[i] < most && turn.square[i] < most)) continue;
-    reasons[i] = "its pose is " + figure(shift.length[i] * 1e3, " mm") + " and " +
-                 figure(turn.length[i] * 180 / M_PI, " deg") +
-                 " from where its corners put the flange; the other poses scatter by " +
-                 figure(shift.typical * 1e3, " mm") + " and " +
-                 figure(turn.typical * 180 / M_PI, " deg") + " along each axis";
+    reasons[i] = fmt::format(
+        "its pose is {} and {} from where its corners put the flange; the other poses scatter by "
+        "{} and {} along each axis",
+        millimetres(shift.length[i]), degrees(turn.length[i]), millimetres(shift.typical),
+        degrees(turn.typical));
   }
 }
 
-void judge_corners(const BoardViews& views, const ScannerState& state, const BoardSurface& surface,
-                   Reasons& reasons) {
-  constexpr double kLeast = 0.01;  // [px] below which nobody minds
-  std::vector<double> rms;
-  for (std::size_t i = 0; i < views.size(); ++i)
-    rms.push_back(std::max(
-        kLeast, rms_of(corner_residuals(state, surface, sight_of(state, views[i], i), views[i]),
-                       std::vector<double>(views[i].pixels.size(), 1))));
-  const std::vector<bool> misfit = outstanding(rms, kDeviations, kFactor);
-  for (std::size_t i = 0; i < views.size(); ++i)
-    if (misfit[i])
-      reasons[i] = "its corners miss by " + figure(rms[i], " px") +
-                   " (RMS), those of other views by " + figure(median(rms), " px");
-}
-
-/// Median of what a line's points miss by [px].
+/// Median distance of a line's points from the laser's plane [px].
 double miss_of(const std::vector<double>& residuals) {
+  constexpr double kNowhere = 1e9;  // [px] of a point that does not lie on the board
   std::vector<double> lengths;
   for (const double residual : residuals)
-    lengths.push_back(std::isfinite(residual) ? std::abs(residual) : 1e9);
+    lengths.push_back(std::isfinite(residual) ? std::abs(residual) : kNowhere);
   return median(lengths);
 }
 
 /// Empties the lines of a laser that do not fit.
 bool reject_lines(const ScannerState& state, const BoardSurface& surface, std::size_t laser,
                   const std::string& name, BoardViews& views, std::vector<RejectedView>& rejected) {
-  constexpr double kLeast = 0.01;  // [px] below which nobody minds
   std::vector<std::size_t> seen;
   std::vector<double> misses;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].lines[laser].pixels.empty()) continue;
     seen.push_back(i);
     misses.push_back(
-        std::max(kLeast, miss_of(line_residuals(state, surface, sight_of(state, views[i], i),
-                                                views[i].lines[laser], laser))));
+        std::max(kMinMisfit, miss_of(line_residuals(state, surface, sight_of(state, views[i], i),
+                                                    views[i].lines[laser], laser))));
   }
-  const std::vector<bool> misfit = outstanding(misses, kDeviations, kFactor);
+  const std::vector<bool> misfit = outstanding(misses, kMisfitDeviations, kMisfitFactor);
   bool any = false;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     if (!misfit[k]) continue;
     any = true;
-    rejected.push_back({views[seen[k]].name, name,
-                        "half of its points miss the laser's plane by more than " +
-                            figure(misses[k], " px") + "; in the other views " +
-                            figure(median(misses), " px")});
+    rejected.push_back(
+        {views[seen[k]].name, name,
+         fmt::format("half of its points miss the laser's plane by more than {}; in the other "
+                     "views by {}",
+                     figure(misses[k], " px"), figure(median(misses), " px"))});
     views[seen[k]].lines[laser] = LinePoints{};
   }
   return any;
@@ -137,11 +127,29 @@ bool reject_lines(const ScannerState& state, const BoardSurface& surface, std::s
 
 }  // namespace
 
+std::vector<std::string> misfit_corners(const ScannerState& state, const BoardSurface& surface,
+                                        const std::vector<BoardSight>& sights,
+                                        const BoardViews& views) {
+  std::vector<double> rms;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    rms.push_back(std::max(kMinMisfit, rms_of(corner_residuals(state, surface, sights[i], views[i]),
+                                              std::vector<double>(views[i].pixels.size(), 1))));
+  const std::vector<bool> misfit = outstanding(rms, kMisfitDeviations, kMisfitFactor);
+  std::vector<std::string> reasons(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (misfit[i])
+      reasons[i] = fmt::format("its corners miss by {} (RMS), those of the other views by {}",
+                               figure(rms[i], " px"), figure(median(rms), " px"));
+  return reasons;
+}
+
 bool reject_misfits(const BoardSurface& surface, const NoiseLevels& noise,
                     const NormalEquations& equations, const std::vector<std::string>& lasers,
                     BoardViews& views, ScannerState& state, std::vector<RejectedView>& rejected) {
-  Reasons reasons(views.size());
-  judge_corners(views, state, surface, reasons);
+  std::vector<BoardSight> sights;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    sights.push_back(sight_of(state, views[i], i));
+  Reasons reasons = misfit_corners(state, surface, sights, views);
   judge_poses(equations, noise, state, reasons);
   BoardViews kept;
   std::vector<Vector6d> corrections;

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate/start.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <optional>
 
 #include "estimate/known_camera.h"
 #include "estimate/laser_start.h"
+#include "estimate/rejection.h"
 #include "geometry/statistics.h"
 #include "residuals/noise_components.h"
 #include "scan_cell_common/errors.h"
@@ -34,11 +37,10 @@ void keep_agreeing(const HandEye& hand_eye, const BoardSurface& surface, Start& 
   for (std::size_t i = 0; i < start.views.size(); ++i) {
     BoardView& view = start.views[i];
     if (!hand_eye.fits[i]) {
-      start.rejected.push_back({view.name, "",
-                                "by its pose the board is " +
-                                    figure(hand_eye.offset[i] * 1e3, " mm") + " and " +
-                                    figure(hand_eye.angle[i] * 180 / M_PI, " deg") +
-                                    " from where the other views have it"});
+      start.rejected.push_back(
+          {view.name, "",
+           fmt::format("its pose puts the board {} and {} from where the other views have it",
+                       millimetres(hand_eye.offset[i]), degrees(hand_eye.angle[i]))});
       continue;
     }
     Isometry3d board = camera.camera_to_board[i];
@@ -64,35 +66,22 @@ Vector6d motion_between(const Isometry3d& from, const Isometry3d& to) {
 void start_lasers(const Observations& observations, const CameraFit& camera,
                   const BoardSurface& surface, Start& start) {
   for (std::size_t laser = 0; laser < observations.lasers.size(); ++laser) {
-    std::vector<Eigen::Vector3d> points;
-    LineOffset offset;
-    for (std::size_t i = 0; i < start.views.size(); ++i)
-      for (const Eigen::Vector2d& pixel : start.views[i].lines[laser].pixels)
-        if (line_offset(start.state, surface, board_sight(camera.camera_to_board[i]), pixel,
-                        Eigen::Vector3d::UnitX(), offset)) {
-          points.push_back(offset.point);
-        }
-    if (points.size() < 3) {
-      throw scan_cell_common::UnusableInput(observations.lasers[laser],
-                                            "its line meets the board nowhere",
-                                            "check that its peaks are of these views");
-    }
-    const PlaneFit plane = fit_plane(points);
-    check_plane(plane, observations.lasers[laser]);
+    const std::string& name = observations.lasers[laser];
+    const PlaneFit plane = fit_plane(
+        laser_points(start.state, surface, start.views, camera.camera_to_board, laser, name));
+    check_plane(plane, name);
     start.state.planes.emplace_back(plane.normal / plane.distance);
   }
 }
 
 /// Robust deviations of what each view alone shows.
 NoiseLevels start_noise(const Start& start, const CameraFit& camera, const BoardSurface& surface) {
-  constexpr double kGaussian = 1.4826;  // deviation over the median of the absolute value
-  constexpr double kChi3 = 1.5382;      // median length of a vector of unit noise
-  NoiseLevels noise = least_noise(start.state.planes.size());
+  NoiseLevels noise = min_noise(start.state.planes.size());
   noise.corner_px = std::max(noise.corner_px, camera.corner_px);
   std::vector<double> shifts, turns;
   for (const Vector6d& correction : start.state.corrections) {
-    shifts.push_back(correction.head<3>().norm() / kChi3);
-    turns.push_back(correction.tail<3>().norm() / kChi3);
+    shifts.push_back(correction.head<3>().norm() / kMedianLength3);
+    turns.push_back(correction.tail<3>().norm() / kMedianLength3);
   }
   noise.robot_m = std::max(noise.robot_m, median(shifts));
   noise.robot_rad = std::max(noise.robot_rad, median(turns));
@@ -102,7 +91,7 @@ NoiseLevels start_noise(const Start& start, const CameraFit& camera, const Board
       for (const double residual :
            line_residuals(start.state, surface, sight_of(start.state, start.views[i], i),
                           start.views[i].lines[laser], laser))
-        if (std::isfinite(residual)) lengths.push_back(std::abs(residual) * kGaussian);
+        if (std::isfinite(residual)) lengths.push_back(std::abs(residual) * kDeviationPerMedian);
     noise.line_px[laser] = std::max(noise.line_px[laser], median(lengths));
   }
   return noise;
@@ -127,29 +116,18 @@ HandEye sight_hand_eye(const PosePairs& pairs, const BoardSurface& surface, cons
 CameraFit fit_and_reject(BoardViews& views, const BoardSurface& surface,
                          const std::function<CameraFit(BoardViews&)>& fit,
                          std::vector<RejectedView>& rejected) {
-  constexpr double kDeviations = 6;
-  constexpr double kFactor = 2.5;
-  constexpr double kLeast = 0.01;  // [px] below which nobody minds
   CameraFit camera = fit(views);
-  // Unweighted: what was left out speaks against a view
-  std::vector<double> rms;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    ScannerState state = camera.state;
-    rms.push_back(std::max(
-        kLeast,
-        rms_of(corner_residuals(state, surface, board_sight(camera.camera_to_board[i]), views[i]),
-               std::vector<double>(views[i].pixels.size(), 1))));
-  }
-  const std::vector<bool> misfit = outstanding(rms, kDeviations, kFactor);
+  std::vector<BoardSight> sights;
+  for (const Isometry3d& board : camera.camera_to_board)
+    sights.push_back(board_sight(board));
+  const std::vector<std::string> reasons = misfit_corners(camera.state, surface, sights, views);
   BoardViews kept;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!misfit[i]) {
+    if (reasons[i].empty()) {
       kept.push_back(std::move(views[i]));
-      continue;
+    } else {
+      rejected.push_back({views[i].name, "", reasons[i]});
     }
-    rejected.push_back({views[i].name, "",
-                        "its corners miss the camera by " + figure(rms[i], " px") +
-                            " (RMS), those of the other views by " + figure(median(rms), " px")});
   }
   const bool same = kept.size() == views.size();
   views = std::move(kept);

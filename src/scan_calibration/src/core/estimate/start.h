@@ -10,22 +10,22 @@
 
 namespace scan_calibration {
 
-/// Where the joint estimate begins.
+/// Where the joint estimate starts.
 struct Start {
   BoardViews views;
-  ScannerState state;  //!< its corrections are what each view's corners alone would have
-  NoiseLevels noise;   //!< by robust measures
+  ScannerState state;  //!< with the corrections that each view's corners alone give
+  NoiseLevels noise;   //!< robust
   std::vector<RejectedView> rejected;
-  std::string note;  //!< how well a camera that is kept fits; empty: none is
+  std::string note;  //!< how well a kept camera fits; empty: none is kept
 };
 
-/// Camera alone, hand-eye, board and laser planes one after the other, in closed form and robustly;
-/// a camera that is kept with its place on the flange, as they are.
+/// Camera, hand-eye, board and laser planes one after the other, in closed form and robust. A
+/// camera that is kept stays as it is, with its pose on the flange.
 /// @throw scan_cell_common::UnusableInput as calibrate()
 Start closed_form_start(const Observations& observations, const CalibrationOptions& options);
 
-/// Leaves out views whose corners fit the camera far worse than the others' do, and fits again.
-/// @param fit gives the camera of views
+/// Leaves out views whose corners fit the camera far worse than those of the others, and refits.
+/// @param fit finds the camera of views
 CameraFit fit_and_reject(BoardViews& views, const BoardSurface& surface,
                          const std::function<CameraFit(BoardViews&)>& fit,
                          std::vector<RejectedView>& rejected);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/board_view.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "geometry/statistics.h"
 
 namespace scan_calibration {
 namespace {
@@ -12,15 +12,12 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 LinePoints thinned(const std::vector<Eigen::Vector2d>& points) {
-  constexpr std::size_t kMost = 100;
+  constexpr std::size_t kMaxPoints = 100;  // chosen: neighbours share their errors
   LinePoints line;
-  const std::size_t count = std::min(points.size(), kMost);
-  for (std::size_t i = 0; i < count; ++i) {
-    // The middle of each of `count` equal stretches
-    line.index.push_back((2 * i + 1) * points.size() / (2 * count));
-    line.pixels.push_back(points[line.index.back()]);
-  }
-  line.weights.assign(count, 1);
+  line.index = evenly(points.size(), kMaxPoints);
+  for (const std::size_t index : line.index)
+    line.pixels.push_back(points[index]);
+  line.weights.assign(line.index.size(), 1);
   return line;
 }
 

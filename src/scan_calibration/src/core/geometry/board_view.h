@@ -33,23 +33,23 @@ struct BoardView {
 
 using BoardViews = std::vector<BoardView>;
 
-/// Of an observation; long lines are thinned evenly. Each point that is left counts as one: points
-/// side by side share the errors of the board's surface and of the laser's speckle, so the ones in
-/// between would not bring what their number says.
+/// Of an observation. Long lines are thinned evenly: neighbouring points share the errors of the
+/// board's surface and of the laser's speckle, so all of them would carry less information than
+/// their number suggests.
 BoardView board_view(const Observations& observations, std::size_t index);
 
-/// Names a corner's place anew, where it was counted from the board's other end.
+/// Renames the corners' places where they were listed from the board's other end.
 void turn_half(BoardView& view, const BoardSurface& surface);
 
-/// Where the camera has the board, by the pose of the robot as corrected.
+/// The board in the camera, by the corrected pose of the robot.
 BoardSight sight_of(const ScannerState& state, const BoardView& view, std::size_t index);
 
-/// Seen less modelled [px]; NaN for a corner behind the camera.
+/// Observed - modelled [px]; NaN for a corner behind the camera.
 std::vector<Eigen::Vector2d> corner_residuals(const ScannerState& state,
                                               const BoardSurface& surface, const BoardSight& sight,
                                               const BoardView& view);
 
-/// [px] across the line; NaN where the lens cannot be undone.
+/// [px] across the line; NaN where the lens model cannot be inverted.
 std::vector<double> line_residuals(const ScannerState& state, const BoardSurface& surface,
                                    const BoardSight& sight, const LinePoints& line,
                                    std::size_t laser);

@@ -9,16 +9,17 @@
 namespace scan_calibration {
 namespace {
 
-/// A point of the plane: the known projector's foot on it, or its nearest point beside the lens.
+/// A point of the plane: the known projector projected onto it, or its nearest point beside the
+/// lens.
 Eigen::Vector3d origin_of(const scan_cell_common::LaserPlane& plane,
                           const std::vector<Eigen::Vector3d>& projectors, std::size_t laser) {
   if (laser < projectors.size()) {
     const Eigen::Vector3d& known = projectors[laser];
     return known - (plane.normal.dot(known) - plane.distance) * plane.normal;
   }
-  constexpr double kSideways = 0.1;  // of the normal: else the plane lies across the view
+  constexpr double kMinSideways = 0.1;  // of the normal, chosen: else the plane crosses the view
   const Eigen::Vector3d beside(plane.normal.x(), plane.normal.y(), 0);
-  if (beside.norm() < kSideways) return plane.distance * plane.normal;
+  if (beside.norm() < kMinSideways) return plane.distance * plane.normal;
   return plane.distance / beside.squaredNorm() * beside;
 }
 
@@ -61,6 +62,10 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Vector6d& motion) {
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) {
   const Eigen::AngleAxisd turn(Eigen::Quaterniond(rotation).normalized());
   return turn.angle() * turn.axis();
+}
+
+double angle_of(const Eigen::Matrix3d& rotation) {
+  return rotation_vector(rotation).norm();
 }
 
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {

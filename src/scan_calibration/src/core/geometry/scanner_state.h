@@ -17,8 +17,8 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 /// fx, fy, cx, cy, k1, k2, p1, p2, k3
 using CameraVector = Eigen::Matrix<double, 9, 1>;
 
-/// Everything that the estimate may move. Small motions of a pose are six numbers: a shift [m] and
-/// a rotation vector [rad] along and about the pose's own axes.
+/// All unknowns of the estimate. A small motion of a pose is six numbers: a translation [m] and a
+/// rotation vector [rad] along and about the pose's own axes.
 struct ScannerState {
   int width = 0;   //!< [px]
   int height = 0;  //!< [px]
@@ -26,10 +26,10 @@ struct ScannerState {
   Eigen::Isometry3d flange_to_camera = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_to_board = Eigen::Isometry3d::Identity();
   Eigen::Vector3d bend = Eigen::Vector3d::Zero();  //!< as Calibration::board_bend
-  /// A laser: normal / distance, so plane . p = 1: three free numbers for any plane that does not
-  /// hold the lens.
+  /// Per laser: normal / distance, so plane . p = 1: three free numbers for any plane that does not
+  /// pass through the lens.
   std::vector<Eigen::Vector3d> planes;
-  std::vector<Vector6d> corrections;  //!< a view: from the measured pose of the flange to the true
+  std::vector<Vector6d> corrections;  //!< per view: from the flange's measured pose to the true one
 
   scan_cell_common::CameraIntrinsics intrinsics() const;
 };
@@ -42,18 +42,21 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Vector6d& motion);
 /// The rotation vector [rad] of a rotation, its angle from 0 to pi.
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation);
 
+/// Angle [rad] of a rotation.
+double angle_of(const Eigen::Matrix3d& rotation);
+
 /// The nearest rotation.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
 
 /// The model with its planes' normals towards the camera (distance below 0).
-/// @param lasers whose planes the state holds
+/// @param lasers of the planes
 /// @param projectors of these, as far as they are known [m]
 scan_cell_common::ScannerModel scanner_model(const ScannerState& state,
                                              const std::vector<std::string>& lasers,
                                              const std::vector<Eigen::Vector3d>& projectors);
 
 /// The surface of a board that may be bent: z = basis(x, y) . bend. Beyond its corners, where
-/// nothing shows it, it goes on at the height of its border.
+/// nothing is observed, it continues at the height of its border.
 class BoardSurface {
  public:
   explicit BoardSurface(const Board& board);
@@ -66,7 +69,7 @@ class BoardSurface {
   /// [m] on the board
   const Eigen::Vector2d& centre() const { return centre_; }
 
-  /// The board turned in its plane by half a turn: its corners come to lie on one another.
+  /// The board turned in its plane by half a turn, which maps its corners onto each other.
   Eigen::Isometry3d half_turn() const;
 
  private:

@@ -60,7 +60,7 @@ Distortion distort(const CameraVector& camera, double x, double y) {
 /// @return false if it does not, in front of the camera
 bool meet(const BoardSurface& surface, const Eigen::Vector3d& bend, const Eigen::Vector3d& start,
           const Eigen::Vector3d& direction, double& depth) {
-  constexpr int kSteps = 4;  // a board is bent by a few mm: each step squares the error
+  constexpr int kSteps = 4;  // chosen: a board is bent by a few mm, each step squares the error
   depth = -start.z() / direction.z();
   for (int step = 0; step < kSteps && !bend.isZero(0); ++step) {
     const Eigen::Vector3d point = start + depth * direction;
@@ -108,8 +108,8 @@ BoardSight board_sight(const Eigen::Isometry3d& camera_to_board) {
 }
 
 bool project(const CameraVector& camera, const Eigen::Vector3d& point, Projection& result) {
-  constexpr double kLeastDepth = 1e-6;  // [m]
-  if (!(point.z() > kLeastDepth)) return false;
+  constexpr double kMinDepth = 1e-6;  // [m] chosen
+  if (!(point.z() > kMinDepth)) return false;
   const double x = point.x() / point.z();
   const double y = point.y() / point.z();
   const Distortion lens = distort(camera, x, y);
@@ -126,11 +126,9 @@ bool project(const CameraVector& camera, const Eigen::Vector3d& point, Projectio
 
 bool line_offset(const ScannerState& scanner, const BoardSurface& surface, const BoardSight& sight,
                  const Eigen::Vector2d& pixel, const Eigen::Vector3d& plane, LineOffset& result) {
-  const Eigen::Vector2d focal = scanner.camera.head<2>();
-  const Eigen::Vector2d distorted = (pixel - scanner.camera.segment<2>(2)).cwiseQuotient(focal);
-  Eigen::Vector2d flat = distorted;
-  if (!scanner.intrinsics().undistort(distorted, flat)) return false;
-  const Eigen::Vector3d ray = flat.homogeneous();
+  const std::optional<Eigen::Vector3d> seen = ray_of(scanner.intrinsics(), pixel);
+  if (!seen) return false;
+  const Eigen::Vector3d& ray = *seen;
   double depth = 0;
   if (!meet(surface, scanner.bend, -(sight.rotation.transpose() * sight.position),
             sight.rotation.transpose() * ray, depth)) {
@@ -147,7 +145,9 @@ bool line_offset(const ScannerState& scanner, const BoardSurface& surface, const
   result.by_sight << lever.cross(by_shift), by_shift;
   result.by_bend = plane.dot(ray) / normal.dot(ray) * surface.basis(place);
 
-  const Distortion lens = distort(scanner.camera, flat.x(), flat.y());
+  const Eigen::Vector2d focal = scanner.camera.head<2>();
+  const Eigen::Vector2d distorted = (pixel - scanner.camera.segment<2>(2)).cwiseQuotient(focal);
+  const Distortion lens = distort(scanner.camera, ray.x(), ray.y());
   const Eigen::RowVector2d by_distorted =
       (depth * (plane - by_shift)).head<2>().transpose() * lens.by_ray.inverse();
   result.by_pixel = by_distorted.transpose().cwiseQuotient(focal);

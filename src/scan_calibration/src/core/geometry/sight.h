@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "geometry/scanner_state.h"
 
@@ -38,7 +39,18 @@ struct Projection {
 /// @return false if it is not in front of the camera
 bool project(const CameraVector& camera, const Eigen::Vector3d& point, Projection& result);
 
-/// By how much the point that a pixel shows on the board misses a laser's plane.
+/// The ray (x/z, y/z, 1) in camera_optical_frame that a pixel sees; none where the lens model
+/// cannot be inverted.
+inline std::optional<Eigen::Vector3d> ray_of(const scan_cell_common::CameraIntrinsics& camera,
+                                             const Eigen::Vector2d& pixel) {
+  const Eigen::Vector2d distorted((pixel.x() - camera.cx) / camera.fx,
+                                  (pixel.y() - camera.cy) / camera.fy);
+  Eigen::Vector2d ray = distorted;
+  if (!camera.undistort(distorted, ray)) return std::nullopt;
+  return ray.homogeneous();
+}
+
+/// The distance of a point that a pixel sees on the board from a laser's plane.
 struct LineOffset {
   /// [m] on the board, in camera_optical_frame
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
@@ -52,9 +64,9 @@ struct LineOffset {
   double pixels() const { return value / by_pixel.norm(); }
 };
 
-/// The derivatives are exact: of the lens's inverse and of the cut with the bent board by the
-/// implicit function theorem.
-/// @return false if the lens model cannot be undone there, or the ray does not meet the board
+/// The derivatives are exact: of the lens's inverse and of the intersection with the bent board by
+/// the implicit function theorem.
+/// @return false if the lens model cannot be inverted there, or the ray does not meet the board
 bool line_offset(const ScannerState& scanner, const BoardSurface& surface, const BoardSight& sight,
                  const Eigen::Vector2d& pixel, const Eigen::Vector3d& plane, LineOffset& result);
 

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/statistics.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <limits>
 
 namespace scan_calibration {
@@ -18,15 +17,15 @@ double median(std::vector<double> values) {
 }
 
 std::vector<bool> outstanding(const std::vector<double>& values, double deviations, double factor) {
-  constexpr double kLeast = 1e-300;     // of a perfect fit
-  constexpr double kGaussian = 1.4826;  // deviation over median absolute deviation
+  constexpr double kMinValue = 1e-300;  // a perfect fit has a logarithm too
   std::vector<double> logarithms, distances;
   for (const double value : values)
-    logarithms.push_back(std::log(std::max(value, kLeast)));
+    logarithms.push_back(std::log(std::max(value, kMinValue)));
   const double middle = median(logarithms);
   for (const double logarithm : logarithms)
     distances.push_back(std::abs(logarithm - middle));
-  const double limit = std::max(deviations * kGaussian * median(distances), std::log(factor));
+  const double limit =
+      std::max(deviations * kDeviationPerMedian * median(distances), std::log(factor));
   std::vector<bool> result;
   for (const double logarithm : logarithms)
     result.push_back(logarithm - middle > limit);
@@ -34,14 +33,20 @@ std::vector<bool> outstanding(const std::vector<double>& values, double deviatio
 }
 
 std::string figure(double value, const char* unit) {
-  char text[48];
   const bool plain = std::abs(value) >= 99.5 && std::abs(value) < 1e6;
-  std::snprintf(text, sizeof(text), plain ? "%.0f%s" : "%.3g%s", value, unit);
-  return text;
+  return plain ? fmt::format("{:.0f}{}", value, unit) : fmt::format("{:.3g}{}", value, unit);
+}
+
+std::string millimetres(double length) {
+  return figure(length * 1e3, " mm");
+}
+
+std::string degrees(double angle) {
+  return figure(angle * 180 / M_PI, " deg");
 }
 
 std::string share(std::size_t part, std::size_t whole) {
-  return std::to_string(part) + " of " + std::to_string(whole);
+  return fmt::format("{} of {}", part, whole);
 }
 
 }  // namespace scan_calibration

@@ -2,20 +2,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace scan_calibration {
 
-/// NaN of none.
+constexpr double kDegree = M_PI / 180;  // [rad]
+constexpr double kDeviationPerMedian =
+    1.4826;                                 // normal noise: deviation over median absolute value
+constexpr double kMedianLength2 = 1.17741;  // of two numbers of unit noise: sqrt(2 ln 2)
+constexpr double kMedianLength3 = 1.5382;   // of three: root of the median of chi-square, 3 d.o.f.
+
+/// NaN for an empty list.
 double median(std::vector<double> values);
 
-/// Values that stand out above the others: their logarithm is further from the median's than
-/// `deviations` times what the others scatter by, and they are at least `factor` times the median.
+/// The same for a list that is not empty, of the two middle values the larger.
+inline double upper_median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// At most `max_count` of `count` indices, spread evenly: the middle of each of equal stretches.
+inline std::vector<std::size_t> evenly(std::size_t count, std::size_t max_count) {
+  const std::size_t kept = std::min(count, max_count);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < kept; ++i)
+    result.push_back((2 * i + 1) * count / (2 * kept));
+  return result;
+}
+
+/// Sum of squares and how many they are.
+struct SquareSum {
+  double squares = 0;
+  double count = 0;
+
+  void add(double square) {
+    squares += square;
+    count += 1;
+  }
+  void add(const SquareSum& other) {
+    squares += other.squares;
+    count += other.count;
+  }
+  double rms() const { return std::sqrt(squares / count); }
+};
+
+/// Marks outliers: their logarithm is further above the median than `deviations` robust standard
+/// deviations of the logarithms, and they are at least `factor` times the median.
 std::vector<bool> outstanding(const std::vector<double>& values, double deviations, double factor);
 
-/// Three significant digits and a unit.
+/// Three significant digits and a unit: "0.123 px".
 std::string figure(double value, const char* unit);
+
+/// @param length [m]; the text is in mm
+std::string millimetres(double length);
+
+/// @param angle [rad]; the text is in deg
+std::string degrees(double angle);
 
 /// "9 of 20"
 std::string share(std::size_t part, std::size_t whole);

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Stretches the grey values between two shares of the pixels over all of 8 bits: a board is dark
-/// beside a laser line, and the line's own light tells nothing about it.
+/// Stretches the grey values between two quantiles to 8 bits: beside a laser line a board is dark,
+/// and the line's own light says nothing about it.
 cv::Mat stretched(const cv::Mat& image, double dark_share, double bright_share) {
   const double range = image.depth() == CV_16U ? 65536 : 256;
   const int bins = image.depth() == CV_16U ? 4096 : 256;
@@ -40,30 +40,26 @@ cv::Mat stretched(const cv::Mat& image, double dark_share, double bright_share) 
   return result;
 }
 
-/// How to look at an image. The first that shows the board is taken.
-struct Look {
-  bool reduced;         //!< to kReducedSide: faster, and calmer where the image is grainy
-  double bright_share;  //!< of the pixels below what becomes white
-};
-constexpr Look kLooks[] = {{true, 0.75},  {true, 0.9},  {true, 0.99},
-                           {false, 0.75}, {false, 0.9}, {false, 0.99}};
-constexpr double kReducedSide = 1000;  // [px]
-constexpr double kDarkShare = 0.01;
+constexpr double kReducedSide = 1000;                  // [px] chosen: faster, and with less noise
+constexpr double kDarkShare = 0.01;                    // of the pixels become black, chosen
+constexpr double kBrightShares[] = {0.75, 0.9, 0.99};  // of the pixels stay below white, chosen
 
 std::vector<cv::Point2f> find_roughly(const cv::Mat& image, const cv::Size& size) {
   const double scale = std::min(1.0, kReducedSide / std::max(image.cols, image.rows));
-  for (const Look& look : kLooks) {
-    if (look.reduced && scale == 1) continue;
-    cv::Mat seen = stretched(image, kDarkShare, look.bright_share);
-    const double factor = look.reduced ? scale : 1;
-    if (look.reduced) cv::resize(seen, seen, cv::Size(), factor, factor, cv::INTER_AREA);
-    std::vector<cv::Point2f> corners;
-    if (!cv::findChessboardCornersSB(seen, size, corners, 0)) continue;
-    for (cv::Point2f& corner : corners) {
-      corner.x = static_cast<float>((corner.x + 0.5) / factor - 0.5);
-      corner.y = static_cast<float>((corner.y + 0.5) / factor - 0.5);
+  for (const bool reduced : {true, false}) {
+    if (reduced && scale == 1) continue;
+    for (const double bright_share : kBrightShares) {
+      cv::Mat seen = stretched(image, kDarkShare, bright_share);
+      const double factor = reduced ? scale : 1;
+      if (reduced) cv::resize(seen, seen, cv::Size(), factor, factor, cv::INTER_AREA);
+      std::vector<cv::Point2f> corners;
+      if (!cv::findChessboardCornersSB(seen, size, corners, 0)) continue;
+      for (cv::Point2f& corner : corners) {
+        corner.x = static_cast<float>((corner.x + 0.5) / factor - 0.5);
+        corner.y = static_cast<float>((corner.y + 0.5) / factor - 0.5);
+      }
+      return corners;
     }
-    return corners;
   }
   return {};
 }
@@ -109,7 +105,7 @@ BoardCorners find_board(const cv::Mat& image, const Board& board) {
 std::pair<int, int> size_of_any_board(const cv::Mat& image) {
   const cv::Size least(3, 3);
   const double scale = std::min(1.0, kReducedSide / std::max(image.cols, image.rows));
-  for (const double bright_share : {0.75, 0.9, 0.99}) {
+  for (const double bright_share : kBrightShares) {
     cv::Mat seen = stretched(image, kDarkShare, bright_share);
     cv::resize(seen, seen, cv::Size(), scale, scale, cv::INTER_AREA);
     std::vector<cv::Point2f> corners;

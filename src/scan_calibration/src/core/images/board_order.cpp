@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scan_calibration {
 namespace {
@@ -19,8 +20,8 @@ double grey_at(const cv::Mat& image, const Vector2d& pixel) {
                                  : image.at<std::uint8_t>(row, column);
 }
 
-/// Whether the square between the first two corners of the first two rows is bright: by all squares
-/// together.
+/// Whether the square between the first two corners of the first two rows is bright, judged by all
+/// squares.
 bool begins_bright(const BoardCorners& corners, const Board& board, const cv::Mat& image) {
   double bright = 0;
   for (int row = 0; row + 1 < board.rows; ++row) {
@@ -29,7 +30,7 @@ bool begins_bright(const BoardCorners& corners, const Board& board, const cv::Ma
       const Vector2d middle =
           0.25 * (corners[first] + corners[first + 1] + corners[first + board.columns] +
                   corners[first + board.columns + 1]);
-      // The root, so that a laser line over some squares does not outvote the rest.
+      // The root: a laser line over some squares must not outvote the rest
       bright += ((row + column) % 2 == 0 ? 1 : -1) * std::sqrt(grey_at(image, middle));
     }
   }
@@ -43,6 +44,36 @@ bool begins_bright(const BoardCorners& corners, const Board& board, const cv::Ma
 
 double angle_of(const Matrix3d& rotation) {
   return Eigen::AngleAxisd(rotation).angle();
+}
+
+/// The board's axes turn with the corner that is listed first.
+Matrix3d pose(const TurnableView& view, int quarters) {
+  return view.board_in_camera *
+         Eigen::AngleAxisd(quarters * M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/// The choice for a view that suits the first `others` views best.
+int best_turn(const std::vector<TurnableView>& views, const std::vector<int>& choices,
+              const std::vector<int>& quarters, std::size_t view, std::size_t others) {
+  constexpr double kMaxMismatch = 0.3;  // [rad] chosen: more means that a pose is wrong
+  constexpr double kSame = 1e-9;        // [rad] rounding
+  double least = std::numeric_limits<double>::infinity();
+  int best = quarters[view];
+  for (const int turns : choices) {
+    double mismatch = 0;
+    for (std::size_t other = 0; other < others; ++other) {
+      if (other == view) continue;
+      const double by_robot =
+          angle_of(views[view].flange_in_base.transpose() * views[other].flange_in_base);
+      const double by_camera =
+          angle_of(pose(views[view], turns) * pose(views[other], quarters[other]).transpose());
+      mismatch += std::min(kMaxMismatch, std::abs(by_robot - by_camera));
+    }
+    if (mismatch >= least - kSame) continue;
+    least = mismatch;
+    best = turns;
+  }
+  return best;
 }
 
 }  // namespace
@@ -75,50 +106,20 @@ BoardCorners in_order(BoardCorners corners, const Board& board, const cv::Mat& i
   if (begins_bright(corners, board, image)) return corners;
   if ((board.columns + board.rows) % 2 != 0) return turned(corners, board, 2);
   if (board.columns == board.rows && board.columns % 2 != 0) return turned(corners, board, 1);
-  return corners;  // its first square is dark from both ends
+  return corners;  // the first square is dark from both ends
 }
 
 std::vector<int> align_corners(const std::vector<TurnableView>& views, const Board& board) {
-  constexpr double kMostMismatch = 0.3;  // [rad]: a wrong pose counts no more than that
-  constexpr int kMostRounds = 10;
+  constexpr int kMaxRounds = 10;  // chosen: two are usual
   const std::vector<int> choices = symmetries(board);
   std::vector<int> quarters(views.size(), 0);
-  const auto pose = [&](std::size_t view, int turns) -> Matrix3d {
-    // Corners counted from a quarter further on: the board's axes turn the same way.
-    return views[view].board_in_camera *
-           Eigen::AngleAxisd(turns * M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  };
-  const auto best = [&](std::size_t view, std::size_t others) {
-    double least = std::numeric_limits<double>::infinity();
-    int choice = quarters[view];
-    for (const int turns : choices) {
-      double mismatch = 0;
-      for (std::size_t other = 0; other < others; ++other) {
-        if (other == view) continue;
-        const double by_robot =
-            angle_of(views[view].flange_in_base.transpose() * views[other].flange_in_base);
-        const double by_camera =
-            angle_of(pose(view, turns) * pose(other, quarters[other]).transpose());
-        mismatch += std::min(kMostMismatch, std::abs(by_robot - by_camera));
-      }
-      if (mismatch < least - 1e-9) {
-        least = mismatch;
-        choice = turns;
-      }
-    }
-    return choice;
-  };
-  if (choices.size() == 1) return quarters;
   for (std::size_t view = 1; view < views.size(); ++view)
-    quarters[view] = best(view, view);
-  for (int round = 0; round < kMostRounds; ++round) {
-    bool changed = false;
-    for (std::size_t view = 1; view < views.size(); ++view) {
-      const int choice = best(view, views.size());
-      changed = changed || choice != quarters[view];
-      quarters[view] = choice;
-    }
-    if (!changed) break;
+    quarters[view] = best_turn(views, choices, quarters, view, view);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<int> before = quarters;
+    for (std::size_t view = 1; view < views.size(); ++view)
+      quarters[view] = best_turn(views, choices, quarters, view, views.size());
+    if (quarters == before) break;
   }
   return quarters;
 }

@@ -8,28 +8,28 @@
 
 namespace scan_calibration {
 
-/// The corners of one board, counted from another of its corners so that the board looks the same:
-/// turned by quarters about its normal.
+/// The corners of one board, listed from another of its corners: turned by quarters about its
+/// normal.
 BoardCorners turned(const BoardCorners& corners, const Board& board, int quarters);
 
-/// By how many quarters a board can be turned and look the same in shape and colour: 0 always.
+/// The quarter turns that leave a board the same in shape and colour; 0 is always one.
 std::vector<int> symmetries(const Board& board);
 
-/// Puts corners that were counted from any corner, in any sense, into the order of find_board().
+/// Puts corners that are listed from any corner, in any sense, into the order of find_board().
 /// @param corners all of them finite
-/// @param image where they were seen
+/// @param image that shows them
 BoardCorners in_order(BoardCorners corners, const Board& board, const cv::Mat& image);
 
-/// A view whose corners may be counted from several ends of the board.
+/// A view whose corners may be listed from several ends of the board.
 struct TurnableView {
   Eigen::Matrix3d flange_in_base;   //!< rotation, from the robot
-  Eigen::Matrix3d board_in_camera;  //!< rotation, from the corners as they are counted now
+  Eigen::Matrix3d board_in_camera;  //!< rotation, from the corners as they are listed now
 };
 
-/// By how many quarters to turn each view's corners so that all are counted from the same end. The
-/// angle between two orientations of the flange is that between the camera's, wherever on the
-/// flange it is (the angles of A and B in A X = X B are the same): each view takes the symmetry
-/// that suits all others best, in turn, until none changes. The end itself is that of the first.
+/// By how many quarters to turn each view's corners so that all are listed from the same end. The
+/// angle between two orientations of the flange equals that between the camera's, wherever it sits
+/// on the flange (A and B in A X = X B have the same angle): each view in turn takes the symmetry
+/// that suits all others best, until none changes. The end is that of the first view.
 std::vector<int> align_corners(const std::vector<TurnableView>& views, const Board& board);
 
 }  // namespace scan_calibration

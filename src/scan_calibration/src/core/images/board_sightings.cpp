@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "images/board_sightings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 
@@ -12,8 +14,8 @@
 namespace scan_calibration {
 namespace {
 
-std::string text_of(const cv::Size& size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
+std::string text_of(int width, int height) {
+  return fmt::format("{} x {}", width, height);
 }
 
 BoardSighting look_at(const SessionView& view, const Board& board) {
@@ -42,14 +44,15 @@ void leave_out_other_sizes(std::vector<BoardSighting>& views) {
       sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   for (BoardSighting& view : views) {
     if (view.size.empty() || std::pair(view.size.width, view.size.height) == most->first) continue;
-    leave_out(view, "the image has " + text_of(view.size) + " pixels, most have " +
-                        text_of({most->first.first, most->first.second}));
+    leave_out(view, fmt::format("the image has {} pixels, most have {}",
+                                text_of(view.size.width, view.size.height),
+                                text_of(most->first.first, most->first.second)));
   }
 }
 
-/// Where a pose was stored twice, the later image was not taken there.
+/// Where a pose is stored twice, the later image was not taken there.
 void leave_out_repeated_poses(const Session& session, std::vector<BoardSighting>& views) {
-  constexpr double kSame = 1e-9;  // [m] and of a rotation matrix's elements: no robot repeats that
+  constexpr double kSame = 1e-9;  // [m] and of a rotation matrix's elements: no robot repeats so
   for (std::size_t i = 0; i < views.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       const Eigen::Matrix4d change =
@@ -59,6 +62,41 @@ void leave_out_repeated_poses(const Session& session, std::vector<BoardSighting>
       break;
     }
   }
+}
+
+/// A board of another size that some of the images show.
+struct OtherBoard {
+  std::pair<int, int> size;
+  int images = 0;  // that show it
+  int looks = 0;   // images that were searched
+};
+
+/// @param none_seen whether no view shows the board that is given; else only larger boards count
+OtherBoard other_board(const Session& session, const std::vector<BoardSighting>& views,
+                       bool none_seen) {
+  constexpr std::size_t kLooks = 5;  // chosen: one takes a second
+  const auto given = std::minmax(session.board.columns, session.board.rows);
+  OtherBoard other;
+  std::map<std::pair<int, int>, int> sizes;
+  const auto readable = static_cast<std::size_t>(std::count_if(
+      views.begin(), views.end(), [](const auto& view) { return !view.size.empty(); }));
+  const std::size_t stride = readable / kLooks + 1;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (views[i].size.empty() || number++ % stride != 0) continue;
+    ++other.looks;
+    const auto found =
+        size_of_any_board(tecnogamma_camera::load_grey_image(session.views[i].board_image));
+    const bool larger = found.first >= given.second && found.second >= given.first &&
+                        found != std::pair(given.second, given.first);
+    if (larger || (none_seen && found.first > 0)) ++sizes[found];
+  }
+  for (const auto& [size, images] : sizes) {
+    if (images <= other.images) continue;
+    other.size = size;
+    other.images = images;
+  }
+  return other;
 }
 
 }  // namespace
@@ -78,47 +116,22 @@ std::vector<BoardSighting> find_boards(const Session& session, const Observation
 }
 
 void check_board_size(const Session& session, const std::vector<BoardSighting>& views) {
-  constexpr std::size_t kLooks = 5;
-  const auto given = std::minmax(session.board.columns, session.board.rows);
-  const auto seen =
-      std::count_if(views.begin(), views.end(), [](const auto& v) { return !v.corners.empty(); });
-  std::map<std::pair<int, int>, int> others;
-  std::size_t readable = 0;
-  for (const BoardSighting& view : views)
-    readable += view.size.empty() ? 0 : 1;
-  const std::size_t stride = readable / kLooks + 1;
-  std::size_t number = 0;
-  int looks = 0;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    if (views[i].size.empty() || number++ % stride != 0) continue;
-    ++looks;
-    const auto found =
-        size_of_any_board(tecnogamma_camera::load_grey_image(session.views[i].board_image));
-    const bool larger = found.first >= given.second && found.second >= given.first &&
-                        found != std::pair(given.second, given.first);
-    if (larger || (seen == 0 && found.first > 0)) ++others[found];
-  }
-  std::pair<int, int> other;
-  int agree = 0;
-  for (const auto& [size, times] : others) {
-    if (times <= agree) continue;
-    other = size;
-    agree = times;
-  }
-  const std::string board = "board of " + std::to_string(session.board.columns) + " x " +
-                            std::to_string(session.board.rows) + " inner corners";
-  const bool another = seen == 0 ? agree > 0 : 2 * agree > looks;
-  if (another) {
+  const bool none_seen = std::none_of(views.begin(), views.end(),
+                                      [](const auto& view) { return !view.corners.empty(); });
+  const OtherBoard other = other_board(session, views, none_seen);
+  const std::string board =
+      fmt::format("board of {} inner corners", text_of(session.board.columns, session.board.rows));
+  if (none_seen ? other.images > 0 : 2 * other.images > other.looks) {
     throw scan_cell_common::UnusableInput(
-        board, "the images show one of " + text_of({other.first, other.second}),
+        board, "the images show one of " + text_of(other.size.first, other.size.second),
         "correct inner_corners in session.yaml: one less than squares along each side");
   }
-  if (seen == 0) {
+  if (none_seen) {
     throw scan_cell_common::UnusableInput(
         board,
-        "seen in none of " + std::to_string(views.size()) + " images" +
-            (views.empty() ? "" : ", the first: " + views.front().reason),
-        "show all of the board, sharp, with light on it");
+        fmt::format("seen in none of {} images{}", views.size(),
+                    views.empty() ? "" : ", the first: " + views.front().reason),
+        "show the whole board, in focus and well lit");
   }
 }
 

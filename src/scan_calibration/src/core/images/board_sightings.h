@@ -18,8 +18,8 @@ struct BoardSighting {
   std::string reason;    //!< why not
 };
 
-/// Looks for the board in every view of the session. Views are left out that cannot be read, whose
-/// image is of another size than most, that do not show the board, or that repeat a pose.
+/// Looks for the board in every view of the session. Leaves out views that are unreadable, have
+/// another image size than most, do not show the board, or repeat a pose.
 std::vector<BoardSighting> find_boards(const Session& session, const ObservationOptions& options);
 
 /// @throw scan_cell_common::UnusableInput if no view shows the board, or several show a larger one

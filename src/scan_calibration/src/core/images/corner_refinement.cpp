@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "images/corner_refinement.h"
 
-#include <Eigen/Cholesky>
+#include <ceres/tiny_solver.h>
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace scan_calibration {
 namespace {
@@ -13,105 +15,81 @@ using Eigen::Vector2d;
 
 // x, y [px], directions of the two edges [rad], blur [px], mean, contrast, gradient x, y
 using Shape = Eigen::Matrix<double, 9, 1>;
-using Information = Eigen::Matrix<double, 9, 9>;
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// The grey values in a disc about the rough corner.
-class Disc {
- public:
-  Disc(const cv::Mat& image, const Vector2d& centre, double radius)
-      : image_(image),
-        column_(static_cast<int>(std::lround(centre.x()))),
-        row_(static_cast<int>(std::lround(centre.y()))),
-        reach_(static_cast<int>(std::ceil(radius))),
-        radius_(radius) {}
-
-  /// Whether enough of it lies in the image: a corner at the border still shows all its squares.
-  bool shows_all_sides() const {
-    constexpr int kLeast = 3;  // [px]
-    return column_ >= kLeast && row_ >= kLeast && column_ + kLeast < image_.cols &&
-           row_ + kLeast < image_.rows;
-  }
-
-  Vector2d centre() const { return {column_, row_}; }
-
-  template <class Visit>
-  void visit(const Visit& visit) const {
-    for (int y = std::max(-reach_, -row_); y <= std::min(reach_, image_.rows - 1 - row_); ++y) {
-      const auto half = static_cast<int>(
-          std::sqrt(std::max(0.0, radius_ * radius_ - static_cast<double>(y * y))));
-      const float* const row = image_.ptr<float>(row_ + y) + column_;
-      for (int x = std::max(-half, -column_); x <= std::min(half, image_.cols - 1 - column_); ++x)
-        visit(Vector2d(x, y), row[x]);
-    }
-  }
-
- private:
-  const cv::Mat& image_;
-  int column_;
-  int row_;
-  int reach_;
-  double radius_;
+struct GreyPixel {
+  Vector2d place;  // [px] from the centre of the disc
+  double grey;
 };
 
-struct Linearised {
-  Information information = Information::Zero();
-  Shape gradient = Shape::Zero();
-  double cost = 0;
-  int count = 0;
-};
-
-Linearised linearise(const Disc& disc, const Shape& shape) {
-  constexpr double kErfSlope = 2 * M_2_SQRTPI / 2;
-  Linearised result;
-  const Vector2d across1(-std::sin(shape[2]), std::cos(shape[2]));
-  const Vector2d across2(-std::sin(shape[3]), std::cos(shape[3]));
-  const Vector2d along1(across1.y(), -across1.x()), along2(across2.y(), -across2.x());
-  const double sharp = 1 / shape[4];
-  disc.visit([&](const Vector2d& p, float grey) {
-    const Vector2d d = p - shape.head<2>();
-    const double d1 = across1.dot(d) * sharp, d2 = across2.dot(d) * sharp;
-    const double side1 = std::erf(d1), side2 = std::erf(d2);
-    const double slope1 = kErfSlope * std::exp(-d1 * d1) * side2 * shape[6] * sharp;
-    const double slope2 = kErfSlope * std::exp(-d2 * d2) * side1 * shape[6] * sharp;
-    const double error = grey - (shape[5] + shape[6] * side1 * side2 + shape.tail<2>().dot(d));
-    Shape jacobian;
-    jacobian.head<2>() = -slope1 * across1 - slope2 * across2 - shape.tail<2>();
-    jacobian[2] = -slope1 * along1.dot(d);
-    jacobian[3] = -slope2 * along2.dot(d);
-    jacobian[4] = -(slope1 * d1 + slope2 * d2);
-    jacobian[5] = 1;
-    jacobian[6] = side1 * side2;
-    jacobian.tail<2>() = d;
-    result.information.selfadjointView<Eigen::Lower>().rankUpdate(jacobian);
-    result.gradient += error * jacobian;
-    result.cost += error * error;
-    ++result.count;
-  });
-  return result;
+/// The pixels of an image within `radius` of its pixel `centre`.
+std::vector<GreyPixel> disc(const cv::Mat& image, const cv::Point& centre, double radius) {
+  const int reach = static_cast<int>(std::ceil(radius));
+  std::vector<GreyPixel> pixels;
+  for (int y = std::max(-reach, -centre.y); y <= std::min(reach, image.rows - 1 - centre.y); ++y) {
+    const int half = static_cast<int>(std::sqrt(std::max(0.0, radius * radius - y * y)));
+    const float* const row = image.ptr<float>(centre.y + y) + centre.x;
+    for (int x = std::max(-half, -centre.x); x <= std::min(half, image.cols - 1 - centre.x); ++x)
+      pixels.push_back({Vector2d(x, y), row[x]});
+  }
+  return pixels;
 }
 
-Shape first_guess(const Disc& disc, const RoughCorner& rough) {
+/// What four squares would show less what the pixels show, as ceres::TinySolver minimizes it.
+struct SquaresMisfit {
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = 9 };
+
+  int NumResiduals() const { return static_cast<int>(pixels.size()); }
+
+  bool operator()(const double* parameters, double* residuals, double* jacobian) const {
+    const Eigen::Map<const Shape> shape(parameters);
+    const Vector2d across1(-std::sin(shape[2]), std::cos(shape[2]));
+    const Vector2d across2(-std::sin(shape[3]), std::cos(shape[3]));
+    const Vector2d along1(across1.y(), -across1.x()), along2(across2.y(), -across2.x());
+    const double sharp = 1 / blur(shape);
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 9>> rows(jacobian, NumResiduals(), 9);
+    for (int i = 0; i < NumResiduals(); ++i) {
+      const Vector2d d = pixels[i].place - shape.head<2>();
+      const double d1 = across1.dot(d) * sharp, d2 = across2.dot(d) * sharp;
+      const double side1 = std::erf(d1), side2 = std::erf(d2);
+      residuals[i] = shape[5] + shape[6] * side1 * side2 + shape.tail<2>().dot(d) - pixels[i].grey;
+      if (jacobian == nullptr) continue;
+      const double slope1 = M_2_SQRTPI * std::exp(-d1 * d1) * side2 * shape[6] * sharp;
+      const double slope2 = M_2_SQRTPI * std::exp(-d2 * d2) * side1 * shape[6] * sharp;
+      rows.row(i) << (-slope1 * across1 - slope2 * across2 - shape.tail<2>()).transpose(),
+          -slope1 * along1.dot(d), -slope2 * along2.dot(d), -(slope1 * d1 + slope2 * d2), 1,
+          side1 * side2, d.transpose();
+    }
+    return true;
+  }
+
+  double blur(const Shape& shape) const {
+    constexpr double kMinBlur = 0.3;  // [px] chosen: below it an edge looks the same
+    return std::clamp(shape[4], kMinBlur, radius);
+  }
+
+  std::vector<GreyPixel> pixels;
+  double radius;  // [px]
+};
+
+Shape first_guess(const std::vector<GreyPixel>& pixels, const RoughCorner& rough,
+                  const Vector2d& corner) {
+  constexpr double kTypicalBlur = 1.5;  // [px] chosen
   Shape shape;
-  shape << rough.pixel - disc.centre(),
-      std::atan2(rough.along_columns.y(), rough.along_columns.x()),
-      std::atan2(rough.along_rows.y(), rough.along_rows.x()), 1.5, 0, 0, 0, 0;
-  double sum = 0, contrast = 0;
-  int count = 0;
-  disc.visit([&](const Vector2d&, float grey) {
-    sum += grey;
-    ++count;
-  });
-  shape[5] = sum / count;
-  disc.visit([&](const Vector2d& p, float grey) {
-    const Vector2d d = p - shape.head<2>();
+  shape << corner, std::atan2(rough.along_columns.y(), rough.along_columns.x()),
+      std::atan2(rough.along_rows.y(), rough.along_rows.x()), kTypicalBlur, 0, 0, 0, 0;
+  const auto count = static_cast<double>(pixels.size());
+  for (const GreyPixel& pixel : pixels)
+    shape[5] += pixel.grey / count;
+  for (const auto& [place, grey] : pixels) {
+    const Vector2d d = place - corner;
     const bool same_side = cross(rough.along_columns, d) * cross(rough.along_rows, d) > 0;
-    contrast += (same_side ? 1 : -1) * (grey - shape[5]);
-  });
-  shape[6] = contrast / count;
+    shape[6] += (same_side ? 1 : -1) * (grey - shape[5]) / count;
+  }
   return shape;
 }
 
@@ -124,38 +102,27 @@ double free_radius(const RoughCorner& rough) {
 }  // namespace
 
 bool refine_corner(const cv::Mat& image, RoughCorner& rough) {
-  constexpr double kLeastRadius = 2.5;  // [px]
-  constexpr int kMostSteps = 25;
-  constexpr double kSettled = 1e-4;     // [px]
-  constexpr double kLeastBlur = 0.3;    // [px]
-  constexpr double kMostMisfit = 0.35;  // of the contrast, RMS
-  const double radius = std::min(kMostFitRadius, kFitShare * free_radius(rough));
-  const Disc disc(image, rough.pixel, radius);
-  if (!(radius >= kLeastRadius) || !disc.shows_all_sides()) return false;
-  Shape shape = first_guess(disc, rough);
-  Linearised now = linearise(disc, shape);
-  double damping = 1e-3;
-  for (int step = 0; step < kMostSteps && damping < 1e6; ++step) {
-    Information damped = now.information;  // its lower half, as the solver asks
-    damped.diagonal() *= 1 + damping;
-    const Shape change = damped.ldlt().solve(now.gradient);
-    Shape tried = shape + change;
-    if (!tried.allFinite()) return false;
-    tried[4] = std::clamp(tried[4], kLeastBlur, radius);
-    const Linearised then = linearise(disc, tried);
-    if (then.cost < now.cost) {
-      shape = tried;
-      now = then;
-      damping *= 0.1;
-    } else {
-      damping *= 10;
-    }
-    if (change.head<2>().norm() < kSettled) break;
-  }
-  const double misfit = std::sqrt(now.cost / now.count);
-  const Vector2d found = disc.centre() + shape.head<2>();
-  if (!(misfit < kMostMisfit * std::abs(shape[6]))) return false;
-  if ((found - rough.pixel).norm() > std::max(1.5, 0.4 * radius)) return false;
+  constexpr double kMinRadius = 2.5;   // [px] chosen: 21 pixels for 9 unknowns
+  constexpr int kMinMargin = 3;        // [px] chosen: a corner at the border shows all its squares
+  constexpr double kMaxMisfit = 0.35;  // RMS over contrast, chosen
+  constexpr double kMaxMove = 1.5;     // [px] chosen, or
+  constexpr double kMaxMoveShare = 0.4;  // of the radius, chosen
+  const double radius = std::min(kMaxFitRadius, kFitShare * free_radius(rough));
+  const cv::Point centre(static_cast<int>(std::lround(rough.pixel.x())),
+                         static_cast<int>(std::lround(rough.pixel.y())));
+  const cv::Rect inside(kMinMargin, kMinMargin, image.cols - 2 * kMinMargin,
+                        image.rows - 2 * kMinMargin);
+  if (!(radius >= kMinRadius) || !inside.contains(centre)) return false;
+  const Vector2d origin(centre.x, centre.y);
+  const SquaresMisfit misfit{disc(image, centre, radius), radius};
+  Shape shape = first_guess(misfit.pixels, rough, rough.pixel - origin);
+  ceres::TinySolver<SquaresMisfit> solver;
+  solver.options.max_num_iterations = 25;  // chosen: four to eight are usual
+  const double cost = solver.Solve(misfit, &shape).final_cost;
+  const double rms = std::sqrt(2 * cost / misfit.NumResiduals());
+  if (!(rms < kMaxMisfit * std::abs(shape[6]))) return false;
+  const Vector2d found = origin + shape.head<2>();
+  if ((found - rough.pixel).norm() > std::max(kMaxMove, kMaxMoveShare * radius)) return false;
   rough.pixel = found;
   return true;
 }

@@ -7,26 +7,26 @@
 
 namespace scan_calibration {
 
-constexpr double kMostFitRadius = 20;  //!< [px] about a corner that its fit looks at
-constexpr double kFitShare = 0.55;  //!< of the way to the next edge that it looks: blur stays out
+constexpr double kMaxFitRadius = 20;  //!< [px] about a corner that its fit looks at; chosen
+constexpr double kFitShare = 0.55;    //!< of the way to the next edge, chosen: its blur stays out
 
-/// A corner where four squares meet, about where it is known to a pixel or so.
+/// A corner where four squares meet, known to a pixel or so.
 struct RoughCorner {
   Eigen::Vector2d pixel;
-  Eigen::Vector2d along_columns;  //!< [px] to the next corner of its row, or from the one before
+  Eigen::Vector2d along_columns;  //!< [px] to the next corner of its row, or from the previous one
   Eigen::Vector2d along_rows;     //!< [px] the same along its column
 };
 
-/// Finds the corner by fitting what a lens makes of four squares to the grey values around it,
+/// Finds the corner by fitting the image of four squares to the grey values around it,
 ///
 ///     I(p) = mean + gradient . p + contrast * erf(d1 / blur) * erf(d2 / blur)
 ///
-/// where d1, d2 are the distances from two straight edges through the corner: least squares by
-/// Levenberg and Marquardt's method, which is the maximum likelihood estimate in white noise.
+/// where d1, d2 are the distances from two straight edges through the corner: least squares, which
+/// is the maximum likelihood estimate in white noise (Levenberg-Marquardt, ceres::TinySolver).
 /// @param image CV_32F
 /// @param rough the corner; its pixel is moved
 /// @return false, and nothing moved, where the grey values look different: the corner is covered,
-/// cut by the image's border or too faint
+/// cut off by the image's border or too faint
 bool refine_corner(const cv::Mat& image, RoughCorner& rough);
 
 }  // namespace scan_calibration

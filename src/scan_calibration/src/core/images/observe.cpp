@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -21,7 +23,7 @@ namespace {
 
 using scan_cell_common::CameraIntrinsics;
 
-/// Counts the corners of every view from the same end of the board.
+/// Lists the corners of every view from the same end of the board.
 void align(const Session& session, const CameraIntrinsics& camera,
            std::vector<BoardSighting>& views) {
   std::vector<TurnableView> turnable;
@@ -43,52 +45,50 @@ std::vector<LinePeaks> read_peaks(const std::string& path, const cv::Size& size,
     return {line_peaks(tecnogamma_camera::load_peaks(path))};
   const cv::Mat image = tecnogamma_camera::load_grey_image(path);
   if (image.size() != size) {
-    throw scan_cell_common::UnusableInput(
-        path, std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
-        "give the whole sensor, as in the image of the board");
+    throw scan_cell_common::UnusableInput(path,
+                                          fmt::format("{} x {} pixels", image.cols, image.rows),
+                                          "give the whole sensor, as in the image of the board");
   }
   return line_peaks(image, detector);
 }
 
-/// Reads the lines of one view.
-class LineReader {
- public:
-  LineReader(const Session& session, const CameraIntrinsics& camera,
-             const ObservationOptions& options)
-      : session_(session), camera_(camera), options_(options) {}
-
-  /// @return a laser
-  std::vector<BoardLine> read(const SessionView& view, const BoardSighting& seen) const {
-    const Eigen::Isometry3d pose = rough_board_pose(camera_, seen.corners, session_.board);
-    std::vector<BoardLine> lines;
-    for (const std::string& file : view.lines)
-      lines.push_back(read(file, seen.size, pose));
-    return lines;
-  }
-
- private:
-  BoardLine read(const std::string& file, const cv::Size& size,
-                 const Eigen::Isometry3d& pose) const {
-    BoardLine line;
-    if (file.empty()) {
-      line.reason = "not taken";
-      return line;
-    }
-    try {
-      return board_line(read_peaks(file, size, options_.detector), camera_, pose, session_.board,
-                        options_.most_line_points);
-    } catch (const scan_cell_common::FileError& error) {
-      line.reason = error.what();
-    } catch (const scan_cell_common::UnusableInput& error) {
-      line.reason = error.what();
-    }
+BoardLine read_line(const std::string& file, const BoardSighting& seen,
+                    const CameraIntrinsics& camera, const Eigen::Isometry3d& board_in_camera,
+                    const Board& board, const ObservationOptions& options) {
+  BoardLine line;
+  if (file.empty()) {
+    line.reason = "not taken";
     return line;
   }
+  try {
+    return board_line(read_peaks(file, seen.size, options.detector), camera, board_in_camera, board,
+                      options.max_line_points);
+  } catch (const scan_cell_common::FileError& error) {
+    line.reason = error.what();
+  } catch (const scan_cell_common::UnusableInput& error) {
+    line.reason = error.what();
+  }
+  return line;
+}
 
-  const Session& session_;
-  const CameraIntrinsics& camera_;
-  const ObservationOptions& options_;
-};
+/// @return per view, then per laser
+std::vector<std::vector<BoardLine>> read_lines(const Session& session,
+                                               const std::vector<BoardSighting>& views,
+                                               const CameraIntrinsics& camera,
+                                               const ObservationOptions& options) {
+  const auto count = static_cast<int>(views.size());
+  std::vector<std::vector<BoardLine>> lines(views.size());
+  const auto read = [&](int i) {
+    if (views[i].corners.empty()) return;
+    const Eigen::Isometry3d pose = rough_board_pose(camera, views[i].corners, session.board);
+    for (const std::string& file : session.views[i].lines)
+      lines[i].push_back(read_line(file, views[i], camera, pose, session.board, options));
+  };
+  for_each_index(count, options.threads, read, [&](int done) {
+    if (options.progress) options.progress("laser lines", done, count);
+  });
+  return lines;
+}
 
 double distance(const Eigen::Vector2d& place, const std::vector<Eigen::Vector2d>& course) {
   double least = std::numeric_limits<double>::infinity();
@@ -100,8 +100,8 @@ double distance(const Eigen::Vector2d& place, const std::vector<Eigen::Vector2d>
   return least;
 }
 
-/// Whether a line of the same image runs through what a corner's fit looked at: it then took some
-/// of the line's light for the board's.
+/// Whether a laser's line in the same image runs through the disc of a corner's fit, which then
+/// took some of its light for the board's.
 bool is_covered(const Eigen::Vector2d& corner, const SessionView& view,
                 const std::vector<BoardLine>& lines, double reach) {
   for (std::size_t laser = 0; laser < lines.size(); ++laser) {
@@ -111,7 +111,7 @@ bool is_covered(const Eigen::Vector2d& corner, const SessionView& view,
   return false;
 }
 
-/// [px] about a corner that its fit looked at.
+/// Radius [px] of the disc that a corner's fit used.
 double fit_reach(const BoardCorners& corners, const Board& board) {
   double longest = 0;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
@@ -119,7 +119,7 @@ double fit_reach(const BoardCorners& corners, const Board& board) {
     const double step = (corners[i + 1] - corners[i]).norm();
     if (step > longest) longest = step;  // not where one is NaN
   }
-  return std::min(kMostFitRadius, kFitShare * longest);
+  return std::min(kMaxFitRadius, kFitShare * longest);
 }
 
 ViewObservation observation(const SessionView& view, const BoardSighting& seen, const Board& board,
@@ -143,14 +143,14 @@ ViewObservation observation(const SessionView& view, const BoardSighting& seen, 
   return result;
 }
 
-/// Leaves the lines of other lasers out.
+/// Drops the lines of other lasers.
 void keep_lasers(const std::vector<std::string>& names, Observations& observations) {
   std::vector<std::size_t> kept;
   for (const std::string& name : names) {
     const auto found = std::find(observations.lasers.begin(), observations.lasers.end(), name);
     if (found == observations.lasers.end()) {
       throw scan_cell_common::InvalidParameter("lasers", name + ": not in the session",
-                                               "give lasers that session.yaml names");
+                                               "name lasers that session.yaml lists");
     }
     kept.push_back(static_cast<std::size_t>(found - observations.lasers.begin()));
   }
@@ -183,7 +183,7 @@ CameraIntrinsics camera_for(const Observations& observations,
 }  // namespace
 
 Observations observe(const Session& session, const ObservationOptions& options) {
-  tecnogamma_camera::make_detector(options.detector, {});  // a wrong name is said at once
+  tecnogamma_camera::make_detector(options.detector, {});  // reports a wrong name at once
   std::vector<BoardSighting> views = find_boards(session, options);
   check_board_size(session, views);
   Observations result;
@@ -198,18 +198,7 @@ Observations observe(const Session& session, const ObservationOptions& options) 
   }
   const CameraIntrinsics camera = camera_for(result, corners, options);
   align(session, camera, views);
-
-  const auto count = static_cast<int>(views.size());
-  std::vector<std::vector<BoardLine>> lines(views.size());
-  const LineReader reader(session, camera, options);
-  for_each_index(
-      count, options.threads,
-      [&](int i) {
-        if (!views[i].corners.empty()) lines[i] = reader.read(session.views[i], views[i]);
-      },
-      [&](int done) {
-        if (options.progress) options.progress("laser lines", done, count);
-      });
+  const std::vector<std::vector<BoardLine>> lines = read_lines(session, views, camera, options);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const SessionView& view = session.views[i];
     if (views[i].corners.empty()) {

@@ -12,10 +12,11 @@
 
 namespace scan_calibration {
 
-/// Calls `work` with 0 .. count - 1, in any order, on some threads; `done` after each with the
-/// number that are finished, from one thread at a time. The first error ends it and is thrown.
+/// Calls `work` with 0 .. count - 1, in any order, on several threads. After each it calls `done`,
+/// if given, with the number finished, from one thread at a time. The first error ends it and is
+/// thrown.
 inline void for_each_index(int count, int threads, const std::function<void(int)>& work,
-                           const std::function<void(int)>& done) {
+                           const std::function<void(int)>& done = {}) {
   std::atomic<int> next{0};
   std::mutex mutex;
   int finished = 0;
@@ -25,7 +26,8 @@ inline void for_each_index(int count, int threads, const std::function<void(int)
       try {
         work(index);
         const std::lock_guard<std::mutex> lock(mutex);
-        done(++finished);
+        ++finished;
+        if (done) done(finished);
       } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex);
         if (!failure) failure = std::current_exception();

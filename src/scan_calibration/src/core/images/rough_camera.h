@@ -10,10 +10,10 @@
 
 namespace scan_calibration {
 
-/// A camera good enough to tell a straight line and which way a board is turned: from some of the
-/// corners of some of the views.
-/// @param views some empty; three that are not are needed
-/// @throw scan_cell_common::UnusableInput if the views do not give a camera
+/// A camera from some of the corners of some of the views: good enough to recognize a straight
+/// line, and which way a board is turned.
+/// @param views at least three of them not empty
+/// @throw scan_cell_common::UnusableInput if the views do not determine a camera
 scan_cell_common::CameraIntrinsics rough_camera(const std::vector<BoardCorners>& views,
                                                 const Board& board, int width, int height);
 

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laser_lines/board_line.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "geometry/sight.h"
+#include "geometry/statistics.h"
 #include "laser_lines/straight_line.h"
 
 namespace scan_calibration {
@@ -14,12 +18,14 @@ namespace {
 using Eigen::Vector2d;
 using scan_cell_common::CameraIntrinsics;
 
-constexpr double kLeastTolerance = 1;    // [px] off the line in the vote
+constexpr double kMinTolerance = 1;      // [px] off the line in the vote, chosen
 constexpr double kWidthTolerance = 0.1;  // of the stripe's width: speckle moves a wide one more
-constexpr double kOnChecker = 4;         // votes of a peak on the checker
-constexpr double kWidestStripe = 0.5;    // of a square: else it is a bright square
-constexpr int kLeastPoints = 20;
-constexpr double kLeastFill = 0.3;  // peaks a row that the line goes through
+constexpr double kOnChecker = 4;         // votes of a peak on the checker, chosen
+constexpr double kCheckerMargin = 0.5;   // squares, chosen: the pose is rough
+constexpr double kMaxStripe = 0.5;       // of a square's side, chosen: wider is a bright square
+constexpr double kMinSlope = 0.6;        // of the line along the crossed rows, chosen: 37 degrees
+constexpr std::size_t kMinPoints = 20;   // chosen
+constexpr double kMinFill = 0.3;         // share of rows with a peak on the line, chosen
 
 /// The board in a view: pixels to rays and to places on the board.
 class BoardPlane {
@@ -33,17 +39,15 @@ class BoardPlane {
     to_squares_ = to_ray.inverse();
   }
 
-  /// Where a straight line is straight: the pixel without the lens's distortion.
+  /// The pixel without the lens's distortion: there a straight line is straight.
   bool straighten(const Vector2d& pixel, Vector2d& straight) const {
-    const Vector2d distorted((pixel.x() - camera_.cx) / camera_.fx,
-                             (pixel.y() - camera_.cy) / camera_.fy);
-    straight = distorted;
-    if (!camera_.undistort(distorted, straight)) return false;
-    straight = straight.cwiseProduct(Vector2d(camera_.fx, camera_.fy));
+    const std::optional<Eigen::Vector3d> ray = ray_of(camera_, pixel);
+    if (!ray) return false;
+    straight = ray->head<2>().cwiseProduct(Vector2d(camera_.fx, camera_.fy));
     return straight.allFinite();
   }
 
-  /// Place on the board in squares: whole numbers are corners.
+  /// Place on the board in squares; corners have whole numbers.
   Vector2d square_of(const Vector2d& straight) const {
     const Eigen::Vector3d place =
         to_squares_ * Eigen::Vector3d(straight.x() / camera_.fx, straight.y() / camera_.fy, 1);
@@ -63,7 +67,7 @@ class BoardPlane {
     return 1 / std::max(along_x, along_y);
   }
 
-  /// Whether another square begins within `reach` [px] to one of four sides.
+  /// Whether another square begins within `reach` [px] on one of four sides.
   bool is_at_edge(const Vector2d& straight, double reach) const {
     const Vector2d here = square_of(straight);
     for (const Vector2d& way :
@@ -88,7 +92,7 @@ struct Candidate {
   Vector2d straight;
 };
 
-/// One way through the image, with the line that is in it.
+/// One way through the image, and the line found on it.
 struct Crossing {
   bool along_columns = true;
   std::vector<Candidate> candidates;
@@ -102,25 +106,28 @@ Crossing cross(const LinePeaks& way, const BoardPlane& view) {
   for (const LinePeak& peak : way.peaks) {
     Candidate candidate{peak, {}};
     if (!view.straighten(peak.pixel, candidate.straight)) continue;
-    const bool on_checker = view.on_checker(view.square_of(candidate.straight), 0.5);
-    if (on_checker && peak.width > kWidestStripe * view.square_size(candidate.straight)) continue;
+    const bool on_checker = view.on_checker(view.square_of(candidate.straight), kCheckerMargin);
+    if (on_checker && peak.width > kMaxStripe * view.square_size(candidate.straight)) continue;
     result.candidates.push_back(candidate);
-    points.push_back({candidate.straight, std::max(kLeastTolerance, kWidthTolerance * peak.width),
+    points.push_back({candidate.straight, std::max(kMinTolerance, kWidthTolerance * peak.width),
                       on_checker ? kOnChecker : 1});
   }
   result.line = strongest_line(points);
   const Vector2d direction = result.line.direction.cwiseAbs();
   const double along = way.along_columns ? direction.y() : direction.x();
-  if (along < 0.6) result.line.votes = 0;  // crossed too flatly: the other way sees it better
+  if (along < kMinSlope) result.line.votes = 0;  // the other way crosses it better
   return result;
 }
 
-/// On the line, the nearest of each row (or column) of the image, in their order along it.
+/// Of each row (or column) of the image the peak nearest to the line, in order along it.
 std::vector<Candidate> on_line(const Crossing& crossing) {
+  constexpr double kMinWidest = 2, kWidestShare = 0.25;  // [px], of the stripe's width; chosen
+  constexpr double kDeviations = 3.5;                    // chosen: one of 2000 is beyond
+  constexpr double kNarrowest = 0.5;                     // [px] chosen
   std::map<long, Candidate> nearest;
   for (const Candidate& candidate : crossing.candidates) {
-    const double widest = std::max(2.0, 0.25 * candidate.peak.width);
-    const double tolerance = std::clamp(3.5 * crossing.line.deviation, 0.5, widest);
+    const double widest = std::max(kMinWidest, kWidestShare * candidate.peak.width);
+    const double tolerance = std::clamp(kDeviations * crossing.line.deviation, kNarrowest, widest);
     const double off = std::abs(crossing.line.distance(candidate.straight));
     if (off > tolerance) continue;
     const Vector2d& pixel = candidate.peak.pixel;
@@ -132,7 +139,7 @@ std::vector<Candidate> on_line(const Crossing& crossing) {
   std::vector<Candidate> result;
   if (nearest.empty()) return result;
   const auto rows = static_cast<double>(nearest.rbegin()->first - nearest.begin()->first + 1);
-  if (static_cast<double>(nearest.size()) < kLeastFill * rows) return result;
+  if (static_cast<double>(nearest.size()) < kMinFill * rows) return result;
   for (const auto& [row, candidate] : nearest)
     result.push_back(candidate);
   return result;
@@ -146,20 +153,18 @@ int rows_with_peaks(const Crossing& crossing) {
   return static_cast<int>(rows.size());
 }
 
-std::vector<Vector2d> thinned(const std::vector<Vector2d>& pixels, int most) {
-  const auto count = std::min(pixels.size(), static_cast<std::size_t>(most));
+std::vector<Vector2d> thinned(const std::vector<Vector2d>& pixels, int max_points) {
   std::vector<Vector2d> result;
-  for (std::size_t i = 0; i < count; ++i)
-    result.push_back(pixels[(2 * i + 1) * pixels.size() / (2 * count)]);
+  for (const std::size_t i : evenly(pixels.size(), static_cast<std::size_t>(max_points)))
+    result.push_back(pixels[i]);
   return result;
 }
 
 }  // namespace
 
 BoardLine board_line(const std::vector<LinePeaks>& ways, const CameraIntrinsics& camera,
-                     const Eigen::Isometry3d& board_in_camera, const Board& board,
-                     int most_points) {
-  constexpr double kEdgeReach = 0.75;  // of the stripe's width: half of it and its foot
+                     const Eigen::Isometry3d& board_in_camera, const Board& board, int max_points) {
+  constexpr double kEdgeReach = 0.75;  // of the stripe's width, chosen: half of it and its foot
   const BoardPlane view(camera, board_in_camera, board);
   Crossing best;
   for (const LinePeaks& way : ways) {
@@ -183,17 +188,14 @@ BoardLine board_line(const std::vector<LinePeaks>& ways, const CameraIntrinsics&
       pixels.push_back(candidate.peak.pixel);
     }
   }
-  if (pixels.size() < static_cast<std::size_t>(kLeastPoints)) {
-    result.reason = "no straight line on the board: " + std::to_string(result.counts.peaks) +
-                    " peaks, " + std::to_string(result.counts.off_line) +
-                    " of them off any line, " + std::to_string(result.counts.at_edges) +
-                    " at the edges of squares";
+  if (pixels.size() < kMinPoints) {
+    result.reason = fmt::format(
+        "no straight line on the board: {} peaks, {} of them off any line, {} at edges of squares",
+        result.counts.peaks, result.counts.off_line, result.counts.at_edges);
     return result;
   }
-  std::nth_element(widths.begin(), widths.begin() + static_cast<long>(widths.size() / 2),
-                   widths.end());
-  result.width = widths[widths.size() / 2];
-  result.pixels = thinned(pixels, most_points);
+  result.width = upper_median(widths);
+  result.pixels = thinned(pixels, max_points);
   result.counts.used = static_cast<int>(result.pixels.size());
   result.counts.thinned = static_cast<int>(pixels.size()) - result.counts.used;
   return result;

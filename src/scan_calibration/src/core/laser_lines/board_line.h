@@ -15,22 +15,21 @@ namespace scan_calibration {
 /// A laser's line on the board's plane.
 struct BoardLine {
   std::vector<Eigen::Vector2d> pixels;  //!< empty: there is none
-  std::vector<Eigen::Vector2d> course;  //!< [px] the same with all that was left out of it
+  std::vector<Eigen::Vector2d> course;  //!< [px] the same with the peaks left out of it
   double width = 0;                     //!< [px] median of the stripe's
   LineCounts counts;
   std::string reason;  //!< why there is none
 };
 
-/// Of all peaks those on the board's plane: on one straight line, as the board is flat and light a
-/// plane. Straight is meant without the lens's distortion. The line is the one that most peaks lie
-/// on, where those on the checker count several times, so that a longer line on the table beside
-/// the board does not win. What lies beside the checker on the same line is taken too: the board's
-/// plate carries on there.
-/// @param ways of going through the image; the one that crosses the line steeply is taken
+/// The peaks on the board's plane: they lie on one straight line (without the lens's distortion),
+/// as the board is flat and the light is a plane. It is the line with the most peaks, where those
+/// on the checker count several times, so that a longer line on the table beside the board does not
+/// win. Peaks beside the checker on the same line are kept, too: the board's plate continues there.
+/// @param ways of going through the image; the one that crosses the line steeply is used
 /// @param camera rough
 /// @param board_in_camera rough
 BoardLine board_line(const std::vector<LinePeaks>& ways,
                      const scan_cell_common::CameraIntrinsics& camera,
-                     const Eigen::Isometry3d& board_in_camera, const Board& board, int most_points);
+                     const Eigen::Isometry3d& board_in_camera, const Board& board, int max_points);
 
 }  // namespace scan_calibration

@@ -16,11 +16,11 @@ using tecnogamma_camera::DetectorSettings;
 using tecnogamma_camera::PeakProfile;
 
 /// Ways to look for the line. The automatic level finds it in the dark; beside bright squares only
-/// what is near the brightest is laser light.
+/// what is nearly the brightest is laser light.
 std::vector<DetectorSettings> ways(double brightest) {
   std::vector<DetectorSettings> result(1);
-  for (const double share : {0.5, 0.85}) {
-    for (const Choice choice : {Choice::BRIGHTEST, Choice::FIRST, Choice::LAST}) {
+  for (const double share : {0.5, 0.85}) {  // of the brightest grey value, chosen
+    for (const Choice choice : {Choice::kBrightest, Choice::kFirst, Choice::kLast}) {
       DetectorSettings settings;
       settings.trigger_level = static_cast<int>(share * brightest);
       settings.choice = choice;
@@ -30,7 +30,7 @@ std::vector<DetectorSettings> ways(double brightest) {
   return result;
 }
 
-/// The same stripe found in several ways counts once: the way that is named first.
+/// A stripe that was found in several ways counts once, as the first way found it.
 void add_new(const PeakProfile& profile, std::vector<std::vector<LinePeak>>& rows) {
   for (int i = 0; i < profile.rows(); ++i) {
     if (std::isnan(profile.position[i])) continue;
@@ -38,7 +38,7 @@ void add_new(const PeakProfile& profile, std::vector<std::vector<LinePeak>>& row
     std::vector<LinePeak>& known = rows[static_cast<std::size_t>(i)];
     const bool is_known = std::any_of(known.begin(), known.end(), [&](const LinePeak& other) {
       const double apart = std::abs(other.pixel.x() - peak.pixel.x());
-      return apart < 0.5 * std::max(other.width, peak.width) + 1;
+      return apart < 0.5 * std::max(other.width, peak.width) + 1;  // [px] half of it and rounding
     });
     if (!is_known) known.push_back(peak);
   }

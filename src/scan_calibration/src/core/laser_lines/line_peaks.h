@@ -27,7 +27,7 @@ struct LinePeaks {
 LinePeaks line_peaks(const tecnogamma_camera::PeakProfile& profile);
 
 /// All peaks that may be the laser's, once for a line from top to bottom and once for one from side
-/// to side: several a row, so that where a reflection outshines the line, the line is still there.
+/// to side: several per row, so that the line is not lost where a reflection outshines it.
 /// @param detector of tecnogamma_camera
 /// @throw scan_cell_common::InvalidParameter if there is no such detector
 std::vector<LinePeaks> line_peaks(const cv::Mat& image, const std::string& detector);

@@ -3,9 +3,10 @@
 #include "laser_lines/straight_line.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 #include <random>
+
+#include "geometry/statistics.h"
 
 namespace scan_calibration {
 namespace {
@@ -38,28 +39,27 @@ StraightLine fitted(const std::vector<LinePoint>& points, const StraightLine& li
   std::vector<double> off;
   for (const LinePoint* point : near)
     off.push_back(std::abs(result.distance(point->place)));
-  std::nth_element(off.begin(), off.begin() + static_cast<long>(off.size() / 2), off.end());
-  result.deviation = 1.4826 * off[off.size() / 2];
+  result.deviation = kDeviationPerMedian * upper_median(off);
   return result;
 }
 
 }  // namespace
 
 StraightLine strongest_line(const std::vector<LinePoint>& points) {
-  constexpr int kDraws = 600;
-  constexpr double kLeastApart = 15;
-  constexpr std::size_t kMostVoters = 1500;
+  constexpr int kDraws = 600;               // chosen: with 90 % strays all miss in 0.2 % of cases
+  constexpr double kMinDistance = 15;       // [px] of the two points of a draw, chosen
+  constexpr std::size_t kMaxVoters = 1500;  // chosen: more only take longer
   StraightLine best;
   if (points.size() < 2) return best;
   std::vector<LinePoint> voters;
-  const std::size_t stride = points.size() / kMostVoters + 1;
+  const std::size_t stride = points.size() / kMaxVoters + 1;
   for (std::size_t i = 0; i < points.size(); i += stride)
     voters.push_back(points[i]);
   std::mt19937 engine(1);
   for (int draw = 0; draw < kDraws; ++draw) {
     const Vector2d& from = voters[engine() % voters.size()].place;
     const Vector2d& to = voters[engine() % voters.size()].place;
-    if ((to - from).norm() < kLeastApart) continue;
+    if ((to - from).norm() < kMinDistance) continue;
     StraightLine line{from, (to - from).normalized(), 0, 0};
     line.votes = votes(voters, line);
     if (line.votes > best.votes) best = line;

@@ -10,7 +10,7 @@ namespace scan_calibration {
 /// A point that may lie on the line.
 struct LinePoint {
   Eigen::Vector2d place;
-  double tolerance;  //!< by which it may lie off the line, at most
+  double tolerance;  //!< maximum distance from the line
   double weight;     //!< in the vote
 };
 
@@ -26,8 +26,8 @@ struct StraightLine {
   }
 };
 
-/// The line with the greatest vote (RANSAC, Fischler and Bolles 1981, with fixed draws), then by
-/// least squares through what lies on it.
+/// The line with the most votes (RANSAC, Fischler and Bolles 1981, with fixed draws), then by least
+/// squares through the points on it.
 StraightLine strongest_line(const std::vector<LinePoint>& points);
 
 }  // namespace scan_calibration

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "quality/advice.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "geometry/statistics.h"
 
@@ -14,41 +15,32 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-/// A board held so; directions are those of the image.
+/// A pose of the board; directions are those of the image.
 struct Candidate {
-  double distance = 0;    // [m] along the axis, of the board's centre
+  double distance = 0;    // [m] of the board's centre along the optical axis
   double tilt = 0;        // [rad]
-  int toward = 0;         // the side that is further away: right, below, left, above
+  int toward = 0;         // the edge that is further away: right, lower, left, upper
   Eigen::Vector2i place;  // -1, 0, 1: of the board in the image
   Isometry3d camera_to_board = Isometry3d::Identity();
-  double variance = 0;  // mean over the places, with this view added
+  double variance = 0;  // [m^2] mean over the scan places, with this view added
 };
 
-const char* const kSides[] = {"right", "lower", "left", "upper"};
-
 std::string words(const Candidate& candidate, double now_mm, double then_mm) {
+  const char* const sides[] = {"right", "lower", "left", "upper"};
   const char* const rows[] = {"upper ", "", "lower "};
   const char* const columns[] = {"left", "middle", "right"};
-  std::string place = std::string(rows[candidate.place.y() + 1]) + columns[candidate.place.x() + 1];
-  if (candidate.place.y() != 0 && candidate.place.x() == 0)
-    place = std::string(rows[candidate.place.y() + 1]) + "middle";
-  std::string tilt = "square to the axis";
-  if (candidate.tilt > 0) {
-    char text[80];
-    std::snprintf(text, sizeof(text), "tilted by %.0f deg with its %s edge further away",
-                  candidate.tilt * 180 / M_PI, kSides[candidate.toward]);
-    tilt = text;
-  }
-  char text[300];
-  std::snprintf(text, sizeof(text),
-                "board in the image's %s, its middle %.2f m from the lens, %s: a point's deviation "
-                "would fall from %s to %s (RMS over image and depths)",
-                place.c_str(), candidate.distance, tilt.c_str(), figure(now_mm, " mm").c_str(),
-                figure(then_mm, " mm").c_str());
-  return text;
+  const std::string tilt = candidate.tilt > 0
+                               ? fmt::format("tilted by {:.0f} deg with its {} edge further away",
+                                             candidate.tilt * 180 / M_PI, sides[candidate.toward])
+                               : "perpendicular to the optical axis";
+  return fmt::format(
+      "board in the {}{} of the image, its middle {:.2f} m from the lens, {}: the standard "
+      "deviation of a point would fall from {} to {} (RMS over image and depths)",
+      rows[candidate.place.y() + 1], columns[candidate.place.x() + 1], candidate.distance, tilt,
+      figure(now_mm, " mm"), figure(then_mm, " mm"));
 }
 
-/// Nearest and farthest that the board's centre was.
+/// Smallest and largest depth of the board's centre [m].
 std::pair<double, double> distances(const JointEstimate& estimate, const BoardSurface& surface) {
   double nearest = 1e9, farthest = 0;
   for (std::size_t i = 0; i < estimate.views.size(); ++i) {
@@ -62,7 +54,7 @@ std::pair<double, double> distances(const JointEstimate& estimate, const BoardSu
   return {nearest, farthest};
 }
 
-/// How the board lay in the image most often: its turn about the camera's axis.
+/// The board's mean rotation about the optical axis.
 Eigen::Matrix3d usual_turn(const JointEstimate& estimate) {
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   for (std::size_t i = 0; i < estimate.views.size(); ++i)
@@ -71,8 +63,34 @@ Eigen::Matrix3d usual_turn(const JointEstimate& estimate) {
   return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// What such a view would show, as far as the whole board is seen.
-/// @return false if it is not
+/// Where a laser's line would be seen on the board.
+/// @param seen whether a place on the board is in the image, and its pixel
+template <class Seen>
+LinePoints line_of(const Vector3d& plane, const BoardSurface& surface,
+                   const Isometry3d& camera_to_board, const Seen& seen) {
+  constexpr int kPoints = 50;  // each way, chosen: as many as of an observed line
+  const double long_side = 2 * surface.centre().norm();
+  // plane . (R b + t) = 1 is a line on the board
+  const Eigen::Vector2d across = (camera_to_board.linear().transpose() * plane).head<2>();
+  const double left = 1 - plane.dot(camera_to_board.translation());
+  const Eigen::Vector2d to_line =
+      (left - across.dot(surface.centre())) / across.squaredNorm() * across;
+  const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized();
+  LinePoints line;
+  Eigen::Vector2d pixel;
+  for (int i = -kPoints; i <= kPoints; ++i) {
+    const Eigen::Vector2d place =
+        surface.centre() + to_line + i * long_side / (2 * kPoints) * along;
+    const Eigen::Vector2d from_centre = (place - surface.centre()).cwiseAbs();
+    if ((from_centre.array() > surface.centre().array()).any() || !seen(place, pixel)) continue;
+    line.pixels.push_back(pixel);
+    line.weights.push_back(1);
+  }
+  return line;
+}
+
+/// What a view of the whole board would show.
+/// @return false if some of the board is outside the image
 bool look(const JointEstimate& estimate, const Board& board, const BoardSurface& surface,
           const Isometry3d& camera_to_board, BoardView& view) {
   const scan_cell_common::CameraIntrinsics camera = estimate.state.intrinsics();
@@ -92,25 +110,8 @@ bool look(const JointEstimate& estimate, const Board& board, const BoardSurface&
       view.pixels.push_back(pixel);
     }
   view.weights.assign(view.pixels.size(), 1);
-  const double long_side = 2 * surface.centre().norm();
-  for (const Vector3d& plane : estimate.state.planes) {
-    // plane . (R b + t) = 1 is a line on the board
-    view.lines.emplace_back();
-    const Eigen::Vector2d across = (camera_to_board.linear().transpose() * plane).head<2>();
-    const double left = 1 - plane.dot(camera_to_board.translation());
-    const Eigen::Vector2d to_line =
-        (left - across.dot(surface.centre())) / across.squaredNorm() * across;
-    const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized();
-    constexpr int kPoints = 50;  // each way
-    for (int i = -kPoints; i <= kPoints; ++i) {
-      const Eigen::Vector2d place =
-          surface.centre() + to_line + i * long_side / (2 * kPoints) * along;
-      const Eigen::Vector2d from_centre = (place - surface.centre()).cwiseAbs();
-      if ((from_centre.array() > surface.centre().array()).any() || !seen(place, pixel)) continue;
-      view.lines.back().pixels.push_back(pixel);
-      view.lines.back().weights.push_back(1);
-    }
-  }
+  for (const Vector3d& plane : estimate.state.planes)
+    view.lines.push_back(line_of(plane, surface, camera_to_board, seen));
   return true;
 }
 
@@ -118,8 +119,7 @@ std::vector<Candidate> candidates(const JointEstimate& estimate, const BoardSurf
   const auto [nearest, farthest] = distances(estimate, surface);
   const Eigen::Matrix3d turn = usual_turn(estimate);
   const scan_cell_common::CameraIntrinsics camera = estimate.state.intrinsics();
-  constexpr double kDegree = M_PI / 180;
-  constexpr double kAside = 0.22;  // of the image, from its middle
+  constexpr double kAside = 0.22;  // of the image, from its middle; chosen
   std::vector<Candidate> result;
   for (const double part : {0., 0.5, 1.})
     for (const double tilt : {0., 20 * kDegree, 40 * kDegree})
@@ -171,7 +171,7 @@ bool alike(const Candidate& a, const Candidate& b) {
 
 std::vector<PoseAdvice> advise(const JointEstimate& estimate, const Knowledge& knowledge,
                                const Board& board, const std::vector<ScanPlace>& places) {
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMaxAdvice = 3;  // chosen: then calibrate again
   if (places.empty()) return {};
   const BoardSurface surface(board);
   const auto count = static_cast<double>(places.size());
@@ -197,7 +197,7 @@ std::vector<PoseAdvice> advise(const JointEstimate& estimate, const Knowledge& k
   std::vector<PoseAdvice> advice;
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : tried) {
-    if (chosen.size() == kMost) break;
+    if (chosen.size() == kMaxAdvice) break;
     if (std::any_of(chosen.begin(), chosen.end(),
                     [&](const Candidate& other) { return alike(other, candidate); })) {
       continue;

@@ -6,9 +6,9 @@
 
 namespace scan_calibration {
 
-/// Poses to add, best first: of views of the whole board at the distances, tilts and places in the
-/// image that a camera may have, the ones whose information lessens the uncertainty of `places`
-/// most, each differing from those before it.
+/// Poses to add, best first: of possible views of the whole board at various distances, tilts and
+/// places in the image, those whose information reduces the uncertainty of `places` most, each
+/// different from the previous ones.
 std::vector<PoseAdvice> advise(const JointEstimate& estimate, const Knowledge& knowledge,
                                const Board& board, const std::vector<ScanPlace>& places);
 

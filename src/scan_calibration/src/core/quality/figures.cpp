@@ -4,10 +4,8 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "checks/hand_eye.h"
+#include "images/parallel.h"
 #include "scan_cell_common/errors.h"
 
 namespace scan_calibration {
@@ -15,17 +13,16 @@ namespace {
 
 using Eigen::Isometry3d;
 
-constexpr double kMillimetres = 1e3;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMillimetres = 1e3;  // [mm/m]
 
 /// Gauss-Newton on the six numbers of the pose, from where the robot says.
 /// @return false if a corner is not in front of the camera
 bool fit_pose(const ScannerState& state, const BoardSurface& surface, const BoardView& view,
               Isometry3d& pose) {
-  constexpr int kMostSteps = 30;
-  constexpr double kStill = 1e-12;
+  constexpr int kMaxSteps = 30;         // chosen: five are usual
+  constexpr double kConverged = 1e-12;  // [rad] and [m] chosen: rounding
   Projection projection;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     Matrix6d normal = Matrix6d::Zero();
     Vector6d right = Vector6d::Zero();
     for (std::size_t i = 0; i < view.pixels.size(); ++i) {
@@ -45,64 +42,99 @@ bool fit_pose(const ScannerState& state, const BoardSurface& surface, const Boar
       pose.linear() =
           nearest_rotation(Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.linear());
     pose.translation() += motion.tail<3>();
-    if (motion.norm() < kStill) break;
+    if (motion.norm() < kConverged) break;
   }
   return true;
 }
 
-void judge_lines(const ScannerState& state, const BoardSurface& surface, const BoardView& view,
-                 JudgedView& judged) {
-  const BoardSight sight = board_sight(judged.camera_to_board);
+SquareSum plane_squares(const ScannerState& state, const BoardSurface& surface,
+                        const BoardSight& sight, const LinePoints& line,
+                        const Eigen::Vector3d& plane) {
+  SquareSum result;
   LineOffset offset;
-  for (std::size_t laser = 0; laser < view.lines.size(); ++laser) {
-    const LinePoints& line = view.lines[laser];
-    std::vector<double> distances(line.pixels.size(), kNone);
-    double squares = 0, count = 0;
-    for (std::size_t i = 0; i < line.pixels.size(); ++i) {
-      if (!(line.weights[i] > 0) ||
-          !line_offset(state, surface, sight, line.pixels[i], state.planes[laser], offset)) {
-        continue;
-      }
-      distances[i] = offset.value / state.planes[laser].norm();
-      squares += distances[i] * distances[i];
-      count += 1;
+  for (std::size_t i = 0; i < line.pixels.size(); ++i) {
+    if (!(line.weights[i] > 0) ||
+        !line_offset(state, surface, sight, line.pixels[i], plane, offset)) {
+      continue;
     }
-    judged.plane_distances.push_back(distances);
-    judged.plane_squares.push_back(squares);
-    judged.plane_counts.push_back(count);
+    const double distance = offset.value / plane.norm();
+    result.add(distance * distance);
   }
+  return result;
 }
 
-}  // namespace
+std::vector<double> plane_rms(const std::vector<SquareSum>& planes) {
+  std::vector<double> result;
+  for (const SquareSum& plane : planes)
+    result.push_back(kMillimetres * plane.rms());
+  return result;
+}
 
-JudgedView judge(const ScannerState& state, const BoardSurface& surface, const BoardView& view) {
+JudgedView judge_view(const ScannerState& state, const BoardSurface& surface,
+                      const BoardView& view) {
   JudgedView judged;
   judged.camera_to_board = (view.measured * state.flange_to_camera).inverse() * state.base_to_board;
   if (!fit_pose(state, surface, view, judged.camera_to_board)) {
     throw scan_cell_common::UnusableInput("view " + view.name, "its corners fit no pose",
                                           "check its corners");
   }
-  judged.corner_residuals =
-      corner_residuals(state, surface, board_sight(judged.camera_to_board), view);
-  for (std::size_t i = 0; i < view.pixels.size(); ++i) {
-    if (!(view.weights[i] > 0)) continue;
-    judged.corner_squares += judged.corner_residuals[i].squaredNorm();
-    judged.corner_count += 1;
-  }
-  judge_lines(state, surface, view, judged);
+  const BoardSight sight = board_sight(judged.camera_to_board);
+  judged.corner_residuals = corner_residuals(state, surface, sight, view);
+  for (std::size_t i = 0; i < view.pixels.size(); ++i)
+    if (view.weights[i] > 0) judged.corners.add(judged.corner_residuals[i].squaredNorm());
+  for (std::size_t laser = 0; laser < view.lines.size(); ++laser)
+    judged.planes.push_back(
+        plane_squares(state, surface, sight, view.lines[laser], state.planes[laser]));
   judged.centre = view.measured * state.flange_to_camera * judged.camera_to_board *
                   on_board(surface, state.bend, surface.centre());
   return judged;
+}
+
+Eigen::Vector3d board_centre(const ScannerState& state, const BoardSurface& surface) {
+  return state.base_to_board * on_board(surface, state.bend, surface.centre());
+}
+
+/// Sums over judged views.
+struct FigureSums {
+  explicit FigureSums(std::size_t lasers) : planes(lasers) {}
+
+  /// @param offset [m] of the board's centre from where it is expected
+  void add(const JudgedView& view, const Eigen::Vector3d& offset) {
+    corners.add(view.corners);
+    offsets.add(offset.squaredNorm());
+    for (std::size_t laser = 0; laser < planes.size(); ++laser)
+      planes[laser].add(view.planes[laser]);
+  }
+  void add(const FigureSums& others) {
+    corners.add(others.corners);
+    offsets.add(others.offsets);
+    for (std::size_t laser = 0; laser < planes.size(); ++laser)
+      planes[laser].add(others.planes[laser]);
+  }
+  Figures figures() const {
+    return {corners.rms(), plane_rms(planes), kMillimetres * offsets.rms()};
+  }
+
+  SquareSum corners, offsets;
+  std::vector<SquareSum> planes;
+};
+
+}  // namespace
+
+std::vector<JudgedView> judge(const ScannerState& state, const BoardSurface& surface,
+                              const BoardViews& views) {
+  std::vector<JudgedView> result;
+  for (const BoardView& view : views)
+    result.push_back(judge_view(state, surface, view));
+  return result;
 }
 
 ViewFigures JudgedView::figures(const BoardView& view, const ScannerState& state,
                                 const BoardSurface& surface) const {
   ViewFigures result;
   result.name = view.name;
-  result.reprojection_rms_px = std::sqrt(corner_squares / corner_count);
-  for (std::size_t laser = 0; laser < plane_squares.size(); ++laser)
-    result.laser_plane_rms_mm.push_back(kMillimetres *
-                                        std::sqrt(plane_squares[laser] / plane_counts[laser]));
+  result.reprojection_rms_px = corners.rms();
+  result.laser_plane_rms_mm = plane_rms(planes);
   result.board_offset_mm = kMillimetres * (centre - board_centre(state, surface)).norm();
   const Isometry3d seen = view.measured * state.flange_to_camera * camera_to_board;
   result.board_angle_deg =
@@ -118,38 +150,6 @@ ViewFigures JudgedView::figures(const BoardView& view, const ScannerState& state
   return result;
 }
 
-void FigureSums::add(const JudgedView& view, const Eigen::Vector3d& offset) {
-  corner_squares_ += view.corner_squares;
-  corner_count_ += view.corner_count;
-  offset_squares_ += offset.squaredNorm();
-  views_ += 1;
-  for (std::size_t laser = 0; laser < plane_squares_.size(); ++laser) {
-    plane_squares_[laser] += view.plane_squares[laser];
-    plane_counts_[laser] += view.plane_counts[laser];
-  }
-}
-
-void FigureSums::add(const FigureSums& others) {
-  corner_squares_ += others.corner_squares_;
-  corner_count_ += others.corner_count_;
-  offset_squares_ += others.offset_squares_;
-  views_ += others.views_;
-  for (std::size_t laser = 0; laser < plane_squares_.size(); ++laser) {
-    plane_squares_[laser] += others.plane_squares_[laser];
-    plane_counts_[laser] += others.plane_counts_[laser];
-  }
-}
-
-Figures FigureSums::figures() const {
-  Figures result;
-  result.reprojection_rms_px = std::sqrt(corner_squares_ / corner_count_);
-  for (std::size_t laser = 0; laser < plane_squares_.size(); ++laser)
-    result.laser_plane_rms_mm.push_back(kMillimetres *
-                                        std::sqrt(plane_squares_[laser] / plane_counts_[laser]));
-  result.board_scatter_mm = kMillimetres * std::sqrt(offset_squares_ / views_);
-  return result;
-}
-
 Figures fitted_figures(const std::vector<JudgedView>& views, std::size_t lasers) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const JudgedView& view : views)
@@ -160,17 +160,27 @@ Figures fitted_figures(const std::vector<JudgedView>& views, std::size_t lasers)
   return sums.figures();
 }
 
-Eigen::Vector3d board_centre(const ScannerState& state, const BoardSurface& surface) {
-  return state.base_to_board * on_board(surface, state.bend, surface.centre());
-}
-
-std::vector<std::size_t> fold_of_each(std::size_t count, int folds) {
-  const std::size_t groups =
-      std::clamp(static_cast<std::size_t>(std::max(folds, 2)), std::size_t{2}, count);
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < count; ++i)
-    result.push_back(i % groups);
-  return result;
+Figures held_out_figures(const BoardViews& views, const BoardSurface& surface, std::size_t lasers,
+                         int folds, int threads,
+                         const std::function<ScannerState(const std::vector<bool>&)>& fitted) {
+  const auto count =
+      static_cast<std::size_t>(std::clamp(folds, 2, std::max(2, static_cast<int>(views.size()))));
+  std::vector<FigureSums> by_fold(count, FigureSums(lasers));
+  for_each_index(static_cast<int>(count), threads, [&](int fold) {
+    std::vector<bool> keep;
+    for (std::size_t i = 0; i < views.size(); ++i)
+      keep.push_back(i % count != static_cast<std::size_t>(fold));
+    const ScannerState model = fitted(keep);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      if (keep[i]) continue;
+      const JudgedView judged = judge_view(model, surface, views[i]);
+      by_fold[fold].add(judged, judged.centre - board_centre(model, surface));
+    }
+  });
+  FigureSums sums(lasers);
+  for (const FigureSums& one : by_fold)
+    sums.add(one);
+  return sums.figures();
 }
 
 }  // namespace scan_calibration

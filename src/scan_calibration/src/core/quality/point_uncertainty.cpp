@@ -9,7 +9,7 @@
 namespace scan_calibration {
 namespace {
 
-/// [m] of the points where a laser's line was seen, in order.
+/// Sorted depths [m] of the points where a laser's line was seen.
 std::vector<double> depths_of(const JointEstimate& estimate, const BoardSurface& surface,
                               std::size_t laser) {
   std::vector<double> depths;
@@ -26,11 +26,12 @@ std::vector<double> depths_of(const JointEstimate& estimate, const BoardSurface&
   return depths;
 }
 
-/// Pixels at which a laser's plane is seen at a depth: evenly along the part of that line that the
-/// sensor holds.
+/// Pixels that see a laser's plane at a depth, evenly along the part of that line within the
+/// image.
 std::vector<Eigen::Vector2d> pixels_at(const ScannerState& state, std::size_t laser, double depth) {
-  constexpr int kFine = 400;
-  constexpr std::size_t kWanted = 5;
+  constexpr int kSteps = 400;         // to each side, chosen: fine enough to find the image's edge
+  constexpr std::size_t kWanted = 5;  // chosen
+  constexpr double kMaxMiss = 1e-6;   // of the reach, chosen: rounding
   const scan_cell_common::CameraIntrinsics camera = state.intrinsics();
   const Eigen::Vector3d& plane = state.planes[laser];
   const double left = 1 - plane.z() * depth;  // plane.x x + plane.y y = left
@@ -39,16 +40,13 @@ std::vector<Eigen::Vector2d> pixels_at(const ScannerState& state, std::size_t la
   const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized();
   const double reach = depth * std::hypot(camera.width, camera.height) / camera.fx;
   std::vector<Eigen::Vector2d> seen;
-  for (int i = -kFine; i <= kFine; ++i) {
-    const Eigen::Vector2d place = foot + i * reach / kFine * along;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    const Eigen::Vector2d place = foot + i * reach / kSteps * along;
     const Eigen::Vector2d pixel = camera.project({place.x(), place.y(), depth});
-    // Beyond where the lens model folds over, pixels come back: they are not of this place.
-    Eigen::Vector2d ray(0, 0);
-    const Eigen::Vector2d distorted((pixel.x() - camera.cx) / camera.fx,
-                                    (pixel.y() - camera.cy) / camera.fy);
-    if (camera.contains(pixel) && camera.undistort(distorted, ray = distorted) &&
-        (ray * depth - place).norm() < 1e-6 * reach)
-      seen.push_back(pixel);
+    if (!camera.contains(pixel)) continue;
+    // Beyond its fold the lens model maps other places to the same pixels
+    const std::optional<Eigen::Vector3d> ray = ray_of(camera, pixel);
+    if (ray && (ray->head<2>() * depth - place).norm() < kMaxMiss * reach) seen.push_back(pixel);
   }
   std::vector<Eigen::Vector2d> result;
   for (std::size_t i = 0; i < kWanted && !seen.empty(); ++i)
@@ -75,14 +73,9 @@ std::vector<ScanPlace> scan_places(const JointEstimate& estimate, const BoardSur
 Eigen::MatrixXd triangulation_derivative(const JointEstimate& estimate, const Knowledge& knowledge,
                                          const ScanPlace& place) {
   return derivative(estimate.state, knowledge, [&](const ScannerState& at) -> Eigen::VectorXd {
-    const scan_cell_common::CameraIntrinsics camera = at.intrinsics();
-    const Eigen::Vector2d distorted((place.pixel.x() - camera.cx) / camera.fx,
-                                    (place.pixel.y() - camera.cy) / camera.fy);
-    Eigen::Vector2d flat = distorted;
-    if (!camera.undistort(distorted, flat))
-      return Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-    const Eigen::Vector3d ray = flat.homogeneous();
-    return at.flange_to_camera * (ray / at.planes[place.laser].dot(ray));
+    const std::optional<Eigen::Vector3d> ray = ray_of(at.intrinsics(), place.pixel);
+    if (!ray) return Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    return at.flange_to_camera * (*ray / at.planes[place.laser].dot(*ray));
   });
 }
 

@@ -6,15 +6,15 @@
 
 namespace scan_calibration {
 
-/// A point of the scan: what a pixel and a laser show.
+/// A scanned point, as a pixel sees it in the light of a laser.
 struct ScanPlace {
   std::size_t laser = 0;
   double depth = 0;
   Eigen::Vector2d pixel;
 };
 
-/// Points at near, middle and far depth of where each laser's line was seen (5, 50 and 95 % of its
-/// points), spread along the line from one end of the image to the other.
+/// Points at the near, middle and far depth at which each laser's line was seen (5, 50 and 95 % of
+/// its points), spread along the line across the image.
 std::vector<ScanPlace> scan_places(const JointEstimate& estimate, const BoardSurface& surface);
 
 /// Derivative of the triangulated point in tool0 [m] by the shared unknowns: three rows.

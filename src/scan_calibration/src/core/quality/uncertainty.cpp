@@ -2,25 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "quality/uncertainty.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
 
 namespace scan_calibration {
 namespace {
 
-/// What three deviations must be widened by where they were found from few (Cornish and Fisher).
+/// Student's t over the normal distribution, at three standard deviations (Cornish and Fisher).
 double widening(double freedom) {
   constexpr double z = 3;
-  constexpr double kLeast = 4;  // below, the expansion does not hold
+  constexpr double kMinFreedom = 4;  // below it the expansion does not hold
   if (std::isinf(freedom)) return 1;
-  const double f = std::max(freedom, kLeast);
+  const double f = std::max(freedom, kMinFreedom);
   const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
   const double t = z + (z3 + z) / (4 * f) + (5 * z5 + 16 * z3 + 3 * z) / (96 * f * f) +
                    (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * f * f * f);
   return t / z;
 }
 
-/// What each view moves the shared unknowns by when it is left out, exactly for a linear problem.
+/// Covariance of the shared unknowns by leaving out each view in turn; exact for a linear problem.
 Eigen::MatrixXd jackknife_covariance(const ReducedSystem& system) {
   const auto count = static_cast<double>(system.views.size());
   Eigen::MatrixXd moves(system.information.rows(), static_cast<Eigen::Index>(system.views.size()));
@@ -33,7 +35,7 @@ Eigen::MatrixXd jackknife_covariance(const ReducedSystem& system) {
   return (count - 1) / count * about_mean * about_mean.transpose();
 }
 
-/// Parts of the covariance that each kind of noise brings.
+/// The covariance by kind of noise.
 std::vector<Eigen::MatrixXd> parts(const NormalEquations& equations, const ReducedSystem& system) {
   const Eigen::Index shared = system.covariance.rows();
   std::vector<Eigen::MatrixXd> result(equations.views.front().size(),
@@ -67,7 +69,7 @@ ScannerState moved_by(const ScannerState& state, const Layout& layout,
   return result;
 }
 
-/// Of the two vectors of a rotation by up to a full turn, the one nearer to another vector.
+/// Of the two rotation vectors of up to a full turn, the one nearer to another vector.
 Eigen::Vector3d vector_near(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& other) {
   const Eigen::Vector3d one = rotation_vector(rotation);
   if (!(one.norm() > 0)) return one;
@@ -78,8 +80,8 @@ Eigen::Vector3d vector_near(const Eigen::Matrix3d& rotation, const Eigen::Vector
 /// Names and values, in one order.
 class Numbers {
  public:
-  /// @param reference the model that rotations are taken to be near
-  /// @param lasers of its planes
+  /// @param reference rotation vectors are chosen near those of this model
+  /// @param lasers of the planes
   Numbers(const ScannerState& state, const Layout& layout, const ScannerState& reference,
           const std::vector<std::string>& lasers) {
     if (layout.camera >= 0) add(state.camera);
@@ -87,13 +89,13 @@ class Numbers {
       add("flange_to_camera", state.flange_to_camera, reference.flange_to_camera);
     for (std::size_t laser = 0; laser < layout.planes.size(); ++laser)
       if (layout.planes[laser] >= 0)
-        add("lasers[" + std::to_string(scan_cell_common::laser_index(lasers[laser])) + "]",
+        add(fmt::format("lasers[{}]", scan_cell_common::laser_index(lasers[laser])),
             state.planes[laser]);
     if (layout.base_to_board >= 0)
       add("base_to_board", state.base_to_board, reference.base_to_board);
     if (layout.bend >= 0)
       for (int i = 0; i < 3; ++i)
-        add("board_bend[" + std::to_string(i) + "]", "m", state.bend[i]);
+        add(fmt::format("board_bend[{}]", i), "m", state.bend[i]);
   }
 
   Eigen::VectorXd values() const {
@@ -115,7 +117,7 @@ class Numbers {
     for (int i = 0; i < 4; ++i)
       add(std::string("camera.") + names[i], "px", camera[i]);
     for (int i = 0; i < 5; ++i)
-      add("camera.distortion[" + std::to_string(i) + "]", "1", camera[4 + i]);
+      add(fmt::format("camera.distortion[{}]", i), "1", camera[4 + i]);
   }
 
   void add(const std::string& name, const Eigen::Isometry3d& pose,
@@ -130,7 +132,7 @@ class Numbers {
 
   void add(const std::string& name, const Eigen::Vector3d& plane) {
     for (int i = 0; i < 3; ++i)
-      add(name + ".normal[" + std::to_string(i) + "]", "1", -plane.normalized()[i]);
+      add(fmt::format("{}.normal[{}]", name, i), "1", -plane.normalized()[i]);
     add(name + ".distance", "m", -1 / plane.norm());
   }
 };
@@ -153,7 +155,7 @@ Knowledge::Knowledge(const JointEstimate& estimate, const BoardSurface& surface)
 double Knowledge::deviation(const Eigen::MatrixXd& rows) const {
   const double internal = spread(rows, covariance);
   const double external = spread(rows, jackknife);
-  double doubt = 0;  // Welch and Satterthwaite: squared parts over their freedom
+  double doubt = 0;  // Welch and Satterthwaite: squared parts over their degrees of freedom
   for (std::size_t source = 0; source < by_source.size(); ++source) {
     const double part = spread(rows, by_source[source]);
     doubt += part * part / freedom[static_cast<Eigen::Index>(source)];
@@ -166,7 +168,7 @@ double Knowledge::deviation(const Eigen::MatrixXd& rows) const {
 
 Eigen::MatrixXd derivative(const ScannerState& state, const Knowledge& knowledge,
                            const std::function<Eigen::VectorXd(const ScannerState&)>& quantity) {
-  constexpr double kPart = 0.1;
+  constexpr double kPart = 0.1;  // of a standard deviation, chosen: linear there
   const Eigen::Index size = knowledge.layout.size;
   Eigen::MatrixXd result(quantity(state).size(), size);
   for (Eigen::Index i = 0; i < size; ++i) {

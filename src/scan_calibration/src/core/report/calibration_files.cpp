@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_calibration/calibration_files.h"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <ctime>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
+#include "report/report.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/files.h"
 
@@ -32,13 +33,34 @@ std::string with_stem(const fs::path& path, const std::string& added) {
 
 std::string matrix_text(const std::string& name, int rows, int columns,
                         const std::vector<double>& values) {
-  std::ostringstream text;
-  text.precision(17);
-  text << name << ":\n  rows: " << rows << "\n  cols: " << columns << "\n  data: [";
-  for (std::size_t i = 0; i < values.size(); ++i)
-    text << (i == 0 ? "" : ", ") << values[i];
-  text << "]\n";
-  return text.str();
+  return fmt::format("{}:\n  rows: {}\n  cols: {}\n  data: [{:.17g}]\n", name, rows, columns,
+                     fmt::join(values, ", "));
+}
+
+/// Copies a file beside itself under the time it was written.
+/// @return the copy's path; empty if there is no file
+std::string keep_old(const std::string& path) {
+  if (!fs::exists(path)) return {};
+  const std::string name = "_" + time_written(path);
+  std::string kept = with_stem(path, name);
+  for (int i = 2; fs::exists(kept); ++i)
+    kept = with_stem(path, fmt::format("{}_{}", name, i));
+  scan_cell_common::save_text(kept, scan_cell_common::read_file(path));
+  return kept;
+}
+
+/// As camera_calibration_parsers reads it.
+void save_camera_info(const std::string& path, const scan_cell_common::CameraIntrinsics& camera) {
+  const auto& [width, height, fx, fy, cx, cy, distortion] = camera;
+  scan_cell_common::save_text(
+      path,
+      fmt::format(
+          "image_width: {}\nimage_height: {}\ncamera_name: camera\n{}"
+          "distortion_model: plumb_bob\n{}{}{}",
+          width, height, matrix_text("camera_matrix", 3, 3, {fx, 0, cx, 0, fy, cy, 0, 0, 1}),
+          matrix_text("distortion_coefficients", 1, 5, {distortion.begin(), distortion.end()}),
+          matrix_text("rectification_matrix", 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1}),
+          matrix_text("projection_matrix", 3, 4, {fx, 0, cx, 0, 0, fy, cy, 0, 0, 0, 1, 0})));
 }
 
 void save_scanner(const CalibrationRun& run, const std::string& path) {
@@ -61,44 +83,17 @@ void check_writable(const CalibrationFiles& files) {
   for (const std::string& file : {files.scanner, files.camera_info, files.report}) {
     const fs::path folder = fs::absolute(file).parent_path();
     if (!fs::is_directory(folder))
-      throw scan_cell_common::FileError(folder.string(), "no such folder", "make it");
+      throw scan_cell_common::FileError(folder.string(), "no such folder", "create it");
     if (!names.insert(fs::absolute(file).lexically_normal().string()).second)
       throw scan_cell_common::FileError(file, "named twice", "give each result its own file");
   }
 }
 
-std::string keep_old(const std::string& path) {
-  if (!fs::exists(path)) return {};
-  const std::string name = "_" + time_written(path);
-  std::string kept = with_stem(path, name);
-  for (int i = 2; fs::exists(kept); ++i)
-    kept = with_stem(path, name + "_" + std::to_string(i));
-  scan_cell_common::save_text(kept, scan_cell_common::read_file(path));
-  return kept;
-}
-
-void save_camera_info(const std::string& path, const scan_cell_common::CameraIntrinsics& camera) {
-  const auto& d = camera.distortion;
-  std::ostringstream text;
-  text << "image_width: " << camera.width << "\nimage_height: " << camera.height
-       << "\ncamera_name: camera\n"
-       << matrix_text("camera_matrix", 3, 3,
-                      {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1})
-       << "distortion_model: plumb_bob\n"
-       << matrix_text("distortion_coefficients", 1, 5, {d[0], d[1], d[2], d[3], d[4]})
-       << matrix_text("rectification_matrix", 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1})
-       << matrix_text("projection_matrix", 3, 4,
-                      {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0});
-  scan_cell_common::save_text(path, text.str());
-}
-
 WrittenFiles save_calibration(const CalibrationRun& run, const CalibrationFiles& files) {
-  const fs::path report(files.report);
-  const std::string stem = report.stem().string();
   WrittenFiles written;
   written.report = files.report;
-  written.page = (report.parent_path() / (stem + ".html")).string();
-  if (run.verdict == CalibrationVerdict::PASSED) {
+  written.page = fs::path(files.report).replace_extension(".html").string();
+  if (run.verdict == CalibrationVerdict::kPassed) {
     written.kept_scanner = keep_old(files.scanner);
     keep_old(files.camera_info);
     save_camera_info(files.camera_info, run.calibration->scanner.camera);
@@ -106,10 +101,7 @@ WrittenFiles save_calibration(const CalibrationRun& run, const CalibrationFiles&
     written.scanner = files.scanner;
     written.camera_info = files.camera_info;
   }
-  const std::vector<ReportPicture> pictures = report_pictures(run, stem);
-  for (const ReportPicture& picture : pictures)
-    scan_cell_common::save_text((report.parent_path() / picture.file).string(), picture.png);
-  scan_cell_common::save_text(written.page, report_page(run, written, pictures));
+  scan_cell_common::save_text(written.page, report_page(run, written));
   scan_cell_common::save_text(written.report, report_json(run, written));
   return written;
 }

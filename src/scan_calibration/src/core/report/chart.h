@@ -3,13 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
 namespace scan_calibration {
 
-/// A drawing in the units of what it shows, with a frame and numbers at its sides.
+/// A drawing as SVG, in the units of what it shows, with a frame and numbers at its sides. Colours
+/// are those of CSS.
 class Chart {
  public:
   struct Side {
@@ -17,37 +17,38 @@ class Chart {
     double from;
     double to;  //!< may be less than `from`: the side then counts down
   };
+  using Places = std::vector<Eigen::Vector2d>;
 
   /// @param width, height [px] of the picture
   Chart(int width, int height, const Side& across, const Side& upwards);
 
-  void dot(const Eigen::Vector2d& place, const cv::Scalar& colour, double radius = 2);
-  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const cv::Scalar& colour,
-            int thickness = 1);
-  void fill(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const cv::Scalar& colour);
-  void outline(const std::vector<Eigen::Vector2d>& corners, const cv::Scalar& colour);
-  void text(const Eigen::Vector2d& place, const std::string& text);
+  /// @param radius [px]
+  void dots(const Places& places, const std::string& colour, double radius);
 
-  /// [px] a unit across
-  double scale() const;
+  /// Each place and the next one are the ends of a line. @param width [px]
+  void lines(const Places& ends, const std::string& colour, double width = 1);
 
-  /// The picture's bytes. The frame and its numbers are drawn over the rest.
-  std::string png();
+  void outline(const Places& corners, const std::string& colour);
+  void fill(const Places& corners, const std::string& colour);
+
+  /// [px] per unit across
+  double scale() const { return width_ / std::abs(across_.to - across_.from); }
+
+  std::string svg() const;
 
  private:
-  cv::Point2d at(const Eigen::Vector2d& place) const;
-  void draw_frame();
+  std::string at(const Eigen::Vector2d& place) const;
+  std::string path(const Places& corners) const;
 
-  cv::Mat picture_;
-  Side across_;
-  Side upwards_;
-  cv::Rect2d inside_;
+  double width_, height_;  // [px] inside the frame
+  Side across_, upwards_;
+  std::string shapes_;
 };
 
-/// Colours that tell `count` things apart.
-cv::Scalar colour_of(std::size_t index, std::size_t count);
+/// Colours to tell `count` things apart.
+std::string colour_of(std::size_t index, std::size_t count);
 
-/// Blue at -1, grey at 0, red at 1 and beyond.
-cv::Scalar colour_between(double value);
+/// Blue at -1, grey at 0, red at 1 and beyond, in eleven steps.
+std::string colour_between(double value);
 
 }  // namespace scan_calibration

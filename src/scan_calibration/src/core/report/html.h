@@ -7,17 +7,19 @@
 
 namespace scan_calibration {
 
-/// Text that stands for itself in HTML.
+/// Text with the special characters of HTML escaped.
 std::string escaped(const std::string& text);
 
-/// A number for people: as many digits as are asked for after the point; "-" where it is none.
+/// A number with so many digits after the point; "-" for NaN.
 std::string rounded(double value, int digits);
 
-/// A table: its header, then its rows, all of as many cells. Cells are HTML.
+/// A table: header and rows with the same number of cells, all plain text.
+/// @param classes of the rows, for the page's style; may be empty
 std::string html_table(const std::vector<std::string>& header,
-                       const std::vector<std::vector<std::string>>& rows);
+                       const std::vector<std::vector<std::string>>& rows,
+                       const std::vector<std::string>& classes = {});
 
-/// A page that needs nothing but itself and its pictures. @param body HTML
+/// A self-contained page. @param body HTML
 std::string html_page(const std::string& title, const std::string& body);
 
 }  // namespace scan_calibration

@@ -1,9 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <map>
 #include <nlohmann/json.hpp>
 
-#include "scan_calibration/calibration_files.h"
+#include "report/report.h"
 
 namespace scan_calibration {
 namespace {
@@ -68,9 +67,7 @@ Json to_json(const ViewFigures& view, const ViewObservation& seen,
 }
 
 Json views_to_json(const CalibrationRun& run) {
-  std::map<std::string, const ViewObservation*> seen;
-  for (const ViewObservation& view : run.observations.views)
-    seen[view.name] = &view;
+  const ViewsByName seen = by_name(run.observations);
   Json result = Json::array();
   for (const ViewFigures& view : run.calibration->views)
     result.push_back(to_json(view, *seen.at(view.name), run.observations.lasers));
@@ -132,6 +129,13 @@ void add_estimate(Json& report, const Calibration& calibration) {
 }
 
 }  // namespace
+
+ViewsByName by_name(const Observations& observations) {
+  ViewsByName result;
+  for (const ViewObservation& view : observations.views)
+    result[view.name] = &view;
+  return result;
+}
 
 std::string report_json(const CalibrationRun& run, const WrittenFiles& written) {
   Json report;

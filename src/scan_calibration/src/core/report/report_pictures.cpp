@@ -1,12 +1,16 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "geometry/sight.h"
+#include "geometry/statistics.h"
 #include "images/rough_camera.h"
 #include "report/chart.h"
-#include "scan_calibration/calibration_files.h"
+#include "report/report.h"
+#include "sequential.h"
 
 namespace scan_calibration {
 namespace {
@@ -14,9 +18,9 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using Places = Chart::Places;
 
-constexpr int kWidth = 760;
-const cv::Scalar kGrey(120, 120, 120);
+constexpr int kWidth = 760, kHeight = 460;  // [px] of a picture, chosen
 
 /// A chart of the image, as it is seen: rows count downwards.
 Chart image_chart(const Observations& seen) {
@@ -25,7 +29,7 @@ Chart image_chart(const Observations& seen) {
                {"row [px]", seen.height - 0.5, -0.5});
 }
 
-/// Shades the ninths of ninths of the image that no corner fell in.
+/// Shades the parts of the image, nine by nine, in which no corner was seen.
 void shade_unseen(Chart& chart, const Observations& seen) {
   constexpr int kParts = 9;
   bool filled[kParts][kParts] = {};
@@ -36,118 +40,123 @@ void shade_unseen(Chart& chart, const Observations& seen) {
       filled[std::clamp(row, 0, kParts - 1)][std::clamp(column, 0, kParts - 1)] = true;
     }
   }
-  const double width = static_cast<double>(seen.width) / kParts;
-  const double height = static_cast<double>(seen.height) / kParts;
-  for (int row = 0; row < kParts; ++row) {
-    for (int column = 0; column < kParts; ++column) {
-      if (filled[row][column]) continue;
-      chart.fill({column * width - 0.5, row * height - 0.5},
-                 {(column + 1) * width - 0.5, (row + 1) * height - 0.5}, cv::Scalar(225, 225, 250));
-    }
-  }
+  const Vector2d part(static_cast<double>(seen.width) / kParts,
+                      static_cast<double>(seen.height) / kParts);
+  const auto at = [&](int column, int row) -> Vector2d {
+    return part.cwiseProduct(Vector2d(column, row)) - Vector2d(0.5, 0.5);
+  };
+  for (int row = 0; row < kParts; ++row)
+    for (int column = 0; column < kParts; ++column)
+      if (!filled[row][column])
+        chart.fill(
+            {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)},
+            "#fae1e1");
 }
 
 ReportPicture coverage(const Observations& seen) {
   Chart chart = image_chart(seen);
   shade_unseen(chart, seen);
   for (std::size_t i = 0; i < seen.views.size(); ++i) {
-    const cv::Scalar colour = colour_of(i, seen.views.size());
+    Places corners, lines;
     for (const SeenCorner& corner : seen.views[i].corners)
-      chart.dot(corner.pixel, colour, 1.6);
+      corners.push_back(corner.pixel);
     for (const auto& line : seen.views[i].lines)
       for (std::size_t k = 0; k < line.size(); k += 8)
-        chart.dot(line[k], kGrey, 1);
+        lines.push_back(line[k]);
+    chart.dots(corners, colour_of(i, seen.views.size()), 1.6);
+    chart.dots(lines, "#787878", 1);
   }
   return {"coverage",
-          "Where in the image the board's corners (a colour a view) and the laser lines (grey) "
+          "Where in the image the board's corners (one colour per view) and the laser lines (grey) "
           "were seen. Shaded: no corner; the lens is not known there.",
-          chart.png(), ""};
+          chart.svg()};
 }
 
 ReportPicture residuals(const Observations& seen, const Calibration& calibration) {
   Chart chart = image_chart(seen);
-  std::map<std::string, const ViewObservation*> views;
-  for (const ViewObservation& view : seen.views)
-    views[view.name] = &view;
+  const ViewsByName views = by_name(seen);
   const double rms = std::max(1e-6, calibration.fitted.reprojection_rms_px);
   const double stretch = 10 / (rms * chart.scale());  // an RMS residual is 10 px long
   for (std::size_t i = 0; i < calibration.views.size(); ++i) {
     const ViewFigures& figures = calibration.views[i];
     const ViewObservation& view = *views.at(figures.name);
-    const cv::Scalar colour = colour_of(i, calibration.views.size());
+    const auto& left_out = figures.left_out_corners;
+    Places places, vectors;
     for (std::size_t k = 0; k < view.corners.size() && k < figures.corner_residuals.size(); ++k) {
-      const auto& left_out = figures.left_out_corners;
       if (std::find(left_out.begin(), left_out.end(), k) != left_out.end()) continue;
-      const Vector2d& place = view.corners[k].pixel;
-      chart.line(place, place + stretch * figures.corner_residuals[k], colour);
-      chart.dot(place, colour, 1.2);
+      places.push_back(view.corners[k].pixel);
+      vectors.push_back(places.back());
+      vectors.emplace_back(places.back() + stretch * figures.corner_residuals[k]);
     }
+    chart.lines(vectors, colour_of(i, calibration.views.size()));
+    chart.dots(places, colour_of(i, calibration.views.size()), 1.2);
   }
-  char caption[200];
-  std::snprintf(caption, sizeof caption,
-                "Residuals of the corners, %.0f times as long as they are. They should point "
-                "anywhere; vectors that agree over a region are an error of the lens model or of "
-                "the board.",
-                stretch);
-  return {"residuals", caption, chart.png(), ""};
+  return {
+      "residuals",
+      fmt::format("Residuals of the corners, {:.0f} times as long as they are. They should point "
+                  "in all directions; vectors that agree over a region are an error of the "
+                  "lens model or of the board.",
+                  stretch),
+      chart.svg()};
 }
 
-/// Board poses in the camera's frame, by the robot and the model.
-std::vector<Isometry3d> boards_in_camera(const Observations& seen, const Calibration& calibration) {
-  std::vector<Isometry3d> poses;
-  for (const ViewObservation& view : seen.views)
-    poses.push_back((view.base_to_flange * calibration.scanner.flange_to_camera).inverse() *
-                    calibration.base_to_board);
-  return poses;
-}
-
-std::vector<Vector3d> outline_of(const Board& board, const Isometry3d& pose) {
-  const double x = board.columns * board.square_size, y = board.rows * board.square_size;
-  const double s = -board.square_size;
-  return {pose * Vector3d(s, s, 0), pose * Vector3d(x, s, 0), pose * Vector3d(x, y, 0),
-          pose * Vector3d(s, y, 0)};
+/// Corners of the board's outer squares in the camera, by the robot and the model, per view.
+std::vector<std::vector<Vector3d>> outlines(const Observations& seen,
+                                            const Calibration& calibration) {
+  const Board& board = seen.board;
+  std::vector<std::vector<Vector3d>> result;
+  for (const ViewObservation& view : seen.views) {
+    const Isometry3d pose = (view.base_to_flange * calibration.scanner.flange_to_camera).inverse() *
+                            calibration.base_to_board;
+    result.emplace_back();
+    for (const auto& [column, row] :
+         {std::pair(-1, -1), std::pair(board.columns, -1), std::pair(board.columns, board.rows),
+          std::pair(-1, board.rows)})
+      result.back().emplace_back(pose * (Vector3d(column, row, 0) * board.square_size));
+  }
+  return result;
 }
 
 /// From above (x, z) or from the side (y, z).
 ReportPicture space(const Observations& seen, const Calibration& calibration, int axis) {
-  const std::vector<Isometry3d> poses = boards_in_camera(seen, calibration);
-  double widest = 0.05, farthest = 0.1;
-  for (const Isometry3d& pose : poses) {
-    for (const Vector3d& corner : outline_of(seen.board, pose)) {
+  const std::vector<std::vector<Vector3d>> boards = outlines(seen, calibration);
+  double widest = 0.05, farthest = 0.1;  // [m] at least, chosen
+  for (const auto& board : boards) {
+    for (const Vector3d& corner : board) {
       widest = std::max(widest, std::abs(corner[axis]));
       farthest = std::max(farthest, corner.z());
     }
   }
-  const std::string name = axis == 0 ? "x" : "y";
-  Chart chart(kWidth, 460, {name + " [m] in camera_optical_frame", -1.1 * widest, 1.1 * widest},
+  Chart chart(kWidth, kHeight,
+              {fmt::format("{} [m] in camera_optical_frame", axis == 0 ? "x" : "y"), -1.1 * widest,
+               1.1 * widest},
               {"z [m]", 1.05 * farthest, -0.03 * farthest});
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    std::vector<Vector2d> flat;
-    for (const Vector3d& corner : outline_of(seen.board, poses[i]))
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    Places flat;
+    for (const Vector3d& corner : boards[i])
       flat.emplace_back(corner[axis], corner.z());
-    chart.outline(flat, colour_of(i, poses.size()));
+    chart.outline(flat, colour_of(i, boards.size()));
   }
-  for (std::size_t i = 0; i < calibration.scanner.lasers.size(); ++i) {
-    if (!calibration.scanner.has_laser(i)) continue;
-    const scan_cell_common::LaserPlane& laser = calibration.scanner.laser(i);
-    // Where the plane meets this section of space; one that lies in it has no line.
-    const Vector2d normal(laser.normal[axis], laser.normal.z());
+  for (const auto& laser : calibration.scanner.lasers) {
+    if (!laser) continue;
+    // Where the plane cuts this section of space; one that lies nearly in it has no line
+    const Vector2d normal(laser->normal[axis], laser->normal.z());
     if (normal.norm() < 0.2) continue;
-    const Vector2d foot = normal * laser.distance / normal.squaredNorm();
+    const Vector2d foot = normal * laser->distance / normal.squaredNorm();
     const Vector2d along = Vector2d(-normal.y(), normal.x()).normalized() * 2 * farthest;
-    chart.line(foot - along, foot + along, cv::Scalar(0, 0, 220), 2);
+    chart.lines({foot - along, foot + along}, "#dc0000", 2);
   }
-  chart.dot({0, 0}, cv::Scalar(0, 0, 0), 4);
+  chart.dots({Vector2d(0, 0)}, "#000", 4);
   return {axis == 0 ? "space_above" : "space_side",
-          std::string("The boards as the camera (black dot) saw them, ") +
-              (axis == 0 ? "from above" : "from the side") + ", with the laser planes (red).",
-          chart.png(), ""};
+          fmt::format("The boards as the camera (black dot) saw them, {}, with the laser planes "
+                      "(red).",
+                      axis == 0 ? "from above" : "from the side"),
+          chart.svg()};
 }
 
 /// Points of one laser on the boards [m, camera_optical_frame].
-std::vector<Vector3d> laser_points(const Observations& seen, const Calibration& calibration,
-                                   std::size_t laser) {
-  const scan_cell_common::CameraIntrinsics& camera = calibration.scanner.camera;
+std::vector<Vector3d> points_of(const Observations& seen, const Calibration& calibration,
+                                std::size_t laser) {
   std::vector<Vector3d> points;
   for (const ViewObservation& view : seen.views) {
     if (view.lines[laser].empty()) continue;
@@ -155,16 +164,11 @@ std::vector<Vector3d> laser_points(const Observations& seen, const Calibration& 
                          Vector2d::Constant(std::nan("")));
     for (const SeenCorner& corner : view.corners)
       corners[corner.row * seen.board.columns + corner.column] = corner.pixel;
-    const Isometry3d pose = rough_board_pose(camera, corners, seen.board);
+    const Isometry3d pose = rough_board_pose(calibration.scanner.camera, corners, seen.board);
     const Vector3d normal = pose.linear().col(2);
-    for (const Vector2d& pixel : view.lines[laser]) {
-      const Vector2d distorted((pixel.x() - camera.cx) / camera.fx,
-                               (pixel.y() - camera.cy) / camera.fy);
-      Vector2d ray = distorted;
-      if (!camera.undistort(distorted, ray)) continue;
-      const Vector3d direction(ray.x(), ray.y(), 1);
-      points.push_back(direction * normal.dot(pose.translation()) / normal.dot(direction));
-    }
+    for (const Vector2d& pixel : view.lines[laser])
+      if (const auto ray = ray_of(calibration.scanner.camera, pixel))
+        points.emplace_back(*ray * normal.dot(pose.translation()) / normal.dot(*ray));
   }
   return points;
 }
@@ -172,53 +176,52 @@ std::vector<Vector3d> laser_points(const Observations& seen, const Calibration& 
 ReportPicture plane(const Observations& seen, const Calibration& calibration, std::size_t laser) {
   const scan_cell_common::LaserPlane& model =
       calibration.scanner.laser(scan_cell_common::laser_index(seen.lasers[laser]));
-  const std::vector<Vector3d> points = laser_points(seen, calibration, laser);
   const Vector3d depth =
       (Vector3d::UnitZ() - model.normal * model.normal.z()).normalized();  // of the light
   const Vector3d side = depth.cross(model.normal);
-  std::vector<Vector2d> places;
+  Places places;
   std::vector<double> off;
-  double low = 1e9, high = -1e9, near = 1e9, far = -1e9, sum = 0;
-  for (const Vector3d& point : points) {
+  SquareSum sum;
+  Eigen::AlignedBox2d box;
+  for (const Vector3d& point : points_of(seen, calibration, laser)) {
     places.emplace_back(side.dot(point), depth.dot(point));
     off.push_back(model.normal.dot(point) - model.distance);
-    sum += off.back() * off.back();
-    low = std::min(low, places.back().x());
-    high = std::max(high, places.back().x());
-    near = std::min(near, places.back().y());
-    far = std::max(far, places.back().y());
+    sum.add(off.back() * off.back());
+    box.extend(places.back());
   }
-  if (points.empty()) low = near = 0, high = far = 1;
-  const double rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, off.size())));
-  const double margin = 0.03 * std::max(high - low, far - near) + 1e-6;
-  Chart chart(kWidth, 460, {"along the line [m]", low - margin, high + margin},
-              {"along the light [m]", far + margin, near - margin});
+  if (places.empty()) box = Eigen::AlignedBox2d(Vector2d(0, 0), Vector2d(1, 1));
+  const double rms = places.empty() ? 0 : sum.rms();
+  const double margin = 0.03 * box.sizes().maxCoeff() + 1e-6;
+  Chart chart(kWidth, kHeight,
+              {"along the line [m]", box.min().x() - margin, box.max().x() + margin},
+              {"along the light [m]", box.max().y() + margin, box.min().y() - margin});
+  std::map<std::string, Places> by_colour;
   for (std::size_t i = 0; i < places.size(); ++i)
-    chart.dot(places[i], colour_between(off[i] / std::max(1e-9, 2 * rms)), 1.8);
-  char caption[200];
-  std::snprintf(caption, sizeof caption,
-                "The plane of %s with its points: grey on it, red and blue %.3f mm off it to "
-                "either side. A region of one colour is an error of the plane or of a view.",
-                seen.lasers[laser].c_str(), 2e3 * rms);
-  return {"plane_" + seen.lasers[laser], caption, chart.png(), ""};
+    by_colour[colour_between(off[i] / std::max(1e-9, 2 * rms))].push_back(places[i]);
+  for (const auto& [colour, part] : by_colour)
+    chart.dots(part, colour, 1.8);
+  return {
+      "plane_" + seen.lasers[laser],
+      fmt::format("The plane of {} with its points: grey on it, red and blue {:.3f} mm off it to "
+                  "either side. A region of one colour is an error of the plane or of a view.",
+                  seen.lasers[laser], 2e3 * rms),
+      chart.svg()};
 }
 
 }  // namespace
 
-std::vector<ReportPicture> report_pictures(const CalibrationRun& run, const std::string& stem) {
-  std::vector<ReportPicture> pictures;
+std::vector<ReportPicture> report_pictures(const CalibrationRun& run) {
   if (run.calibration) {
     const Observations seen = used_views(run.observations, *run.calibration);
-    pictures = {coverage(seen), space(seen, *run.calibration, 0), space(seen, *run.calibration, 1),
-                residuals(seen, *run.calibration)};
+    std::vector<ReportPicture> pictures = {coverage(seen), space(seen, *run.calibration, 0),
+                                           space(seen, *run.calibration, 1),
+                                           residuals(seen, *run.calibration)};
     for (std::size_t laser = 0; laser < seen.lasers.size(); ++laser)
       pictures.push_back(plane(seen, *run.calibration, laser));
-  } else if (!run.observations.views.empty()) {
-    pictures = {coverage(run.observations)};
+    return pictures;
   }
-  for (ReportPicture& picture : pictures)
-    picture.file = stem + "_" + picture.name + ".png";
-  return pictures;
+  if (run.observations.views.empty()) return {};
+  return {coverage(run.observations)};
 }
 
 }  // namespace scan_calibration

@@ -15,7 +15,7 @@
 namespace scan_calibration {
 namespace {
 
-/// Motions start from zero and are added to the poses at the end.
+/// Motions start at zero and are applied to the poses at the end.
 struct Unknowns {
   CameraVector camera;
   Vector6d camera_motion = Vector6d::Zero();
@@ -46,19 +46,20 @@ class Problem {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_SCHUR;
     options.linear_solver_ordering = ordering();
-    options.num_threads = 1;  // several add up in the order of their luck
-    options.max_num_iterations = 100;
-    options.function_tolerance = 1e-10;
-    options.parameter_tolerance = 1e-12;
+    options.num_threads = 1;              // several threads would sum in varying order
+    options.max_num_iterations = 100;     // chosen: ten are usual
+    options.function_tolerance = 1e-10;   // relative, chosen: far below the figures' last digit
+    options.parameter_tolerance = 1e-12;  // relative, chosen
     options.logging_type = ceres::SILENT;
-    double cost = 0;  // Ceres prints what it cannot begin with
+    double cost = 0;  // evaluated first, as Ceres prints where it cannot start
     ceres::Solver::Summary summary;
     const bool possible =
         problem_.Evaluate(ceres::Problem::EvaluateOptions(), &cost, nullptr, nullptr, nullptr);
     if (possible) ceres::Solve(options, &problem_, &summary);
     if (!possible || !summary.IsSolutionUsable()) {
       throw scan_cell_common::UnusableInput(
-          "estimate", possible ? summary.message : "the start puts corners behind the camera",
+          "estimate",
+          possible ? summary.message : "the closed-form start puts corners behind the camera",
           "check the views and poses of the session");
     }
   }
@@ -91,9 +92,9 @@ class Problem {
     }
   }
 
-  /// The views' corrections are eliminated, in one group; each other block has a group of its own.
-  /// Within a group Ceres goes by addresses, which differ from thread to thread, and so would the
-  /// last bit.
+  /// The views' corrections are eliminated, in one group; each other block has its own group.
+  /// Within a group Ceres sorts by address, which differs between threads, and so would the last
+  /// bit.
   std::shared_ptr<ceres::ParameterBlockOrdering> ordering() {
     auto result = std::make_shared<ceres::ParameterBlockOrdering>();
     const auto place = [&](double* block, int group) {
@@ -115,29 +116,31 @@ class Problem {
   ceres::Problem problem_;
 };
 
-/// @param miss in deviations
-double huber(double miss) {
-  constexpr double kFull = 3;
-  constexpr double kOut = 8;
-  if (!(miss < kOut)) return 0;
-  return miss < kFull ? 1 : kFull / miss;
+constexpr double kFullWeight = 3;  // standard deviations, chosen: 0.3 % of normal noise is beyond
+constexpr double kOutlier = 8;     // standard deviations, chosen
+
+/// @param miss in standard deviations
+double huber_weight(double miss) {
+  return miss < kFullWeight ? 1 : kFullWeight / miss;
 }
 
-/// Of the measured poses, by what they miss beside the others: the noise may have been found to be
-/// next to nothing by a fit that is not at its end.
+double corner_weight(double miss) {
+  return miss < kOutlier ? huber_weight(miss) : 0;
+}
+
+/// Weighs the measured poses by their corrections relative to those of the other views, not by the
+/// noise alone: a fit that has not converged may estimate next to no noise.
 void weigh_poses(const ScannerState& state, const NoiseLevels& noise, BoardViews& views) {
-  constexpr double kFull = 3;       // of six numbers together, in deviations of one
-  constexpr double kChi3 = 1.5382;  // median length of a vector of unit noise
   std::vector<double> shifts, turns;
   for (const Vector6d& correction : state.corrections) {
     shifts.push_back(correction.head<3>().norm());
     turns.push_back(correction.tail<3>().norm());
   }
-  const double shift = std::max(noise.robot_m, median(shifts) / kChi3);
-  const double turn = std::max(noise.robot_rad, median(turns) / kChi3);
+  const double shift = std::max(noise.robot_m, median(shifts) / kMedianLength3);
+  const double turn = std::max(noise.robot_rad, median(turns) / kMedianLength3);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const double miss = std::hypot(shifts[i] / shift, turns[i] / turn) / std::sqrt(2.);
-    views[i].pose_weight = miss < kFull ? 1 : kFull / miss;
+    views[i].pose_weight = huber_weight(miss);
   }
 }
 
@@ -158,13 +161,13 @@ void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLe
     const BoardSight sight = sight_of(state, view, index);
     const std::vector<Eigen::Vector2d> corners = corner_residuals(state, surface, sight, view);
     for (std::size_t i = 0; i < corners.size(); ++i)
-      view.weights[i] = huber(corners[i].norm() / noise.corner_px) / multiplicities.corners;
+      view.weights[i] = corner_weight(corners[i].norm() / noise.corner_px) / multiplicities.corners;
     for (std::size_t laser = 0; laser < state.planes.size(); ++laser) {
       LinePoints& line = view.lines[laser];
       const std::vector<double> points = line_residuals(state, surface, sight, line, laser);
       for (std::size_t i = 0; i < points.size(); ++i)
         line.weights[i] =
-            huber(std::abs(points[i]) / noise.line_px[laser]) / multiplicities.lines[laser];
+            corner_weight(std::abs(points[i]) / noise.line_px[laser]) / multiplicities.lines[laser];
     }
   }
   weigh_poses(state, noise, views);

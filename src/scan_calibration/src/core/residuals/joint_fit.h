@@ -9,26 +9,26 @@ namespace scan_calibration {
 
 /// What a fit may move.
 struct FitChoice {
-  bool robot = true;           //!< false: the camera alone; every view's pose is free, nothing else
+  bool robot = true;           //!< false: camera alone; besides it only each view's pose is free
   bool camera = true;          //!< false: camera and its pose on the flange are known
   bool bend = false;           //!< whether the board may be bent
   bool square_pixels = false;  //!< fx = fy
 };
 
-/// Moves the state to where the weighted squares are least, at the given noise and weights.
-/// @throw scan_cell_common::UnusableInput if there is no way down from the state given
+/// Moves the state to the least weighted squares, with the given noise and weights.
+/// @throw scan_cell_common::UnusableInput if the solver fails from the given state
 void fit(const BoardViews& views, const BoardSurface& surface, const NoiseLevels& noise,
          const FitChoice& choice, ScannerState& state);
 
-/// Corners, and a laser's points, that are worth one (multiplicity.h).
+/// How many corners, or points of each laser, count as one (multiplicity.h).
 struct Multiplicities {
   double corners = 1;
   std::vector<double> lines;
 };
 
-/// Weights of corners, points and poses by how far they miss, as of Huber's function: one within
-/// three deviations, falling beyond; corners and points beyond eight are left out. Those of corners
-/// and points are divided by how many are worth one.
+/// Huber weights of corners, points and poses: 1 within three standard deviations, falling beyond;
+/// corners and points beyond eight are outliers (weight 0). Weights of corners and points are
+/// divided by how many count as one.
 void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLevels& noise,
            const Multiplicities& multiplicities, BoardViews& views);
 

@@ -9,7 +9,7 @@
 namespace scan_calibration {
 namespace {
 
-/// Correlation of neighbours, from sums over the pairs and over all.
+/// Correlation of neighbours, from sums over the pairs and over all values.
 class Correlation {
  public:
   void add(double value) {
@@ -21,13 +21,14 @@ class Correlation {
     pairs_ += 1;
   }
 
-  /// Not below 0: at least what it is but for two deviations by chance.
-  double least() const {
-    constexpr double kMost = 0.98;
-    constexpr double kNothing = 1e-3;  // [px] of what is left by rounding
-    if (!(squares_ > kNothing * kNothing * values_) || pairs_ < 1) return 0;
+  /// Lower bound: two standard deviations below the estimate, but not below 0.
+  double min() const {
+    constexpr double kMax = 0.98;      // chosen: keeps the sums finite
+    constexpr double kMinRms = 1e-3;   // [px] chosen: less is rounding
+    constexpr double kDeviations = 2;  // chosen: chance alone exceeds it in 2 % of cases
+    if (!(squares_ > kMinRms * kMinRms * values_) || pairs_ < 1) return 0;
     const double correlation = products_ / pairs_ / (squares_ / values_);
-    return std::clamp(correlation - 2 / std::sqrt(pairs_), 0., kMost);
+    return std::clamp(correlation - kDeviations / std::sqrt(pairs_), 0., kMax);
   }
 
  private:
@@ -67,8 +68,8 @@ double corner_multiplicity(const ScannerState& state, const BoardSurface& surfac
   for (std::size_t i = 0; i < views.size(); ++i)
     add_view(corner_residuals(state, surface, sight_of(state, views[i], i), views[i]), views[i],
              board.square_size, correlation);
-  const double least = correlation.least();
-  constexpr double kLeastResiduals = 24;  // a view must be worth: four times what its pose takes
+  const double least = correlation.min();
+  constexpr double kMinResiduals = 24;  // a view must count as: chosen, four times its pose's six
   double sum = 0;
   for (int row = 1 - board.rows; row < board.rows; ++row)
     for (int column = 1 - board.columns; column < board.columns; ++column) {
@@ -76,7 +77,7 @@ double corner_multiplicity(const ScannerState& state, const BoardSurface& surfac
                           (1 - std::abs(column) / static_cast<double>(board.columns));
       sum += part * std::pow(least, std::hypot(row, column));
     }
-  return std::clamp(sum, 1., std::max(1., 2 * corners / kLeastResiduals));
+  return std::clamp(sum, 1., std::max(1., 2 * corners / kMinResiduals));
 }
 
 double line_multiplicity(const ScannerState& state, const BoardSurface& surface,
@@ -95,7 +96,7 @@ double line_multiplicity(const ScannerState& state, const BoardSurface& surface,
     points += static_cast<double>(residuals.size());
     lines += residuals.empty() ? 0 : 1;
   }
-  const double least = correlation.least();
+  const double least = correlation.min();
   const double length = points / lines;
   double sum = 1;
   for (int lag = 1; lag < length; ++lag)

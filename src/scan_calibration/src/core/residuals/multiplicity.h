@@ -6,10 +6,11 @@
 
 namespace scan_calibration {
 
-/// Neighbours that miss alike say less than their number: what bends the board or blurs the image
-/// moves them together. How many corners, or points of a line, are worth one that is off on its
-/// own. Both follow from the correlation of direct neighbours' residuals, less two deviations of
-/// it, taken to fall off exponentially with distance; 1 where there is none.
+/// Neighbours with correlated errors carry less information than their number suggests: a bent
+/// board or blur moves them together. These functions return how many corners, or points of a line,
+/// count as one independent observation. Both follow from the correlation of direct neighbours'
+/// residuals (its lower bound of two standard deviations), which is assumed to decay exponentially
+/// with distance; 1 where there is no correlation.
 double corner_multiplicity(const ScannerState& state, const BoardSurface& surface,
                            const Board& board, const BoardViews& views);
 

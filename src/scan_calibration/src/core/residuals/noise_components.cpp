@@ -15,7 +15,7 @@ struct Component {
   double redundancy = 0;
 };
 
-/// Each group's squares after a step to the minimum, and the part of them that was not used up.
+/// Each group's squares after a step to the minimum, and its redundancy.
 std::vector<Component> components(const NormalEquations& equations, const ReducedSystem& system) {
   std::vector<Component> result(equations.views.front().size());
   const Eigen::VectorXd shared = -system.covariance * system.gradient;
@@ -43,41 +43,37 @@ NoiseLevels given_noise(const CalibrationOptions& options, std::size_t lasers) {
           options.robot_deviation, options.robot_angle_deviation};
 }
 
-NoiseLevels least_noise(std::size_t lasers) {
-  return {1e-4, std::vector<double>(lasers, 1e-4), 1e-5, 1e-5};
+NoiseLevels min_noise(std::size_t lasers) {
+  constexpr double kPixels = 1e-4;   // [px] chosen: far below any detector's noise
+  constexpr double kMetres = 1e-5;   // [m] chosen: no robot is better
+  constexpr double kRadians = 1e-5;  // [rad] chosen: no robot is better
+  return {kPixels, std::vector<double>(lasers, kPixels), kMetres, kRadians};
 }
 
-NoiseLevels unbounded_noise(std::size_t lasers) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  return {kInfinite, std::vector<double>(lasers, kInfinite), kInfinite, kInfinite};
-}
-
-NoiseEstimate estimate_noise(const NormalEquations& equations, const NoiseLevels& given,
-                             const NoiseLevels& bounds) {
-  constexpr int kMostSteps = 200;
-  constexpr double kStill = 1e-3;
-  constexpr double kLeastRedundancy = 1e-3;  // of a group's count: one that is used up says nothing
+NoiseEstimate estimate_noise(const NormalEquations& equations, const NoiseLevels& given) {
+  constexpr int kMaxSteps = 200;           // chosen: tens are usual
+  constexpr double kConverged = 1e-3;      // relative change of a deviation, chosen
+  constexpr double kMinRedundancy = 1e-3;  // of a group's count, chosen: less says nothing
   const Eigen::VectorXd known = noise_vector(given);
-  const Eigen::VectorXd least = noise_vector(least_noise(given.line_px.size()));
-  const Eigen::VectorXd most = noise_vector(bounds).cwiseMax(least);
+  const Eigen::VectorXd least = noise_vector(min_noise(given.line_px.size()));
   NoiseEstimate result;
   Eigen::VectorXd noise = equations.noise;
   for (Eigen::Index group = 0; group < known.size(); ++group)
     if (known[group] > 0) noise[group] = known[group];
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const std::vector<Component> parts = components(equations, ReducedSystem(equations, noise));
     result.freedom.setConstant(known.size(), std::numeric_limits<double>::infinity());
     double change = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto group = static_cast<Eigen::Index>(i);
       if (known[group] > 0 || !(parts[i].count > 0)) continue;
-      result.freedom[group] = std::max(parts[i].redundancy, kLeastRedundancy * parts[i].count);
+      result.freedom[group] = std::max(parts[i].redundancy, kMinRedundancy * parts[i].count);
       const double next = std::max(
           noise[group] * std::sqrt(parts[i].squares / result.freedom[group]), least[group]);
       change = std::max(change, std::abs(next / noise[group] - 1));
       noise[group] = next;
     }
-    if (change < kStill) break;
+    if (change < kConverged) break;
   }
   result.levels = noise_levels(noise);
   return result;

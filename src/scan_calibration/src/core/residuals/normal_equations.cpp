@@ -30,7 +30,7 @@ struct Linearised {
     for (RowMajor& block : blocks)
       pointers.push_back(block.data());
     if (!cost.Evaluate(parameters.data(), residuals.data(), pointers.data())) {
-      throw scan_cell_common::UnusableInput("estimate", "a corner behind the camera",
+      throw scan_cell_common::UnusableInput("estimate", "a corner lies behind the camera",
                                             "check the views and poses of the session");
     }
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -188,7 +188,7 @@ Eigen::MatrixXd inverse_of_information(const Eigen::MatrixXd& information) {
   const Eigen::LDLT<Eigen::MatrixXd> factors((scaled + scaled.transpose()) / 2);
   if (!scaled.allFinite() || !factors.isPositive() || !(factors.vectorD().minCoeff() > 0)) {
     throw scan_cell_common::UnusableInput(
-        "calibration session", "leaves a number of the scanner open",
+        "calibration session", "leaves a parameter of the scanner undetermined",
         "add views that differ in tilt, distance and place in the image");
   }
   const Eigen::MatrixXd inverse =

@@ -144,17 +144,17 @@ bool RobotResiduals::Evaluate(double const* const* parameters, double* residuals
 LensResiduals::LensResiduals(const ResidualContext& context, bool square_pixels) {
   set_num_residuals(6);
   *mutable_parameter_block_sizes() = {9};
-  constexpr double kThird = 0.3;
-  constexpr double kEqual = 1e-4;  // [px]
+  constexpr double kMaxTerm = 0.3;         // of the corner's distance from the middle, chosen
+  constexpr double kMaxDifference = 1e-4;  // [px] of fx and fy, chosen: next to nothing
   const ScannerState& state = context.reference;
   const double corner = std::hypot(state.width, state.height) / (state.camera[0] + state.camera[1]);
   rows_.setZero();
-  const double powers[] = {2, 4, 1, 1, 6};  // of the ray's length, that a coefficient goes with
+  const double powers[] = {2, 4, 1, 1, 6};  // of the ray's length, per coefficient
   for (int i = 0; i < 5; ++i)
-    rows_(i, 4 + i) = std::pow(corner, powers[i]) / kThird;
+    rows_(i, 4 + i) = std::pow(corner, powers[i]) / kMaxTerm;
   if (square_pixels) {
-    rows_(5, 0) = 1 / kEqual;
-    rows_(5, 1) = -1 / kEqual;
+    rows_(5, 0) = 1 / kMaxDifference;
+    rows_(5, 1) = -1 / kMaxDifference;
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace scan_calibration {
 
-/// What every residual of one estimate refers to. It must outlive them.
+/// What all residuals of one estimate refer to. It must outlive them.
 struct ResidualContext {
   ScannerState reference;  //!< poses that the motions start from
   BoardSurface surface;
@@ -58,8 +58,8 @@ class RobotResiduals : public ceres::CostFunction {
   const BoardView& view_;
 };
 
-/// Camera [9]: no term of the distortion is taken to move the sensor's corner by much more than a
-/// third of its distance from the middle. It decides only what the corners leave open.
+/// Camera [9]: prior that no term of the distortion moves the sensor's corner by much more than a
+/// third of its distance from the middle. It only decides what the corners leave undetermined.
 class LensResiduals : public ceres::CostFunction {
  public:
   LensResiduals(const ResidualContext& context, bool square_pixels);

@@ -22,7 +22,7 @@ std::string find(const fs::path& folder, const std::string& file, const std::str
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) {
     throw UnusableInput(poses_file + ": " + view, "no file " + path.string(),
-                        "bring it back or leave the line out");
+                        "restore it or remove the line");
   }
   return path.string();
 }

@@ -1,7 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 
 #include "scan_calibration/session.h"
 #include "scan_cell_common/scanner_model.h"
@@ -12,36 +11,35 @@ namespace {
 
 using scan_cell_common::YamlEntry;
 
-constexpr int kLeastCorners = 3;  // along a side: fewer have no square inside
-constexpr int kMostCorners = 200;
+constexpr int kMinCorners = 3;    // along a side: OpenCV's detector needs them
+constexpr int kMaxCorners = 200;  // along a side, chosen
 
 int corners(const YamlEntry& entry) {
   const int count = entry.as<int>();
-  if (count < kLeastCorners || count > kMostCorners) {
-    entry.refuse(std::to_string(count), "give " + std::to_string(kLeastCorners) + " to " +
-                                            std::to_string(kMostCorners) +
-                                            " inner corners: one less than squares");
+  if (count < kMinCorners || count > kMaxCorners) {
+    entry.refuse(std::to_string(count),
+                 fmt::format("give {} to {} inner corners: one less than squares", kMinCorners,
+                             kMaxCorners));
   }
   return count;
 }
 
 Board board(const YamlEntry& entry) {
-  constexpr double kLeastSquare = 1e-4, kMostSquare = 0.5;  // [m]
+  constexpr double kMinSquare = 1e-4, kMaxSquare = 0.5;  // [m] chosen
   entry.refuse_unknown({"type", "inner_corners", "square_size"});
   const auto type = entry["type"].as<std::string>();
   if (type != "checkerboard") entry["type"].refuse("'" + type + "'", "give checkerboard");
   const std::vector<YamlEntry> sides = entry["inner_corners"].elements();
   if (sides.size() != 2) {
-    entry["inner_corners"].refuse(std::to_string(sides.size()) + " numbers",
+    entry["inner_corners"].refuse(fmt::format("{} numbers", sides.size()),
                                   "give two: [columns, rows]");
   }
   Board result{corners(sides[0]), corners(sides[1]), entry["square_size"].as<double>()};
-  if (!(result.square_size >= kLeastSquare && result.square_size <= kMostSquare)) {
-    std::ostringstream value;
-    value << result.square_size << " m";
-    entry["square_size"].refuse(value.str(), result.square_size > kMostSquare
-                                                 ? "give metres: this looks like millimetres"
-                                                 : "give metres, above 0");
+  if (!(result.square_size >= kMinSquare && result.square_size <= kMaxSquare)) {
+    entry["square_size"].refuse(fmt::format("{:g} m", result.square_size),
+                                result.square_size > kMaxSquare
+                                    ? "give metres: this looks like millimetres"
+                                    : "give metres, above 0");
   }
   return result;
 }
@@ -78,17 +76,13 @@ SessionHead parse_session_head(const std::string& text, const std::string& name)
 }
 
 std::string session_head_text(const SessionHead& head) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "# A calibration session: what was taken at taught poses.\n"
-       << "images: " << head.poses_file << "\n"
-       << "board: {type: checkerboard, inner_corners: [" << head.board.columns << ", "
-       << head.board.rows << "], square_size: " << head.board.square_size << "}  # [m]\n"
-       << "lasers: [";
-  for (std::size_t i = 0; i < head.lasers.size(); ++i)
-    text << (i == 0 ? "" : ", ") << head.lasers[i];
-  text << "]\n";
-  return text.str();
+  return fmt::format(
+      "# A calibration session: what was taken at taught poses.\n"
+      "images: {}\n"
+      "board: {{type: checkerboard, inner_corners: [{}, {}], square_size: {:.17g}}}  # [m]\n"
+      "lasers: [{}]\n",
+      head.poses_file, head.board.columns, head.board.rows, head.board.square_size,
+      fmt::join(head.lasers, ", "));
 }
 
 }  // namespace scan_calibration

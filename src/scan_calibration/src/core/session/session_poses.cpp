@@ -1,8 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 #include "scan_calibration/session.h"
 #include "scan_cell_common/csv_reader.h"
@@ -22,7 +23,7 @@ std::vector<std::size_t> laser_columns(const CsvReader& table,
   const std::vector<std::string_view> pose = {"image", "x", "y", "z", "qx", "qy", "qz", "qw"};
   if (head.size() < kPoseColumns || !std::equal(pose.begin(), pose.end(), head.begin())) {
     table.refuse("no such header",
-                 "begin with image,x,y,z,qx,qy,qz,qw and a column a laser: laser_0");
+                 "begin with image,x,y,z,qx,qy,qz,qw and a column for each laser: laser_0");
   }
   std::vector<std::size_t> columns;
   for (const std::string& laser : lasers) {
@@ -33,14 +34,13 @@ std::vector<std::size_t> laser_columns(const CsvReader& table,
     if (std::find(lasers.begin(), lasers.end(), head[i]) == lasers.end() ||
         std::find(head.begin() + kPoseColumns, head.begin() + static_cast<long>(i), head[i]) !=
             head.begin() + static_cast<long>(i)) {
-      table.refuse("column '" + std::string(head[i]) + "'",
+      table.refuse(fmt::format("column '{}'", head[i]),
                    "name each laser of session.yaml once, and nothing else");
     }
   }
   if (columns.size() == lasers.size() || (columns.empty() && lasers.size() == 1)) return columns;
-  table.refuse("columns for " + std::to_string(columns.size()) + " of " +
-                   std::to_string(lasers.size()) + " lasers",
-               "add a column a laser: several lines in one image cannot be told apart");
+  table.refuse(fmt::format("columns for {} of {} lasers", columns.size(), lasers.size()),
+               "add a column for each laser: several lines in one image cannot be told apart");
 }
 
 }  // namespace
@@ -58,9 +58,8 @@ std::vector<SessionView> parse_session_poses(const std::string& text, const std:
   const auto take = [&](std::string_view file) {
     const auto [known, added] = lines.emplace(file, table.line());
     if (!added) {
-      table.refuse(
-          "'" + std::string(file) + "' again, first in line " + std::to_string(known->second),
-          "give each view files of its own");
+      table.refuse(fmt::format("'{}' again, first in line {}", file, known->second),
+                   "give each view files of its own");
     }
     return std::string(file);
   };
@@ -83,22 +82,22 @@ std::vector<SessionView> parse_session_poses(const std::string& text, const std:
 
 std::string session_poses_text(const std::vector<SessionView>& views,
                                const std::vector<std::string>& lasers) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "image,x,y,z,qx,qy,qz,qw";
+  std::string text = "image,x,y,z,qx,qy,qz,qw";
   for (const std::string& laser : lasers)
-    text << ',' << laser;
-  text << '\n';
+    text += "," + laser;
+  text += "\n";
   for (const SessionView& view : views) {
     const Eigen::Vector3d p = view.base_to_flange.translation();
     const Eigen::Quaterniond q(view.base_to_flange.linear());
-    text << view.board_image << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << q.x() << ','
-         << q.y() << ',' << q.z() << ',' << q.w();
+    const double numbers[] = {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
+    text += view.board_image;
+    for (const double number : numbers)
+      text += fmt::format(",{:.17g}", number);
     for (const std::string& line : view.lines)
-      text << ',' << line;
-    text << '\n';
+      text += "," + line;
+    text += "\n";
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace scan_calibration

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_calibration/session_recorder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
@@ -28,10 +29,10 @@ std::string path_of(const std::string& folder, const std::string& name) {
 SessionRecorder::SessionRecorder(const std::string& folder, const Board& board,
                                  const std::vector<std::string>& lasers)
     : folder_(folder), head_{"poses.csv", board, lasers} {
-  std::error_code failure;  // of a path that cannot be looked at: said where it cannot be made
+  std::error_code failure;  // of an inaccessible path: reported below, where it cannot be made
   if (fs::exists(path_of(folder, kHead), failure)) {
     throw scan_cell_common::Refused(folder, "holds a session already",
-                                    "give a new folder: a session is never overwritten");
+                                    "name a new folder: a session is never overwritten");
   }
   // What cannot be read back must not be recorded.
   parse_session_head(session_head_text(head_), path_of(folder, kHead));
@@ -46,7 +47,7 @@ std::string SessionRecorder::save(const cv::Mat& image, const std::string& name)
   if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_16UC1)) {
     throw scan_cell_common::UnusableInput(
         name, image.empty() ? "empty" : cv::typeToString(image.type()) + " pixels",
-        "give an image of 8 or 16 bit grey");
+        "give an image of 8 or 16 bit grey pixels");
   }
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", image, bytes);
@@ -68,20 +69,19 @@ void SessionRecorder::add(const Eigen::Isometry3d& base_to_flange, const cv::Mat
   if (lines.size() != head_.lasers.size()) {
     throw scan_cell_common::UnusableInput(
         "lines of a view", std::to_string(lines.size()),
-        "give one a laser, empty where it was not taken: " + std::to_string(head_.lasers.size()));
+        fmt::format("give one per laser, {} in all, empty where not taken", head_.lasers.size()));
   }
   if (lines.size() > 1 && std::any_of(lines.begin(), lines.end(), [](const RecordedLine& line) {
         return line.in_board_image;
       })) {
     throw scan_cell_common::UnusableInput("lines of a view", "in the image of the board",
-                                          "take one image a laser: several lines in one image "
+                                          "take one image per laser: several lines in one image "
                                           "cannot be told apart");
   }
-  char number[16];
-  std::snprintf(number, sizeof number, "%04d", views() + 1);
+  const std::string number = fmt::format("{:04}", views() + 1);
   SessionView view;
   view.base_to_flange = base_to_flange;
-  view.name = view.board_image = save(board_image, "board_" + std::string(number));
+  view.name = view.board_image = save(board_image, "board_" + number);
   for (std::size_t i = 0; i < lines.size(); ++i)
     view.lines.push_back(lines[i].in_board_image ? view.board_image
                                                  : save(lines[i], head_.lasers[i] + "_" + number));

@@ -17,14 +17,14 @@ void refuse(const std::string& name, const std::string& value) {
 }  // namespace
 
 Eigen::Isometry3d laser_frame(const scan_cell_common::LaserPlane& laser, const std::string& name) {
-  constexpr double kLeast = 1e-3;
+  constexpr double kMinDistance = 1e-3;                    // [m] chosen
   const double depth = laser.distance / laser.normal.z();  // of the crossing: n.z depth = distance
-  if (!(std::isfinite(depth) && depth > kLeast)) {
+  if (!(std::isfinite(depth) && depth > kMinDistance)) {
     refuse(name, "its plane does not cross the optical axis in front of the camera");
   }
   const Eigen::Vector3d light = Eigen::Vector3d(0, 0, depth) - laser.origin;
-  if (light.norm() < kLeast) refuse(name, "its origin lies where its plane crosses the axis");
-  // The origin may lie off its plane by what a calibration leaves: take that out.
+  if (light.norm() < kMinDistance) refuse(name, "its origin lies where its plane crosses the axis");
+  // The origin may be off its plane by the calibration's error: project the light onto it
   const Eigen::Vector3d z = (light - light.dot(laser.normal) * laser.normal).normalized();
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.linear().col(0) = laser.normal.normalized();
@@ -41,7 +41,7 @@ std::vector<StaticFrame> calibrated_frames(const scan_cell_common::ScannerModel&
                                      {"tool0", "camera_optical_frame", scanner.flange_to_camera}};
   for (std::size_t i = 0; i < scanner.lasers.size(); ++i) {
     if (!scanner.has_laser(i)) continue;
-    const std::string name = "laser_" + std::to_string(i);
+    const std::string name = scan_cell_common::laser_name(i);
     frames.push_back({"camera_optical_frame", name, laser_frame(scanner.laser(i), name)});
   }
   return frames;

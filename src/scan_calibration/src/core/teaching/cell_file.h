@@ -14,19 +14,18 @@ struct Cell {
 };
 
 /// @throw scan_cell_common::FileError if the file is missing or not YAML
-/// @throw scan_cell_common::UnusableInput naming the entry that is missing, unknown or makes no
-/// sense
+/// @throw scan_cell_common::UnusableInput naming the entry that is missing, unknown or invalid
 Cell load_cell(const std::string& path);
 
-/// Writes both entries, whole or not at all.
+/// Writes both entries, completely or not at all.
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_cell(const std::string& path, const Cell& cell);
 
-/// One entry of a file that may lack the other: the tool is calibrated before the world.
+/// One entry of a file that may lack the other, as the tool is calibrated before the world.
 /// @throw as load_cell()
 Eigen::Isometry3d load_cell_entry(const std::string& path, const std::string& entry);
 
-/// Writes one entry and keeps the other; makes the file where there is none.
+/// Writes one entry and keeps the other; creates the file if it is missing.
 /// @param entry "base_link_in_world" or "tool_tip_in_tool0"
 /// @throw as load_cell() and save_cell()
 void update_cell_entry(const std::string& path, const std::string& entry,

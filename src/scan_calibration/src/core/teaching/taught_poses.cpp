@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_calibration/taught_poses.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "scan_cell_common/csv_reader.h"
@@ -18,39 +19,39 @@ using scan_cell_common::CsvReader;
 using scan_cell_common::UnusableInput;
 using scan_cell_common::WireSix;
 
-constexpr const char* kHeads =
+constexpr const char* kHeaders =
     "begin with the header x,y,z or x,y,z,qx,qy,qz,qw or x_mm,y_mm,z_mm,a_deg,e_deg,r_deg";
 
 Eigen::Isometry3d point(const CsvReader& table) {
-  constexpr double kReach = 50;  // [m] of any robot
+  constexpr double kMaxReach = 50;  // [m] of any robot, chosen
   const Eigen::Vector3d p(table.number(0), table.number(1), table.number(2));
-  if (p.norm() > kReach) {
-    table.refuse("position " + std::to_string(p.norm()) + " m away",
+  if (p.norm() > kMaxReach) {
+    table.refuse(fmt::format("position {:g} m away", p.norm()),
                  "give metres: this looks like millimetres");
   }
   return Eigen::Isometry3d(Eigen::Translation3d(p));
 }
 
 WireSix wire_numbers(const CsvReader& table) {
-  constexpr double kReach = 50e3;    // [mm] of any robot
-  constexpr double kMostTurn = 720;  // [deg]
+  constexpr double kMaxReach = 50e3;  // [mm] of any robot, chosen
+  constexpr double kMaxTurn = 720;    // [deg] chosen: wrists turn more than once
   WireSix wire{};
   for (std::size_t i = 0; i < wire.size(); ++i)
     wire[i] = table.number(i);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(wire[i]) > kReach)
-      table.refuse(std::string(table.field(i)) + " mm",
+    if (std::abs(wire[i]) > kMaxReach)
+      table.refuse(fmt::format("{} mm", table.field(i)),
                    "give millimetres within the robot's reach");
-    if (std::abs(wire[i + 3]) > kMostTurn)
-      table.refuse(std::string(table.field(i + 3)) + " degrees", "give degrees");
+    if (std::abs(wire[i + 3]) > kMaxTurn)
+      table.refuse(fmt::format("{} degrees", table.field(i + 3)), "give degrees within two turns");
   }
   return wire;
 }
 
-/// Metres or radians under a head of millimetres and degrees read without a fault: then all of them
-/// are small.
+/// Metres or radians under a header of millimetres and degrees would be read without an error; all
+/// of them are small then.
 void refuse_wrong_units(const std::vector<WireSix>& wires, const std::string& name) {
-  constexpr double kMostMetres = 10;
+  constexpr double kMinFarthest = 10;  // [mm] chosen: no robot works that close to its base
   double farthest = 0, widest = 0;
   for (const WireSix& wire : wires) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -59,26 +60,26 @@ void refuse_wrong_units(const std::vector<WireSix>& wires, const std::string& na
     }
   }
   if (wires.empty()) return;
-  if (farthest < kMostMetres) {
-    throw UnusableInput(name, "every position within " + std::to_string(farthest) + " mm",
+  if (farthest < kMinFarthest) {
+    throw UnusableInput(name, fmt::format("every position within {:g} mm", farthest),
                         "give millimetres, as the header says: this looks like metres");
   }
   if (widest <= 2 * M_PI) {
-    throw UnusableInput(name, "every angle within " + std::to_string(widest) + " degrees",
+    throw UnusableInput(name, fmt::format("every angle within {:g} degrees", widest),
                         "give degrees, as the header says: this looks like radians");
   }
 }
 
-/// A pose that was stored twice tells nothing new.
+/// A pose that is stored twice adds no information.
 void refuse_repeated(const TaughtPoses& taught, const std::string& name) {
-  constexpr double kSame = 1e-6;  // [m] and of a rotation matrix's elements
+  constexpr double kSame = 1e-6;  // [m] and of a rotation matrix's elements, chosen: rounding
   for (std::size_t i = 0; i < taught.poses.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if ((taught.poses[i].matrix() - taught.poses[k].matrix()).cwiseAbs().maxCoeff() > kSame)
         continue;
-      throw UnusableInput(name + ": line " + std::to_string(taught.lines[i]),
-                          "the pose of line " + std::to_string(taught.lines[k]) + " again",
-                          "leave one out or teach it elsewhere");
+      throw UnusableInput(fmt::format("{}: line {}", name, taught.lines[i]),
+                          fmt::format("the pose of line {} again", taught.lines[k]),
+                          "leave one out or teach another pose");
     }
   }
 }
@@ -92,15 +93,12 @@ TaughtPoses load_taught_poses(const std::string& path) {
 TaughtPoses parse_taught_poses(const std::string& text, const std::string& name) {
   using Fields = std::vector<std::string_view>;
   CsvReader table(text, name);
-  if (!table.next()) throw UnusableInput(name, "empty", kHeads);
+  if (!table.next()) throw UnusableInput(name, "empty", kHeaders);
   const Fields head = table.fields();
   const bool wire = head == Fields{"x_mm", "y_mm", "z_mm", "a_deg", "e_deg", "r_deg"};
   const bool poses = head == Fields{"x", "y", "z", "qx", "qy", "qz", "qw"};
   if (!wire && !poses && head != Fields{"x", "y", "z"}) {
-    std::string shown;
-    for (const std::string_view field : head)
-      shown += (shown.empty() ? "" : ",") + std::string(field);
-    table.refuse("'" + shown + "'", kHeads);
+    table.refuse(fmt::format("'{}'", fmt::join(head, ",")), kHeaders);
   }
   TaughtPoses taught;
   taught.has_orientation = wire || poses;

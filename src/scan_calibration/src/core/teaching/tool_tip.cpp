@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "teaching/tool_tip.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/SVD>
 #include <cmath>
-#include <cstdio>
-#include <string>
 
+#include "geometry/statistics.h"
 #include "scan_cell_common/errors.h"
 
 namespace scan_calibration {
@@ -15,12 +16,6 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 constexpr Eigen::Index kUnknowns = 6;  // tip and fixed point
-
-std::string figure(double value, const char* unit) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.3g%s", value, unit);
-  return text;
-}
 
 struct Equations {
   Eigen::MatrixXd matrix;  // rows [R_i, -1]
@@ -46,7 +41,7 @@ void check_poses(const std::vector<Eigen::Isometry3d>& flange) {
   }
   for (std::size_t i = 0; i < flange.size(); ++i) {
     if (!flange[i].matrix().allFinite()) {
-      throw UnusableInput("pose " + std::to_string(i + 1) + " of the tool", "not finite",
+      throw UnusableInput(fmt::format("pose {} of the tool", i + 1), "not finite",
                           "teach it again");
     }
   }
@@ -70,11 +65,11 @@ ToolTip tool_tip_from_poses(const std::vector<Eigen::Isometry3d>& flange,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
   ToolTip result;
   result.condition = svd.singularValues()[0] / svd.singularValues()[kUnknowns - 1];
-  if (!(result.condition <= limits.most_condition)) {
+  if (!(result.condition <= limits.max_condition)) {
     throw UnusableInput("orientations of the tool",
                         "condition number " + figure(result.condition, ""),
-                        "tilt the tool further, about two axes; at most " +
-                            figure(limits.most_condition, "") + " is usable");
+                        fmt::format("tilt the tool further, about two axes; at most {} is usable",
+                                    figure(limits.max_condition, "")));
   }
   const Eigen::VectorXd solution = svd.solve(system.right);
   result.tip = solution.head<3>();
@@ -92,11 +87,11 @@ ToolTip tool_tip_from_poses(const std::vector<Eigen::Isometry3d>& flange,
   }
   result.rms = std::sqrt(squares / static_cast<double>(flange.size()));
   result.deviation = deviation_of_tip(svd, squares, system.right.size());
-  if (result.worst_residual > limits.most_residual) {
+  if (result.worst_residual > limits.max_residual) {
     throw UnusableInput(
-        "pose " + std::to_string(result.worst_pose + 1) + " of the tool",
-        "misses the fixed point by " + figure(result.worst_residual * 1e3, " mm"),
-        "teach it again; at most " + figure(limits.most_residual * 1e3, " mm") + " is usable");
+        fmt::format("pose {} of the tool", result.worst_pose + 1),
+        "misses the fixed point by " + millimetres(result.worst_residual),
+        fmt::format("teach it again; at most {} is usable", millimetres(limits.max_residual)));
   }
   return result;
 }

@@ -9,10 +9,10 @@
 
 namespace scan_calibration {
 
-/// What a taught tool tip must fulfil.
+/// Requirements on a taught tool tip.
 struct ToolTipLimits {
-  double most_condition = 50;   //!< of the least-squares problem; tilts of 20 degrees give about 8
-  double most_residual = 2e-3;  //!< [m] by which a pose may miss the fixed point
+  double max_condition = 50;   //!< of the least-squares problem; tilts of 20 degrees give about 8
+  double max_residual = 2e-3;  //!< [m] by which a pose may miss the fixed point; chosen
 };
 
 /// Where the tool's tip is, and how well that is known.
@@ -30,7 +30,7 @@ struct ToolTip {
 /// solution of R_i tip + t_i = point.
 /// @param flange poses of tool0 in base_link, at least three, turned about at least two axes
 /// @throw scan_cell_common::UnusableInput with the figure, if there are too few, their orientations
-/// leave the tip undetermined, or one misses the point
+/// do not determine the tip, or one misses the point
 ToolTip tool_tip_from_poses(const std::vector<Eigen::Isometry3d>& flange,
                             const ToolTipLimits& limits = {});
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "teaching/world_frame.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdio>
-#include <string>
 
 #include "scan_cell_common/errors.h"
 
@@ -13,33 +13,27 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-std::string figure(double value, const char* unit) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.2f %s", value, unit);
-  return text;
-}
-
-void check_distance(const char* thing, double distance, double least, const char* cure) {
-  if (distance >= least) return;  // not so for NaN
-  throw UnusableInput(thing, figure(distance * 1e3, "mm"),
-                      std::string(cure) + ", at least " + figure(least * 1e3, "mm"));
+void check_distance(const char* thing, double distance, double min_distance, const char* cure) {
+  if (distance >= min_distance) return;  // not so for NaN
+  throw UnusableInput(thing, fmt::format("{:.2f} mm", distance * 1e3),
+                      fmt::format("{}, at least {:.2f} mm", cure, min_distance * 1e3));
 }
 
 }  // namespace
 
 WorldFrame world_from_points(const Eigen::Vector3d& o, const Eigen::Vector3d& x,
                              const Eigen::Vector3d& xy, const WorldFrameLimits& limits) {
-  check_distance("distance from O to X", (x - o).norm(), limits.least_distance,
+  check_distance("distance from O to X", (x - o).norm(), limits.min_distance,
                  "teach X further from O");
   const Eigen::Vector3d x_axis = (x - o).normalized();
   const Eigen::Vector3d along_y = xy - x;
   const Eigen::Vector3d off_axis = along_y - along_y.dot(x_axis) * x_axis;
   check_distance("distance from XY to the line through O and X", off_axis.norm(),
-                 limits.least_distance, "teach XY further from that line");
+                 limits.min_distance, "teach XY further from that line");
 
   const double skew = std::atan2(along_y.dot(x_axis), off_axis.norm());
-  if (std::abs(skew) > limits.most_skew) {
-    throw UnusableInput("angle O-X-XY", figure(90 + skew * 180 / M_PI, "deg"),
+  if (std::abs(skew) > limits.max_skew) {
+    throw UnusableInput("angle O-X-XY", fmt::format("{:.2f} deg", 90 + skew * 180 / M_PI),
                         "teach XY on the parallel to the Y axis through X");
   }
   WorldFrame world{Eigen::Isometry3d::Identity(), skew};

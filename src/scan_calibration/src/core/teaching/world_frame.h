@@ -7,17 +7,16 @@
 
 namespace scan_calibration {
 
-/// What a taught world frame must fulfil.
+/// Requirements on a taught world frame.
 struct WorldFrameLimits {
-  double least_distance = 0.05;  //!< [m] from O to X, and from XY to the X axis
-  double most_skew = 0.05;       //!< [rad] by which the angle O-X-XY may differ from a right one
+  double min_distance = 0.05;  //!< [m] from O to X, and from XY to the X axis; chosen
+  double max_skew = 0.05;  //!< [rad] by which the angle O-X-XY may differ from a right one; chosen
 };
 
 /// The world frame in the frame that the points were taught in.
 struct WorldFrame {
   Eigen::Isometry3d pose;  //!< of world
-  double
-      skew;  //!< [rad] by which the angle O-X-XY differs from a right one: how well it was taught
+  double skew;             //!< [rad] error of the right angle O-X-XY: how well it was taught
 };
 
 /// World frame from three taught points (thesis 5.4): `o` is the origin, `x` any point on the X

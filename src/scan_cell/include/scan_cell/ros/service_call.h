@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fmt/format.h>
 #include <ros/console.h>
 #include <ros/service.h>
 
@@ -22,7 +23,7 @@ namespace scan_cell {
 template <class Service>
 typename Service::Response ask(const std::string& name, const typename Service::Request& request,
                                double timeout) {
-  enum class End { NoService, NoAnswer, Answered };
+  enum class End { kNoService, kNoAnswer, kAnswered };
   struct Call {
     Service service;
     std::promise<End> end;
@@ -34,23 +35,23 @@ typename Service::Response ask(const std::string& name, const typename Service::
     try {
       // Looked for only where it fails: that takes as long as the call.
       const bool answered = ros::service::call(name, shared->service);
-      shared->end.set_value(answered                            ? End::Answered
-                            : ros::service::exists(name, false) ? End::NoAnswer
-                                                                : End::NoService);
+      shared->end.set_value(answered                            ? End::kAnswered
+                            : ros::service::exists(name, false) ? End::kNoAnswer
+                                                                : End::kNoService);
     } catch (const std::exception& error) {  // of a name that is none
       ROS_ERROR("%s: %s", name.c_str(), error.what());
-      shared->end.set_value(End::NoService);
+      shared->end.set_value(End::kNoService);
     }
   }).detach();
   const bool ended =
       future.wait_for(std::chrono::duration<double>(timeout)) == std::future_status::ready;
-  const End end = ended ? future.get() : End::NoAnswer;
-  if (end == End::NoService) {
+  const End end = ended ? future.get() : End::kNoAnswer;
+  if (end == End::kNoService) {
     throw scan_cell_common::ConnectionError(name, "no such service", "is its node running?");
   }
-  if (end == End::NoAnswer) {
-    throw scan_cell_common::ConnectionError(
-        name, "no answer within " + std::to_string(timeout) + " s", "is its node alive?");
+  if (end == End::kNoAnswer) {
+    throw scan_cell_common::ConnectionError(name, fmt::format("no answer within {:g} s", timeout),
+                                            "is its node alive?");
   }
   return shared->service.response;
 }

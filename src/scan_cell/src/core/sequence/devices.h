@@ -15,13 +15,13 @@ namespace scan_cell {
 /// How the motion that was started last stands.
 struct Motion {
   enum class State {
-    Moving,
-    Reached,
-    Failed,   //!< refused, or not carried out
-    Stopped,  //!< by the controller or by somebody else
-    Lost,
+    kMoving,
+    kReached,
+    kFailed,   //!< refused, or not carried out
+    kStopped,  //!< by the controller or by somebody else
+    kLost,
   };
-  State state = State::Moving;
+  State state = State::kMoving;
   double progress = 0;  //!< 0 .. 1
   std::string message;  //!< why it did not get there
 };

@@ -18,7 +18,7 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(const std::string& what, double progress) {
-  constexpr int kWidth = 24;
+  constexpr int kWidth = 24;  // characters; chosen
   const double share = std::clamp(progress, 0.0, 1.0);
   const int filled = static_cast<int>(std::lround(share * kWidth));
   const int percent = static_cast<int>(std::lround(share * 100));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell/scan_program.h"
 
+#include <fmt/format.h>
+
 #include "scan_cell_common/yaml_file.h"
 
 namespace scan_cell {
@@ -16,7 +18,7 @@ ScanProgram load_scan_program(const std::string& path) {
   program.request.speed = root["speed"].as<double>();
   program.request.rate = root["rate"].as<double>();
   const int laser = root["laser"].as<int>();
-  if (laser < 0 || laser > 1) root["laser"].refuse(std::to_string(laser), "give 0 or 1");
+  if (laser < 0 || laser > 1) root["laser"].refuse(fmt::format("{}", laser), "give 0 or 1");
   program.request.lasers = static_cast<std::uint8_t>(1 << laser);
   return program;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sequence/scan_sequence.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 
@@ -22,8 +24,8 @@ ScanSequence::ScanSequence(Robot& robot, Camera& camera, Trigger& trigger, Stage
       observer_(observer),
       limits_(limits),
       timing_(timing),
-      supervisor_(robot, trigger, {{&camera, Outcome::CameraLost}, {&stages, Outcome::StageFailed}},
-                  timing) {}
+      supervisor_(robot, trigger,
+                  {{&camera, Outcome::kCameraLost}, {&stages, Outcome::kStageFailed}}, timing) {}
 
 SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why_to_cancel) {
   supervisor_.begin(why_to_cancel);
@@ -36,14 +38,14 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
   } catch (const EndEarly& early) {
     end = {early.outcome, early.message};
   } catch (const std::exception& error) {  // whatever it is: the cell must be made safe
-    end = {Outcome::StageFailed, error.what()};
+    end = {Outcome::kStageFailed, error.what()};
   }
   return finish(end);
 }
 
 void ScanSequence::prepare(const ScanRequest& request) {
   step(1, "read the positions");
-  on(Outcome::Refused, [&] { check(request, limits_); });
+  on(Outcome::kRefused, [&] { check(request, limits_); });
   supervisor_.wait_until_well();
   step(2, "move to the start");
   on_robot([&] { robot_.set_linear_motion(timing_.approach_speed); });
@@ -52,7 +54,7 @@ void ScanSequence::prepare(const ScanRequest& request) {
   step(3, "set speed and linear motion");
   on_robot([&] { robot_.set_linear_motion(request.speed); });
   step(4, "prepare binder and triangulation");
-  on(Outcome::StageFailed, [&] { stages_.start(request.scan_id); });
+  on(Outcome::kStageFailed, [&] { stages_.start(request.scan_id); });
   stages_started_ = true;
 }
 
@@ -60,7 +62,7 @@ void ScanSequence::capture(const ScanRequest& request) {
   step(5, "start the camera");
   observer_.on_capture_begins();
   capturing_ = true;
-  on(Outcome::CameraLost, [&] { camera_.start(); });
+  on(Outcome::kCameraLost, [&] { camera_.start(); });
   step(6, "scan");
   supervisor_.start_move(request.end, request.rate);
   supervisor_.wait_until_moving();
@@ -84,29 +86,30 @@ SequenceEnd ScanSequence::finish(SequenceEnd end) {
 
 std::uint64_t ScanSequence::disarm(SequenceEnd& end) {
   const Disarmed disarmed = supervisor_.disarm();
-  if (!disarmed.trouble.empty()) worsen(end, Outcome::TriggerLost, disarmed.trouble);
+  if (!disarmed.trouble.empty()) worsen(end, Outcome::kTriggerLost, disarmed.trouble);
   return disarmed.pulses;
 }
 
 void ScanSequence::finish_stages(std::uint64_t pulses, SequenceEnd& end) {
-  constexpr std::uint64_t kMissing = 5;  // in a row at the end: more than a packet that got lost
-  const bool whole = end.outcome == Outcome::Finished;
+  constexpr std::uint64_t kMissing = 5;  // in a row at the end: more than a lost packet; chosen
+  const bool whole = end.outcome == Outcome::kFinished;
   const double patience = whole ? timing_.patience : timing_.patience_after_failure;
   if (whole) step(8, "bind and triangulate");
   try {
     const std::uint64_t missing = stages_.bind(pulses, patience);
     if (whole && missing > 0 && missing >= std::min(kMissing, pulses)) {
-      worsen(end, Outcome::CameraLost,
-             "camera: no frame of the last " + std::to_string(missing) + " of " +
-                 std::to_string(pulses) + " pulses; check the camera's cable and trigger input");
+      worsen(end, Outcome::kCameraLost,
+             fmt::format("camera: no frame of the last {} of {} pulses; check the camera's cable "
+                         "and trigger input",
+                         missing, pulses));
     }
   } catch (const scan_cell_common::Error& error) {
-    worsen(end, Outcome::StageFailed, error.what());
+    worsen(end, Outcome::kStageFailed, error.what());
   }
   try {
-    stages_.triangulate(end.outcome == Outcome::Finished, patience);
+    stages_.triangulate(end.outcome == Outcome::kFinished, patience);
   } catch (const scan_cell_common::Error& error) {
-    worsen(end, Outcome::StageFailed, error.what());
+    worsen(end, Outcome::kStageFailed, error.what());
   }
 }
 

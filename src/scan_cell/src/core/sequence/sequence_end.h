@@ -13,18 +13,18 @@ namespace scan_cell {
 /// How a sequence ended; the values that the results of the cell's actions share. Theirs is 0 where
 /// none began.
 enum class Outcome : std::uint8_t {
-  Finished = 1,
-  Refused = 2,
-  Cancelled = 3,
-  RobotLost = 4,
-  CameraLost = 5,
-  TriggerLost = 6,
-  MotionFailed = 7,
-  StageFailed = 8,  //!< what the data goes to: binder and triangulation, or the session's folder
+  kFinished = 1,
+  kRefused = 2,
+  kCancelled = 3,
+  kRobotLost = 4,
+  kCameraLost = 5,
+  kTriggerLost = 6,
+  kMotionFailed = 7,
+  kStageFailed = 8,  //!< what the data goes to: binder and triangulation, or the session's folder
 };
 
 struct SequenceEnd {
-  Outcome outcome = Outcome::Finished;
+  Outcome outcome = Outcome::kFinished;
   std::string message;
 };
 
@@ -56,15 +56,15 @@ auto on_robot(const Call& call) {
   try {
     return call();
   } catch (const scan_cell_common::Refused& refusal) {
-    throw EndEarly{Outcome::MotionFailed, refusal.what()};
+    throw EndEarly{Outcome::kMotionFailed, refusal.what()};
   } catch (const scan_cell_common::Error& error) {
-    throw EndEarly{Outcome::RobotLost, error.what()};
+    throw EndEarly{Outcome::kRobotLost, error.what()};
   }
 }
 
 /// Adds what went wrong besides, or after all was well.
 inline void worsen(SequenceEnd& end, Outcome outcome, const std::string& why) {
-  if (end.outcome == Outcome::Finished) {
+  if (end.outcome == Outcome::kFinished) {
     end = {outcome, why};
   } else {
     end.message += "; besides: " + why;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sequence/session_request.h"
 
+#include <fmt/format.h>
+
 #include "scan_cell_common/errors.h"
 
 namespace scan_cell {
@@ -13,10 +15,9 @@ namespace {
 constexpr int kLasers = 2;  // lines of the trigger circuit
 
 void check_exposure(const std::string& what, double exposure, const SessionLimits& limits) {
-  if (exposure >= limits.least_exposure && exposure <= limits.most_exposure) return;
-  throw Refused(what, std::to_string(exposure) + " s",
-                "give " + std::to_string(limits.least_exposure) + " to " +
-                    std::to_string(limits.most_exposure) + " s");
+  if (exposure >= limits.min_exposure && exposure <= limits.max_exposure) return;
+  throw Refused(what, fmt::format("{:g} s", exposure),
+                fmt::format("give {:g} to {:g} s", limits.min_exposure, limits.max_exposure));
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ void check(const SessionRequest& request, const SessionLimits& limits) {
   if (request.poses.empty()) throw Refused("taught poses", "none", "teach some");
   const std::vector<int> lasers = lasers_in(request.lasers);
   if (!lasers.empty() && lasers.back() >= kLasers) {
-    throw Refused("lasers", "mask " + std::to_string(request.lasers),
+    throw Refused("lasers", fmt::format("mask {}", request.lasers),
                   "give 1 (laser_0), 2 (laser_1), 3 (both, in turn) or 0 (the camera alone)");
   }
   check_exposure("exposure for the board", request.board_exposure, limits);

@@ -25,8 +25,8 @@ struct SessionRequest {
 
 /// What the cell allows.
 struct SessionLimits {
-  double least_exposure = 1e-6;  //!< [s]
-  double most_exposure = 0.4;    //!< [s] the pulses come at most half as often
+  double min_exposure = 1e-6;  //!< [s]
+  double max_exposure = 0.4;   //!< [s] the pulses come at most half as often
 };
 
 /// Indices of the lasers in a bit mask, in rising order.

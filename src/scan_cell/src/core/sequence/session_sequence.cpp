@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sequence/session_sequence.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 
@@ -10,7 +12,7 @@
 namespace scan_cell {
 namespace {
 
-constexpr double kMoving = 0.5;  // of the time that a pose takes, about
+constexpr double kMoving = 0.5;  // of the time that a pose takes; a guess for the bar
 
 }  // namespace
 
@@ -33,20 +35,20 @@ SessionEnd SessionSequence::run(const SessionRequest& request, const WhyToCancel
   } catch (const EndEarly& early) {
     result.end = {early.outcome, early.message};
   } catch (const std::exception& error) {  // whatever it is: the cell must be made safe
-    result.end = {Outcome::StageFailed, error.what()};
+    result.end = {Outcome::kStageFailed, error.what()};
   }
   finish(result.end);
   return result;
 }
 
 void SessionSequence::record(const SessionRequest& request, SessionEnd& result) {
-  on(Outcome::Refused, [&] { check(request, limits_); });
+  on(Outcome::kRefused, [&] { check(request, limits_); });
   pose_ = 0;
   poses_ = request.poses.size();
   tell("read the positions", 0);
   supervisor_.wait_until_well();
   prepared_ = true;
-  on(Outcome::CameraLost, [&] { camera_.prepare(); });
+  on(Outcome::kCameraLost, [&] { camera_.prepare(); });
   on_robot([&] { robot_.set_linear_motion(timing_.speed); });
   int blind = 0;
   for (pose_ = 0; pose_ < poses_; ++pose_) {
@@ -57,7 +59,7 @@ void SessionSequence::record(const SessionRequest& request, SessionEnd& result) 
     } catch (const SkipPose& skip) {
       result.skipped.push_back({request.poses[pose_].name, skip.reason});
       blind = skip.blind ? blind + 1 : 0;
-      if (blind >= timing_.most_blind_poses) throw EndEarly{Outcome::CameraLost, skip.reason};
+      if (blind >= timing_.max_blind_poses) throw EndEarly{Outcome::kCameraLost, skip.reason};
     }
   }
 }
@@ -75,14 +77,14 @@ void SessionSequence::visit(const TaughtPose& pose, const SessionRequest& reques
   tell_image("the board", 0);
   view.board = grab(request.board_exposure, 0, "the board");
   for (const int laser : lasers) {
-    const std::string name = "laser_" + std::to_string(laser);
+    const std::string name = fmt::format("laser_{}", laser);
     tell_image(name, static_cast<double>(view.lines.size()) + 1);
     view.lines.push_back(grab(request.line_exposure, static_cast<std::uint8_t>(1 << laser), name));
   }
   if (!is_same(rest(), view.base_to_flange)) {
     throw SkipPose{"the robot moved while images were taken"};
   }
-  on(Outcome::StageFailed, [&] { observer_.on_view(view); });
+  on(Outcome::kStageFailed, [&] { observer_.on_view(view); });
 }
 
 void SessionSequence::move_to(const Eigen::Isometry3d& flange) {
@@ -98,7 +100,8 @@ void SessionSequence::move_to(const Eigen::Isometry3d& flange) {
 /// Only a target that the robot did not take is skipped. Where it was stopped, or made no way, or
 /// could not move, it would move by itself once it can again.
 void SessionSequence::skip_or_end(const EndEarly& failure) {
-  if (failure.outcome != Outcome::MotionFailed || robot_.motion().state != Motion::State::Failed) {
+  if (failure.outcome != Outcome::kMotionFailed ||
+      robot_.motion().state != Motion::State::kFailed) {
     throw failure;
   }
   supervisor_.stop_robot();
@@ -108,7 +111,7 @@ void SessionSequence::skip_or_end(const EndEarly& failure) {
     return !hindrance.empty();
   });
   if (!hindrance.empty()) {
-    throw EndEarly{Outcome::MotionFailed, failure.message + " (" + hindrance + ")"};
+    throw EndEarly{Outcome::kMotionFailed, failure.message + " (" + hindrance + ")"};
   }
   throw SkipPose{failure.message};
 }
@@ -134,7 +137,7 @@ bool SessionSequence::is_same(const Eigen::Isometry3d& one, const Eigen::Isometr
 }
 
 Snapshot SessionSequence::grab(double exposure, std::uint8_t lasers, const std::string& what) {
-  constexpr double kDuty = 0.5;  // of a period that may be exposure
+  constexpr double kDuty = 0.5;  // of a period that may be exposure; chosen
   std::optional<Snapshot> taken;
   std::string trouble = "no image came";
   try {
@@ -155,17 +158,17 @@ Snapshot SessionSequence::grab(double exposure, std::uint8_t lasers, const std::
 
 void SessionSequence::disarm() {
   const Disarmed disarmed = supervisor_.disarm();
-  if (!disarmed.trouble.empty()) throw EndEarly{Outcome::TriggerLost, disarmed.trouble};
+  if (!disarmed.trouble.empty()) throw EndEarly{Outcome::kTriggerLost, disarmed.trouble};
 }
 
 void SessionSequence::finish(SequenceEnd& end) {
   const Disarmed disarmed = supervisor_.disarm();
-  if (!disarmed.trouble.empty()) worsen(end, Outcome::TriggerLost, disarmed.trouble);
+  if (!disarmed.trouble.empty()) worsen(end, Outcome::kTriggerLost, disarmed.trouble);
   supervisor_.stop_robot();
   if (!prepared_) return;
   camera_.stop();
   const std::string trouble = camera_.restore();
-  if (!trouble.empty()) worsen(end, Outcome::CameraLost, trouble);
+  if (!trouble.empty()) worsen(end, Outcome::kCameraLost, trouble);
 }
 
 void SessionSequence::tell(const std::string& doing, double share) {

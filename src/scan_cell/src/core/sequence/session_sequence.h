@@ -61,7 +61,7 @@ class SessionSequence {
     double still_patience = 3.0;   //!< [s] for the robot to come to rest
     double rate = 10;              //!< [Hz] most pulses; fewer with long exposures
     double image_patience = 3.0;   //!< [s] for a frame
-    int most_blind_poses = 3;      //!< in a row without an image, after which the camera is lost
+    int max_blind_poses = 3;       //!< in a row without an image, after which the camera is lost
     double aftermath = 0.5;        //!< [s] for the robot to say why a motion failed
   };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sequence/supervisor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -17,8 +19,8 @@ double monotonic_now() {
 Supervisor::Supervisor(Robot& robot, Trigger& trigger, std::vector<Watched> others,
                        const Timing& timing)
     : robot_(robot), trigger_(trigger), watched_(std::move(others)), timing_(timing) {
-  watched_.insert(watched_.begin(), Watched{&robot_, Outcome::RobotLost});
-  watched_.push_back({&trigger_, Outcome::TriggerLost});
+  watched_.insert(watched_.begin(), Watched{&robot_, Outcome::kRobotLost});
+  watched_.push_back({&trigger_, Outcome::kTriggerLost});
 }
 
 void Supervisor::begin(WhyToCancel why_to_cancel) {
@@ -44,7 +46,7 @@ void Supervisor::start_move(const Eigen::Isometry3d& flange, double camera_rate)
 void Supervisor::wait_until_moving() {
   const double deadline = monotonic_now() + timing_.stall;
   Motion motion = robot_.motion();
-  while (motion.state == Motion::State::Moving && motion.progress <= 0) {
+  while (motion.state == Motion::State::kMoving && motion.progress <= 0) {
     end_if_stalled(deadline);
     sleep_and_watch();
     motion = robot_.motion();
@@ -56,7 +58,7 @@ void Supervisor::wait_for_motion(const std::function<void(double)>& on_progress)
   double deadline = monotonic_now() + timing_.stall;
   double progress = 0;
   Motion motion = robot_.motion();
-  while (motion.state == Motion::State::Moving) {
+  while (motion.state == Motion::State::kMoving) {
     end_if_stalled(deadline);
     sleep_and_watch();
     motion = robot_.motion();
@@ -71,7 +73,7 @@ void Supervisor::wait_for_motion(const std::function<void(double)>& on_progress)
 void Supervisor::arm(double rate, std::uint8_t lasers) {
   watch();
   armed_ = true;  // before: a circuit that did not answer may have heard it
-  on(Outcome::TriggerLost, [&] { trigger_.arm(rate, lasers); });
+  on(Outcome::kTriggerLost, [&] { trigger_.arm(rate, lasers); });
 }
 
 Disarmed Supervisor::disarm() noexcept {
@@ -87,28 +89,29 @@ void Supervisor::stop_robot() noexcept {
 
 void Supervisor::end_if_failed(const Motion& motion) {
   switch (motion.state) {
-    case Motion::State::Moving:
-    case Motion::State::Reached:
+    case Motion::State::kMoving:
+    case Motion::State::kReached:
       return;
-    case Motion::State::Failed:
-    case Motion::State::Stopped:
-      throw EndEarly{Outcome::MotionFailed, motion.message};
-    case Motion::State::Lost:
-      throw EndEarly{Outcome::RobotLost, motion.message};
+    case Motion::State::kFailed:
+    case Motion::State::kStopped:
+      throw EndEarly{Outcome::kMotionFailed, motion.message};
+    case Motion::State::kLost:
+      throw EndEarly{Outcome::kRobotLost, motion.message};
   }
 }
 
 void Supervisor::end_if_stalled(double deadline) const {
   if (monotonic_now() < deadline) return;
-  throw EndEarly{Outcome::MotionFailed, "the robot made no way for " +
-                                            std::to_string(timing_.stall) +
-                                            " s; check drives, override and obstacles"};
+  throw EndEarly{
+      Outcome::kMotionFailed,
+      fmt::format("the robot has not moved for {:g} s; check drives, override and obstacles",
+                  timing_.stall)};
 }
 
 void Supervisor::end_if_unseen() {
   const std::string unseen = armed_ && moving_ ? robot_.unseen() : "";
   // At two looks in a row: where this process was held up, the poses that wait for it come between.
-  if (!unseen.empty() && unseen_before_) throw EndEarly{Outcome::RobotLost, unseen};
+  if (!unseen.empty() && unseen_before_) throw EndEarly{Outcome::kRobotLost, unseen};
   unseen_before_ = !unseen.empty();
 }
 
@@ -129,7 +132,7 @@ bool Supervisor::wait_for(double time, const std::function<bool()>& condition) {
 
 void Supervisor::watch() {
   const std::string why_to_cancel = why_to_cancel_();
-  if (!why_to_cancel.empty()) throw EndEarly{Outcome::Cancelled, why_to_cancel};
+  if (!why_to_cancel.empty()) throw EndEarly{Outcome::kCancelled, why_to_cancel};
   for (const Watched& watched : watched_) {
     const std::string trouble = watched.device->trouble();
     if (!trouble.empty()) throw EndEarly{watched.outcome, trouble};

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell/videe_command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,14 +27,14 @@ constexpr double kDegrees = 180 / M_PI;
 
 const std::map<std::string, VideeCommandKind>& kinds() {
   static const std::map<std::string, VideeCommandKind> kinds = {
-      {"INIT_CYCLE", VideeCommandKind::InitCycle},
-      {"INIT_CALIBRATION", VideeCommandKind::InitCalibration},
-      {"PERFORM_CALIBRATION", VideeCommandKind::PerformCalibration},
-      {"GRAB_IMAGE", VideeCommandKind::GrabImage},
-      {"SET_POSITION", VideeCommandKind::SetPosition},
-      {"START_SCAN", VideeCommandKind::StartScan},
-      {"STOP_SCAN", VideeCommandKind::StopScan},
-      {"RESET", VideeCommandKind::Reset}};
+      {"INIT_CYCLE", VideeCommandKind::kInitCycle},
+      {"INIT_CALIBRATION", VideeCommandKind::kInitCalibration},
+      {"PERFORM_CALIBRATION", VideeCommandKind::kPerformCalibration},
+      {"GRAB_IMAGE", VideeCommandKind::kGrabImage},
+      {"SET_POSITION", VideeCommandKind::kSetPosition},
+      {"START_SCAN", VideeCommandKind::kStartScan},
+      {"STOP_SCAN", VideeCommandKind::kStopScan},
+      {"RESET", VideeCommandKind::kReset}};
   return kinds;
 }
 
@@ -51,8 +53,7 @@ std::array<double, 6> six_numbers(std::string_view text) {
     const bool last = i + 1 == result.size();
     const std::size_t comma = last ? rest.size() : rest.find(',');
     if (comma == std::string_view::npos) {
-      throw ProtocolError("pose '" + excerpt(text) + "'", std::to_string(i + 1) + " numbers",
-                          kCure);
+      throw ProtocolError("pose '" + excerpt(text) + "'", fmt::format("{} numbers", i + 1), kCure);
     }
     const std::string_view field = rest.substr(0, comma);
     const auto value = scan_cell_common::parse_number(field);
@@ -82,10 +83,10 @@ VideeCommand parse_videe(const std::string& line) {
   std::string argument;
   while (words >> argument)
     command.poses.push_back(pose_from_wire(argument));
-  const std::size_t expected = command.kind == VideeCommandKind::SetPosition ? 2 : 0;
+  const std::size_t expected = command.kind == VideeCommandKind::kSetPosition ? 2 : 0;
   if (command.poses.size() != expected) {
-    throw ProtocolError(name, std::to_string(command.poses.size()) + " arguments",
-                        "send " + std::to_string(expected));
+    throw ProtocolError(name, fmt::format("{} arguments", command.poses.size()),
+                        fmt::format("send {}", expected));
   }
   return command;
 }

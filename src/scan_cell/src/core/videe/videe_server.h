@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 
 #include "scan_cell/videe_command.h"
+#include "scan_cell_common/net/line_server.h"
 
 namespace scan_cell {
 
@@ -16,8 +16,7 @@ namespace scan_cell {
 /// hung up on.
 class VideeServer {
  public:
-  /// Whether the client is still there. A handler that waits for long asks it now and then.
-  using ClientThere = std::function<bool()>;
+  using ClientThere = scan_cell_common::LineServer::ClientThere;
 
   /// Carries out a command and returns what follows "OK"; an exception becomes "ERROR".
   using Handler = std::function<std::string(const VideeCommand&, const ClientThere&)>;
@@ -32,19 +31,12 @@ class VideeServer {
   /// Starts to listen.
   /// @param on_client_lost called when a client has gone, whatever it had under way
   /// @throw scan_cell_common::ConnectionError if the port cannot be opened
-  VideeServer(const Options& options, Handler handler, std::function<void()> on_client_lost);
+  VideeServer(const Options& options, const Handler& handler, std::function<void()> on_client_lost);
 
-  /// Ends the connection and the threads; waits for the command under way.
-  ~VideeServer();
-
-  VideeServer(const VideeServer&) = delete;
-  VideeServer& operator=(const VideeServer&) = delete;
-
-  std::uint16_t port() const;
+  std::uint16_t port() const { return server_.port(); }
 
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  scan_cell_common::LineServer server_;  // whose end waits for the command under way
 };
 
 }  // namespace scan_cell

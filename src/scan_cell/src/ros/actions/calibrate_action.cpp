@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/calibrate_action.h"
 
+#include <fmt/format.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "actions/calibration_markers.h"
-#include "scan_calibration/calibrate.h"
+#include "scan_calibration/calibration.h"
 #include "scan_calibration/calibration_files.h"
 #include "scan_calibration/taught_poses.h"
 
@@ -20,7 +21,7 @@ using scan_cell_msgs::CalibrateResult;
 
 namespace {
 
-constexpr double kRecording = 0.8;  // of the time that it all takes, about
+constexpr double kRecording = 0.8;  // of the time that it all takes; a guess for the bar
 
 std::vector<TaughtPose> load_poses(const std::string& path) {
   const scan_calibration::TaughtPoses taught = scan_calibration::load_taught_poses(path);
@@ -29,24 +30,22 @@ std::vector<TaughtPose> load_poses(const std::string& path) {
   }
   std::vector<TaughtPose> poses;
   for (std::size_t i = 0; i < taught.poses.size(); ++i)
-    poses.push_back({"line " + std::to_string(taught.lines[i]), taught.poses[i]});
+    poses.push_back({fmt::format("line {}", taught.lines[i]), taught.poses[i]});
   return poses;
 }
 
 scan_calibration::Board board_of(const CalibrateGoal& goal) {
-  constexpr std::uint32_t kLeast = 3;   // corners
-  constexpr std::uint32_t kMost = 200;  // corners
+  constexpr std::uint32_t kLeast = 3;   // corners; chosen
+  constexpr std::uint32_t kMost = 200;  // corners; chosen
   for (const std::uint32_t corners : {goal.board_columns, goal.board_rows}) {
     if (corners < kLeast || corners > kMost) {
-      throw Refused(
-          "board",
-          std::to_string(goal.board_columns) + " x " + std::to_string(goal.board_rows) +
-              " inner corners",
-          "give " + std::to_string(kLeast) + " to " + std::to_string(kMost) + " each way");
+      throw Refused("board",
+                    fmt::format("{} x {} inner corners", goal.board_columns, goal.board_rows),
+                    fmt::format("give {} to {} each way", kLeast, kMost));
     }
   }
   if (!(goal.square_size > 1e-4 && goal.square_size < 1)) {
-    throw Refused("board", "squares of " + std::to_string(goal.square_size) + " m",
+    throw Refused("board", fmt::format("squares of {:g} m", goal.square_size),
                   "give their size in metres");
   }
   return {static_cast<int>(goal.board_columns), static_cast<int>(goal.board_rows),
@@ -56,7 +55,7 @@ scan_calibration::Board board_of(const CalibrateGoal& goal) {
 std::vector<std::string> names_of(std::uint8_t lasers) {
   std::vector<std::string> names;
   for (const int laser : lasers_in(lasers))
-    names.push_back("laser_" + std::to_string(laser));
+    names.push_back(fmt::format("laser_{}", laser));
   return names;
 }
 
@@ -83,8 +82,8 @@ std::string why_not(const scan_calibration::CalibrationRun& found) {
   std::string text = found.reason;
   for (const scan_calibration::JudgedFigure& figure : found.judged) {
     if (figure.passed()) continue;
-    text += (text.empty() ? "" : "; ") + figure.name + ": " + std::to_string(figure.value) +
-            "; the limit is " + std::to_string(figure.limit);
+    text += fmt::format("{}{}: {:g}; the limit is {:g}", (text.empty() ? "" : "; "), figure.name,
+                        figure.value, figure.limit);
   }
   return text;
 }
@@ -132,7 +131,7 @@ CalibrateResult CalibrateAction::run(const WhyToCancel& why_to_cancel) {
   SequenceEnd end = record(why_to_cancel, result);
   result.outcome = static_cast<std::uint8_t>(end.outcome);
   result.message = end.message;
-  if (end.outcome == Outcome::Finished && !goal_.output.empty()) compute(why_to_cancel, result);
+  if (end.outcome == Outcome::kFinished && !goal_.output.empty()) compute(why_to_cancel, result);
   result.seconds = (ros::WallTime::now() - start).toSec();
   if (result.outcome != CalibrateResult::FINISHED) {
     ROS_WARN("Calibration '%s' gave no model: %s", goal_.session.c_str(), result.message.c_str());
@@ -153,10 +152,10 @@ SequenceEnd CalibrateAction::record(const WhyToCancel& why_to_cancel, CalibrateR
 }
 
 void CalibrateAction::compute(const WhyToCancel& why_to_cancel, CalibrateResult& result) {
-  constexpr double kReading = 0.6;  // of the time that computing takes, about
+  constexpr double kReading = 0.6;  // of the time that computing takes; a guess for the bar
   const auto go_on = [&](const std::string& doing, double share) {
     const std::string why = why_to_cancel();
-    if (!why.empty()) throw EndEarly{Outcome::Cancelled, why + ", while computing"};
+    if (!why.empty()) throw EndEarly{Outcome::kCancelled, why + ", while computing"};
     tell(0, doing, kRecording + (1 - kRecording) * share);
   };
   scan_calibration::ObservationOptions reading;
@@ -193,13 +192,13 @@ void CalibrateAction::save(const scan_calibration::CalibrationRun& found,
     result.held_out = to_message(found.calibration->held_out);
     result.kept = found.calibration->kept;
   }
-  if (found.verdict != scan_calibration::CalibrationVerdict::PASSED) {
+  if (found.verdict != scan_calibration::CalibrationVerdict::kPassed) {
     result.outcome = CalibrateResult::NOT_CALIBRATED;
     result.message = why_not(found);
     return;
   }
-  result.message = std::to_string(found.calibration->views.size()) + " of " +
-                   std::to_string(result.views) + " views used";
+  result.message =
+      fmt::format("{} of {} views used", found.calibration->views.size(), result.views);
 }
 
 void CalibrateAction::on_progress(int pose, const std::string& doing, double progress) {
@@ -214,7 +213,7 @@ void CalibrateAction::on_view(const TakenView& view) {
 }
 
 void CalibrateAction::tell(int pose, const std::string& doing, double progress) {
-  constexpr double kPeriod = 0.1;             // [s]
+  constexpr double kPeriod = 0.1;             // [s] chosen
   progress_ = std::max(progress_, progress);  // what is done twice over does not go back
   const ros::WallTime now = ros::WallTime::now();
   if (doing == last_doing_ && (now - last_feedback_).toSec() < kPeriod) return;

@@ -31,7 +31,7 @@ struct Colour {
 constexpr std::array<Colour, 2> kLasers = {{{0.9F, 0.1F, 0.1F, 1}, {0.1F, 0.55F, 0.1F, 1}}};
 constexpr Colour kBoard = {0.1F, 0.1F, 0.6F, 0.6F};
 constexpr Colour kCamera = {0.4F, 0.4F, 0.4F, 0.6F};
-constexpr double kLine = 0.0005;  // [m] wide
+constexpr double kLine = 0.0005;  // [m] wide; chosen
 
 Marker marker(const std::string& frame, const std::string& name, int type, const Colour& colour,
               const Points& points) {
@@ -90,7 +90,7 @@ Points points_on(const LaserPlane& laser, const CameraIntrinsics& camera,
 
 /// Two triangles of the plane over the range of depths that its points have, in the camera's frame.
 Points plane_patch(const LaserPlane& laser, const Points& points) {
-  constexpr double kMargin = 0.05;  // [m]
+  constexpr double kMargin = 0.05;  // [m] chosen
   const Eigen::Vector3d across = Eigen::Vector3d::UnitY();
   const Eigen::Vector3d along = laser.normal.cross(across).normalized();
   const Eigen::Vector3d width = along.cross(laser.normal).normalized();
@@ -146,7 +146,7 @@ Points outline(const Board& board) {
 
 /// The pyramid of what the camera sees, a little way in front of it.
 Points frustum(const CameraIntrinsics& camera) {
-  constexpr double kDepth = 0.06;  // [m]
+  constexpr double kDepth = 0.06;  // [m] chosen
   const double x0 = -camera.cx / camera.fx, x1 = (camera.width - camera.cx) / camera.fx;
   const double y0 = -camera.cy / camera.fy, y1 = (camera.height - camera.cy) / camera.fy;
   Points corners = {{x0, y0, 1}, {x1, y0, 1}, {x1, y1, 1}, {x0, y1, 1}};

@@ -5,7 +5,10 @@
 #include <ros/topic.h>
 #include <scan_cell_msgs/SetAcquisition.h>
 
+#include <memory>
+
 #include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/service_answer.h"
 
 namespace scan_cell {
 
@@ -20,20 +23,11 @@ GrabImage::GrabImage(ros::NodeHandle node, const Parameters& parameters, CellInU
 
 bool GrabImage::serve(scan_cell_msgs::GrabImage::Request&,
                       scan_cell_msgs::GrabImage::Response& response) {
-  try {
+  return scan_cell_common::answer(response, [&] {
     cell_.take("image", "one");
-  } catch (const scan_cell_common::Error& error) {
-    response.message = error.what();
-    return true;
-  }
-  try {
+    const std::shared_ptr<void> release(nullptr, [this](void*) { cell_.release(); });
     response.image = grab();
-    response.success = true;
-  } catch (const scan_cell_common::Error& error) {
-    response.message = error.what();
-  }
-  cell_.release();
-  return true;
+  });
 }
 
 sensor_msgs::Image GrabImage::grab() {

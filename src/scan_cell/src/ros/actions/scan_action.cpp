@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/scan_action.h"
 
+#include <fmt/format.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <cmath>
@@ -57,7 +58,7 @@ ScanResult ScanAction::run(const WhyToCancel& why_to_cancel) {
   result.cloud = stages_.cloud();
   result.cloud_file = stages_.cloud_file();
   result.seconds = (ros::WallTime::now() - start).toSec();
-  const bool finished = end.outcome == Outcome::Finished;
+  const bool finished = end.outcome == Outcome::kFinished;
   result.message = finished ? stages_.binding() : end.message;
   publish_state(finished ? CellState::FINISHED : CellState::FAILED, end.message);
   if (!finished)
@@ -68,7 +69,7 @@ ScanResult ScanAction::run(const WhyToCancel& why_to_cancel) {
 ScanRequest ScanAction::request_from(const scan_cell_msgs::ScanGoal& goal) const {
   ScanRequest request;
   request.scan_id = goal.scan_id.empty()
-                        ? "scan_" + std::to_string(ros::Time::now().toNSec() / 1000000)
+                        ? fmt::format("scan_{}", ros::Time::now().toNSec() / 1000000)
                         : goal.scan_id;
   request.start = in_base_frame(goal.start);
   request.end = in_base_frame(goal.end);
@@ -80,14 +81,8 @@ ScanRequest ScanAction::request_from(const scan_cell_msgs::ScanGoal& goal) const
 }
 
 Eigen::Isometry3d ScanAction::in_base_frame(const geometry_msgs::PoseStamped& pose) const {
-  const geometry_msgs::Quaternion& q = pose.pose.orientation;
-  const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  constexpr double kUnit = 1e-3;
-  if (!(std::abs(norm - 1) < kUnit)) {
-    throw Refused("orientation of the flange", "quaternion of length " + std::to_string(norm),
-                  "give a unit quaternion");
-  }
-  const Eigen::Isometry3d flange = scan_cell_common::from_ros(pose.pose);
+  const Eigen::Isometry3d flange =
+      scan_cell_common::checked_from_ros<Refused>(pose.pose, "orientation of the flange");
   if (pose.header.frame_id == parameters_.base_frame) return flange;
   try {
     const auto base = transforms_.lookupTransform(parameters_.base_frame, pose.header.frame_id,
@@ -101,7 +96,7 @@ Eigen::Isometry3d ScanAction::in_base_frame(const geometry_msgs::PoseStamped& po
 }
 
 void ScanAction::on_progress(int step, const std::string& name, double progress) {
-  constexpr double kPeriod = 0.1;  // [s]
+  constexpr double kPeriod = 0.1;  // [s] chosen
   const ros::WallTime now = ros::WallTime::now();
   if (step == last_step_ && (now - last_feedback_).toSec() < kPeriod) return;
   last_feedback_ = now;

@@ -5,14 +5,15 @@
 #include "actions/calibrate_action.h"
 #include "actions/grab_image.h"
 #include "actions/scan_action.h"
+#include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(
+  return scan_cell_common::node_main<scan_cell::Parameters>(
       argc, argv, "scan_cell", "Directs the cell: the actions of a scan and of a calibration.", [] {
         ros::NodeHandle node("~");
-        const scan_cell::Parameters parameters = scan_cell::Parameters::load(node);
+        const auto parameters = scan_cell_common::load_parameters<scan_cell::Parameters>(node);
         constexpr int kThreads =
             4;  // goals and cancels are heard while a service call is under way
         ros::AsyncSpinner spinner(kThreads);

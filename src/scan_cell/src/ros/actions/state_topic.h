@@ -30,7 +30,7 @@ class StateTopic {
 
   /// Waits, not for long, until it listens: a goal may overtake its sender's subscription.
   void wait_for(const std::string& node) const {
-    constexpr double kPatience = 1, kLook = 0.01;  // [s]
+    constexpr double kPatience = 1, kLook = 0.01;  // [s] chosen
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
     while (!is_watched_by(node) && ros::WallTime::now() < deadline)
       ros::WallDuration(kLook).sleep();

@@ -3,6 +3,7 @@
 #include "scan_cell/ros/cell_client.h"
 
 #include <actionlib/client/simple_action_client.h>
+#include <fmt/format.h>
 
 #include "client/clean_cloud_watch.h"
 #include "scan_cell_common/errors.h"
@@ -15,10 +16,10 @@ namespace {
 using scan_cell_common::CatchInterrupts;
 using scan_cell_common::ConnectionError;
 
-constexpr double kCleaningTimeout = 60;  // [s]
+constexpr double kCleaningTimeout = 60;  // [s] chosen
 
-constexpr double kSlice = 0.1;         // [s] between two looks
-constexpr double kCancelTimeout = 15;  // [s] for a scan to be made safe and its data to be kept
+constexpr double kSlice = 0.1;         // [s] between two looks; chosen
+constexpr double kCancelTimeout = 15;  // [s] to make a scan safe and keep its data; chosen
 
 /// @throw ConnectionError if there is no server within `timeout` [s]
 /// @throw Refused if interrupted before
@@ -29,7 +30,7 @@ void wait_for_server(Client& client, const std::string& name, double timeout) {
     if (CatchInterrupts::interrupted())
       throw scan_cell_common::Refused(name, "interrupted", "start it again");
     if (ros::WallTime::now() < deadline) continue;
-    throw ConnectionError(name, "no action server within " + std::to_string(timeout) + " s",
+    throw ConnectionError(name, fmt::format("no action server within {:g} s", timeout),
                           "start the cell with launch/scan_cell.launch");
   }
 }
@@ -111,15 +112,14 @@ scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const st
   goal.rate = program.request.rate;
   goal.lasers = program.request.lasers;
   const auto feedback = [&](const scan_cell_msgs::ScanFeedbackConstPtr& news) {
-    progress(news->step_name + ", " + std::to_string(news->frames) + " frames, " +
-                 std::to_string(news->points) + " points",
+    progress(fmt::format("{}, {} frames, {} points", news->step_name, news->frames, news->points),
              news->progress);
   };
   const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
   const auto result =
       run_action<scan_cell_msgs::ScanAction>(node_, names_.scan, goal, timeout, watched, feedback);
-  progress("scanned, " + std::to_string(result.audit.frames_bound) + " frames, " +
-               std::to_string(result.statistics.points) + " points",
+  progress(fmt::format("scanned, {} frames, {} points", result.audit.frames_bound,
+                       result.statistics.points),
            1);
   return result;
 }
@@ -140,14 +140,13 @@ sensor_msgs::PointCloud2 CellClient::scan_clean(const ScanProgram& program,
 scan_cell_msgs::CalibrateResult CellClient::calibrate(const scan_cell_msgs::CalibrateGoal& goal,
                                                       double timeout, const Progress& progress) {
   const auto feedback = [&](const scan_cell_msgs::CalibrateFeedbackConstPtr& news) {
-    const std::string where =
-        "pose " + std::to_string(news->pose) + " of " + std::to_string(news->poses) + ": ";
+    const std::string where = fmt::format("pose {} of {}: ", news->pose, news->poses);
     progress((news->pose > 0 ? where : "") + news->doing, news->progress);
   };
   const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
   const auto result = run_action<scan_cell_msgs::CalibrateAction>(node_, names_.calibrate, goal,
                                                                   timeout, watched, feedback);
-  progress(std::to_string(result.views) + " views recorded", 1);
+  progress(fmt::format("{} views recorded", result.views), 1);
   return result;
 }
 

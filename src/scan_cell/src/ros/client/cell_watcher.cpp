@@ -16,7 +16,7 @@ CellWatcher::CellWatcher(ros::NodeHandle node, const std::string& state) {
 }
 
 std::string CellWatcher::name(double timeout) const {
-  constexpr double kLook = 0.01;  // [s]
+  constexpr double kLook = 0.01;  // [s] chosen
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
   while (state_.getNumPublishers() == 0) {
     if (ros::WallTime::now() > deadline) {

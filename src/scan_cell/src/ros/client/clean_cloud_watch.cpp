@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "client/clean_cloud_watch.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 
 #include "scan_cell_common/errors.h"
@@ -51,9 +53,9 @@ sensor_msgs::PointCloud2 CleanCloudWatch::wait(const ros::Time& stamp, double ti
   }
   const auto cloud = clouds_.find(stamp);
   if (cloud == clouds_.end()) {
-    throw scan_cell_common::ConnectionError(
-        clean_cloud_, "no clean cloud within " + std::to_string(timeout) + " s",
-        "are the preprocessing nodelets running?");
+    throw scan_cell_common::ConnectionError(clean_cloud_,
+                                            fmt::format("no clean cloud within {:g} s", timeout),
+                                            "are the preprocessing nodelets running?");
   }
   return *cloud->second;
 }

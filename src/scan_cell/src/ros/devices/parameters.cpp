@@ -4,64 +4,90 @@
 
 #include <algorithm>
 
-#include "scan_cell_common/ros/parameter_reader.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace scan_cell {
 
+using scan_cell_common::Also;
+using scan_cell_common::ParameterTable;
+
 double Parameters::silence_allowed(double rate) const {
-  constexpr double kPeriods = 5;
+  constexpr double kPeriods = 5;    // of frames; chosen
   constexpr double kLongest = 1.0;  // [s] a laser must be off two seconds after a device is lost
   return std::max(lost_after, std::min(kLongest, kPeriods / rate));
 }
 
 namespace {
 
-void load_session(scan_cell_common::ParameterReader& reader, SessionSequence::Timing& session) {
-  reader.read("calibration/speed", session.speed, {0.001, 1.5});
-  reader.read("calibration/settle", session.settle, {0, 60});
-  reader.read("calibration/still_position", session.still_position, {1e-6, 0.01});
-  reader.read("calibration/still_angle", session.still_angle, {1e-6, 0.1});
-  reader.read("calibration/still_patience", session.still_patience, {0.1, 60});
-  reader.read("calibration/rate", session.rate, {2, 100});
-  reader.read("calibration/image_patience", session.image_patience, {0.1, 60});
+void describe_names(ParameterTable& table, Parameters& p) {
+  table.add("base_frame", p.base_frame,
+            "frame the robot's driver takes targets in; goals in other frames are transformed by "
+            "tf");
+  table.add("flange_frame", p.flange_frame, "frame that the robot's driver publishes on `/tf`");
+  table.add("robot", p.robot,
+            "node with the action `~move`, the topic `~status` and the speed services");
+  table.add("camera", p.camera, "node with `~set_acquisition` and `~profiles`");
+  table.add("trigger", p.trigger,
+            "node with `~arm`, `~disarm`, `~keep_alive`, `~events`, `~state`");
+  table.add("binder", p.binder, "node with `~start` and `~finish`");
+  table.add("triangulation", p.triangulation, "node with `~start`, `~finish` and `~cloud`");
 }
 
-/// No limit where the parameter is not set.
-void load_limits(scan_cell_common::ParameterReader& reader,
-                 scan_calibration::CalibrationLimits& limits) {
-  constexpr scan_cell_common::ParameterReader::Range kAny{1e-6, 1e6};
-  reader.read("calibration/most_reprojection_rms_px", limits.reprojection_rms_px, kAny);
-  reader.read("calibration/most_laser_plane_rms_mm", limits.laser_plane_rms_mm, kAny);
-  reader.read("calibration/most_board_scatter_mm", limits.board_scatter_mm, kAny);
-  reader.read("calibration/most_point_deviation_mm", limits.point_deviation_mm, kAny);
+void describe_scan(ParameterTable& table, Parameters& p) {
+  table.add("lost_after", p.lost_after, {0.1, 1.0, "s"},
+            "of silence after which a device is lost (five frame periods where that is longer, up "
+            "to 1 s)");
+  table.add("unseen_after", p.unseen_after, {0.01, 1.0, "s"},
+            "of silence of the flange's poses (on `/tf`), in mid motion with a laser on, after "
+            "which the lasers go off; 0.5 with `sim:=true`");
+  table.add("call_timeout", p.call_timeout, {0.1, 60, "s"},
+            "longest wait for a service (0.75 s for the trigger's, 0.5 s to stop the camera)");
+  table.add("max_speed", p.limits.max_speed, {0.001, 1.5, "m/s"}, "fastest scan allowed");
+  table.renamed("most_speed", "max_speed");
+  table.add("max_rate", p.limits.max_rate, {0.1, 10000, "Hz"},
+            "highest frame rate allowed; below 2 Hz none is");
+  table.renamed("most_rate", "max_rate");
+  table.add("max_length", p.limits.max_length, {0.01, 10, "m"}, "longest scan allowed");
+  table.renamed("most_length", "max_length");
+  table.add("approach_speed", p.timing.approach_speed, {0.001, 1.5, "m/s"}, "to the start");
+  table.add("stall", p.timing.stall, {0.5, 60, "s"},
+            "without progress, after which a motion has failed");
+  table.add("patience", p.timing.patience, {0.1, 60, "s"},
+            "for late frames and poses at the end of a scan; begins anew with each that comes");
+}
+
+void describe_calibration(ParameterTable& table, SessionSequence::Timing& session,
+                          scan_calibration::CalibrationLimits& limits) {
+  table.add("calibration/speed", session.speed, {0.001, 1.5, "m/s"},
+            "from taught pose to taught pose");
+  table.add("calibration/settle", session.settle, {0, 60, "s"},
+            "after a motion, before the pose is looked at");
+  table.add("calibration/still_position", session.still_position, {1e-6, 0.01, "m"},
+            "two measured poses no further apart are the same");
+  table.add("calibration/still_angle", session.still_angle, {1e-6, 0.1, "rad"}, "the same");
+  table.add("calibration/still_patience", session.still_patience, {0.1, 60, "s"},
+            "for the robot to come to rest");
+  table.add("calibration/rate", session.rate, {2, 100, "Hz"},
+            "of the pulses while images are taken; less with exposures above 50 ms");
+  table.add("calibration/image_patience", session.image_patience, {0.1, 60, "s"}, "for one image");
+  const auto limit = [&table](const std::string& name, double& value, const char* unit) {
+    table.add("calibration/max_" + name, value, {1e-6, 1e6, unit, Also::kNone},
+              "what a calibration must reach on held-out views for its model to be written");
+    table.renamed("calibration/most_" + name, "calibration/max_" + name);
+  };
+  limit("reprojection_rms_px", limits.reprojection_rms_px, "px");
+  limit("laser_plane_rms_mm", limits.laser_plane_rms_mm, "mm");
+  limit("board_scatter_mm", limits.board_scatter_mm, "mm");
+  limit("point_deviation_mm", limits.point_deviation_mm, "mm");
 }
 
 }  // namespace
 
-Parameters Parameters::load(const ros::NodeHandle& node) {
-  scan_cell_common::ParameterReader reader(node);
-  Parameters parameters;
-  reader.read("base_frame", parameters.base_frame);
-  reader.read("flange_frame", parameters.flange_frame);
-  reader.read("robot", parameters.robot);
-  reader.read("camera", parameters.camera);
-  reader.read("trigger", parameters.trigger);
-  reader.read("binder", parameters.binder);
-  reader.read("triangulation", parameters.triangulation);
-  reader.read("lost_after", parameters.lost_after, {0.1, 1.0});
-  reader.read("unseen_after", parameters.unseen_after, {0.01, 1.0});
-  reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
-  reader.read("most_speed", parameters.limits.most_speed, {0.001, 1.5});
-  reader.read("most_rate", parameters.limits.most_rate, {0.1, 10000});
-  reader.read("most_length", parameters.limits.most_length, {0.01, 10});
-  reader.read("approach_speed", parameters.timing.approach_speed, {0.001, 1.5});
-  reader.read("stall", parameters.timing.stall, {0.5, 60});
-  reader.read("patience", parameters.timing.patience, {0.1, 60});
+void describe(ParameterTable& table, Parameters& parameters) {
+  describe_names(table, parameters);
+  describe_scan(table, parameters);
+  describe_calibration(table, parameters.session, parameters.calibration_limits);
   parameters.session.stall = parameters.timing.stall;
-  load_session(reader, parameters.session);
-  load_limits(reader, parameters.calibration_limits);
-  reader.refuse_unknown();
-  return parameters;
 }
 
 }  // namespace scan_cell

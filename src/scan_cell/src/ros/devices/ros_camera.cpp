@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <scan_cell_msgs/SetAcquisition.h>
 
 #include "devices/ros_devices.h"
@@ -21,8 +22,10 @@ RosCamera::RosCamera(ros::NodeHandle node, const Parameters& parameters) : param
 
 std::string RosCamera::trouble() const {
   if (silence_allowed_ <= 0 || profile_.age() <= silence_allowed_) return "";
-  return "camera: no profile for " + std::to_string(profile_.age()) + " s after " +
-         std::to_string(profiles_) + " of this scan; check the camera's cable and trigger input";
+  return fmt::format(
+      "camera: no profile for {:g} s after {} of this scan; check the camera's cable and trigger "
+      "input",
+      profile_.age(), profiles_);
 }
 
 void RosCamera::set_acquisition(std::uint8_t mode, double timeout) const {
@@ -43,7 +46,7 @@ void RosCamera::expect_profiles(double rate) {
 }
 
 void RosCamera::stop() noexcept {
-  constexpr double kTimeout = 0.5;  // a camera that was lost may not answer for seconds
+  constexpr double kTimeout = 0.5;  // [s] chosen: a camera that was lost may not answer for seconds
   silence_allowed_ = 0;
   try {
     set_acquisition(SetAcquisition::Request::STOP, kTimeout);

@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <ros/this_node.h>
 #include <scan_cell_msgs/GetStaticPose.h>
 #include <scan_cell_msgs/SetControllerParameter.h>
@@ -20,11 +21,11 @@ namespace {
 Motion::State state_of(std::uint8_t outcome) {
   switch (outcome) {
     case MoveResult::LINK_LOST:
-      return Motion::State::Lost;
+      return Motion::State::kLost;
     case MoveResult::STOPPED:
-      return Motion::State::Stopped;
+      return Motion::State::kStopped;
     default:
-      return Motion::State::Failed;
+      return Motion::State::kFailed;
   }
 }
 
@@ -64,13 +65,14 @@ void RosRobot::on_transforms(const tf2_msgs::TFMessage& transforms) {
 
 std::string RosRobot::unseen() const {
   if (!transform_.ever()) {
-    return "robot: never a pose of " + parameters_.flange_frame +
+    return "robot: no pose yet of " + parameters_.flange_frame +
            "; set flange_frame to that of the driver";
   }
   const double age = transform_.age();
   if (age <= parameters_.unseen_after) return "";
-  return "robot: no pose for " + std::to_string(age) +
-         " s in mid motion; check the controller, its cable and its driver";
+  return fmt::format(
+      "robot: no pose for {:g} s in mid motion; check the controller, its cable and its driver",
+      age);
 }
 
 std::string RosRobot::trouble() const {
@@ -86,8 +88,10 @@ std::string RosRobot::trouble() const {
            "); check the controller and the cable";
   }
   if (pose_.age() > parameters_.lost_after) {
-    return "robot: no new pose for " + std::to_string(parameters_.lost_after) +
-           " s; check the controller's program and the driver's diagnostics";
+    return fmt::format(
+        "robot: no new pose for {:g} s; check the controller's program and the driver's "
+        "diagnostics",
+        parameters_.lost_after);
   }
   return "";
 }
@@ -129,7 +133,7 @@ void RosRobot::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
 void RosRobot::on_feedback(std::uint64_t move,
                            const scan_cell_msgs::MoveFeedbackConstPtr& feedback) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (move == move_ && motion_.state == Motion::State::Moving) {
+  if (move == move_ && motion_.state == Motion::State::kMoving) {
     motion_.progress = feedback->progress;
   }
 }
@@ -139,10 +143,10 @@ void RosRobot::on_done(std::uint64_t move, const actionlib::SimpleClientGoalStat
   const std::lock_guard<std::mutex> lock(mutex_);
   if (move != move_) return;
   if (state == actionlib::SimpleClientGoalState::SUCCEEDED) {
-    motion_ = {Motion::State::Reached, 1, ""};
+    motion_ = {Motion::State::kReached, 1, ""};
     return;
   }
-  motion_.state = !result ? Motion::State::Lost : state_of(result->outcome);
+  motion_.state = !result ? Motion::State::kLost : state_of(result->outcome);
   motion_.message = result && !result->message.empty() ? result->message : state.getText();
 }
 

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <dynamic_reconfigure/Config.h>
+#include <message_filters/subscriber.h>
+#include <message_filters/time_synchronizer.h>
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/PeakProfile.h>
+#include <scan_cell_msgs/SetAcquisition.h>
 #include <sensor_msgs/Image.h>
 
 #include <cstdint>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -31,31 +32,24 @@ class RosSnapshotCamera : public SnapshotCamera {
   std::string restore() noexcept override;
 
  private:
-  /// What it is set to outside a session.
-  struct Settings {
-    double exposure = 0;  // [s]
-    int region_x = 0;     // [px]
-    int region_y = 0;
-    int region_width = 0;
-    int region_height = 0;
-  };
+  using Settings = scan_cell_msgs::CameraSettings;
 
-  std::uint32_t set_acquisition(std::uint8_t mode, double timeout) const;
-  Settings read() const;
-  void write(const Settings& settings) const;
-  dynamic_reconfigure::Config reconfigure(const dynamic_reconfigure::Config& changes) const;
-  void on_profile(const scan_cell_msgs::PeakProfileConstPtr& profile);
-  void on_image(const sensor_msgs::ImageConstPtr& image);
+  /// @param settings none: they stay as they are
+  scan_cell_msgs::SetAcquisition::Response set_acquisition(
+      std::uint8_t mode, double timeout, const std::optional<Settings>& settings = {}) const;
+  void on_frame(const scan_cell_msgs::PeakProfileConstPtr& profile,
+                const sensor_msgs::ImageConstPtr& image);
 
   ros::NodeHandle node_;
   const Parameters parameters_;
-  std::optional<Settings> before_;  // prepare(); none: nothing to restore
-  std::mutex mutex_;                // of what follows
-  std::uint32_t acquisition_ = 0;   // the start that counts
-  std::map<ros::Time, scan_cell_msgs::PeakProfileConstPtr> profiles_;
-  std::map<ros::Time, sensor_msgs::ImageConstPtr> images_;
-  ros::Subscriber profile_subscriber_;  // last, as the other one: their callbacks use all the rest
-  ros::Subscriber image_subscriber_;
+  std::optional<Settings> before_;               // outside a session; none: nothing to restore
+  std::mutex mutex_;                             // of what follows
+  std::uint32_t acquisition_ = 0;                // the start that counts
+  scan_cell_msgs::PeakProfileConstPtr profile_;  // of its first whole frame, as the image
+  sensor_msgs::ImageConstPtr image_;
+  message_filters::Subscriber<scan_cell_msgs::PeakProfile> profiles_;
+  message_filters::Subscriber<sensor_msgs::Image> images_;
+  message_filters::TimeSynchronizer<scan_cell_msgs::PeakProfile, sensor_msgs::Image> frames_;
 };
 
 }  // namespace scan_cell

@@ -22,7 +22,7 @@ RosStages::RosStages(const std::string& binder, const std::string& triangulation
     : binder_(binder), triangulation_(triangulation), call_timeout_(call_timeout) {}
 
 double RosStages::longest(double patience) const {
-  constexpr double kRounds = 4;  // patience begins anew while late data keeps coming
+  constexpr double kRounds = 4;  // chosen; patience begins anew while late data keeps coming
   return call_timeout_ + kRounds * patience;
 }
 

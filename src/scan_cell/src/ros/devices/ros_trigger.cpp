@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <scan_cell_msgs/ArmTrigger.h>
 #include <scan_cell_msgs/DisarmTrigger.h>
 #include <std_msgs/Empty.h>
@@ -18,7 +19,7 @@ namespace {
 
 /// [s] The robot moves while the trigger is asked. Where its node hangs, its own keep-alive
 /// switches the lasers off.
-constexpr double kCallTimeout = 0.75;
+constexpr double kCallTimeout = 0.75;  // [s] chosen
 
 }  // namespace
 
@@ -47,8 +48,8 @@ std::string RosTrigger::trouble() const {
   if (arming_ == 0) return "";
   if (!disarmed_because_.empty()) return "trigger: disarmed by itself: " + disarmed_because_;
   if (event_.age() <= silence_allowed_) return "";
-  return "trigger: no pulse for " + std::to_string(event_.age()) + " s after " +
-         std::to_string(pulses_) + "; is " + parameters_.trigger + " alive?";
+  return fmt::format("trigger: no pulse for {:g} s after {}; is {} alive?", event_.age(), pulses_,
+                     parameters_.trigger);
 }
 
 void RosTrigger::arm(double rate, std::uint8_t lasers) {

@@ -12,7 +12,7 @@
 namespace scan_cell {
 namespace {
 
-constexpr double kLook = 0.01;  // [s] between two looks
+constexpr double kLook = 0.01;  // [s] between two looks; chosen
 
 bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
   using Status = actionlib_msgs::GoalStatus;
@@ -64,7 +64,7 @@ void GoalsUnderWay::wait_until_ended(double timeout) const {
       }
     }
     if (ros::WallTime::now() > deadline) {
-      throw scan_cell_common::ConnectionError(action_, "does not end what was cancelled",
+      throw scan_cell_common::ConnectionError(action_, "does not end although it was cancelled",
                                               "look at its log");
     }
     ros::WallDuration(kLook).sleep();

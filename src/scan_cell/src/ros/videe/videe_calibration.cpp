@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "videe/videe_calibration.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <ctime>
 
@@ -44,23 +46,6 @@ std::string figures(const CalibrateResult& result, std::uint8_t lasers) {
 
 }  // namespace
 
-VideeCalibrationParameters VideeCalibrationParameters::load(
-    scan_cell_common::ParameterReader& reader) {
-  VideeCalibrationParameters parameters;
-  reader.read("calibration/poses", parameters.poses);
-  reader.read("calibration/sessions", parameters.sessions);
-  reader.read("calibration/output", parameters.output);
-  reader.read("calibration/board_columns", parameters.board_columns, {3, 200});
-  reader.read("calibration/board_rows", parameters.board_rows, {3, 200});
-  reader.read("calibration/square_size", parameters.square_size, {0.0001, 1});
-  reader.read("calibration/lasers", parameters.lasers, {0, 3});
-  reader.read("calibration/scanner", parameters.scanner);
-  reader.read("calibration/lasers_alone", parameters.lasers_alone);
-  reader.read("calibration/board_exposure", parameters.board_exposure, {1e-6, 0.4});
-  reader.read("calibration/line_exposure", parameters.line_exposure, {1e-6, 0.4});
-  return parameters;
-}
-
 VideeCalibration::VideeCalibration(ros::NodeHandle node,
                                    const VideeCalibrationParameters& parameters,
                                    const std::string& action, const CellWatcher& watcher,
@@ -78,7 +63,7 @@ std::string VideeCalibration::init() {
   }
   const auto taught = scan_calibration::load_taught_poses(parameters_.poses);
   ready_ = true;
-  return "poses=" + std::to_string(taught.poses.size());
+  return fmt::format("poses={}", taught.poses.size());
 }
 
 scan_cell_msgs::CalibrateGoal VideeCalibration::goal() const {
@@ -110,9 +95,8 @@ std::string VideeCalibration::perform(const VideeServer::ClientThere& client_the
   if (result->outcome != CalibrateResult::FINISHED) {
     throw Refused("calibration '" + wanted.session + "'", "ended early", result->message);
   }
-  const std::string counts = "session=" + wanted.session +
-                             " views=" + std::to_string(result->views) +
-                             " skipped=" + std::to_string(result->skipped.size());
+  const std::string counts = fmt::format("session={} views={} skipped={}", wanted.session,
+                                         result->views, result->skipped.size());
   return result->model.empty() ? counts : counts + figures(*result, wanted.lasers);
 }
 

@@ -9,28 +9,10 @@
 #include <string>
 
 #include "scan_cell/ros/cell_watcher.h"
-#include "scan_cell_common/ros/parameter_reader.h"
+#include "videe/videe_parameters.h"
 #include "videe/videe_server.h"
 
 namespace scan_cell {
-
-/// What a calibration over ViDeE is made of: parameters of videe_node under calibration/.
-struct VideeCalibrationParameters {
-  std::string poses;              //!< taught poses; empty: calibration is not served
-  std::string sessions = "/tmp";  //!< each calibration makes a session folder in it
-  std::string output;             //!< scanner model to write; empty: only record
-  int board_columns = 15;         //!< inner corners
-  int board_rows = 25;            //!< inner corners
-  double square_size = 0.020;     //!< [m]
-  int lasers = 3;                 //!< bit mask; 0: the camera alone
-  std::string scanner;  //!< existing model, which gives what is not calibrated anew; empty: none
-  bool lasers_alone = false;     //!< camera and its pose on the flange are those of `scanner`
-  double board_exposure = 0.05;  //!< [s] lasers off
-  double line_exposure = 0.001;  //!< [s]
-
-  /// @throw scan_cell_common::InvalidParameter
-  static VideeCalibrationParameters load(scan_cell_common::ParameterReader& reader);
-};
 
 /// INIT_CALIBRATION and PERFORM_CALIBRATION.
 class VideeCalibration {

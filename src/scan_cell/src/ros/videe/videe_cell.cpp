@@ -3,6 +3,7 @@
 #include "videe/videe_cell.h"
 
 #include <cv_bridge/cv_bridge.h>
+#include <fmt/format.h>
 #include <scan_cell_msgs/GrabImage.h>
 #include <sensor_msgs/image_encodings.h>
 
@@ -11,7 +12,6 @@
 
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/conversions.h"
-#include "scan_cell_common/ros/parameter_reader.h"
 #include "videe/videe_wait.h"
 
 namespace scan_cell {
@@ -24,31 +24,10 @@ constexpr double kCallsInside = 4;  // timeouts: three calls inside of grab_imag
 
 /// Whether a command only ends things.
 bool is_end(VideeCommandKind kind) {
-  return kind == VideeCommandKind::InitCycle || kind == VideeCommandKind::Reset;
+  return kind == VideeCommandKind::kInitCycle || kind == VideeCommandKind::kReset;
 }
 
 }  // namespace
-
-VideeParameters VideeParameters::load(const ros::NodeHandle& node) {
-  scan_cell_common::ParameterReader reader(node);
-  VideeParameters parameters;
-  int port = parameters.server.port;
-  reader.read("address", parameters.server.address);
-  reader.read("port", port, {1, 65535});
-  parameters.server.port = static_cast<std::uint16_t>(port);
-  reader.read("client", parameters.server.client);
-  reader.read("idle_time", parameters.server.idle_time, {1, 86400});
-  reader.require("program", parameters.program);
-  reader.read("image_folder", parameters.image_folder);
-  reader.read("scan", parameters.scan);
-  reader.read("grab_image", parameters.grab_image);
-  reader.read("calibrate", parameters.calibrate);
-  reader.read("state", parameters.state);
-  parameters.calibration = VideeCalibrationParameters::load(reader);
-  reader.read("call_timeout", parameters.call_timeout, {0.1, 60});
-  reader.refuse_unknown();
-  return parameters;
-}
 
 VideeCell::VideeCell(ros::NodeHandle node, const VideeParameters& parameters)
     : node_(node),
@@ -67,23 +46,23 @@ std::string VideeCell::carry_out(const VideeCommand& command,
     throw scan_cell_common::ConnectionError("ViDeE client", "gone", "connect again");
   }
   switch (command.kind) {
-    case VideeCommandKind::InitCycle:
+    case VideeCommandKind::kInitCycle:
       end_own();
       return "";
-    case VideeCommandKind::Reset:
+    case VideeCommandKind::kReset:
       end_all();
       return "";
-    case VideeCommandKind::InitCalibration:
+    case VideeCommandKind::kInitCalibration:
       return calibration_.init();
-    case VideeCommandKind::PerformCalibration:
+    case VideeCommandKind::kPerformCalibration:
       return calibration_.perform(client_there);
-    case VideeCommandKind::GrabImage:
+    case VideeCommandKind::kGrabImage:
       return grab_image();
-    case VideeCommandKind::SetPosition:
+    case VideeCommandKind::kSetPosition:
       return set_position(command);
-    case VideeCommandKind::StartScan:
+    case VideeCommandKind::kStartScan:
       return start_scan();
-    case VideeCommandKind::StopScan:
+    case VideeCommandKind::kStopScan:
       return stop_scan(client_there);
   }
   throw Refused("command", "unknown", "send a ViDeE command");
@@ -139,8 +118,8 @@ std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
   if (result->outcome != scan_cell_msgs::ScanResult::FINISHED) {
     throw Refused("scan '" + result->scan_id + "'", "ended early", result->message);
   }
-  return "scan=" + result->scan_id + " frames=" + std::to_string(result->audit.frames_bound) +
-         " points=" + std::to_string(result->statistics.points);
+  return fmt::format("scan={} frames={} points={}", result->scan_id, result->audit.frames_bound,
+                     result->statistics.points);
 }
 
 std::string VideeCell::grab_image() {
@@ -149,7 +128,7 @@ std::string VideeCell::grab_image() {
   const auto image = cv_bridge::toCvCopy(answer.image, sensor_msgs::image_encodings::MONO8);
   std::string path;
   do {
-    path = parameters_.image_folder + "/image_" + std::to_string(++images_) + ".png";
+    path = fmt::format("{}/image_{}.png", parameters_.image_folder, ++images_);
   } while (std::filesystem::exists(path));  // of an earlier run of this node
   if (!cv::imwrite(path, image->image)) {
     throw scan_cell_common::FileError(path, "cannot be written", "check image_folder");
@@ -158,7 +137,7 @@ std::string VideeCell::grab_image() {
 }
 
 void VideeCell::on_client_lost() {
-  ROS_INFO("The ViDeE client is gone; what it had under way is cancelled");
+  ROS_INFO("The ViDeE client is gone; its scan or calibration is cancelled");
   try {
     end_own();
   } catch (const scan_cell_common::Error& error) {

@@ -18,22 +18,6 @@
 
 namespace scan_cell {
 
-/// Parameters of videe_node.
-struct VideeParameters {
-  VideeServer::Options server;
-  std::string program;                   //!< scan program: frame, speed, rate and laser are used
-  std::string image_folder = "/tmp";     //!< where GRAB_IMAGE leaves its pictures
-  std::string scan = "/scan_cell/scan";  //!< action
-  std::string grab_image = "/scan_cell/grab_image";  //!< service
-  std::string calibrate = "/scan_cell/calibrate";    //!< action
-  std::string state = "/scan_cell/state";            //!< topic
-  VideeCalibrationParameters calibration;
-  double call_timeout = 5.0;  //!< [s]
-
-  /// @throw scan_cell_common::InvalidParameter
-  static VideeParameters load(const ros::NodeHandle& node);
-};
-
 /// What the ViDeE commands do to the cell.
 class VideeCell {
  public:

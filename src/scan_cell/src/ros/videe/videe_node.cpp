@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
 
+#include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 #include "videe/videe_cell.h"
 #include "videe/videe_server.h"
 
 int main(int argc, char** argv) {
-  return scan_cell_common::node_main(
+  return scan_cell_common::node_main<scan_cell::VideeParameters>(
       argc, argv, "videe",
       "Serves ViDeE over TCP: scans and calibrations for a client that has no ROS.", [] {
         ros::NodeHandle node("~");
-        const auto parameters = scan_cell::VideeParameters::load(node);
+        const auto parameters = scan_cell_common::load_parameters<scan_cell::VideeParameters>(node);
         scan_cell_common::take_over_shutdown();
         ros::AsyncSpinner spinner(2);
         spinner.start();

@@ -13,7 +13,7 @@
 namespace scan_cell {
 
 /// [s] for what was cancelled to be made safe and its data to be kept
-constexpr double kCancelTimeout = 15;
+constexpr double kCancelTimeout = 15;  // as cell_client.cpp's
 
 /// @throw ConnectionError if there is no server within `timeout` [s]
 template <class Client>
@@ -48,7 +48,7 @@ void cancel_and_wait(Client& client, const std::string& name) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
   while (!client.waitForResult(ros::Duration(0.02)) && client.isServerConnected()) {
     if (ros::WallTime::now() < deadline) continue;
-    throw scan_cell_common::ConnectionError(name, "does not end what was cancelled",
+    throw scan_cell_common::ConnectionError(name, "does not end although it was cancelled",
                                             "look at its log");
   }
 }

@@ -5,8 +5,10 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
 #include <ros/time.h>
+#include <tf2_eigen/tf2_eigen.h>
 
 #include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/unit_quaternion.h"
 
 namespace scan_cell_common {
 
@@ -18,46 +20,55 @@ inline ros::Time to_ros(Nanoseconds time) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(time));
 }
 
-/// The quaternion is normalised: messages carry rounded ones.
-inline Eigen::Isometry3d from_ros(const geometry_msgs::Pose& pose) {
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = Eigen::Quaterniond(pose.orientation.w, pose.orientation.x, pose.orientation.y,
-                                       pose.orientation.z)
-                        .normalized()
-                        .toRotationMatrix();
-  result.translation() << pose.position.x, pose.position.y, pose.position.z;
+inline Eigen::Quaterniond from_ros(const geometry_msgs::Quaternion& rotation) {
+  Eigen::Quaterniond result;
+  tf2::fromMsg(rotation, result);
   return result;
 }
 
+/// The quaternion is normalised, which tf2's own conversion of poses does not do: messages carry
+/// rounded ones.
+template <class Position>
+Eigen::Isometry3d from_ros(const Position& position, const geometry_msgs::Quaternion& rotation) {
+  Eigen::Vector3d translation;
+  tf2::fromMsg(position, translation);
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = from_ros(rotation).normalized().toRotationMatrix();
+  result.translation() = translation;
+  return result;
+}
+
+inline Eigen::Isometry3d from_ros(const geometry_msgs::Pose& pose) {
+  return from_ros(pose.position, pose.orientation);
+}
+
 inline Eigen::Isometry3d from_ros(const geometry_msgs::Transform& transform) {
-  geometry_msgs::Pose pose;
-  pose.position.x = transform.translation.x;
-  pose.position.y = transform.translation.y;
-  pose.position.z = transform.translation.z;
-  pose.orientation = transform.rotation;
+  return from_ros(transform.translation, transform.rotation);
+}
+
+/// A pose that another node sent.
+/// @throw Kind of error about `thing` if its quaternion is not of unit length
+template <class Kind = UnusableInput>
+Eigen::Isometry3d checked_from_ros(const geometry_msgs::Pose& pose, const std::string& thing,
+                                   const std::string& cure = kGiveUnitQuaternion) {
+  if (!is_unit(from_ros(pose.orientation)))
+    throw Kind(thing, quaternion_fault(from_ros(pose.orientation)), cure);
   return from_ros(pose);
 }
 
+/// The quaternion has the sign that Eigen gives it, where tf2's own conversion of poses makes w >=
+/// 0.
 inline geometry_msgs::Pose to_ros_pose(const Eigen::Isometry3d& pose) {
-  const Eigen::Quaterniond rotation(pose.linear());
   geometry_msgs::Pose result;
-  result.position.x = pose.translation().x();
-  result.position.y = pose.translation().y();
-  result.position.z = pose.translation().z();
-  result.orientation.x = rotation.x();
-  result.orientation.y = rotation.y();
-  result.orientation.z = rotation.z();
-  result.orientation.w = rotation.w();
+  result.position = tf2::toMsg(Eigen::Vector3d(pose.translation()));
+  result.orientation = tf2::toMsg(Eigen::Quaterniond(pose.linear()));
   return result;
 }
 
 inline geometry_msgs::Transform to_ros_transform(const Eigen::Isometry3d& pose) {
-  const geometry_msgs::Pose as_pose = to_ros_pose(pose);
   geometry_msgs::Transform result;
-  result.translation.x = as_pose.position.x;
-  result.translation.y = as_pose.position.y;
-  result.translation.z = as_pose.position.z;
-  result.rotation = as_pose.orientation;
+  tf2::toMsg(Eigen::Vector3d(pose.translation()), result.translation);
+  result.rotation = tf2::toMsg(Eigen::Quaterniond(pose.linear()));
   return result;
 }
 

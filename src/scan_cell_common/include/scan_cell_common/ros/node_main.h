@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "scan_cell_common/parameter_table.h"
 #include "scan_cell_common/tool_main.h"
 
 namespace scan_cell_common {
@@ -15,8 +16,18 @@ namespace scan_cell_common {
 /// SIGHUP end the node as Ctrl-C does: ROS shuts down, `body` returns, what it made is destroyed.
 /// @param description one sentence for --help
 /// @param before_threads what must be done while the process has one thread, such as a fork
+/// @param parameters what --parameters prints; empty: there is no such option
 int node_main(int argc, char** argv, const std::string& name, const std::string& description,
-              const std::function<void()>& body, const std::function<void()>& before_threads = {});
+              const std::function<void()>& body, const std::function<void()>& before_threads = {},
+              const std::string& parameters = "");
+
+/// The same for a node that has `Parameters`, which --parameters lists.
+template <class Parameters>
+int node_main(int argc, char** argv, const std::string& name, const std::string& description,
+              const std::function<void()>& body, const std::function<void()>& before_threads = {}) {
+  return node_main(argc, argv, name, description, body, before_threads,
+                   parameter_rows<Parameters>());
+}
 
 /// tool_main() of a tool that is a client of a running cell: takes ROS' own words (NAME:=VALUE) off
 /// the command line, and runs `body` under an anonymous node name with two threads for callbacks.

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
-#include <exception>
 #include <memory>
 #include <string>
 
-#include "scan_cell_common/ros/logger_list.h"
+#include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
-#include "scan_cell_common/ros/shutdown_request.h"
+#include "scan_cell_common/ros/nodelet.h"
 
 /// A node's topics and services, as a class with a constructor (node, private node, parameters),
 /// where they run: in a process of their own, or in a nodelet manager's.
@@ -24,11 +22,11 @@ constexpr int kServiceThreads = 3;
 /// The main() of a node; as node_main().
 template <class Services, class Parameters>
 int services_main(int argc, char** argv, const std::string& name, const std::string& description) {
-  return node_main(argc, argv, name, description, [] {
+  return node_main<Parameters>(argc, argv, name, description, [] {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     ros::AsyncSpinner spinner(kServiceThreads);
-    const Services services(node, private_node, Parameters::load(private_node));
+    const Services services(node, private_node, load_parameters<Parameters>(private_node));
     spinner.start();
     ros::waitForShutdown();
   });
@@ -37,20 +35,14 @@ int services_main(int argc, char** argv, const std::string& name, const std::str
 /// The same in a manager's process. Its calls have threads of their own: one that waits never holds
 /// up the manager's others, however few workers it has.
 template <class Services, class Parameters>
-class ServicesNodelet : public nodelet::Nodelet {
-  void onInit() override {
-    shut_down_on_signals();
-    withdraw_logger_list();
-    try {
-      ros::NodeHandle node = getNodeHandle();
-      ros::NodeHandle private_node = getPrivateNodeHandle();
-      node.setCallbackQueue(&queue_);
-      private_node.setCallbackQueue(&queue_);
-      services_ = std::make_unique<Services>(node, private_node, Parameters::load(private_node));
-    } catch (const std::exception& error) {
-      NODELET_FATAL("%s", error.what());
-      throw;
-    }
+class ServicesNodelet : public Nodelet {
+  void start() override {
+    ros::NodeHandle node = getNodeHandle();
+    ros::NodeHandle private_node = getPrivateNodeHandle();
+    node.setCallbackQueue(&queue_);
+    private_node.setCallbackQueue(&queue_);
+    services_ =
+        std::make_unique<Services>(node, private_node, load_parameters<Parameters>(private_node));
     spinner_.start();
   }
 

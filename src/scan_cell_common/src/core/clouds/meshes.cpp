@@ -11,7 +11,7 @@
 namespace scan_cell_common {
 namespace {
 
-constexpr std::size_t kMostCorners = 1000;
+constexpr std::size_t kMaxCorners = 1000;
 
 /// Twice the area, above 0 where a, b, c turn to the left.
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -123,7 +123,7 @@ pcl::PolygonMesh triangulated(const pcl::PolygonMesh& mesh, const std::string& s
       result.polygons.push_back(polygon);
       continue;
     }
-    if (corners > kMostCorners) {
+    if (corners > kMaxCorners) {
       throw FileError(source, "a face of " + std::to_string(corners) + " corners",
                       "export the part as triangles");
     }

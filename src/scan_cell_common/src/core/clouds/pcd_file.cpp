@@ -66,12 +66,12 @@ void set_fields(Header& header, const Words& words, const std::string& where) {
                         std::to_string(header.fields.size()) + " fields",
                     "correct the header");
   }
-  constexpr std::uint64_t kMostSize = 8;
-  constexpr std::uint64_t kMostCount = 1000000;
+  constexpr std::uint64_t kMaxSize = 8;
+  constexpr std::uint64_t kMaxCount = 1000000;
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
-    if (key == "SIZE") header.fields[i].size = count_of(words[i + 1], kMostSize, where);
+    if (key == "SIZE") header.fields[i].size = count_of(words[i + 1], kMaxSize, where);
     if (key == "TYPE") header.fields[i].type = words[i + 1];
-    if (key == "COUNT") header.fields[i].count = count_of(words[i + 1], kMostCount, where);
+    if (key == "COUNT") header.fields[i].count = count_of(words[i + 1], kMaxCount, where);
   }
 }
 
@@ -202,13 +202,13 @@ void read_binary(std::string_view bytes, const Layout& layout, std::uint64_t poi
 /// LZF: two sizes, then each field of all points as a whole.
 std::string unpacked(std::string_view bytes, std::uint64_t wanted, const std::string& source) {
   constexpr std::size_t kSizes = 8;
-  constexpr std::uint64_t kMostRatio = 264 / 3;  // what three bytes of LZF can stand for
+  constexpr std::uint64_t kMaxRatio = 264 / 3;  // what three bytes of LZF can stand for
   if (bytes.size() <= kSizes) refuse_truncated(source, wanted, bytes.size());
   const auto packed_size = load_as<std::uint32_t>(bytes.data(), false);
   const auto size = load_as<std::uint32_t>(bytes.data() + 4, false);
   const std::string_view packed = bytes.substr(kSizes);
   if (packed_size == 0 || packed_size > packed.size() || size != wanted ||
-      size > kMostRatio * packed_size) {
+      size > kMaxRatio * packed_size) {
     throw FileError(source, "truncated, or its sizes contradict each other",
                     "write the file again");
   }

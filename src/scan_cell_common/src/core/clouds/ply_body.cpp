@@ -13,9 +13,9 @@ void refuse_truncated(const std::string& source, const PlyElement& element, std:
                   "write the file again");
 }
 
-void check_count(const PlyElement& element, std::size_t least_size, std::size_t left,
+void check_count(const PlyElement& element, std::size_t min_size, std::size_t left,
                  const std::string& source) {
-  if (element.count <= left / least_size) return;
+  if (element.count <= left / min_size) return;
   throw FileError(source,
                   "truncated: its header promises " + std::to_string(element.count) +
                       " of the element '" + excerpt(element.name) + "', it has " +
@@ -87,7 +87,7 @@ void BinaryPlyBody::end() const {
 
 const char* BinaryPlyBody::next(const PlyProperty& property, const PlyElement& element,
                                 std::uint64_t row) {
-  const char* const value = advance(property.least_size(), element, row);
+  const char* const value = advance(property.min_size(), element, row);
   if (property.is_list) {
     advance(whole(value, property.count_type) * size_of(property.type), element, row);
   }

@@ -16,7 +16,7 @@ namespace scan_cell_common {
 
 /// A header that promises more than the file can hold is refused before anything is made for it.
 /// @throw FileError
-void check_count(const PlyElement& element, std::size_t least_size, std::size_t left,
+void check_count(const PlyElement& element, std::size_t min_size, std::size_t left,
                  const std::string& source);
 
 /// What follows the header of an ASCII file. A value is the first of its words: of a list, its
@@ -69,10 +69,10 @@ class BinaryPlyBody {
 
   template <class Take>
   void read(const PlyElement& element, const Take& take) {
-    std::size_t least_size = 0;
+    std::size_t min_size = 0;
     for (const PlyProperty& property : element.properties)
-      least_size += property.least_size();
-    check_count(element, least_size, bytes_.size() - at_, source_);
+      min_size += property.min_size();
+    check_count(element, min_size, bytes_.size() - at_, source_);
     Values values(element.properties.size());
     for (std::uint64_t row = 0; row < element.count; ++row) {
       for (std::size_t i = 0; i < values.size(); ++i)

@@ -19,7 +19,7 @@ struct PlyProperty {
   bool is_list = false;
   Scalar count_type = Scalar::kUint8;  // of a list
 
-  std::size_t least_size() const { return size_of(is_list ? count_type : type); }
+  std::size_t min_size() const { return size_of(is_list ? count_type : type); }
 };
 
 struct PlyElement {

@@ -16,7 +16,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::size_t kMostUnnamed = 12;  // columns a point: more are a depth profile
+constexpr std::size_t kMaxUnnamed = 12;  // columns a point: more are a depth profile
 
 struct ColumnName {
   std::string name;  // in lower case, without the unit
@@ -119,7 +119,7 @@ Columns find_columns(const TableReader& table, bool& is_header) {
   if (first.size() < 3) {
     table.refuse(std::to_string(first.size()) + " columns", "give x, y and z in each line");
   }
-  if (first.size() > kMostUnnamed) refuse_profiles(table);
+  if (first.size() > kMaxUnnamed) refuse_profiles(table);
   Columns columns;
   for (std::size_t i = 3; i < first.size(); ++i)
     columns.others.push_back(std::to_string(i + 1));

@@ -10,7 +10,7 @@
 namespace scan_cell_common {
 namespace {
 
-constexpr std::size_t kLeastPoints = 5;  // that hold the same number: measured ones never do so
+constexpr std::size_t kMinPoints = 5;  // that hold the same number: measured ones never do so
 
 /// Where most of the numbers on an axis lie, and how they repeat.
 struct Range {
@@ -88,7 +88,7 @@ std::optional<Sentinel> extreme_at(const Cloud& cloud, std::size_t axis, bool gr
     extreme = value;
     count = 1;
   }
-  if (count < kLeastPoints) return std::nullopt;
+  if (count < kMinPoints) return std::nullopt;
   const auto rest = [&](const pcl::PointXYZ& p) { return is_finite(p) && p.data[axis] != extreme; };
   if (!is_far(static_cast<double>(extreme), box_of(cloud, rest), axis)) return std::nullopt;
   return Sentinel{"xyz"[axis], static_cast<double>(extreme), count};
@@ -102,7 +102,7 @@ bool is_zero(const pcl::PointXYZ& point) {
 std::optional<Sentinel> zeros_of(const Cloud& cloud) {
   constexpr double kOutside = 0.1;  // of the diagonal of the rest
   const auto count = static_cast<std::size_t>(std::count_if(cloud.begin(), cloud.end(), is_zero));
-  if (count < kLeastPoints) return std::nullopt;
+  if (count < kMinPoints) return std::nullopt;
   const std::array<Range, 3> box =
       box_of(cloud, [](const pcl::PointXYZ& p) { return is_finite(p) && !is_zero(p); });
   const double size = diagonal(box);

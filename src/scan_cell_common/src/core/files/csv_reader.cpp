@@ -6,6 +6,7 @@
 
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/text.h"
+#include "scan_cell_common/unit_quaternion.h"
 
 namespace scan_cell_common {
 namespace {
@@ -54,18 +55,16 @@ double CsvReader::number(std::size_t column) const {
 
 Eigen::Isometry3d CsvReader::pose(std::size_t column) const {
   constexpr double kReach = 50;  // [m] of any robot
-  constexpr double kUnit = 1e-3;
   double values[7];
   for (std::size_t i = 0; i < 7; ++i)
     values[i] = number(column + i);
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.translation() << values[0], values[1], values[2];
   const Eigen::Quaterniond rotation(values[6], values[3], values[4], values[5]);
-  const double length = rotation.norm();
-  if (!(std::abs(length - 1) < kUnit)) {
-    refuse("quaternion of length " + std::to_string(length),
-           length > 2 ? "give a unit quaternion qx,qy,qz,qw: this looks like angles in degrees"
-                      : "give a unit quaternion qx,qy,qz,qw");
+  if (!is_unit(rotation)) {
+    const bool angles = rotation.norm() > 2;
+    refuse(quaternion_fault(rotation),
+           kGiveUnitQuaternion + std::string(angles ? ": this looks like angles in degrees" : ""));
   }
   if (result.translation().norm() > kReach) {
     refuse("position " + std::to_string(result.translation().norm()) + " m away",

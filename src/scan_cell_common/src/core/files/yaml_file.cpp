@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scan_cell_common/unit_quaternion.h"
+
 namespace scan_cell_common {
 
 YAML::Node load_yaml(const std::string& path) {
@@ -70,14 +72,10 @@ std::vector<double> YamlEntry::numbers(std::size_t count) const {
 
 Eigen::Isometry3d YamlEntry::pose() const {
   const YamlEntry rotation = (*this)["rotation"];
-  const Eigen::Vector4d xyzw = rotation.vector<4>();
-  constexpr double kUnit = 1e-3;
-  if (!(std::abs(xyzw.norm() - 1) < kUnit)) {
-    rotation.refuse("length " + std::to_string(xyzw.norm()), "give a unit quaternion x y z w");
-  }
+  const Eigen::Quaterniond xyzw(rotation.vector<4>());
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = (*this)["translation"].vector<3>();
-  pose.linear() = Eigen::Quaterniond(xyzw).normalized().toRotationMatrix();
+  pose.linear() = rotation_from(xyzw, file_ + ": " + rotation.name());
   return pose;
 }
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/stamped_datagram.h"
+#include "scan_cell_common/net/stamped_datagram.h"
 
 #include <sys/socket.h>
 
@@ -26,11 +26,12 @@ std::optional<Nanoseconds> receipt_time(msghdr& message) {
 
 std::optional<StampedDatagram> receive_stamped(int socket, void* data, std::size_t size) {
   StampedDatagram datagram;
+  sockaddr_in from{};
   iovec part{data, size};
   alignas(cmsghdr) std::array<char, 128> control{};
   msghdr message{};
-  message.msg_name = &datagram.from;
-  message.msg_namelen = sizeof datagram.from;
+  message.msg_name = &from;
+  message.msg_namelen = sizeof from;
   message.msg_iov = &part;
   message.msg_iovlen = 1;
   message.msg_control = control.data();
@@ -39,6 +40,7 @@ std::optional<StampedDatagram> receive_stamped(int socket, void* data, std::size
   if (length < 0) return std::nullopt;
   datagram.size = static_cast<std::size_t>(length);
   datagram.cut = (message.msg_flags & MSG_TRUNC) != 0;
+  datagram.from = Endpoint::from_kernel(from);
   datagram.receipt = receipt_time(message);
   return datagram;
 }

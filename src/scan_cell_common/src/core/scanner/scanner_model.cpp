@@ -20,8 +20,8 @@ void check(const CameraIntrinsics& camera) {
     refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
            "give the sensor's columns and rows");
   }
-  constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
-  if (std::int64_t{camera.width} * camera.height > kMostPixels) {
+  constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;
+  if (std::int64_t{camera.width} * camera.height > kMaxPixels) {
     refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
            "no camera has more than 64 million pixels: check it");
   }
@@ -68,11 +68,11 @@ Eigen::Vector2d CameraIntrinsics::distort(const Eigen::Vector2d& ray) const {
 bool CameraIntrinsics::undistort(const Eigen::Vector2d& distorted, Eigen::Vector2d& ray) const {
   const double k1 = distortion[0], k2 = distortion[1], p1 = distortion[2], p2 = distortion[3],
                k3 = distortion[4];
-  constexpr int kMostSteps = 20;
+  constexpr int kMaxSteps = 20;
   constexpr double kConverged = 1e-7;  // each step squares the error, so 1e-14 is left after it
   double x = ray.x();
   double y = ray.y();
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double r2 = x * x + y * y;
     const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
     const double slope = k1 + r2 * (2 * k2 + r2 * 3 * k3);  // of radial, over r2

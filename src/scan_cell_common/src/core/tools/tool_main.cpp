@@ -24,6 +24,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   const auto add = [&names](const CLI::App& from) {
     for (const CLI::Option* option : from.get_options()) {
+      if (option->get_group().empty()) continue;  // hidden: the name it had before
       for (const std::string& name : option->get_lnames())
         names.push_back("--" + name);
     }

@@ -2,39 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 
-#include "scan_cell_sim/controller/faulty_wire.h"
-#include "scan_cell_sim/controller/motion_control.h"
-#include "scan_cell_sim/controller/protocol_server.h"
+#include "scan_cell_sim/controller/controller_options.h"
+#include "scan_cell_sim/controller/motion_state.h"
 #include "scan_cell_sim/flange_motion.h"
 
 namespace scan_cell_sim {
-
-struct ControllerFaults {
-  WireFaults to_client;
-  WireFaults from_client;
-  double clock_drift = 0;  //!< the controller's clock runs 1 + drift times as fast as the host's
-  unsigned seed = 1;       //!< another one draws other datagrams
-
-  /// @throw scan_cell_common::InvalidParameter
-  void check() const;
-};
-
-struct ControllerOptions {
-  std::string address = "127.0.0.1";  //!< IPv4 to listen on
-  std::uint16_t port = 5410;          //!< 0: any free one, see Controller::port()
-  double stream_period = 0.004;       //!< [s] 0.002 .. 0.010
-  MeasurementNoise noise;
-  ControllerMode mode = ControllerMode::Remote;  //!< at the start, with the drives on
-  ControllerFaults faults;                       //!< at the start
-  ProtocolServer::Witness witness;               //!< called from the controller's own thread
-};
 
 /// Emulator of a robot controller that serves C4G (c4g_protocol.md) over UDP, with a Comau
 /// Smart5 SiX. It runs in a thread of its own from construction to destruction, and knows where the
@@ -52,7 +28,7 @@ class Controller : public FlangeMotion {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  std::uint16_t port() const { return port_; }
+  std::uint16_t port() const;  //!< it listens on
 
   /// True pose of tool0 in base_link at an instant of the host's clock. Instants to come get where
   /// the motion under way would lead.
@@ -60,10 +36,10 @@ class Controller : public FlangeMotion {
 
   /// The truth of this moment.
   MotionState state() const;
-  std::uint64_t motions_begun() const { return motion_.motions_begun(); }
+  std::uint64_t motions_begun() const;  //!< since its start
 
   /// The instant on the host's clock at which the controller's showed `t` [us], since its start.
-  scan_cell_common::Nanoseconds host_time(std::int64_t t) const { return clock_.host(t); }
+  scan_cell_common::Nanoseconds host_time(std::int64_t t) const;
 
   /// They replace those before.
   /// @throw scan_cell_common::InvalidParameter
@@ -78,8 +54,8 @@ class Controller : public FlangeMotion {
   // What somebody at the controller's panel does. After an emergency stop or an alarm: release the
   // button, reset the alarms, switch the drives on. The motion does not come back.
 
-  void press_e_stop();
-  void release_e_stop();
+  void press_e_stop();    //!< the robot brakes, the drives go off
+  void release_e_stop();  //!< nothing moves by it
   /// Another mode switches the drives off.
   void select(ControllerMode mode);
   /// In mode programming, drives are on as long as somebody holds the enabling device.
@@ -91,38 +67,11 @@ class Controller : public FlangeMotion {
   /// An alarm, as of a collision or a following error, that ends the motion under way in an error.
   void fail_motion(const std::string& text);
 
-  static Joints start_posture();
+  static Joints start_posture();  //!< [rad]
 
  private:
-  using Nanoseconds = scan_cell_common::Nanoseconds;
-
-  std::unique_ptr<ProtocolServer> make_server();
-  void serve();
-  void wait(Nanoseconds until) const;
-  void adopt(const ControllerFaults& faults);
-  bool is_on(Nanoseconds now);
-  void receive(const WireFaults& faults);
-  void answer_received(const WireFaults& faults);
-  void stream(const WireFaults& faults);
-  void send_due();
-  ControllerFaults faults() const;
-
-  const ControllerOptions options_;
-  std::uint16_t port_ = 0;
-  int socket_ = -1;
-  MotionControl motion_;
-  DriftingClock clock_;
-  std::unique_ptr<ProtocolServer> server_;
-  FaultyWire incoming_;
-  FaultyWire outgoing_;
-  ControllerFaults adopted_;
-
-  mutable std::mutex mutex_;
-  ControllerFaults faults_;
-  Nanoseconds faults_since_ = 0;
-  std::optional<Nanoseconds> dark_until_;
-  std::atomic<bool> ending_{false};
-  std::thread thread_;
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
 };
 
 }  // namespace scan_cell_sim

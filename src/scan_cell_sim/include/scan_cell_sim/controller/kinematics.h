@@ -20,10 +20,10 @@ struct JointLimits {
   Joints acceleration;  //!< [rad/s^2] not published; full speed in a quarter of a second
 };
 
-const JointLimits& joint_limits();
+const JointLimits& joint_limits();  //!< of the Smart5 SiX
 
-/// Empty where all axes are within their ranges, else a text such as "J3 5 deg is outside -170 ..
-/// 0".
+/// Empty where all axes are within their ranges, else a text such as
+/// "J3 5 deg is outside -170 .. 0".
 std::string outside_limits(const Joints& joints);
 
 /// Pose of the flange (tool0) in base_link.
@@ -45,6 +45,7 @@ struct SingularPostures {
   double elbow;     //!< [rad] bend of the elbow: at 0, the arm is stretched out to the wrist
   double shoulder;  //!< [m] of the wrist's centre from axis 1, forward
 };
+/// How far joints [rad] are from each kind of singular posture.
 SingularPostures distance_to_singular(const Joints& joints);
 
 }  // namespace scan_cell_sim

@@ -15,16 +15,17 @@ namespace scan_cell_sim {
 class Path {
  public:
   virtual ~Path() = default;
-  virtual Eigen::Isometry3d flange(double way) const = 0;
-  virtual Joints joints(double way) const = 0;
+  virtual Eigen::Isometry3d flange(
+      double way) const = 0;                    //!< tool0 in base_link [m], at a way from 0 to 1
+  virtual Joints joints(double way) const = 0;  //!< [rad] at a way from 0 to 1
 };
 
 /// A path with the speeds it may be run at, in ways a second.
 struct PlannedPath {
-  std::shared_ptr<const Path> path;
-  double speed = 1;         //!< [1/s] as programmed; the override multiplies it
-  double most_speed = 1;    //!< [1/s] what the axes allow
-  double acceleration = 1;  //!< [1/s^2]
+  std::shared_ptr<const Path> path;  //!< to run
+  double speed = 1;                  //!< [1/s] as programmed; the override multiplies it
+  double max_speed = 1;              //!< [1/s] what the axes allow
+  double acceleration = 1;           //!< [1/s^2]
 };
 
 /// Speeds along a line.

@@ -10,22 +10,22 @@
 namespace scan_cell_sim {
 
 /// Where the mode selector stands; c4g_protocol.md says what each mode allows.
-enum class ControllerMode { Programming, Automatic, Remote };
+enum class ControllerMode { kProgramming, kAutomatic, kRemote };
 
 /// @throw ControllerRefusal
 ControllerMode controller_mode_of(const std::string& name);
-const char* name_of(ControllerMode mode);
+const char* name_of(ControllerMode mode);  //!< as the protocol writes it
 
 /// Whether the controller would move, and why not: mode selector, drives, emergency stop, alarms.
 /// Nothing here moves or stops a robot. Not safe for use from several threads.
 class Readiness {
  public:
   /// Who wants something: somebody at the controller's panel, or a client on the network.
-  enum class Source { Panel, Client };
+  enum class Source { kPanel, kClient };
 
-  ControllerMode mode() const { return mode_; }
-  bool e_stop() const { return e_stop_; }
-  bool drives() const { return drives_; }
+  ControllerMode mode() const { return mode_; }                     //!< where the selector stands
+  bool e_stop() const { return e_stop_; }                           //!< pressed
+  bool drives() const { return drives_; }                           //!< on
   const std::vector<Complaint>& alarms() const { return alarms_; }  //!< oldest first
 
   /// @throw ControllerRefusal unless a client may begin a motion
@@ -38,7 +38,7 @@ class Readiness {
   /// on.
   void restart();
 
-  void press_e_stop();
+  void press_e_stop();  //!< the drives go off
   /// The alarm stands and the drives stay off.
   void release_e_stop() { e_stop_ = false; }
 
@@ -55,7 +55,7 @@ class Readiness {
  private:
   void require_right(Source source, const std::string& what) const;
 
-  ControllerMode mode_ = ControllerMode::Remote;
+  ControllerMode mode_ = ControllerMode::kRemote;
   bool e_stop_ = false;
   bool drives_ = true;
   std::vector<Complaint> alarms_;

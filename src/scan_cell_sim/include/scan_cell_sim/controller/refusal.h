@@ -9,37 +9,39 @@ namespace scan_cell_sim {
 
 /// Why the controller refuses a request; the codes of c4g_protocol.md.
 enum class ControllerErrorCode {
-  Malformed = 1,
-  Version = 2,
-  Session = 3,
-  Busy = 4,
-  Straggler = 5,
-  UnknownCommand = 6,
-  UnknownParameter = 7,
-  ReadOnly = 8,
-  OutOfRange = 9,
-  Moving = 10,
-  EmergencyStop = 11,
-  JointLimit = 12,
-  OutOfReach = 13,
-  Singular = 14,
-  MotionFailed = 15,
-  Mode = 16,
-  Alarm = 17,
-  OutOfTurn = 18,
+  kMalformed = 1,
+  kVersion = 2,
+  kSession = 3,
+  kBusy = 4,
+  kStraggler = 5,
+  kUnknownCommand = 6,
+  kUnknownParameter = 7,
+  kReadOnly = 8,
+  kOutOfRange = 9,
+  kMoving = 10,
+  kEmergencyStop = 11,
+  kJointLimit = 12,
+  kOutOfReach = 13,
+  kSingular = 14,
+  kMotionFailed = 15,
+  kMode = 16,
+  kAlarm = 17,
+  kOutOfTurn = 18,
 };
 
 /// What the controller complains of: why a motion did not arrive, or an alarm.
 struct Complaint {
-  ControllerErrorCode code;
-  std::string text;
+  ControllerErrorCode code;  //!< of c4g_protocol.md
+  std::string text;          //!< for a person
 };
 
+/// A request that the controller refuses.
 class ControllerRefusal : public std::runtime_error {
  public:
+  /// @param text for a person
   ControllerRefusal(ControllerErrorCode code, const std::string& text)
       : std::runtime_error(text), code_(code) {}
-  ControllerErrorCode code() const { return code_; }
+  ControllerErrorCode code() const { return code_; }  //!< of c4g_protocol.md
 
  private:
   ControllerErrorCode code_;

@@ -24,13 +24,14 @@ struct WireFaults {
 
 /// One number of WireFaults, for those who read them from somewhere.
 struct WireFault {
-  const char* name;
-  double WireFaults::*value;
-  double most;  //!< least is 0
-  bool time;    //!< [s]; else a probability
-  const char* effect;
+  const char* name;           //!< as parameters call it
+  double WireFaults::*value;  //!< the member
+  double most;                //!< least is 0
+  bool time;                  //!< [s]; else a probability
+  const char* effect;         //!< for a person
 };
 
+/// Every number of WireFaults.
 extern const std::array<WireFault, 10> kWireFaults;
 
 /// @throw scan_cell_common::InvalidParameter naming prefix + name of the first that makes no sense

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera/control_server.h"
 
-#include <arpa/inet.h>
 #include <arv.h>
 
 #include <algorithm>
@@ -36,17 +35,13 @@ enum CommandCode : std::uint32_t {
   kWriteMemory = 0x0086
 };
 
-bool same(const sockaddr_in& a, const sockaddr_in& b) {
-  return a.sin_port == b.sin_port && a.sin_addr.s_addr == b.sin_addr.s_addr;
-}
-
 }  // namespace
 
 /// A command packet: key 0x42, flags, code, length, request id, then data.
 struct ControlServer::Command {
   explicit Command(const Bytes& packet) : bytes(packet) {}
 
-  static constexpr std::size_t kHeader = 8;
+  static constexpr std::size_t kHeader = 8;  // [bytes] GVCP
   bool valid() const {
     return bytes.size() >= kHeader && bytes[0] == 0x42 && size() == get16(&bytes[4]);
   }
@@ -59,14 +54,19 @@ struct ControlServer::Command {
   const Bytes& bytes;
 };
 
+scan_cell_common::UdpSocket camera_socket(const std::string& address, std::uint16_t port,
+                                          bool shared) {
+  return {Endpoint::parse("camera address", address, port), "camera",
+          "stop the other camera or simulator on this address, or give another one", shared};
+}
+
 ControlServer::ControlServer(const std::string& address, const std::string& serial,
                              const std::string& genicam_file)
-    : unicast_(address, kPort),
-      broadcast_("255.255.255.255", kPort, true),
+    : unicast_(camera_socket(address, kPort)),
+      broadcast_(camera_socket("255.255.255.255", kPort, true)),
       registers_(arv_fake_camera_new_full(serial.c_str(), genicam_file.c_str()),
                  [](ArvFakeCamera* camera) { g_object_unref(camera); }) {
-  in_addr own{};
-  inet_pton(AF_INET, address.c_str(), &own);
+  const in_addr own = unicast_.local().to_kernel().sin_addr;
   GInetAddress* const inet_address = g_inet_address_new_from_bytes(
       reinterpret_cast<const guint8*>(&own.s_addr), G_SOCKET_FAMILY_IPV4);
   arv_fake_camera_set_inet_address(registers_.get(), inet_address);
@@ -87,21 +87,21 @@ ControlServer::~ControlServer() = default;
 void ControlServer::serve(Nanoseconds now,
                           const std::function<void(const ResendRequest&)>& on_resend) {
   now_ = now;
-  Bytes packet;
-  sockaddr_in peer{};
-  for (const UdpSocket* const socket : {&unicast_, &broadcast_}) {
-    while (socket->receive(packet, peer)) {
+  std::array<std::uint8_t, 1500> bytes;  // of Ethernet
+  for (const auto* const socket : {&unicast_, &broadcast_}) {
+    while (const auto datagram = socket->receive(bytes.data(), bytes.size())) {
+      const Bytes packet(bytes.data(), bytes.data() + datagram->size);
       const Command command(packet);
       if (!command.valid()) continue;
-      if (controls(peer)) heard_ = now;
-      answer(command, peer, on_resend);
+      if (controls(datagram->from)) heard_ = now;
+      answer(command, datagram->from, on_resend);
     }
   }
   constexpr Nanoseconds kMillisecond = 1'000'000;
   if (controller_ && now - heard_ > get(kHeartbeat) * kMillisecond) release();
 }
 
-void ControlServer::answer(const Command& command, const sockaddr_in& peer,
+void ControlServer::answer(const Command& command, const Endpoint& peer,
                            const std::function<void(const ResendRequest&)>& on_resend) {
   switch (command.code()) {
     case kDiscovery: {
@@ -126,7 +126,7 @@ void ControlServer::answer(const Command& command, const sockaddr_in& peer,
   }
 }
 
-void ControlServer::read_registers(const Command& command, const sockaddr_in& peer) {
+void ControlServer::read_registers(const Command& command, const Endpoint& peer) {
   Bytes data;
   for (std::size_t i = 0; i < command.words(); ++i) {
     if (command.word(i) > ARV_FAKE_CAMERA_MEMORY_SIZE - 8) {
@@ -137,7 +137,7 @@ void ControlServer::read_registers(const Command& command, const sockaddr_in& pe
   acknowledge(command, kSuccess, data, peer);
 }
 
-void ControlServer::write_registers(const Command& command, const sockaddr_in& peer) {
+void ControlServer::write_registers(const Command& command, const Endpoint& peer) {
   if (controller_ && !controls(peer)) return acknowledge(command, kAccessDenied, {}, peer);
   std::uint32_t written = 0;
   for (std::size_t i = 0; i + 1 < command.words(); i += 2) {
@@ -153,7 +153,7 @@ void ControlServer::write_registers(const Command& command, const sockaddr_in& p
   acknowledge(command, kSuccess, data, peer);
 }
 
-void ControlServer::read_memory(const Command& command, const sockaddr_in& peer) {
+void ControlServer::read_memory(const Command& command, const Endpoint& peer) {
   constexpr std::uint32_t kMost = 536;  // [bytes] a packet that every network passes
   if (command.words() != 2) return acknowledge(command, kInvalidParameter, {}, peer);
   const std::uint32_t address = command.word(0);
@@ -167,7 +167,7 @@ void ControlServer::read_memory(const Command& command, const sockaddr_in& peer)
   acknowledge(command, kSuccess, data, peer);
 }
 
-void ControlServer::write_memory(const Command& command, const sockaddr_in& peer) {
+void ControlServer::write_memory(const Command& command, const Endpoint& peer) {
   if (controller_ && !controls(peer)) return acknowledge(command, kAccessDenied, {}, peer);
   if (command.words() < 2) return acknowledge(command, kInvalidParameter, {}, peer);
   const std::uint32_t address = command.word(0);
@@ -184,8 +184,8 @@ void ControlServer::write_memory(const Command& command, const sockaddr_in& peer
 }
 
 void ControlServer::acknowledge(const Command& command, std::uint32_t status, const Bytes& data,
-                                const sockaddr_in& peer) {
-  constexpr std::uint8_t kWanted = 1;
+                                const Endpoint& peer) {
+  constexpr std::uint8_t kWanted = 1;  // GVCP flag
   if ((command.bytes[1] & kWanted) == 0) return;
   Bytes packet;
   put16(packet, status);
@@ -193,10 +193,10 @@ void ControlServer::acknowledge(const Command& command, std::uint32_t status, co
   put16(packet, static_cast<std::uint32_t>(data.size()));
   put16(packet, command.id());
   packet.insert(packet.end(), data.begin(), data.end());
-  unicast_.send(packet, peer);
+  send(packet, peer);
 }
 
-void ControlServer::after_write(const sockaddr_in& peer) {
+void ControlServer::after_write(const Endpoint& peer) {
   const bool claimed = get(kPrivilege) != 0;
   if (claimed && !controller_) {
     controller_ = peer;
@@ -209,9 +209,9 @@ void ControlServer::after_write(const sockaddr_in& peer) {
 /// A datagram as long as stream packets would be: the client sees whether the network passes it.
 void ControlServer::fire_test_packet() {
   set_register(kPacketSize, get(kPacketSize) & ~kFireTestPacket);
-  constexpr std::uint32_t kHeaders = 20 + 8, kLongest = 9000;
+  constexpr std::uint32_t kHeaders = 20 + 8, kLongest = 9000;  // [bytes] IP and UDP; jumbo
   const std::uint32_t size = packet_size();
-  if (size > kHeaders && size <= kLongest) unicast_.send(Bytes(size - kHeaders), stream_peer());
+  if (size > kHeaders && size <= kLongest) send(Bytes(size - kHeaders), stream_peer());
 }
 
 void ControlServer::release() {
@@ -220,8 +220,8 @@ void ControlServer::release() {
   set_register(ARV_FAKE_CAMERA_REGISTER_ACQUISITION, 0);
 }
 
-bool ControlServer::controls(const sockaddr_in& peer) const {
-  return controller_ && same(*controller_, peer);
+bool ControlServer::controls(const Endpoint& peer) const {
+  return controller_ && *controller_ == peer;
 }
 
 std::uint32_t ControlServer::get(std::uint32_t address) const {
@@ -268,7 +268,7 @@ double ControlServer::gain() const {
 }
 
 double ControlServer::period() const {
-  constexpr std::uint32_t kShortest = 1000;  // [us]
+  constexpr std::uint32_t kShortest = 1000;  // [us] chosen
   return std::max(get(ARV_FAKE_CAMERA_REGISTER_ACQUISITION_FRAME_PERIOD_US), kShortest) * 1e-6;
 }
 
@@ -282,12 +282,8 @@ std::uint32_t ControlServer::packet_size() const {
   return get(kPacketSize) & 0xffffU;
 }
 
-sockaddr_in ControlServer::stream_peer() const {
-  sockaddr_in peer{};
-  peer.sin_family = AF_INET;
-  peer.sin_port = htons(static_cast<std::uint16_t>(get(kStreamPort)));
-  peer.sin_addr.s_addr = htonl(get(kStreamAddress));
-  return peer;
+Endpoint ControlServer::stream_peer() const {
+  return {get(kStreamAddress), static_cast<std::uint16_t>(get(kStreamPort))};
 }
 
 }  // namespace scan_cell_sim::gige

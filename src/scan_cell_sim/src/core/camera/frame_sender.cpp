@@ -11,16 +11,16 @@ namespace {
 
 using scan_cell_common::Nanoseconds;
 
-constexpr std::size_t kKept = 16;      // frames to send again from
+constexpr std::size_t kKept = 16;      // frames to send again from; chosen
 constexpr std::size_t kBurst = 16384;  // [bytes] sent at once: the client's buffer holds it
 constexpr Nanoseconds kCatchUp =
     500'000;  // [ns] how late a burst may be and still count as in time
-constexpr std::size_t kMostRequests = 256;
+constexpr std::size_t kMaxRequests = 256;  // chosen
 
 }  // namespace
 
 FrameSender::FrameSender(const std::string& address, double rate)
-    : socket_(address, 0), rate_(rate) {}
+    : socket_(camera_socket(address, 0)), rate_(rate) {}
 
 std::vector<std::uint8_t> FrameSender::spare_pixels() {
   if (frames_.size() < kKept) return {};
@@ -37,7 +37,7 @@ void FrameSender::begin(Frame frame, std::uint32_t packet_size, const PacketFaul
 }
 
 void FrameSender::request(const ControlServer::ResendRequest& request) {
-  if (requests_.size() < kMostRequests) requests_.push_back(request);
+  if (requests_.size() < kMaxRequests) requests_.push_back(request);
 }
 
 void FrameSender::abort() {
@@ -46,7 +46,7 @@ void FrameSender::abort() {
   frames_.clear();
 }
 
-void FrameSender::send(Nanoseconds now, const sockaddr_in& peer) {
+void FrameSender::send(Nanoseconds now, const Endpoint& peer) {
   if (now < next_) return;
   std::size_t sent = 0;
   while (sent < kBurst && busy()) {
@@ -56,14 +56,14 @@ void FrameSender::send(Nanoseconds now, const sockaddr_in& peer) {
           scan_cell_common::from_seconds(static_cast<double>(sent) / rate_);
 }
 
-std::size_t FrameSender::send_next(const sockaddr_in& peer) {
+std::size_t FrameSender::send_next(const Endpoint& peer) {
   const Frame& frame = frames_.back();
   const std::size_t sent = send_packet(frame, *next_packet_, false, peer);
   if (++*next_packet_ == packets_.count(frame)) next_packet_.reset();
   return sent;
 }
 
-std::size_t FrameSender::send_requested(const sockaddr_in& peer) {
+std::size_t FrameSender::send_requested(const Endpoint& peer) {
   ControlServer::ResendRequest& request = requests_.front();
   const auto frame = std::find_if(frames_.begin(), frames_.end(),
                                   [&](const Frame& f) { return f.block == request.block; });
@@ -76,12 +76,12 @@ std::size_t FrameSender::send_requested(const sockaddr_in& peer) {
 }
 
 std::size_t FrameSender::send_packet(const Frame& frame, std::uint32_t packet, bool again,
-                                     const sockaddr_in& peer) {
+                                     const Endpoint& peer) {
   packets_.write(frame, packet, again, bytes_);
   const std::uint64_t name = scramble(faults_.seed) ^ (std::uint64_t{frame.block} << 32U | packet);
   const bool lost = to_unit(scramble(name)) < faults_.lost;
   const bool lost_once = to_unit(scramble(~name)) < faults_.lost_once;
-  if (!lost && (again || !lost_once)) socket_.send(bytes_, peer);
+  if (!lost && (again || !lost_once)) socket_.send(bytes_.data(), bytes_.size(), peer);
   return bytes_.size();
 }
 

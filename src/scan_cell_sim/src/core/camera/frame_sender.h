@@ -22,7 +22,7 @@ struct PacketFaults {
 class FrameSender {
  public:
   /// @param rate [bytes/s] of the wire
-  /// @throw as UdpSocket
+  /// @throw as camera_socket()
   FrameSender(const std::string& address, double rate);
 
   bool busy() const { return next_packet_.has_value() || !requests_.empty(); }
@@ -36,18 +36,18 @@ class FrameSender {
   void abort();
 
   /// Sends what the wire takes now.
-  void send(scan_cell_common::Nanoseconds now, const sockaddr_in& peer);
+  void send(scan_cell_common::Nanoseconds now, const Endpoint& peer);
 
   /// When the wire is free for more.
   scan_cell_common::Nanoseconds next() const { return next_; }
 
  private:
   std::size_t send_packet(const Frame& frame, std::uint32_t packet, bool again,
-                          const sockaddr_in& peer);
-  std::size_t send_requested(const sockaddr_in& peer);
-  std::size_t send_next(const sockaddr_in& peer);
+                          const Endpoint& peer);
+  std::size_t send_requested(const Endpoint& peer);
+  std::size_t send_next(const Endpoint& peer);
 
-  UdpSocket socket_;
+  const scan_cell_common::UdpSocket socket_;
   double rate_;
   StreamPackets packets_{0};
   PacketFaults faults_;

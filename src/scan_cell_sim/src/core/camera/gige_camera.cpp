@@ -3,6 +3,7 @@
 #include "scan_cell_sim/gige_camera.h"
 
 #include <arv.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -30,11 +31,11 @@ using scan_cell_common::InvalidParameter;
 using scan_cell_common::Nanoseconds;
 
 /// The counter starts where Aravis' own fake camera's does: it wraps soon, as in every long scan.
-constexpr std::uint16_t kFirstBlock = 65400;
+constexpr std::uint16_t kFirstBlock = 65400;  // chosen: it wraps soon
 
 /// 16 bits, and 0 is no number.
 std::uint16_t block_of(std::uint64_t frame) {
-  constexpr std::uint64_t kBlocks = 65535;
+  constexpr std::uint64_t kBlocks = 65535;  // GVSP: 0 is left out
   return static_cast<std::uint16_t>((kFirstBlock + frame - 2) % kBlocks + 1);
 }
 
@@ -42,14 +43,12 @@ void check(const CameraOptions& options) {
   const Region& r = options.region;
   if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > options.sensor_width - r.x ||
       r.height > options.sensor_height - r.y) {
-    throw InvalidParameter("camera region",
-                           std::to_string(r.width) + " x " + std::to_string(r.height) + " at " +
-                               std::to_string(r.x) + ", " + std::to_string(r.y),
-                           "the sensor has " + std::to_string(options.sensor_width) + " x " +
-                               std::to_string(options.sensor_height) + " pixels");
+    throw InvalidParameter(
+        "camera region", fmt::format("{} x {} at {}, {}", r.width, r.height, r.x, r.y),
+        fmt::format("the sensor has {} x {} pixels", options.sensor_width, options.sensor_height));
   }
   if (!(options.wire_rate > 0)) {
-    throw InvalidParameter("camera wire rate", std::to_string(options.wire_rate) + " bytes/s",
+    throw InvalidParameter("camera wire rate", fmt::format("{:g} bytes/s", options.wire_rate),
                            "give more than 0");
   }
   if (!std::ifstream(options.genicam_file)) {
@@ -76,19 +75,16 @@ void power_up(ControlServer& server, const CameraOptions& options) {
 class Bell {
  public:
   Bell() : handle_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
-  ~Bell() { close(handle_); }
-  Bell(const Bell&) = delete;
-  Bell& operator=(const Bell&) = delete;
 
-  int handle() const { return handle_; }
-  void ring() const { eventfd_write(handle_, 1); }
+  int handle() const { return handle_.number(); }
+  void ring() const { eventfd_write(handle(), 1); }
   void quiet() const {
     eventfd_t value = 0;
-    eventfd_read(handle_, &value);
+    eventfd_read(handle(), &value);
   }
 
  private:
-  int handle_;
+  scan_cell_common::Descriptor handle_;
 };
 
 }  // namespace
@@ -112,8 +108,8 @@ class GigeCamera::Implementation {
       ++counts_.ignored;
       return;
     }
-    const bool too_soon = pulse.time - last_pulse_ < from_seconds(options_.least_period);
-    if (too_soon || pending_.size() >= static_cast<std::size_t>(options_.most_pending)) {
+    const bool too_soon = pulse.time - last_pulse_ < from_seconds(options_.min_period);
+    if (too_soon || pending_.size() >= static_cast<std::size_t>(options_.max_pending)) {
       ++counts_.overrun;
       return;
     }
@@ -261,7 +257,7 @@ class GigeCamera::Implementation {
     bell_.quiet();
   }
 
-  static constexpr Nanoseconds kIdle = 50'000'000;
+  static constexpr Nanoseconds kIdle = 50'000'000;  // [ns] chosen
 
   const CameraOptions options_;
   const Render render_;

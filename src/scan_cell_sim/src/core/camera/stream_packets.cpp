@@ -9,12 +9,12 @@
 namespace scan_cell_sim::gige {
 namespace {
 
-constexpr std::uint32_t kOverhead = 20 + 8 + 8;  // [bytes] of IP, UDP and GVSP
-constexpr std::uint32_t kLeastPayload = 64;
-constexpr std::uint32_t kResent = 0x0100;  // status
-constexpr std::uint32_t kLeader = 1, kTrailer = 2, kPayload = 3;
-constexpr std::uint32_t kImage = 1;
-constexpr std::uint32_t kMono8 = 0x01080001;
+constexpr std::uint32_t kOverhead = 20 + 8 + 8;                   // [bytes] of IP, UDP and GVSP
+constexpr std::uint32_t kMinPayload = 64;                         // [bytes] chosen
+constexpr std::uint32_t kResent = 0x0100;                         // status
+constexpr std::uint32_t kLeader = 1, kTrailer = 2, kPayload = 3;  // GVSP packet formats
+constexpr std::uint32_t kImage = 1;                               // GVSP payload type
+constexpr std::uint32_t kMono8 = 0x01080001;                      // GenICam PFNC
 
 void write_leader(const Frame& frame, std::vector<std::uint8_t>& bytes) {
   const auto time = static_cast<std::uint64_t>(frame.time);
@@ -38,7 +38,7 @@ void write_trailer(const Frame& frame, std::vector<std::uint8_t>& bytes) {
 }  // namespace
 
 StreamPackets::StreamPackets(std::uint32_t packet_size)
-    : payload_(std::max(packet_size, kOverhead + kLeastPayload) - kOverhead) {}
+    : payload_(std::max(packet_size, kOverhead + kMinPayload) - kOverhead) {}
 
 std::uint32_t StreamPackets::count(const Frame& frame) const {
   const auto size = static_cast<std::uint32_t>(frame.pixels.size());

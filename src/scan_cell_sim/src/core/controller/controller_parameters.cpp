@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/controller/controller_parameters.h"
+#include "controller/controller_parameters.h"
 
 #include <array>
 #include <cmath>
@@ -77,7 +77,7 @@ ControllerParameters::ControllerParameters(MotionControl& motion, double stream_
 const json& ControllerParameters::get(const std::string& name) const {
   const auto found = values_.find(name);
   if (found != values_.end()) return found->second;
-  throw ControllerRefusal(Code::UnknownParameter, "no parameter " + name);
+  throw ControllerRefusal(Code::kUnknownParameter, "no parameter " + name);
 }
 
 void ControllerParameters::set(const std::string& name, const json& value, Nanoseconds now) {
@@ -105,11 +105,11 @@ void ControllerParameters::set_motion(const std::string& name, const json& value
     known = true;
     const std::string word = text(value, name);
     if (word != "linear" && word != setting.other) {
-      throw ControllerRefusal(Code::OutOfRange, name + " is linear or " + setting.other);
+      throw ControllerRefusal(Code::kOutOfRange, name + " is linear or " + setting.other);
     }
     setting.is_other(settings) = word == setting.other;
   }
-  if (!known) throw ControllerRefusal(Code::ReadOnly, name + " is read-only");
+  if (!known) throw ControllerRefusal(Code::kReadOnly, name + " is read-only");
   motion_.set(settings, now);
 }
 

@@ -1,6 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/controller/protocol_server.h"
+#include "controller/protocol_server.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -15,18 +17,18 @@ using Code = ControllerErrorCode;
 using scan_cell_common::Nanoseconds;
 
 constexpr int kVersion = 1;
-constexpr Nanoseconds kClientSilence = 1'000'000'000;
-constexpr Nanoseconds kStreamTail = 200'000'000;
+constexpr Nanoseconds kClientSilence = 1'000'000'000;  // [ns] c4g_protocol.md
+constexpr Nanoseconds kStreamTail = 200'000'000;       // [ns] c4g_protocol.md
 
 /// [Hz]
 double camera_rate(const json& request) {
-  constexpr double kMost = 1e5;
+  constexpr double kMost = 1e5;  // [Hz] c4g_protocol.md
   return number(entry(request, "camera_fps"), "camera_fps", 0, kMost);
 }
 
 void require_version(const json& request) {
   if (whole(entry(request, "c4g"), "c4g") != kVersion) {
-    throw ControllerRefusal(Code::Version, "this controller speaks version 1");
+    throw ControllerRefusal(Code::kVersion, "this controller speaks version 1");
   }
 }
 
@@ -36,7 +38,7 @@ std::string command_of(const json& request) {
 
 /// @param what may repeat what a client sent: it is cut so that any answer fits into a datagram
 json error_json(Code code, std::string what) {
-  constexpr std::size_t kLongest = 80;
+  constexpr std::size_t kLongest = 80;  // characters; c4g_protocol.md
   what.resize(std::min(what.size(), kLongest));
   const auto odd = [](char byte) { return byte < ' ' || byte > '~'; };
   std::replace_if(what.begin(), what.end(), odd, '?');
@@ -53,14 +55,13 @@ json alarms_json(const std::vector<Complaint>& alarms) {
 }  // namespace
 
 ProtocolServer::ProtocolServer(MotionControl& motion, const DriftingClock& clock,
-                               double stream_period, const MeasurementNoise& noise,
-                               const Witness& witness)
+                               const ControllerOptions& options)
     : motion_(motion),
       clock_(clock),
-      parameters_(motion, stream_period),
-      noise_(noise),
-      random_(noise.seed),
-      witness_(witness) {}
+      parameters_(motion, options.stream_period),
+      noise_(options.noise),
+      random_(noise_.seed),
+      witness_(options.witness) {}
 
 std::optional<std::string> ProtocolServer::answer(const Datagram& datagram, Nanoseconds now) {
   const Peer& from = datagram.peer;
@@ -100,13 +101,13 @@ json ProtocolServer::reply(const json& request, const Datagram& datagram, Nanose
   last_heard_ = now;
   if (seq == last_seq_ && !last_answer_.empty()) return last_answer_;
   if (seq <= last_seq_) {
-    throw ControllerRefusal(Code::Straggler, "request " + std::to_string(seq) + " comes after " +
-                                                 std::to_string(last_seq_));
+    throw ControllerRefusal(Code::kStraggler,
+                            fmt::format("request {} comes after {}", seq, last_seq_));
   }
   if (seq - last_seq_ > 1) {
-    throw ControllerRefusal(Code::OutOfTurn, "request " + std::to_string(seq) +
-                                                 " is out of turn, the next is " +
-                                                 std::to_string(last_seq_ + 1));
+    throw ControllerRefusal(
+        Code::kOutOfTurn,
+        fmt::format("request {} is out of turn, the next is {}", seq, last_seq_ + 1));
   }
   last_seq_ = seq;
   last_answer_.clear();
@@ -135,14 +136,14 @@ void ProtocolServer::open(const json& request, std::uint64_t session, std::uint6
   require_version(request);
   const bool opens = command_of(request) == "OPEN";
   if (client_ && !(from == *client_)) {
-    throw ControllerRefusal(Code::Busy, "another client has the controller");
+    throw ControllerRefusal(Code::kBusy, "another client has the controller");
   }
-  if (!opens) throw ControllerRefusal(Code::Session, "this session is not open");
+  if (!opens) throw ControllerRefusal(Code::kSession, "this session is not open");
   const auto latest = latest_sessions_.find(from);
   if (latest != latest_sessions_.end() && session <= latest->second) {
-    throw ControllerRefusal(Code::Session, "not a newer session than the client's last one");
+    throw ControllerRefusal(Code::kSession, "not a newer session than the client's last one");
   }
-  if (seq != 1) throw ControllerRefusal(Code::OutOfTurn, "the seq of OPEN is 1");
+  if (seq != 1) throw ControllerRefusal(Code::kOutOfTurn, "the seq of OPEN is 1");
   motion_.forget(now);
   client_ = from;
   session_ = latest_sessions_[from] = session;
@@ -173,17 +174,17 @@ json ProtocolServer::perform(const json& request, Nanoseconds now) {
   } else if (command == "SET_PARAMETER") {
     parameters_.set(text(entry(request, "name"), "name"), entry(request, "value"), now);
   } else if (command == "SET_DRIVES") {
-    motion_.switch_drives(truth(entry(request, "drives"), "drives"), Readiness::Source::Client,
+    motion_.switch_drives(truth(entry(request, "drives"), "drives"), Readiness::Source::kClient,
                           now);
   } else if (command == "RESET_ALARMS") {
-    motion_.reset_alarms(Readiness::Source::Client);
+    motion_.reset_alarms(Readiness::Source::kClient);
   } else if (command == "CLOSE") {
     motion_.forget(now);
     client_.reset();
   } else if (command == "OPEN") {
-    if (last_seq_ != 1) throw ControllerRefusal(Code::OutOfTurn, "this session is open already");
+    if (last_seq_ != 1) throw ControllerRefusal(Code::kOutOfTurn, "this session is open already");
   } else if (command != "GET_STATIC_POSE") {
-    throw ControllerRefusal(Code::UnknownCommand, "unknown command " + command);
+    throw ControllerRefusal(Code::kUnknownCommand, "unknown command " + command);
   }
   return json::object();
 }
@@ -224,14 +225,14 @@ json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
 
 void ProtocolServer::watch(Nanoseconds now) {
   if (!client_ || now - last_heard_ < kClientSilence) return;
-  motion_.stop(Complaint{Code::Session, "the client was silent for 1 s"}, now);
+  motion_.stop(Complaint{Code::kSession, "the client was silent for 1 s"}, now);
   client_.reset();
 }
 
 std::optional<std::string> ProtocolServer::stream(Nanoseconds now) {
   if (!client_) return {};
   const MotionState truth = motion_.state(now);
-  if (truth.status == MotionStatus::Moving) last_moving_ = now;
+  if (truth.status == MotionStatus::kMoving) last_moving_ = now;
   if (now - last_moving_ > kStreamTail) return {};
   json datagram = state(truth, now);
   datagram.update(

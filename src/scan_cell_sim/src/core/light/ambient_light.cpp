@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/ambient_light.h"
+#include "light/ambient_light.h"
 
 #include <algorithm>
 #include <array>
@@ -169,7 +169,7 @@ std::shared_ptr<const AmbientLight::Rays> AmbientLight::rays_of(const Region& re
 void AmbientLight::add(const Scene& scene, const Exposure& exposure, const Region& region,
                        const SensorNoise& noise, std::uint64_t seed, std::uint8_t* pixels) const {
   const double level = optics_.ambient * exposure.duration / optics_.exposure * exposure.gain;
-  if (level < kLeastLevel) return;
+  if (level < kMinLevel) return;
   const std::shared_ptr<const Rays> rays = rays_of(region);
   const Picture picture(scene, exposure.camera, *rays);
   const auto expose = [&](int row, int column, float reflectance) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/ambient_light.h"
+#include "light/sensor_noise.h"
 #include "scene/scramble.h"
 
 namespace scan_cell_sim {
@@ -15,7 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kWhiteDistance = 0.5;  // [m] where Optics::brightness is meant
-constexpr double kMostTangent = 1;      // a fan opens +-45 degrees
+constexpr double kMaxTangent = 1;       // a fan opens +-45 degrees; chosen
 constexpr double kRaysPerRow = 2;       // further rays are added where the surface is steep
 constexpr double kJump = 0.0006;        // [m] neighbours this close are on one surface
 constexpr int kDeepest = 7;             // a gap that stays when cut into 2^7 is a jump
@@ -44,7 +46,10 @@ struct LaserLineRenderer::Drawing {
 
 LaserLineRenderer::LaserLineRenderer(const scan_cell_common::ScannerModel& scanner,
                                      const Optics& optics)
-    : scanner_(scanner), optics_(optics), noise_(optics), ambient_(scanner.camera, optics) {
+    : scanner_(scanner),
+      optics_(optics),
+      noise_(std::make_shared<SensorNoise>(optics)),
+      ambient_(std::make_shared<AmbientLight>(scanner.camera, optics)) {
   for (std::size_t i = 0; i < scanner_.lasers.size(); ++i) {
     const scan_cell_common::LaserPlane& laser = scanner_.laser(i);
     // The fan's middle meets the camera's axis, or runs along it where that is in the plane.
@@ -60,8 +65,8 @@ LaserLineRenderer::LaserLineRenderer(const scan_cell_common::ScannerModel& scann
 
 std::pair<double, double> LaserLineRenderer::reach(const Fan& fan, const Region& region) const {
   // Rays through the corners of the region, undistorted well enough by a margin, at near and far.
-  constexpr double kMargin = 1.15;
-  double least = kMostTangent, most = -kMostTangent;
+  constexpr double kMargin = 1.15;  // chosen
+  double least = kMaxTangent, most = -kMaxTangent;
   for (const int row : {region.y, region.y + region.height}) {
     const double slope = (row - scanner_.camera.cy) / scanner_.camera.fy * kMargin;
     for (const double depth : {0.2, 0.35, 0.5, 0.75, 1.2}) {
@@ -71,7 +76,7 @@ std::pair<double, double> LaserLineRenderer::reach(const Fan& fan, const Region&
       most = std::max(most, tangent);
     }
   }
-  return {std::max(least, -kMostTangent), std::min(most, kMostTangent)};
+  return {std::max(least, -kMaxTangent), std::min(most, kMaxTangent)};
 }
 
 LaserLineRenderer::Spot LaserLineRenderer::spot(const Drawing& drawing, const Fan& fan,
@@ -119,8 +124,8 @@ void LaserLineRenderer::draw(const Drawing& drawing, const Spot& from, const Spo
   if (!(rows > 0)) return;
   const double slope = (lower.pixel.x() - upper.pixel.x()) / rows;
   // A line that slants is as wide as ever across itself, so it is wider along the row.
-  constexpr double kMostWidening = 4;
-  const double sigma = optics_.stripe_sigma * std::min(std::sqrt(1 + slope * slope), kMostWidening);
+  constexpr double kMaxWidening = 4;  // chosen
+  const double sigma = optics_.stripe_sigma * std::min(std::sqrt(1 + slope * slope), kMaxWidening);
   const Region& region = drawing.region;
   const int first = std::max(static_cast<int>(std::ceil(upper.pixel.y())), region.y);
   for (int row = first; row < lower.pixel.y() && row < region.y + region.height; ++row) {
@@ -138,7 +143,7 @@ void LaserLineRenderer::draw_row(const Drawing& drawing, int row, double column,
       std::min(drawing.region.width - 1, static_cast<int>(std::floor(column + kReach * sigma)));
   std::uint8_t* const pixels =
       drawing.pixels + static_cast<std::size_t>(row) * drawing.region.width;
-  const float* const noise = noise_.light(drawing.seed, row);
+  const float* const noise = noise_->light(drawing.seed, row);
   const auto scale = static_cast<float>(-0.5 / (sigma * sigma));
   for (int x = begin; x <= end; ++x) {
     const auto offset = static_cast<float>(x - column);
@@ -156,8 +161,8 @@ void LaserLineRenderer::render(const Scene& scene, const Exposure& exposure, con
                         pixels,
                         exposure.camera.inverse(),
                         scramble(optics_.seed ^ (exposure.frame << 20U))};
-  noise_.fill_dark(drawing.seed, region.width, region.height, pixels);
-  ambient_.add(scene, exposure, region, noise_, drawing.seed, pixels);
+  noise_->fill_dark(drawing.seed, region.width, region.height, pixels);
+  ambient_->add(scene, exposure, region, *noise_, drawing.seed, pixels);
   for (std::size_t i = 0; i < fans_.size(); ++i) {
     if ((exposure.lasers >> i & 1U) == 0) continue;
     const auto [least, most] = reach(fans_[i], region);

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/sensor_noise.h"
+#include "light/sensor_noise.h"
 
 #include <cstring>
 #include <random>

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/deformation.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "scan_cell_common/errors.h"
 
@@ -15,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Beyond this many radii a hump counts as flat: exp(-5^2 / 2) = 4e-6.
-constexpr double kReach = 5;
+constexpr double kReach = 5;  // radii; chosen
 
 /// How far material moves along `towards`, and the derivative of it.
 struct Shift {
@@ -90,17 +91,18 @@ Eigen::Matrix3d Deformation::jacobian(const Vector3d& point) const {
 }
 
 Vector3d Deformation::invert(const Vector3d& deformed) const {
-  constexpr int kMostSteps = 50;
-  constexpr double kTolerance = 1e-12;  // [m]
+  constexpr int kMaxSteps = 50;         // chosen
+  constexpr double kTolerance = 1e-12;  // [m] chosen
   Vector3d point = deformed;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Vector3d error = apply(point) - deformed;
     if (error.norm() < kTolerance) return point;
     point -= jacobian(point).partialPivLu().solve(error);
   }
-  std::ostringstream text;
-  text << "(" << deformed.transpose() << ") m comes from no point of the undeformed part";
-  throw scan_cell_common::UnusableInput("deformation", text.str(),
+  throw scan_cell_common::UnusableInput("deformation",
+                                        fmt::format("({:g} {:g} {:g}) m comes from no point of the "
+                                                    "undeformed part",
+                                                    deformed.x(), deformed.y(), deformed.z()),
                                         "deform less, or give a point near the part");
 }
 

@@ -71,7 +71,7 @@ class Tessellator {
                  double lift_curvature = 0) {
     const auto along = [&](const Vector3d& way, const Vector3d& across) {
       return stations(way.norm(), [&](double s) {
-        return lift_curvature + most_curvature(origin + s * way, across);
+        return lift_curvature + max_curvature(origin + s * way, across);
       });
     };
     const std::vector<double> us = along(u, v);
@@ -97,7 +97,7 @@ class Tessellator {
   Mesh take() { return std::move(mesh_); }
 
  private:
-  double most_curvature(const Vector3d& begin, const Vector3d& way) const {
+  double max_curvature(const Vector3d& begin, const Vector3d& way) const {
     const int samples = static_cast<int>(std::ceil(way.norm() / kLongestStep)) + 1;
     double most = 0;
     for (int i = 0; i <= samples; ++i) {

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/tool_paths.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iomanip>
-#include <limits>
 #include <sstream>
 
 #include "part/moulding.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/unit_quaternion.h"
 #include "scan_cell_common/yaml_file.h"
 
 namespace scan_cell_sim {
@@ -42,10 +43,9 @@ Isometry3d parse(const std::string& file, std::size_t number, const std::string&
     good = good && comma == ',' && (text >> v[i]) && std::isfinite(v[i]);
   }
   const Eigen::Quaterniond rotation(v[6], v[3], v[4], v[5]);
-  constexpr double kUnit = 1e-3;
   text >> std::ws;
-  if (!good || !text.eof() || std::abs(rotation.norm() - 1) > kUnit) {
-    throw UnusableInput(file + ": line " + std::to_string(number), "'" + line + "'",
+  if (!good || !text.eof() || !scan_cell_common::is_unit(rotation)) {
+    throw UnusableInput(fmt::format("{}: line {}", file, number), "'" + line + "'",
                         std::string("give ") + kHeader + " with a unit quaternion");
   }
   Isometry3d pose = Isometry3d::Identity();
@@ -61,9 +61,9 @@ ToolPath crest_path(const Part& frame, double spacing) {
   if (shape == nullptr) {
     throw UnusableInput("part " + frame.name, "no frame", "the crest path is of a frame");
   }
-  constexpr double kLeast = 1e-4;
+  constexpr double kLeast = 1e-4;  // [m] chosen
   if (!(spacing >= kLeast)) {
-    throw scan_cell_common::InvalidParameter("spacing", std::to_string(spacing) + " m",
+    throw scan_cell_common::InvalidParameter("spacing", fmt::format("{:g} m", spacing),
                                              "give at least 0.0001 m");
   }
   const Moulding moulding;
@@ -115,15 +115,14 @@ ToolPath load_tool_path(const std::string& path) {
 }
 
 void save_tool_path(const std::string& file, const ToolPath& path) {
-  std::ostringstream text;
-  text << std::setprecision(std::numeric_limits<double>::max_digits10) << kHeader << '\n';
+  std::string text = std::string(kHeader) + '\n';
   for (const Isometry3d& pose : path) {
     const Eigen::Quaterniond q(pose.linear());
     const Vector3d p = pose.translation();
-    text << p.x() << ',' << p.y() << ',' << p.z() << ',' << q.x() << ',' << q.y() << ',' << q.z()
-         << ',' << q.w() << '\n';
+    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", p.x(), p.y(),
+                        p.z(), q.x(), q.y(), q.z(), q.w());
   }
-  scan_cell_common::save_text(file, text.str());
+  scan_cell_common::save_text(file, text);
 }
 
 }  // namespace scan_cell_sim

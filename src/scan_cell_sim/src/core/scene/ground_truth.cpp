@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/ground_truth.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,7 @@ struct Triangle {
 
 /// Triangles that face upwards, steep ones left out: from above nothing of them is seen.
 std::vector<Triangle> upper_triangles(const Scene& scene) {
-  constexpr double kSteepest = 0.05;
+  constexpr double kSteepest = 0.05;  // cosine to the vertical; chosen
   std::vector<Triangle> result;
   for (const Mesh& mesh : scene.meshes()) {
     for (const auto& corner : mesh.triangles) {
@@ -85,7 +87,7 @@ std::vector<Vector3d> sample(const Scene& scene, std::size_t count, std::uint64_
                              double noise) {
   if (count == 0) throw InvalidParameter("points", "0", "ask for at least one");
   if (!(noise >= 0) || !std::isfinite(noise)) {
-    throw InvalidParameter("noise", std::to_string(noise) + " m", "give 0 or more");
+    throw InvalidParameter("noise", fmt::format("{:g} m", noise), "give 0 or more");
   }
   const std::vector<Triangle> triangles = upper_triangles(scene);
   std::vector<double> area_up_to;
@@ -94,7 +96,7 @@ std::vector<Vector3d> sample(const Scene& scene, std::size_t count, std::uint64_
     area_up_to.push_back(area += triangle.area_normal().norm());
   if (triangles.empty()) throw UnusableInput("world", "no surface", "give a world with parts");
 
-  constexpr double kSky = 100;  // [m] above everything
+  constexpr double kSky = 100;  // [m] above everything; chosen
   std::mt19937_64 random(seed);
   std::vector<Vector3d> points;
   points.reserve(count);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -18,8 +20,7 @@ using scan_cell_common::YamlEntry;
 double number(const YamlEntry& entry, double least, double most) {
   const auto value = entry.as<double>();
   if (!(value >= least) || !(value <= most)) {
-    entry.refuse(std::to_string(value),
-                 "give " + std::to_string(least) + " .. " + std::to_string(most));
+    entry.refuse(fmt::format("{:g}", value), fmt::format("give {:g} .. {:g}", least, most));
   }
   return value;
 }
@@ -38,38 +39,38 @@ template <int N>
 Eigen::Matrix<double, N, 1> lengths(const YamlEntry& entry, double least) {
   const Eigen::Matrix<double, N, 1> value = entry.vector<N>();
   if (!(value.minCoeff() >= least)) {
-    entry.refuse("a length of " + std::to_string(value.minCoeff()) + " m",
-                 "give at least " + std::to_string(least) + " m");
+    entry.refuse(fmt::format("a length of {:g} m", value.minCoeff()),
+                 fmt::format("give at least {:g} m", least));
   }
   return value;
 }
 
-constexpr double kLeastRadius = 0.001;  // [m]
-constexpr double kMostRadius = 1;       // [m]
-constexpr double kMostShift = 0.05;     // [m]
+constexpr double kMinRadius = 0.001;  // [m] chosen, as what follows
+constexpr double kMaxRadius = 1;      // [m]
+constexpr double kMaxShift = 0.05;    // [m]
 
 Bulge read_bulge(const YamlEntry& entry) {
   entry.refuse_unknown({"kind", "centre", "towards", "radius", "height"});
   Bulge bulge;
   bulge.centre = entry["centre"].vector<3>();
   if (entry.has("towards")) bulge.towards = direction(entry["towards"]);
-  bulge.radius = number(entry["radius"], kLeastRadius, kMostRadius);
-  bulge.height = number(entry["height"], -kMostShift, kMostShift);
+  bulge.radius = number(entry["radius"], kMinRadius, kMaxRadius);
+  bulge.height = number(entry["height"], -kMaxShift, kMaxShift);
   return bulge;
 }
 
 Bend read_bend(const YamlEntry& entry) {
   entry.refuse_unknown({"kind", "along", "towards", "curvature"});
-  constexpr double kMostCurvature = 10;  // [1/m]
+  constexpr double kMaxCurvature = 10;  // [1/m] chosen
   return {direction(entry["along"]), direction(entry["towards"]),
-          number(entry["curvature"], -kMostCurvature, kMostCurvature)};
+          number(entry["curvature"], -kMaxCurvature, kMaxCurvature)};
 }
 
 FiledEdge read_filed_edge(const YamlEntry& entry) {
   entry.refuse_unknown({"kind", "from", "to", "towards", "radius", "depth"});
   FiledEdge edge{entry["from"].vector<3>(), entry["to"].vector<3>(), direction(entry["towards"]),
-                 number(entry["radius"], kLeastRadius, kMostRadius),
-                 number(entry["depth"], 0, kMostShift)};
+                 number(entry["radius"], kMinRadius, kMaxRadius),
+                 number(entry["depth"], 0, kMaxShift)};
   if (!((edge.to - edge.from).norm() > 0)) entry["to"].refuse("the same as from", "give a stretch");
   return edge;
 }
@@ -83,22 +84,22 @@ Deformation::Term read_term(const YamlEntry& entry) {
 }
 
 FrameShape read_frame(const YamlEntry& entry) {
-  constexpr double kLeastOutside = 0.1;  // [m] the hanger and an opening fit
+  constexpr double kMinOutside = 0.1;  // [m] the hanger and an opening fit
   FrameShape frame;
-  if (entry.has("size")) frame.size = lengths<2>(entry["size"], kLeastOutside);
+  if (entry.has("size")) frame.size = lengths<2>(entry["size"], kMinOutside);
   if (!entry.has("sheet")) return frame;
   const YamlEntry sheet = entry["sheet"];
   sheet.refuse_unknown({"height", "bulge"});
   frame.sheet = Sheet{};
-  read(sheet, "height", frame.sheet->height, 0, kMostShift);
-  read(sheet, "bulge", frame.sheet->bulge, -kMostShift, kMostShift);
+  read(sheet, "height", frame.sheet->height, 0, kMaxShift);
+  read(sheet, "bulge", frame.sheet->bulge, -kMaxShift, kMaxShift);
   return frame;
 }
 
 BoxShape read_box(const YamlEntry& entry) {
-  constexpr double kLeastSide = 0.001;  // [m]
+  constexpr double kMinSide = 0.001;  // [m] chosen
   BoxShape box;
-  if (entry.has("size")) box.size = lengths<3>(entry["size"], kLeastSide);
+  if (entry.has("size")) box.size = lengths<3>(entry["size"], kMinSide);
   if (entry.has("sheet")) entry["sheet"].refuse("in a box", "only a frame can hold a sheet");
   return box;
 }
@@ -138,10 +139,10 @@ Floor read_floor(const YamlEntry& entry) {
 
 Checkerboard read_board(const YamlEntry& entry) {
   entry.refuse_unknown({"inner_corners", "square_size", "margin", "white", "black", "pose"});
-  constexpr double kMostCorners = 200;
+  constexpr double kMaxCorners = 200;  // chosen
   Checkerboard board;
   const Eigen::Vector2d corners = entry["inner_corners"].vector<2>();
-  if (!(corners.minCoeff() >= 2) || !(corners.maxCoeff() <= kMostCorners) ||
+  if (!(corners.minCoeff() >= 2) || !(corners.maxCoeff() <= kMaxCorners) ||
       corners != corners.array().round().matrix()) {
     entry["inner_corners"].refuse("no such board", "give [columns, rows], whole numbers from 2");
   }

@@ -2,26 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/trigger_circuit.h"
 
-#include <arpa/inet.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
-#include "scan_cell_common/errors.h"
 #include "scan_cell_common/host_clock.h"
-#include "scan_cell_common/stamped_datagram.h"
 
 namespace scan_cell_sim {
 namespace {
 
-using scan_cell_common::ConnectionError;
+using scan_cell_common::Endpoint;
 using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
-using scan_cell_common::receive_stamped;
+using scan_cell_common::UdpSocket;
 
 constexpr std::uint8_t kPulseBit = 1;
 
@@ -29,35 +20,15 @@ std::uint8_t lasers_in(std::uint8_t data) {
   return static_cast<std::uint8_t>(data >> 1 & 3);
 }
 
-/// A socket whose datagrams carry the kernel's time of receipt.
-int open_socket(const std::string& address, std::uint16_t port) {
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(port);
-  const int on = 1;
-  const int handle = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (inet_pton(AF_INET, address.c_str(), &name.sin_addr) == 1 &&
-      setsockopt(handle, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on)) == 0 &&
-      bind(handle, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0) {
-    return handle;
-  }
-  const std::string reason = std::strerror(errno);
-  if (handle >= 0) close(handle);
-  throw ConnectionError("trigger circuit on " + address + ":" + std::to_string(port), reason,
-                        "stop the program that holds the port, or give another one");
-}
-
-std::uint16_t port_of(int handle) {
-  sockaddr_in name{};
-  socklen_t size = sizeof(name);
-  getsockname(handle, reinterpret_cast<sockaddr*>(&name), &size);
-  return ntohs(name.sin_port);
+UdpSocket open_socket(const Endpoint& endpoint) {
+  return {endpoint, "trigger circuit", "stop the program that holds the port, or give another one"};
 }
 
 }  // namespace
 
 TriggerCircuit::TriggerCircuit(const std::string& address, std::uint16_t port)
-    : address_(address), socket_(open_socket(address, port)), port_(port_of(socket_)) {
+    : socket_(open_socket(Endpoint::parse("address of the trigger circuit", address, port))),
+      endpoint_(socket_->local()) {
   thread_ = std::thread(&TriggerCircuit::listen, this);
 }
 
@@ -69,13 +40,13 @@ void TriggerCircuit::set_power(bool on) {
   const std::lock_guard<std::mutex> lock(power_mutex_);
   if (on == thread_.joinable()) return;
   if (on) {
-    socket_ = open_socket(address_, port_);
+    socket_ = open_socket(endpoint_);
     thread_ = std::thread(&TriggerCircuit::listen, this);
   } else {
     ending_ = true;
     thread_.join();
     ending_ = false;
-    close(socket_);
+    socket_.reset();
     set_lines(0, host_now());
   }
 }
@@ -98,12 +69,11 @@ TriggerCircuit::State TriggerCircuit::state() const {
 }
 
 void TriggerCircuit::listen() {
-  constexpr int kPatience = 50;  // [ms] between two looks at ending_
+  constexpr double kLook = 0.05;  // [s] between two looks at ending_; chosen
   while (!ending_) {
-    pollfd wait{socket_, POLLIN, 0};
-    if (poll(&wait, 1, kPatience) <= 0) continue;
+    if (!socket_->wait(kLook)) continue;
     std::uint8_t data[2];
-    const auto datagram = receive_stamped(socket_, data, sizeof data);
+    const auto datagram = socket_->receive(data, sizeof data);
     if (!datagram) continue;
     if (datagram->size == 1) {
       write(data[0], datagram->receipt.value_or(host_now()));

@@ -1,6 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tecnogamma_camera/acquisition.h"
+#include "acquisition/acquisition.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -18,13 +20,6 @@ Clock::duration seconds(double value) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(value));
 }
 
-std::string to_text(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 }  // namespace
 
 Acquisition::Acquisition(const AcquisitionParameters& parameters, Open open,
@@ -37,6 +32,7 @@ Acquisition::Acquisition(const AcquisitionParameters& parameters, Open open,
       numbering_(kCounter64, parameters.clock) {
   state_.message = "the camera was not looked for yet";
   state_.trigger = trigger_;
+  state_.settings = parameters.camera;
   thread_ = std::thread([this] { run(); });
 }
 
@@ -49,26 +45,53 @@ Acquisition::~Acquisition() {
   thread_.join();
 }
 
-std::uint32_t Acquisition::set(AcquisitionMode mode, Trigger trigger) {
-  if (mode == AcquisitionMode::STOP) {
-    return execute(
-        [this] {
-          wanted_ = AcquisitionMode::STOP;
-          ended_by_loss_ = false;
-          stop();
-          return 0U;
-        },
-        false);
-  }
+std::uint32_t Acquisition::set(AcquisitionMode mode, Trigger trigger,
+                               const std::optional<CameraChange>& changes) {
+  const bool starts = mode != AcquisitionMode::kStop;
   return execute(
-      [this, mode, trigger] {
-        wanted_ = AcquisitionMode::STOP;  // where the start fails, its caller knows
+      [this, mode, trigger, starts, changes] {
+        wanted_ = AcquisitionMode::kStop;  // where the start fails, its caller knows
         ended_by_loss_ = false;
+        stop();
+        if (changes) change(*changes);
+        if (!starts) return 0U;
         start(mode, trigger);
         wanted_ = mode_;  // STOP where a recording has ended already
         return acquisition_;
       },
-      true);
+      starts);
+}
+
+void Acquisition::change(const CameraChange& change) {
+  CameraSettings changed = parameters_.camera;
+  changed.region = change.region;
+  if (change.exposure > 0) {
+    changed.exposure = change.exposure;
+  } else if (changed.exposure) {
+    throw Refused("exposure", "0 s: the camera's own was overwritten",
+                  "give one above 0, or restart camera and node");
+  }
+  write(changed);
+}
+
+/// A camera that is away gets them when it is found.
+void Acquisition::write(const CameraSettings& settings) {
+  if (camera_) {
+    try {
+      camera_->configure(settings);
+    } catch (const ConnectionError&) {
+      throw;
+    } catch (const scan_cell_common::Error&) {
+      camera_->configure(parameters_.camera);  // some may have been written before the refusal
+      throw;
+    }
+    description_ = camera_->describe();
+  }
+  parameters_.camera = settings;
+  change_state([&](AcquisitionState& s) {
+    s.settings = settings;
+    s.camera = description_;
+  });
 }
 
 void Acquisition::set_exposure(double exposure) {
@@ -76,6 +99,11 @@ void Acquisition::set_exposure(double exposure) {
       [this, exposure] {
         if (camera_) camera_->set_exposure(exposure);
         parameters_.camera.exposure = exposure;
+        if (camera_) description_ = camera_->describe();
+        change_state([this](AcquisitionState& s) {
+          s.settings = parameters_.camera;
+          s.camera = description_;
+        });
         return 0U;
       },
       false);
@@ -84,17 +112,12 @@ void Acquisition::set_exposure(double exposure) {
 void Acquisition::set_region(const Region& region) {
   execute(
       [this, region] {
-        if (mode_ != AcquisitionMode::STOP) {
+        if (mode_ != AcquisitionMode::kStop) {
           throw Refused("region", "the camera is running", "change it in mode STOP");
         }
         CameraSettings changed = parameters_.camera;
         changed.region = region;
-        if (camera_) camera_->configure(changed);
-        parameters_.camera = changed;
-        if (camera_) {
-          description_ = camera_->describe();
-          change_state([this](AcquisitionState& s) { s.camera = description_; });
-        }
+        write(changed);
         return 0U;
       },
       false);
@@ -176,7 +199,7 @@ void Acquisition::run_once() {
     perform(*command);
   } else if (!camera_) {
     connect();
-  } else if (mode_ == AcquisitionMode::STOP) {
+  } else if (mode_ == AcquisitionMode::kStop) {
     wait_for_command(kPoll);
     camera_->throw_if_lost();
   } else {
@@ -197,28 +220,28 @@ void Acquisition::connect() {
     if (!ended_by_loss_) s.message.clear();
   });
   listener_.on_connected(description_);
-  if (wanted_ == AcquisitionMode::STOP) return;
+  if (wanted_ == AcquisitionMode::kStop) return;
   try {
     start(wanted_, trigger_);
   } catch (const ConnectionError&) {
     throw;
   } catch (const scan_cell_common::Error& error) {
-    wanted_ = AcquisitionMode::STOP;
+    wanted_ = AcquisitionMode::kStop;
     report(error.what());
   }
 }
 
 void Acquisition::lose(const std::string& reason) {
   const bool was_there = state().connected;
-  const bool ends = was_there && wanted_ != AcquisitionMode::STOP && trigger_ == Trigger::FREE_RUN;
+  const bool ends = was_there && wanted_ != AcquisitionMode::kStop && trigger_ == Trigger::kFreeRun;
   if (ends) {
-    wanted_ = AcquisitionMode::STOP;
+    wanted_ = AcquisitionMode::kStop;
     ended_by_loss_ = true;
   }
-  mode_ = AcquisitionMode::STOP;
+  mode_ = AcquisitionMode::kStop;
   change_state([&](AcquisitionState& s) {
     s.connected = false;
-    s.mode = AcquisitionMode::STOP;
+    s.mode = AcquisitionMode::kStop;
     if (was_there) ++s.times_lost;
   });
   report(ends ? reason + " (it ran free: it stays stopped when it is found again)" : reason);
@@ -256,36 +279,36 @@ void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
     s.acquisition = acquisition_;
     s.camera = description_;
   });
-  const bool free_run = trigger == Trigger::FREE_RUN;
+  const bool free_run = trigger == Trigger::kFreeRun;
   const Clock::time_point end =
       Clock::now() + seconds(free_run ? parameters_.start_timeout : parameters_.arming_time);
   bool delivered = false;
-  while (Clock::now() < end && mode_ != AcquisitionMode::STOP) {  // a recording may end
+  while (Clock::now() < end && mode_ != AcquisitionMode::kStop) {  // a recording may end
     const double left = scan_cell_common::to_seconds((end - Clock::now()).count());
     delivered |= deliver_next(std::min(kPoll, std::max(0.0, left)));
     if (delivered && free_run) return;
   }
-  if (delivered || (!free_run && mode_ != AcquisitionMode::STOP)) return;
+  if (delivered || (!free_run && mode_ != AcquisitionMode::kStop)) return;
   if (fault_told_ == acquisition_) {
     const std::string fault = state().fault;
     stop();
     throw UnusableInput("camera", "none of its frames can be used", fault);
   }
-  throw ConnectionError("camera", "no frame within " + to_text(parameters_.start_timeout) + " s",
+  throw ConnectionError("camera", fmt::format("no frame within {} s", parameters_.start_timeout),
                         "check its rate, and that the firewall lets its stream through");
 }
 
 void Acquisition::stop() {
-  mode_ = AcquisitionMode::STOP;
+  mode_ = AcquisitionMode::kStop;
   if (camera_) camera_->stop();
   change_state([](AcquisitionState& s) {
-    s.mode = AcquisitionMode::STOP;
+    s.mode = AcquisitionMode::kStop;
     if (s.connected) s.message.clear();
   });
 }
 
 void Acquisition::finish(const std::string& recording) {
-  wanted_ = AcquisitionMode::STOP;
+  wanted_ = AcquisitionMode::kStop;
   stop();
   change_state([&](AcquisitionState& s) { s.message = recording; });
   listener_.on_ended(recording);
@@ -326,14 +349,14 @@ bool Acquisition::deliver(const Frame& frame) {
     drop(frame.fault);
     return false;
   }
-  if (mode_ == AcquisitionMode::LIVE_ONLY && frame.peaks && !frame.image.pixels) {
+  if (mode_ == AcquisitionMode::kLiveOnly && frame.peaks && !frame.image.pixels) {
     drop("it holds peaks and no image: set the camera to send images, or use a relief mode");
     return false;
   }
   const FramePlace place = numbering_.place(frame);
   if (place.restarted) count_restart();
   count(frame, place);
-  if (place.step.kind == CounterStep::Kind::INVALID) return true;
+  if (place.step.kind == CounterStep::Kind::kInvalid) return true;
   listener_.on_frame({mode_, acquisition_, place.step.count, place.time, frame, description_});
   return true;
 }
@@ -349,22 +372,22 @@ void Acquisition::count(const Frame& frame, const FramePlace& place) {
   change_state([&](AcquisitionState& s) {
     s.acquisition = acquisition_;
     ++s.frames.received;
-    s.frames.incomplete += kind != Kind::INVALID && frame.packets_lost > 0 ? 1 : 0;
+    s.frames.incomplete += kind != Kind::kInvalid && frame.packets_lost > 0 ? 1 : 0;
     s.frames.impossible_peaks += frame.impossible_peaks;
     s.frames.lost += place.step.lost;
     s.frames.lost -= place.found;
     s.frames.garbled += place.was_garbled ? 1 : 0;
-    s.frames.repeated += kind == Kind::REPEATED ? 1 : 0;
-    s.frames.late += kind == Kind::BACKWARD ? 1 : 0;
-    s.frames.invalid += kind == Kind::INVALID ? 1 : 0;
+    s.frames.repeated += kind == Kind::kRepeated ? 1 : 0;
+    s.frames.late += kind == Kind::kBackward ? 1 : 0;
+    s.frames.invalid += kind == Kind::kInvalid ? 1 : 0;
   });
 }
 
 void Acquisition::throw_if_silent() const {
-  if (trigger_ != Trigger::FREE_RUN ||
+  if (trigger_ != Trigger::kFreeRun ||
       Clock::now() - last_frame_ < seconds(parameters_.silence_timeout))
     return;
-  throw ConnectionError("camera", "no frame for " + to_text(parameters_.silence_timeout) + " s",
+  throw ConnectionError("camera", fmt::format("no frame for {} s", parameters_.silence_timeout),
                         "check its cable and power");
 }
 

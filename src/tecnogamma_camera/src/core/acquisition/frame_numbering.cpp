@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tecnogamma_camera/frame_numbering.h"
+#include "acquisition/frame_numbering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +24,14 @@ FramePlace FrameNumbering::place(const Frame& frame) {
   FramePlace place;
   const CounterUnwrapper before = unwrapper_;
   place.step = unwrapper_.unwrap(frame.counter);
-  if (place.step.kind == Kind::BACKWARD) count_back(frame, place);
-  if (place.step.kind == Kind::INVALID) return place;
-  if (place.step.kind == Kind::NEXT || place.step.kind == Kind::GAP) counted_back_ = 0;
-  if (place.step.kind == Kind::NEXT) leap_.reset();
-  if (place.step.kind == Kind::GAP && !place.was_garbled)
+  if (place.step.kind == Kind::kBackward) count_back(frame, place);
+  if (place.step.kind == Kind::kInvalid) return place;
+  if (place.step.kind == Kind::kNext || place.step.kind == Kind::kGap) counted_back_ = 0;
+  if (place.step.kind == Kind::kNext) leap_.reset();
+  if (place.step.kind == Kind::kGap && !place.was_garbled)
     leap_ = Leap{before, place.step.lost, last_device_time_};
   last_device_time_ = std::max(last_device_time_, frame.device_time);
-  place.time = time_of(frame, place.step.kind == Kind::BACKWARD);
+  place.time = time_of(frame, place.step.kind == Kind::kBackward);
   return place;
 }
 
@@ -42,7 +42,7 @@ void FrameNumbering::count_back(const Frame& frame, FramePlace& place) {
   if (leap_) {
     const bool late = frame.device_time > leap_->device_time && !clock_went_on;
     const CounterStep step = leap_->before.unwrap(frame.counter);
-    if (step.kind == Kind::NEXT || step.kind == Kind::GAP) {
+    if (step.kind == Kind::kNext || step.kind == Kind::kGap) {
       if (clock_went_on || (!late && in_a_row == kWithout)) return take_back(step, place);
       leap_->lost -= step.lost;
       return;
@@ -78,12 +78,12 @@ Nanoseconds FrameNumbering::time_of(const Frame& frame, bool late) {
     if (!late || clock_.empty()) clock_.add(frame.device_time, frame.host_time);
     return clock_.to_host(frame.device_time);
   }
-  constexpr double kMost = 1;      // [s]
-  constexpr int kMostLate = 1000;  // frames: a host that was busy for a while has caught up by then
+  constexpr double kMost = 1;     // [s]
+  constexpr int kMaxLate = 1000;  // frames: a host that was busy for a while has caught up by then
   const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
   late_in_a_row_ = off > kMost ? late_in_a_row_ + 1 : 0;
   clock_agreed_ = clock_agreed_ || std::abs(off) <= kMost;
-  if (off < -kMost || late_in_a_row_ > (clock_agreed_ ? kMostLate : 0)) {
+  if (off < -kMost || late_in_a_row_ > (clock_agreed_ ? kMaxLate : 0)) {
     throw scan_cell_common::UnusableInput(
         "device_clock", "the camera's clock is " + std::to_string(off) + " s off the host's",
         "synchronise it (PTP), or let its clock be mapped");

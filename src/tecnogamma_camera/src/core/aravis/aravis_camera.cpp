@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tecnogamma_camera/aravis_camera.h"
+#include "aravis/aravis_camera.h"
 
 #include <algorithm>
 #include <atomic>
@@ -217,7 +217,7 @@ void AravisCamera::start(Trigger trigger) {
     }
     write_trigger(camera_.get(), trigger, settings_.trigger_source);
     // An external trigger switched the rate off.
-    if (trigger == Trigger::FREE_RUN && settings_.rate) write_rate(camera_.get(), *settings_.rate);
+    if (trigger == Trigger::kFreeRun && settings_.rate) write_rate(camera_.get(), *settings_.rate);
     if (options_.is_payload) region_ = write_payload_region(camera_.get(), settings_.region);
     create_stream();
     aravis("AcquisitionStart", [&](GError** e) { arv_camera_start_acquisition(camera_.get(), e); });
@@ -298,7 +298,7 @@ void AravisCamera::set_pixels(ArvBuffer* buffer, GreyImage& image) {
   const void* const data = arv_buffer_get_image_data(buffer, &size);
   image.pixels = data;
   image.stride = region_.width;
-  if (format_.packing == Packing::BYTES) {
+  if (format_.packing == Packing::kBytes) {
     image.stride += static_cast<std::ptrdiff_t>(padding_of(buffer)) / image.bytes_per_pixel();
     return;
   }

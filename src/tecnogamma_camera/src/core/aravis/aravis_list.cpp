@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aravis/aravis_camera.h"
 #include "aravis/aravis_support.h"
-#include "tecnogamma_camera/aravis_camera.h"
 
 namespace tecnogamma_camera {
 

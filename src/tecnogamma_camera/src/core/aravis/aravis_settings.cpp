@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aravis/aravis_settings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +17,12 @@ using scan_cell_common::InvalidParameter;
 void check_bounds(const std::string& name, double value, double least, double most,
                   const std::string& unit) {
   if (std::isfinite(value) && value >= least && value <= most) return;
-  throw InvalidParameter(
-      name, std::to_string(value) + unit,
-      "this camera takes " + std::to_string(least) + " to " + std::to_string(most) + unit);
+  throw InvalidParameter(name, fmt::format("{}{}", value, unit),
+                         fmt::format("this camera takes {:.6g} to {:.6g}{}", least, most, unit));
 }
 
 std::string to_text(const Region& region) {
-  return std::to_string(region.width) + " x " + std::to_string(region.height) + " at " +
-         std::to_string(region.x) + ", " + std::to_string(region.y);
+  return fmt::format("{} x {} at {}, {}", region.width, region.height, region.x, region.y);
 }
 
 void set_region(ArvCamera* arv, const Region& region) {
@@ -49,9 +49,8 @@ Region write_region(ArvCamera* arv, const Region& wanted) {
   if (region.height == 0) region.height = rows - region.y;
   if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
       region.width > columns - region.x || region.height > rows - region.y) {
-    throw InvalidParameter(
-        "region", to_text(region),
-        "the sensor has " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels");
+    throw InvalidParameter("region", to_text(region),
+                           fmt::format("the sensor has {} x {} pixels", columns, rows));
   }
   const Region before = read_region(arv);
   try {
@@ -145,7 +144,7 @@ void write_rate(ArvCamera* arv, double rate) {
 }
 
 void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source) {
-  if (trigger == Trigger::FREE_RUN) {
+  if (trigger == Trigger::kFreeRun) {
     if (!has_feature(arv, "TriggerMode")) return;
     aravis("TriggerMode Off", [&](GError** e) { arv_camera_clear_triggers(arv, e); });
     return;

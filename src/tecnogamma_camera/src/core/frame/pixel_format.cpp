@@ -11,15 +11,15 @@ namespace {
 
 const std::vector<PixelFormat>& pixel_formats() {
   static const std::vector<PixelFormat> formats = {
-      {"Mono8", 0x01080001, 8, Packing::BYTES, 8},
-      {"Mono10", 0x01100003, 10, Packing::BYTES, 16},
-      {"Mono12", 0x01100005, 12, Packing::BYTES, 16},
-      {"Mono14", 0x01100025, 14, Packing::BYTES, 16},
-      {"Mono16", 0x01100007, 16, Packing::BYTES, 16},
-      {"Mono10Packed", 0x010C0004, 10, Packing::IN_PAIRS, 12},
-      {"Mono12Packed", 0x010C0006, 12, Packing::IN_PAIRS, 12},
-      {"Mono10p", 0x010A0046, 10, Packing::IN_BITS, 10},
-      {"Mono12p", 0x010C0047, 12, Packing::IN_BITS, 12}};
+      {"Mono8", 0x01080001, 8, Packing::kBytes, 8},
+      {"Mono10", 0x01100003, 10, Packing::kBytes, 16},
+      {"Mono12", 0x01100005, 12, Packing::kBytes, 16},
+      {"Mono14", 0x01100025, 14, Packing::kBytes, 16},
+      {"Mono16", 0x01100007, 16, Packing::kBytes, 16},
+      {"Mono10Packed", 0x010C0004, 10, Packing::kInPairs, 12},
+      {"Mono12Packed", 0x010C0006, 12, Packing::kInPairs, 12},
+      {"Mono10p", 0x010A0046, 10, Packing::kInBits, 10},
+      {"Mono12p", 0x010C0047, 12, Packing::kInBits, 12}};
   return formats;
 }
 
@@ -50,7 +50,7 @@ void unpack_bits(int bits, const std::uint8_t* bytes, std::vector<std::uint16_t>
 std::optional<std::size_t> PixelFormat::bytes(std::size_t columns, std::size_t rows,
                                               std::size_t padding) const {
   if (padding == 0 || rows < 2) return bytes(columns * rows);
-  const bool whole_pixels = packing == Packing::BYTES && padding % bytes(1) == 0;
+  const bool whole_pixels = packing == Packing::kBytes && padding % bytes(1) == 0;
   if (!whole_pixels) return std::nullopt;
   return bytes(columns * rows) + padding * (rows - 1);
 }
@@ -78,7 +78,7 @@ const PixelFormat& pixel_format(const std::string& name) {
 
 void unpack(const PixelFormat& format, const std::uint8_t* bytes,
             std::vector<std::uint16_t>& pixels) {
-  if (format.packing == Packing::IN_PAIRS) {
+  if (format.packing == Packing::kInPairs) {
     unpack_pairs(format.bits, bytes, pixels);
   } else {
     unpack_bits(format.bits, bytes, pixels);

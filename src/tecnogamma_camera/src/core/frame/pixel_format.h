@@ -12,9 +12,9 @@ namespace tecnogamma_camera {
 
 /// How grey values are laid into bytes.
 enum class Packing {
-  BYTES,     //!< one or two bytes a pixel, the lower first
-  IN_PAIRS,  //!< GigE Vision's: two pixels in three bytes, their high bits in the first and third
-  IN_BITS    //!< PFNC's "p": a row of bits, the lowest of the first pixel first
+  kBytes,    //!< one or two bytes a pixel, the lower first
+  kInPairs,  //!< GigE Vision's: two pixels in three bytes, their high bits in the first and third
+  kInBits    //!< PFNC's "p": a row of bits, the lowest of the first pixel first
 };
 
 /// A GenICam PixelFormat of grey values (EMVA, Pixel Format Naming Convention 2.4; GigE

@@ -21,7 +21,7 @@ constexpr double kUpper = 0.25;
 constexpr double kLower = 0.05;
 constexpr double kUpperBelowMedian = 0.6745;
 constexpr double kUpperAboveLower = 1.6449 - 0.6745;
-constexpr double kMostBlack = 0.75;  // with less left of it, noise of one grey value or less
+constexpr double kMaxBlack = 0.75;  // with less left of it, noise of one grey value or less
 
 /// Pixels of a tile, one after another.
 template <class Pixel>
@@ -92,7 +92,7 @@ void take_out(double slope, double offset, int columns, Pixel* pixels) {
 template <class Pixel>
 TECNOGAMMA_INLINE TileLight light_of_clipped(const Sample<Pixel>& sample, double black) {
   TileLight light;
-  if (black > kMostBlack) return light;
+  if (black > kMaxBlack) return light;
   Sample<Pixel> differences;
   differences.size = sample.size - 1;
   for (int i = 0; i < differences.size; ++i)

@@ -12,18 +12,12 @@
 #include "peaks/spots.h"
 #include "peaks/stripe.h"
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace tecnogamma_camera {
 namespace {
 
 using scan_cell_common::InvalidParameter;
-
-void check_range(const char* name, int value, int least, int most) {
-  if (value >= least && value <= most) return;
-  throw InvalidParameter(
-      name, std::to_string(value),
-      "give a value from " + std::to_string(least) + " to " + std::to_string(most));
-}
 
 /// Detection in one frame; `locate(row, columns, stripe, edges)` gives the column of the peak.
 template <class Pixel, class Locate>
@@ -63,7 +57,7 @@ class FrameDetection {
     const Spot spot = choose_spot(
         row, image_.columns, lit_, levels_, settings_,
         [&](const Spot& candidate) {
-          return settings_.most_width == 0 || width_of(i, candidate) <= settings_.most_width;
+          return settings_.max_width == 0 || width_of(i, candidate) <= settings_.max_width;
         },
         hot_);
     spots_[i] = spot.cut && !automatic() ? Spot{} : spot;
@@ -157,7 +151,7 @@ class StripeDetector : public PeakDetector {
  public:
   StripeDetector(const DetectorSettings& settings, const Locate& locate)
       : settings_(settings), locate_(locate) {
-    settings_.check();
+    scan_cell_common::check(settings_);
   }
 
   void detect(const GreyImage& image, PeakProfile& profile) const override {
@@ -171,26 +165,21 @@ class StripeDetector : public PeakDetector {
 
 }  // namespace
 
-void DetectorSettings::check() const {
-  check_range("trigger_level", trigger_level, kAutomaticLevel, 65535);
-  check_range("permanence", permanence, 1, 64);
-  check_range("window", window, 0, 255);
-  constexpr double kWidest = 65535;
-  if (most_width >= 0 && most_width <= kWidest) return;
-  throw InvalidParameter("most_width", std::to_string(most_width),
-                         "give a width in pixels up to 65535, or 0 for any");
-}
-
-const std::vector<std::string>& choice_names() {
-  static const std::vector<std::string> names = {"brightest", "first", "last"};
-  return names;
-}
-
-Choice to_choice(const std::string& name) {
-  if (name == "brightest") return Choice::BRIGHTEST;
-  if (name == "first") return Choice::FIRST;
-  if (name == "last") return Choice::LAST;
-  throw InvalidParameter("choice", "'" + name + "'", "give brightest, first or last");
+void describe(scan_cell_common::ParameterTable& table, DetectorSettings& settings) {
+  table.choice("choice", settings.choice, {"brightest", "first", "last"},
+               "which of several spots in a row is the laser's");
+  table.add("trigger_level", settings.trigger_level, {kAutomaticLevel, 65535, "grey value"},
+            "of the camera's own pixels, to 4095 in 12 bits: a pixel above it is lit; -1: "
+            "automatic, above the noise of the background");
+  table.add("permanence", settings.permanence, {1, 64, "px"},
+            "lit pixels in a row that make a rising edge, dark ones a falling edge");
+  table.add("window", settings.window, {0, 255, "px"},
+            "most columns of the centre of gravity, but never less than the stripe; 0: as its "
+            "width asks");
+  table.add("max_width", settings.max_width, {0, 65535, "px"},
+            "spots wider than this (shiny objects), as `width` tells it, are passed over before "
+            "the choice; 0: any width");
+  table.renamed("most_width", "max_width");
 }
 
 const std::vector<std::string>& detector_names() {

@@ -89,8 +89,8 @@ Spot choose_spot(const Pixel* row, int columns, const LitPixels& lit,
     if (best_is_last) best.right = (best.fall + spot.rise) / 2;
     best_is_last = false;
     if (!fits(spot)) return;
-    best_is_last = best.fall == 0 || settings.choice == Choice::LAST;
-    if (best.fall > 0 && settings.choice == Choice::BRIGHTEST) {
+    best_is_last = best.fall == 0 || settings.choice == Choice::kLast;
+    if (best.fall > 0 && settings.choice == Choice::kBrightest) {
       if (most == kNotSummed) most = light_above(row, best, levels);
       const std::int64_t light = light_above(row, spot, levels);
       best_is_last = light > most;

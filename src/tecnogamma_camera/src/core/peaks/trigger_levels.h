@@ -15,7 +15,7 @@ namespace tecnogamma_camera {
 
 /// Above what the pixels of a row are lit, and how much light makes a spot.
 ///
-/// Automatic: kNoiseSigmas of the noise above the background, at least kLeastDistance, for each 64
+/// Automatic: kNoiseSigmas of the noise above the background, at least kMinDistance, for each 64
 /// columns of some rows; where the background climbs in them, above its highest corner. Of the 3
 /// million pixels of a frame hundreds are above it by chance, and now and then `permanence` of them
 /// in a row: so the light of a spot above the background must be kSpotSigmas of its own noise as
@@ -94,14 +94,14 @@ class TriggerLevels {
     for (int i = first; i < end; ++i)
       sum += background.tile(row, i).noise;
     const double noise = std::max(background.tile(row, tile).noise, sum / (end - first));
-    return std::max(kNoiseSigmas * noise, kLeastDistance);
+    return std::max(kNoiseSigmas * noise, kMinDistance);
   }
 
   static constexpr int kMost = std::numeric_limits<Pixel>::max();
   static constexpr double kNoiseSigmas = 3.5;
   static constexpr double kSpotSigmas = 6;
-  static constexpr double kHotDistances = 3;   // of the level above the background
-  static constexpr double kLeastDistance = 3;  // [grey values]
+  static constexpr double kHotDistances = 3;  // of the level above the background
+  static constexpr double kMinDistance = 3;   // [grey values]
 
   bool automatic_;
   int columns_;

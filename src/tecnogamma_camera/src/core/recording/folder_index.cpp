@@ -20,7 +20,7 @@ using scan_cell_common::excerpt;
 constexpr std::array<const char*, 9> kColumns = {"file",      "frame",          "device_time",
                                                  "time",      "packets_lost",   "first_column",
                                                  "first_row", "sensor_columns", "sensor_rows"};
-constexpr std::uint64_t kMostPixels = 65535;
+constexpr std::uint64_t kMaxPixels = 65535;
 
 /// Fields of a line by the names of its columns.
 class Line {
@@ -103,7 +103,7 @@ RecordedFile read_file_of(const Line& line) {
 /// The place of the images on the sensor, which all lines must agree on.
 void read_place(const Line& line, bool first, FolderIndex& index) {
   const auto read = [&](const char* column, int& value) {
-    const int number = static_cast<int>(line.number(column, kMostPixels));
+    const int number = static_cast<int>(line.number(column, kMaxPixels));
     if (!first && number != value) {
       line.refuse(
           std::string(column) + " " + std::to_string(number) + " after " + std::to_string(value),

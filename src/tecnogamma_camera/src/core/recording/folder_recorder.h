@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "tecnogamma_camera/acquisition.h"
+#include "acquisition/acquisition.h"
 
 namespace tecnogamma_camera {
 

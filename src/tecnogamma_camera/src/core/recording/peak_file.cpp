@@ -29,7 +29,7 @@ PeakProfile load_peaks(const std::string& path) {
 }
 
 PeakProfile parse_peaks(const std::string& text, const std::string& name) {
-  constexpr int kMostRows = 65536;
+  constexpr int kMaxRows = 65536;
   scan_cell_common::CsvReader table(text, name);
   if (!table.next() ||
       table.fields() != std::vector<std::string_view>{"row", "position", "width", "intensity"}) {
@@ -41,7 +41,7 @@ PeakProfile parse_peaks(const std::string& text, const std::string& name) {
   while (table.next()) {
     table.expect_fields(4);
     const double row = table.number(0);
-    if (row != std::floor(row) || row <= last || row >= kMostRows)
+    if (row != std::floor(row) || row <= last || row >= kMaxRows)
       table.refuse("row " + std::string(table.field(0)), "give whole numbers that ascend");
     if (last < 0) profile.first_row = static_cast<int>(row);
     last = static_cast<int>(row);

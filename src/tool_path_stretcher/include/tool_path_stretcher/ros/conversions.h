@@ -3,13 +3,9 @@
 #pragma once
 
 #include <nav_msgs/Path.h>
-#include <scan_cell_msgs/StretchToolPathGoal.h>
-#include <scan_cell_msgs/StretchToolPathResult.h>
 #include <scan_cell_msgs/ToolPath.h>
-#include <visualization_msgs/MarkerArray.h>
 
-#include "tool_path_stretcher/report.h"
-#include "tool_path_stretcher/stretcher.h"
+#include "tool_path_stretcher/tool_path.h"
 
 namespace tool_path_stretcher {
 
@@ -17,23 +13,9 @@ namespace tool_path_stretcher {
 /// is no unit quaternion
 ToolPath from_message(const scan_cell_msgs::ToolPath& message);
 
-/// The node's parameters with what the goal gives.
-/// @throw scan_cell_common::InvalidParameter naming what makes no sense
-StretchParameters with_goal(const StretchParameters& parameters,
-                            const scan_cell_msgs::StretchToolPathGoal& goal);
-
 scan_cell_msgs::ToolPath to_message(const ToolPath& path, const std_msgs::Header& header);
 
 /// All segments one after the other, for rviz.
 nav_msgs::Path to_path_message(const ToolPath& path, const std_msgs::Header& header);
-
-/// Green lines between corresponding waypoints of two paths of the same shape.
-visualization_msgs::MarkerArray correspondence_markers(const ToolPath& from, const ToolPath& to,
-                                                       const std_msgs::Header& header);
-
-/// @param header of the object's cloud
-scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
-                                                 const std_msgs::Header& header,
-                                                 const RunRecord& record = {});
 
 }  // namespace tool_path_stretcher

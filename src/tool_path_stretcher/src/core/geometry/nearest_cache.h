@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tool_path_stretcher/points.h"
+#include "geometry/kd_tree.h"
 
 namespace tool_path_stretcher {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tool_path_stretcher/points.h"
+#include "geometry/kd_tree.h"
 
 namespace tool_path_stretcher {
 
@@ -18,8 +18,8 @@ class NearestGrid {
  public:
   /// The set must not be empty.
   explicit NearestGrid(Points points) : tree_(std::move(points)) {
-    constexpr double kCells = 50;  // along the longest side
-    constexpr double kMargin = 0.25;
+    constexpr double kCells = 50;     // along the longest side; chosen
+    constexpr double kMargin = 0.25;  // of the longest side; chosen
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& point : tree_.points())
       box.extend(point);

@@ -1,55 +1,31 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_path_stretcher/points.h"
+#include "geometry/points.h"
+
+#include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/grid.h"
 
 namespace tool_path_stretcher {
 namespace {
 
-using scan_cell_common::InvalidParameter;
-using scan_cell_common::UnusableInput;
+using scan_cell_common::GridEntry;
 
-struct CellEntry {
-  std::array<std::int64_t, 3> cell;
-  std::size_t point;
-
-  bool operator<(const CellEntry& other) const {
-    return cell != other.cell ? cell < other.cell : point < other.point;
-  }
-};
-
-std::vector<CellEntry> sort_into_cells(const Points& points, const Eigen::Vector3d& leaf) {
-  constexpr double kFarthestCell = 1e15;  // beyond it a double no longer counts by ones
-  std::vector<CellEntry> entries(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double cell = std::floor(points[i][axis] / leaf[axis]);
-      if (!(std::abs(cell) < kFarthestCell)) {
-        std::ostringstream value;
-        value << points[i][axis] << " m";
-        throw UnusableInput("point " + std::to_string(i), value.str(),
-                            "remove points that are not finite or far away from the part");
-      }
-      entries[i].cell[axis] = static_cast<std::int64_t>(cell);
-    }
-    entries[i].point = i;
-  }
-  std::sort(entries.begin(), entries.end());
-  return entries;
+std::vector<GridEntry> sorted(const Points& points, const Eigen::Vector3d& leaf) {
+  constexpr double kMaxCells = 1e15;  // beyond it a double no longer counts by ones
+  return scan_cell_common::sort_into_grid(
+      points.size(), [&points](std::size_t i) { return points[i]; }, {leaf, {0, 1, 2}, kMaxCells});
 }
 
 std::vector<std::size_t> one_of_each_cell(const Points& points, double leaf) {
-  const std::vector<CellEntry> entries = sort_into_cells(points, Eigen::Vector3d::Constant(leaf));
   std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (i == 0 || entries[i].cell != entries[i - 1].cell) chosen.push_back(entries[i].point);
-  }
+  for_each_cell(sorted(points, Eigen::Vector3d::Constant(leaf)),
+                [&chosen](auto begin, auto) { chosen.push_back(begin->point); });
   return chosen;
 }
 
@@ -57,20 +33,16 @@ std::vector<std::size_t> one_of_each_cell(const Points& points, double leaf) {
 
 Points reduce_on_grid(const Points& points, const Eigen::Vector3d& leaf) {
   if (!(leaf.minCoeff() > 0)) {
-    throw InvalidParameter("leaf", std::to_string(leaf.minCoeff()) + " m", "give more than 0");
+    throw scan_cell_common::InvalidParameter("leaf", fmt::format("{} m", leaf.minCoeff()),
+                                             "give more than 0");
   }
-  const std::vector<CellEntry> entries = sort_into_cells(points, leaf);
   Points reduced;
-  std::size_t begin = 0;
-  while (begin < entries.size()) {
+  for_each_cell(sorted(points, leaf), [&](auto begin, auto end) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    std::size_t end = begin;
-    for (; end < entries.size() && entries[end].cell == entries[begin].cell; ++end) {
-      sum += points[entries[end].point];
-    }
+    for (auto each = begin; each != end; ++each)
+      sum += points[each->point];
     reduced.push_back(sum / static_cast<double>(end - begin));
-    begin = end;
-  }
+  });
   return reduced;
 }
 
@@ -84,15 +56,15 @@ std::vector<std::size_t> spread_evenly(const Points& points, std::size_t most) {
     box.extend(point);
   // A surface fills cells by the inverse square of their edge.
   double leaf = box.diagonal().norm() / std::sqrt(static_cast<double>(most));
-  constexpr int kTries = 20;
-  constexpr double kEnough = 0.8;
+  constexpr int kTries = 20;       // chosen
+  constexpr double kEnough = 0.8;  // of `most`; chosen
+  constexpr double kAim = 0.9;     // of `most`; chosen
   std::vector<std::size_t> best;
   for (int i = 0; i < kTries; ++i) {
     std::vector<std::size_t> chosen = one_of_each_cell(points, leaf);
     const double share = static_cast<double>(chosen.size()) / static_cast<double>(most);
     if (share <= 1 && chosen.size() > best.size()) best = std::move(chosen);
     if (share <= 1 && share >= kEnough) break;
-    constexpr double kAim = 0.9;
     leaf *= std::sqrt(share / kAim);
   }
   return best;

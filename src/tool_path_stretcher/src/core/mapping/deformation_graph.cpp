@@ -3,8 +3,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "tool_path_stretcher/deformation.h"
+#include "geometry/points.h"
+#include "mapping/deformation.h"
 
 namespace tool_path_stretcher {
 
@@ -16,8 +18,13 @@ DeformationGraph::DeformationGraph(const Points& points, double spacing) : spaci
   }
 }
 
+namespace {
+
+constexpr double kReach = 1.8;  // spacings: nodes beside each other, also across a cell; chosen
+
+}  // namespace
+
 std::vector<std::pair<std::size_t, std::size_t>> DeformationGraph::links() const {
-  constexpr double kReach = 1.8;  // spacings
   std::vector<std::pair<std::size_t, std::size_t>> result;
   for (std::size_t from = 0; from < nodes_.size(); ++from) {
     for (std::size_t to = 0; to < nodes_.size(); ++to) {
@@ -31,8 +38,7 @@ std::vector<std::pair<std::size_t, std::size_t>> DeformationGraph::links() const
 
 void DeformationGraph::influences(const Eigen::Vector3d& point,
                                   std::vector<Influence>& found) const {
-  constexpr double kReach = 1.8;   // spacings
-  constexpr double kBeyond = 1.5;  // times the nearest node's distance, far from the surface
+  constexpr double kBeyond = 1.5;  // times the nearest node's distance, far off; chosen
   double nearest = std::numeric_limits<double>::infinity();
   for (const Node& node : nodes_)
     nearest = std::min(nearest, (node.at - point).squaredNorm());
@@ -68,7 +74,8 @@ Eigen::Vector3d DeformationGraph::displacement(const Eigen::Vector3d& point) con
 
 Eigen::Matrix3d DeformationGraph::jacobian(const Eigen::Vector3d& point) const {
   if (empty()) return Eigen::Matrix3d::Zero();
-  const double step = 1e-3 * spacing_;
+  constexpr double kStep = 1e-3;  // spacings, of the central differences; chosen
+  const double step = kStep * spacing_;
   Eigen::Matrix3d result;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d way = step * Eigen::Vector3d::Unit(axis);

@@ -110,7 +110,7 @@ void GraphEquations::add_observation(const std::vector<Eigen::Index>& columns,
 }
 
 void GraphEquations::add_prior(const ScalePrior& prior, double current) {
-  constexpr double kFixed = 1e-12;
+  constexpr double kFixed = 1e-12;  // deviation of the logarithm of an exact scale; chosen
   if (!prior.is_known()) return;
   const double deviation = prior.is_fixed() ? kFixed : prior.deviation / current;
   const double error = prior.is_fixed() ? 0 : std::log(prior.value / current);

@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "tool_path_stretcher/deformation.h"
-#include "tool_path_stretcher/prior.h"
+#include "mapping/deformation.h"
 
 namespace tool_path_stretcher {
 
@@ -36,8 +35,9 @@ class GraphEquations {
   /// Each constraint counts by its deviation [m], and not at all far beyond it.
   void add(const std::vector<GraphConstraint>& constraints, double deviation);
 
-  /// Linked nodes should move each other to where they are (the rigidity term of Sumner 2007): of
-  /// their distance, so much may they well be off, along the link and across it, where nodes turn.
+  /// Linked nodes should move each other to where they are (the rigidity term of Sumner 2007).
+  /// @param along one standard deviation from that along the link, as a share of its length
+  /// @param across the same across the link, where nodes turn
   void add_rigidity(double along, double across);
 
   /// A linear observation of single unknowns, with its deviation.
@@ -45,7 +45,7 @@ class GraphEquations {
   void add_observation(const std::vector<Eigen::Index>& columns, const std::vector<double>& values,
                        double error, double deviation);
 
-  /// The object's scale, now `current`, is known that well before anything was measured.
+  /// Adds how well the object's scale, now `current`, was known before anything was measured.
   void add_prior(const ScalePrior& prior, double current);
 
   struct Step {
@@ -81,7 +81,7 @@ struct GraphObservations {
 };
 
 /// What a graph fit of the mapping would see next. The mapping must have nodes.
-GraphObservations observe(const Surface& reference, const Surface& object, const Mapping& mapping);
+GraphObservations observe(const SurfacePair& surfaces, const Mapping& mapping);
 
 /// Distance of the nodes of a graph of that level (1 .. 3) [m].
 double graph_spacing(const Surface& reference, int level);

@@ -6,10 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "geometry/kd_tree.h"
 #include "geometry/nearest_cache.h"
+#include "geometry/points.h"
 #include "geometry/robust.h"
 #include "mapping/graph_equations.h"
-#include "tool_path_stretcher/residuals.h"
+#include "mapping/residuals.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -57,13 +59,13 @@ GraphConstraint constraint_of(const GraphAnchor& anchor, const Eigen::Vector3d& 
           similarity.rotation.transpose() * direction, along / similarity.scale};
 }
 
-constexpr double kFacesAlike = 0.7;  // cosine
+constexpr double kFacesAlike = 0.7;  // cosine: up to 46 degrees; chosen
 
 /// From where the mapping puts points of the reference to the scanned surface beside them, along
 /// its normal, where the two may be the same place.
 Constraints along_normals(const Anchors& anchors, const Surface& object, const Target& target,
                           const Mapping& mapping, NearestCache& in_target) {
-  constexpr double kReach = 3;  // spacings
+  constexpr double kReach = 3;  // spacings; chosen
   Constraints constraints;
   constraints.reserve(anchors.size());
   for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -83,7 +85,7 @@ Constraints along_normals(const Anchors& anchors, const Surface& object, const T
 
 /// From the reference's rim to the object's, across it.
 Constraints along_rims(const Anchors& anchors, const Surface& object, const Mapping& mapping) {
-  constexpr double kReach = 0.05;  // of the object's size
+  constexpr double kReach = 0.05;  // of the object's size; chosen
   Constraints constraints;
   if (!object.rim.tree) return constraints;
   for (const GraphAnchor& anchor : anchors) {
@@ -115,21 +117,24 @@ void grow(Similarity& similarity, const Eigen::Vector3d& centre, double growth) 
 }
 
 /// Fits the graph of a mapping, from where it is.
-Mapping fit(const Surface& reference, const Surface& object, const Target& target,
-            const ScalePrior& scale, Density density, Mapping mapping) {
-  constexpr int kIterations = 15;
-  constexpr double kStrain = 0.02;
-  constexpr double kConverged = 3e-5;    // of the reference's size
+Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior& scale,
+            Density density, Mapping mapping) {
+  constexpr int kIterations = 15;        // at most; chosen
+  constexpr double kStrain = 0.02;       // of a link's length, one standard deviation; chosen
+  constexpr double kConverged = 3e-5;    // of the reference's size; chosen
+  constexpr double kExact = 1e-7;        // of the reference's size: a deviation above 0; chosen
+  constexpr double kWidest = 0.02;       // of the reference's size; chosen
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
+  const auto& [reference, object] = surfaces;
   const Eigen::Vector3d centre = principal_frame(reference.points).centroid;
   const Anchors surface = surface_anchors(reference, mapping.graph, density);
   const Anchors rim = rim_anchors(reference, mapping.graph);
   NearestCache in_target(*target.tree, surface.size());
-  double widest = 0.02 * reference.size;  // a bulge is no outlier before it was followed
+  double widest = kWidest * reference.size;  // a bulge is no outlier before it was followed
   for (int i = 0; i < kIterations; ++i) {
     const Constraints normals = along_normals(surface, object, target, mapping, in_target);
     const Constraints rims = along_rims(rim, object, mapping);
-    const double deviation = std::max(deviation_of(normals), 1e-7 * reference.size);
+    const double deviation = std::max(deviation_of(normals), kExact * reference.size);
     GraphEquations equations(mapping.graph, centre);
     equations.add(normals, std::max(deviation, widest));
     equations.add(rims, std::max({deviation_of(rims), kRimDeviation * reference.spacing, widest}));
@@ -139,7 +144,7 @@ Mapping fit(const Surface& reference, const Surface& object, const Target& targe
     grow(mapping.similarity, centre, 1 + step.growth);
     take(step, mapping.graph);
     if (step.farthest < kConverged * reference.size && widest < deviation) break;
-    widest /= 4;
+    widest /= 4;  // chosen
   }
   return mapping;
 }
@@ -219,7 +224,7 @@ Halves split_in_blocks(const Surface& object, double edge) {
 
 /// Whether a scanned point lies beside the reference's surface by little.
 bool lies_on_reference(const Residual& residual, const Surface& reference) {
-  constexpr double kReach = 2;  // spacings
+  constexpr double kReach = 2;  // spacings; chosen
   return residual.beside < kReach * reference.spacing;
 }
 
@@ -240,8 +245,8 @@ std::vector<double> held_out_squares(const Surface& reference,
 /// Whether the residuals fall by more than a little, and over the whole of the part rather than in
 /// one block of it.
 bool explains_better(const std::vector<double>& before, const std::vector<double>& after) {
-  constexpr double kLeastGain = 0.05;    // of the sum of squares
-  constexpr double kSignificance = 1.5;  // standard deviations of the sum over the blocks
+  constexpr double kMinGain = 0.05;      // of the sum of squares; chosen
+  constexpr double kSignificance = 1.5;  // standard deviations of the sum over blocks; chosen
   double sum = 0;
   double gain = 0;
   double squares = 0;
@@ -252,7 +257,7 @@ bool explains_better(const std::vector<double>& before, const std::vector<double
   }
   const double mean = gain / static_cast<double>(before.size());
   const double deviation = std::sqrt(squares - mean * gain);
-  return gain > kLeastGain * sum && gain > kSignificance * deviation;
+  return gain > kMinGain * sum && gain > kSignificance * deviation;
 }
 
 /// Sums over the points of one patch: a cell, and the axis that its normals are nearest to.
@@ -266,8 +271,8 @@ struct Patch {
 /// are noise: a smooth deformation can explain no more than that. One-way analysis of variance over
 /// patches, each residual counted up to a cut, so that few loose points do not decide.
 double common_share(const Surface& reference, const std::vector<Residual>& residuals) {
-  constexpr double kCell = 0.12;  // of the reference's size
-  constexpr double kCut = 5;      // robust deviations
+  constexpr double kCell = 0.12;  // of the reference's size; chosen
+  constexpr double kCut = 5;      // robust deviations; chosen
   std::vector<double> along;
   for (const Residual& residual : residuals)
     along.push_back(residual.along_normal);
@@ -300,9 +305,9 @@ double common_share(const Surface& reference, const std::vector<Residual>& resid
 /// for a graph to explain: those share their errors, too.
 bool is_resolved(const Surface& reference, const std::vector<Residual>& residuals,
                  double resolution) {
-  constexpr double kDeviations = 3;
-  constexpr double kBlurs = 2;  // the object's, too
-  constexpr double kShare = 0.01;
+  constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
+  constexpr double kBlurs = 2;       // the object's, too
+  constexpr double kShare = 0.01;    // of the residuals; chosen
   const auto off = std::count_if(residuals.begin(), residuals.end(), [&](const Residual& each) {
     return lies_on_reference(each, reference) &&
            std::abs(each.along_normal) >
@@ -311,7 +316,7 @@ bool is_resolved(const Surface& reference, const std::vector<Residual>& residual
   return static_cast<double>(off) < kShare * static_cast<double>(residuals.size());
 }
 
-constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, by level
+constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, by level; chosen
 
 }  // namespace
 
@@ -319,7 +324,8 @@ double graph_spacing(const Surface& reference, int level) {
   return kSpacings[level - 1] * reference.size;
 }
 
-GraphObservations observe(const Surface& reference, const Surface& object, const Mapping& mapping) {
+GraphObservations observe(const SurfacePair& surfaces, const Mapping& mapping) {
+  const auto& [reference, object] = surfaces;
   GraphObservations seen;
   seen.surface = surface_anchors(reference, mapping.graph, Density::kFew);
   seen.rim = rim_anchors(reference, mapping.graph);
@@ -335,25 +341,26 @@ GraphObservations observe(const Surface& reference, const Surface& object, const
 namespace {
 
 /// The finest graph that explains the half held out better, fitted to the other half.
-Mapping justified_deformation(const Surface& reference, const Surface& object,
-                              const Similarity& similarity, const ScalePrior& scale,
-                              int finest_level) {
-  constexpr double kBlock = 0.25;       // of the object's size
-  constexpr double kLeastCommon = 0.1;  // below, there is nothing for a graph to explain
+Mapping justified_deformation(const SurfacePair& surfaces, const Similarity& similarity,
+                              const ScalePrior& scale, int finest_level) {
+  constexpr double kBlock = 0.25;     // of the object's size; chosen
+  constexpr double kMinCommon = 0.1;  // below, there is nothing for a graph to explain; chosen
+  constexpr double kCut = 0.02;       // of the reference's size; chosen
+  const auto& [reference, object] = surfaces;
   const Halves halves = split_in_blocks(object, kBlock * object.size);
   const Mapping rigid{similarity, {}};
   if (halves.training.points.empty() || halves.held_out.empty()) return rigid;
-  const double cut = 0.02 * reference.size;
+  const double cut = kCut * reference.size;
   const std::vector<Residual> at_first = residuals_of(reference, rigid, halves.held_out);
   const double unresolved =
-      resolution(reference, object, similarity.scale) / similarity.scale;  // [m, reference]
+      resolution(surfaces, similarity.scale) / similarity.scale;  // [m, reference]
   if (is_resolved(reference, at_first, unresolved)) return rigid;
-  if (common_share(reference, at_first) < kLeastCommon) return rigid;
+  if (common_share(reference, at_first) < kMinCommon) return rigid;
   std::vector<double> best = held_out_squares(reference, at_first, halves, cut);
   Mapping trained = rigid;
   Mapping justified = rigid;
   for (int level = 1; level <= finest_level; ++level) {
-    trained = fit(reference, object, halves.training, scale, Density::kSome,
+    trained = fit(surfaces, halves.training, scale, Density::kSome,
                   refined(reference, trained, graph_spacing(reference, level)));
     const std::vector<double> squares =
         held_out_squares(reference, residuals_of(reference, trained, halves.held_out), halves, cut);
@@ -366,21 +373,18 @@ Mapping justified_deformation(const Surface& reference, const Surface& object,
 
 }  // namespace
 
-Mapping fit_deformation(const Surface& reference, const Surface& object,
-                        const Similarity& similarity, const ScalePrior& scale, int finest_level) {
-  const Mapping justified =
-      justified_deformation(reference, object, similarity, scale, finest_level);
+Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarity,
+                        const ScalePrior& scale, int finest_level) {
+  const Mapping justified = justified_deformation(surfaces, similarity, scale, finest_level);
   if (justified.graph.empty()) return justified;
-  return rebased(reference,
-                 fit(reference, object, target_of(object), scale, Density::kMany, justified));
+  return rebased(surfaces.reference,
+                 fit(surfaces, target_of(surfaces.object), scale, Density::kMany, justified));
 }
 
-Mapping sketch_deformation(const Surface& reference, const Surface& object,
-                           const Similarity& similarity, const ScalePrior& scale,
-                           int finest_level) {
-  const Mapping justified =
-      justified_deformation(reference, object, similarity, scale, finest_level);
-  return justified.graph.empty() ? justified : rebased(reference, justified);
+Mapping sketch_deformation(const SurfacePair& surfaces, const Similarity& similarity,
+                           const ScalePrior& scale, int finest_level) {
+  const Mapping justified = justified_deformation(surfaces, similarity, scale, finest_level);
+  return justified.graph.empty() ? justified : rebased(surfaces.reference, justified);
 }
 
 }  // namespace tool_path_stretcher

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/prior.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "path/number_text.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/unit_quaternion.h"
 
 namespace tool_path_stretcher {
 
 ScaleRange ScalePrior::range() const {
-  constexpr double kDeviations = 4;
+  constexpr double kDeviations = 4;  // standard: 1 in 16,000 beyond; chosen
   if (!is_known()) return {};
   const double reach = kDeviations * deviation;
   return {std::max(0.0, value - reach), value + reach};
@@ -27,24 +28,18 @@ Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers) {
   constexpr std::size_t kNumbers = 7;
   if (numbers.size() != kNumbers) {
     throw scan_cell_common::InvalidParameter("initial_pose",
-                                             std::to_string(numbers.size()) + " numbers",
+                                             fmt::format("{} numbers", numbers.size()),
                                              "give seven: x y z in metres and qx qy qz qw");
   }
-  const Eigen::Vector4d xyzw(numbers[3], numbers[4], numbers[5], numbers[6]);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() << numbers[0], numbers[1], numbers[2];
-  try {
-    pose.linear() = rotation_from(xyzw, "initial_pose");
-  } catch (const scan_cell_common::UnusableInput& error) {
-    throw scan_cell_common::InvalidParameter(
-        "initial_pose", "a quaternion of length " + std::to_string(xyzw.norm()),
-        "give a unit quaternion qx qy qz qw");
-  }
+  pose.linear() = scan_cell_common::rotation_from<scan_cell_common::InvalidParameter>(
+      Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5]), "initial_pose");
   return pose;
 }
 
 bool Prior::allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the scale; chosen
   const ScaleRange range = scale.range();
   if (similarity.scale < (1 - kRounding) * range.least) return false;
   if (similarity.scale > (1 + kRounding) * range.most) return false;

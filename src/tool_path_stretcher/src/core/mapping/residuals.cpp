@@ -1,11 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_path_stretcher/residuals.h"
+#include "mapping/residuals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "geometry/kd_tree.h"
 #include "geometry/robust.h"
 
 namespace tool_path_stretcher {
@@ -18,7 +19,7 @@ struct FromScan {
 };
 
 FromScan from_scan(const Surface& object, const Eigen::Vector3d& point) {
-  constexpr double kReach = 2.5;  // spacings between which the scanned surface is still known
+  constexpr double kReach = 2.5;  // spacings over which the scanned surface is known; chosen
   const KdTree::Neighbour nearest = object.tree->nearest(point);
   const double along = object.normals[nearest.index].dot(point - object.points[nearest.index]);
   const double beside = std::sqrt(std::max(0.0, nearest.squared_distance - along * along));
@@ -26,8 +27,8 @@ FromScan from_scan(const Surface& object, const Eigen::Vector3d& point) {
   return {known ? std::abs(along) : std::numeric_limits<double>::quiet_NaN(), nearest.index};
 }
 
-Distances object_distances(const Surface& reference, const Surface& object,
-                           const Mapping& mapping) {
+Distances object_distances(const SurfacePair& surfaces, const Mapping& mapping) {
+  const auto& [reference, object] = surfaces;
   Distances distances;
   distances.patch = object.samples.patch;
   const double scale = mapping.similarity.scale;
@@ -39,8 +40,8 @@ Distances object_distances(const Surface& reference, const Surface& object,
   return distances;
 }
 
-Distances reference_distances(const Surface& reference, const Surface& object,
-                              const Mapping& mapping) {
+Distances reference_distances(const SurfacePair& surfaces, const Mapping& mapping) {
+  const auto& [reference, object] = surfaces;
   Distances distances;
   distances.patch = reference.samples.patch;
   for (const std::size_t i : reference.samples.most) {
@@ -54,7 +55,7 @@ Distances reference_distances(const Surface& reference, const Surface& object,
 
 /// Whether a point lies on the other surface, as far as noise, sampling and grid let that be seen.
 bool is_explained(const Distances& distances, std::size_t i, double noise) {
-  constexpr double kDeviations = 3;
+  constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
   return distances.off[i] <= std::max(kDeviations * noise, distances.blur[i]);
 }
 
@@ -112,22 +113,22 @@ std::vector<Residual> residuals_of(const Surface& reference, const Mapping& mapp
   return residuals;
 }
 
-Explanation explain(const Surface& reference, const Surface& object, const Mapping& mapping,
-                    double inlier_distance) {
+Explanation explain(const SurfacePair& surfaces, const Mapping& mapping, double inlier_distance) {
+  const auto& [reference, object] = surfaces;
   Explanation result;
   double squares = 0;
   std::size_t inliers = 0;
-  result.object = object_distances(reference, object, mapping);
+  result.object = object_distances(surfaces, mapping);
   for (const double distance : result.object.off) {
     if (distance > inlier_distance) continue;
     squares += distance * distance;
     ++inliers;
   }
-  result.reference = reference_distances(reference, object, mapping);
+  result.reference = reference_distances(surfaces, mapping);
   const auto covered = std::count_if(result.reference.off.begin(), result.reference.off.end(),
                                      [=](double off) { return off <= inlier_distance; });
-  result.noise = std::max(robust_deviation(result.object.off),
-                          resolution(reference, object, mapping.similarity.scale));
+  result.noise =
+      std::max(robust_deviation(result.object.off), resolution(surfaces, mapping.similarity.scale));
   result.rms = inliers == 0 ? 0 : std::sqrt(squares / static_cast<double>(inliers));
   result.inlier_ratio =
       static_cast<double>(inliers) / static_cast<double>(object.samples.most.size());
@@ -136,9 +137,13 @@ Explanation explain(const Surface& reference, const Surface& object, const Mappi
   return result;
 }
 
-double resolution(const Surface& reference, const Surface& object, double scale) {
-  constexpr double kShare = 0.025;
-  return kShare * (scale * reference.spacing + object.spacing);
+Fitted fitted(const SurfacePair& surfaces, const Mapping& mapping, double inlier_distance) {
+  return {mapping, explain(surfaces, mapping, inlier_distance)};
+}
+
+double resolution(const SurfacePair& surfaces, double scale) {
+  constexpr double kShare = 0.025;  // of both spacings; chosen
+  return kShare * (scale * surfaces.reference.spacing + surfaces.object.spacing);
 }
 
 Evidence evidence(const Explanation& first, const Explanation& second) {
@@ -164,11 +169,11 @@ double unexplained_patches(const Explanation& explanation) {
 }
 
 bool clearly_better(const Explanation& better, const Explanation& other) {
-  constexpr double kSignificance = 3.5;  // standard deviations of the count
-  constexpr double kLeastShare = 5e-4;   // of the patches compared
+  constexpr double kSignificance = 3.5;  // standard deviations of the count: 1 in 4,000 by chance
+  constexpr double kMinShare = 5e-4;     // of the patches compared; chosen
   const Evidence found = evidence(better, other);
   const double lead = found.only_first - found.only_second;
-  return lead > kSignificance * std::sqrt(found.squares) && lead > kLeastShare * found.compared;
+  return lead > kSignificance * std::sqrt(found.squares) && lead > kMinShare * found.compared;
 }
 
 }  // namespace tool_path_stretcher

@@ -2,97 +2,148 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/stretch_parameters.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <cmath>
-#include <sstream>
 
 #include "scan_cell_common/errors.h"
-#include "tool_path_stretcher/tool_path.h"
+#include "scan_cell_common/parameter_table.h"
 
 namespace tool_path_stretcher {
 namespace {
 
+using scan_cell_common::Also;
 using scan_cell_common::InvalidParameter;
+using scan_cell_common::ParameterTable;
 
-void check_range(const std::string& name, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  const auto text = [](double number) {
-    std::ostringstream out;
-    out << number;
-    return out.str();
-  };
-  throw InvalidParameter(name, text(value),
-                         "give a value from " + text(least) + " to " + text(most));
+const std::vector<std::string> kMethods = {"affine", "general"};
+
+std::vector<double> numbers_of(const std::optional<PosePrior>& prior) {
+  if (!prior) return {};
+  const Eigen::Vector3d position = prior->pose.translation();
+  const Eigen::Vector4d xyzw = Eigen::Quaterniond(prior->pose.linear()).coeffs();
+  std::vector<double> numbers(position.begin(), position.end());
+  numbers.insert(numbers.end(), xyzw.begin(), xyzw.end());
+  return numbers;
+}
+
+void describe(ParameterTable& table, ScalePrior& scale) {
+  table.add("scale", scale.value, {0.01, 100, "", Also::kZero},
+            "known before; 0: free, it is searched");
+  table.add("scale_deviation", scale.deviation, {0, 10},
+            "of the known scale: one standard deviation, more than four of them are refused; 0: "
+            "the scale is exact");
+  if (scale.value == 0 && scale.deviation != 0) {
+    table.refuse("scale_deviation", fmt::format("{:g}", scale.deviation),
+                 "give the scale it belongs to as well");
+  }
+}
+
+void describe(ParameterTable& table, std::optional<PosePrior>& prior) {
+  std::vector<double> numbers = numbers_of(prior);
+  PosePrior pose = prior.value_or(PosePrior());
+  table.add("initial_pose", numbers, {-1e3, 1e3, "m"},
+            "known before: reference to object, x y z qx qy qz qw", 7);
+  table.add(
+      "initial_pose_angle", pose.angle, {1e-6, M_PI, "rad"},
+      "farthest that the rotation of `initial_pose` may be off; poses beyond are not searched");
+  table.add("initial_pose_distance", pose.distance, {1e-6, 100, "m"},
+            "farthest that `initial_pose` may put the reference's centroid off");
+  if (numbers.empty()) return;
+  pose.pose = pose_from_numbers(numbers);
+  prior = pose;
+}
+
+void describe_size(ParameterTable& table, StretchParameters& p) {
+  table.add("min_scale", p.min_scale, {0.01, 100}, "below: SCALE_AT_BOUND");
+  table.add("max_scale", p.max_scale, {0.01, 100}, "above: SCALE_AT_BOUND");
+  if (p.max_scale < p.min_scale)
+    table.refuse("max_scale", fmt::format("{:g}", p.max_scale), "give min_scale or more");
+  table.add("scale_range", p.scale_range, {0.001, 0.9},
+            "affine: searched about the initial scale, 0.15 = +-15 % (r in the thesis)");
+  table.add("scale_steps", p.scale_steps, {1, 1000}, "affine: to each side (k in the thesis)");
+}
+
+void describe_input(ParameterTable& table, StretchParameters& p) {
+  table.add("min_points", p.min_points, {50, 1e9}, "of each surface after the grid reduction");
+  table.add("max_path_distance", p.max_path_distance, {0, 10, "m"},
+            "of a waypoint from the reference");
+  table.add("inlier_distance", p.inlier_distance, {1e-6, 1, "m"},
+            "of a point that counts as explained");
+  table.add("min_inlier_ratio", p.min_inlier_ratio, {0, 1},
+            "of the object's points; where the reference shows only a part of it, 95 % of those "
+            "that it reaches");
+  table.add("min_overlap", p.min_overlap, {0, 1},
+            "of the reference's points; a scan shows one side of a closed part");
+  table.add("ambiguity_distance", p.ambiguity_distance, {1e-6, 10, "m"},
+            "two poses differ if they put a waypoint this far apart");
+}
+
+void describe_deformation(ParameterTable& table, StretchParameters& p) {
+  table.add("deformation_level", p.deformation_level, {0, 3}, "finest deformation graph; 0: none");
+  table.add("support_radius", p.support_radius, {0, 1, "m"},
+            "of the points a waypoint is set on; 0: three spacings of the scan");
+  table.add("min_support", p.min_support, {4, 10000},
+            "points; with fewer the waypoint is inferred and flagged");
+  table.add("max_hole_distance", p.max_hole_distance, {0, 1, "m"},
+            "from the scan, up to which a waypoint is inferred (at least three spacings)");
+  table.add("tolerance", p.tolerance, {1e-6, 1, "m"},
+            "of an adapted waypoint from the scanned surface (at least a fifth of the spacings of "
+            "both surfaces, summed)");
+  table.add("max_deformation", p.max_deformation, {1e-6, 10, "m"},
+            "of 95 % of the reference's surface from its own shape, or it is the wrong part");
+  table.add("max_stranger", p.max_stranger, {1e-6, 10, "m"},
+            "of scanned points over, under or beside a waypoint from the reference: a rib or a "
+            "clamp in the way (at least the spacings of both surfaces, summed)");
+  table.add("max_displacement", p.max_displacement, {1e-6, 10, "m"},
+            "of a waypoint from where the similarity puts it");
 }
 
 }  // namespace
 
 std::string to_string(Method method) {
-  return method == Method::kAffine ? "affine" : "general";
+  return kMethods.at(static_cast<std::size_t>(method));
 }
 
 Method method_from_string(const std::string& name) {
-  if (name == "affine") return Method::kAffine;
-  if (name == "general") return Method::kGeneral;
-  throw InvalidParameter("method", "'" + name + "'", "give affine or general");
+  scan_cell_common::RangeCheck table;
+  std::string word = name;
+  table.choice("method", word, kMethods, "");
+  return word == "affine" ? Method::kAffine : Method::kGeneral;
 }
 
-std::string to_string(StandOff stand_off) {
-  return stand_off == StandOff::kKeep ? "keep" : "scale";
+void describe(ParameterTable& table, StretchParameters& parameters) {
+  table.choice("method", parameters.method, kMethods,
+               "affine: one similarity; general: also a smooth deformation");
+  table.add("leaf", parameters.leaf, {1e-6, 1, "m"},
+            "grid reduction along x, y, z; made wider in proportion where more than 50,000 points "
+            "would be left");
+  describe(table, parameters.prior.scale);
+  describe(table, parameters.prior.pose);
+  table.add("resample_spacing", parameters.resample_spacing, {1e-6, 10, "m", Also::kZero},
+            "the path gets waypoints at even steps of its length, no longer than this; the ends of "
+            "segments are kept, corners between are not. 0: its own waypoints");
+  table.choice("stand_off", parameters.stand_off, {"keep", "scale"},
+               "of segments led over the reference at one distance (nine of ten waypoints do not "
+               "touch, and the distance varies by less than a fifth): it stays as it is along the "
+               "normal, or grows with the part; a way through the air grows with the part");
+  describe_size(table, parameters);
+  describe_input(table, parameters);
+  describe_deformation(table, parameters);
 }
-
-StandOff stand_off_from_string(const std::string& name) {
-  if (name == "keep") return StandOff::kKeep;
-  if (name == "scale") return StandOff::kScale;
-  throw InvalidParameter("stand_off", "'" + name + "'", "give keep or scale");
-}
-
-namespace {
-
-void check(const Prior& prior) {
-  const ScalePrior& scale = prior.scale;
-  if (scale.value != 0) check_range("scale", scale.value, 0.01, 100);
-  check_range("scale_deviation", scale.deviation, 0, 10);
-  if (scale.value == 0 && scale.deviation != 0) {
-    throw InvalidParameter("scale_deviation", std::to_string(scale.deviation),
-                           "give the scale that deviates so far too");
-  }
-  if (!prior.pose) return;
-  const Eigen::Isometry3d& pose = prior.pose->pose;
-  if (!pose.matrix().allFinite() || !(pose.linear() * pose.linear().transpose()).isIdentity(1e-6) ||
-      pose.linear().determinant() < 0) {
-    throw InvalidParameter("initial_pose", "not a rotation and a translation",
-                           "give finite numbers and a unit quaternion");
-  }
-  check_range("initial_pose_angle", prior.pose->angle, 1e-6, M_PI);
-  check_range("initial_pose_distance", prior.pose->distance, 1e-6, 100);
-}
-
-}  // namespace
 
 void check(const StretchParameters& parameters) {
-  check(parameters.prior);
-  check_resample_spacing("resample_spacing", parameters.resample_spacing);
-  for (const double leaf : parameters.leaf)
-    check_range("leaf", leaf, 1e-6, 1);
-  check_range("min_scale", parameters.min_scale, 0.01, 100);
-  check_range("max_scale", parameters.max_scale, parameters.min_scale, 100);
-  check_range("scale_range", parameters.scale_range, 0.001, 0.9);
-  check_range("scale_steps", parameters.scale_steps, 1, 1000);
-  check_range("min_points", parameters.min_points, 50, 1e9);
-  check_range("max_path_distance", parameters.max_path_distance, 0, 10);
-  check_range("inlier_distance", parameters.inlier_distance, 1e-6, 1);
-  check_range("min_inlier_ratio", parameters.min_inlier_ratio, 0, 1);
-  check_range("min_overlap", parameters.min_overlap, 0, 1);
-  check_range("ambiguity_distance", parameters.ambiguity_distance, 1e-6, 10);
-  check_range("deformation_level", parameters.deformation_level, 0, 3);
-  check_range("support_radius", parameters.support_radius, 0, 1);
-  check_range("min_support", parameters.min_support, 4, 10000);
-  check_range("max_hole_distance", parameters.max_hole_distance, 0, 1);
-  check_range("tolerance", parameters.tolerance, 1e-6, 1);
-  check_range("max_deformation", parameters.max_deformation, 1e-6, 10);
-  check_range("max_stranger", parameters.max_stranger, 1e-6, 10);
-  check_range("max_displacement", parameters.max_displacement, 1e-6, 10);
+  if (parameters.prior.pose) {
+    const Eigen::Isometry3d& pose = parameters.prior.pose->pose;
+    if (!pose.matrix().allFinite() ||
+        !(pose.linear() * pose.linear().transpose()).isIdentity(1e-6) ||
+        pose.linear().determinant() < 0) {
+      throw InvalidParameter("initial_pose", "not a rotation and a translation",
+                             "give finite numbers and a unit quaternion");
+    }
+  }
+  scan_cell_common::check(parameters);
 }
 
 }  // namespace tool_path_stretcher

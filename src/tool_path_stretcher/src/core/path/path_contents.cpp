@@ -1,17 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include "path/pose_convention.h"
 #include "tool_path_stretcher/path_conventions.h"
 
 namespace tool_path_stretcher {
 namespace {
-
-std::string joined(const std::vector<std::string>& names, const std::string& between = ", ") {
-  std::string text;
-  for (const std::string& name : names)
-    text += (text.empty() ? "" : between) + name;
-  return text;
-}
 
 /// Z-Y-X of zyx
 std::string in_capitals(const std::string& axes) {
@@ -39,7 +34,7 @@ std::string kind_of(const PoseConvention& convention) {
 }
 
 std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -50,7 +45,8 @@ PathContents contents_of(const ToolPath& path, const PathLayout& layout) {
   contents.waypoints = waypoint_count(path);
   contents.segments = path.segments.size();
   contents.orientations = kind_of(convention);
-  if (!convention.names.empty()) contents.orientations += " (" + joined(convention.names) + ")";
+  if (!convention.names.empty())
+    contents.orientations += fmt::format(" ({})", fmt::join(convention.names, ", "));
   contents.units = convention.units;
   contents.process_values = path.process_names;
   contents.kept = layout.kept;
@@ -58,11 +54,15 @@ PathContents contents_of(const ToolPath& path, const PathLayout& layout) {
 }
 
 std::string to_string(const PathContents& contents) {
-  std::string text = counted(contents.waypoints, "waypoint") + " in " +
-                     counted(contents.segments, "segment") + ", in " + contents.units +
-                     "; orientations: " + contents.orientations + "; process values: " +
-                     (contents.process_values.empty() ? "none" : joined(contents.process_values));
-  if (!contents.kept.empty()) text += "; kept as they are: " + joined(contents.kept);
+  std::string text =
+      fmt::format("{} in {}, in {}; orientations: {}; process values: {}",
+                  counted(contents.waypoints, "waypoint"), counted(contents.segments, "segment"),
+                  contents.units, contents.orientations,
+                  contents.process_values.empty()
+                      ? "none"
+                      : fmt::format("{}", fmt::join(contents.process_values, ", ")));
+  if (!contents.kept.empty())
+    text += fmt::format("; kept as they are: {}", fmt::join(contents.kept, ", "));
   return text;
 }
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/pose_convention.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "path/number_text.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/euler_angles.h"
+#include "scan_cell_common/unit_quaternion.h"
 #include "scan_cell_common/units.h"
 
 namespace tool_path_stretcher {
@@ -18,19 +21,19 @@ using scan_cell_common::UnusableInput;
 
 constexpr double kDegree = M_PI / 180;
 
-/// Numbers in millimetres and degrees went through a product; what that adds is left out.
+/// Drops what the product that made millimetres or degrees added.
 double rounded(double value) {
   constexpr double kSteps = 1e9;  // of a millimetre or a degree: far below what anyone measures
-  constexpr double kMost = 1e6;
+  constexpr double kMost = 1e6;   // [mm] or [deg]: beyond, a double has no such steps
   if (!(std::abs(value) < kMost)) return value;
   return std::round(value * kSteps) / kSteps + 0.0;  // -0 is 0
 }
 
 Eigen::Matrix3d from_tool_vector(const Eigen::Vector3d& vector, const std::string& where) {
-  constexpr double kUnit = 1e-3;
+  constexpr double kUnit = 1e-3;  // off length 1: vectors of three digits; chosen
   if (!(std::abs(vector.norm() - 1) < kUnit)) {
-    throw UnusableInput(where, "a tool vector of length " + to_text(vector.norm()),
-                        "give unit vectors; where it is none, say so (--process-values)");
+    throw UnusableInput(where, fmt::format("a tool vector of length {:.6g}", vector.norm()),
+                        "give unit vectors, or say that it is not one (--process-values)");
   }
   return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), vector).toRotationMatrix();
 }
@@ -74,7 +77,8 @@ Eigen::Isometry3d pose_from(const PoseConvention& convention, const std::vector<
   const Eigen::Vector3d three(numbers[3], numbers[4], numbers[5]);
   const Eigen::Vector3d angles = (convention.degrees ? kDegree : 1) * three;
   if (convention.orientation == OrientationKind::kQuaternion) {
-    pose.linear() = rotation_from({numbers[3], numbers[4], numbers[5], numbers[6]}, where);
+    pose.linear() = scan_cell_common::rotation_from(
+        Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5]), where);
   } else if (convention.orientation == OrientationKind::kEuler) {
     pose.linear() = EulerSequence(convention.euler).rotation(angles);
   } else if (convention.orientation == OrientationKind::kRotationVector) {
@@ -124,7 +128,7 @@ void carry_spin_along(Segment& segment) {
 void check_angles(const PoseConvention& convention, const std::vector<double>& angles,
                   const std::string& source) {
   constexpr double kTurn = 2 * M_PI;
-  constexpr double kExact = 2e-4;  // 3.1416 is half a turn, and no one means it as degrees
+  constexpr double kExact = 2e-4;  // [rad] 3.1416 is half a turn, and no one means it as degrees
   if (!convention.degrees || angles.empty()) return;
   const auto is_beyond = [](double angle) { return std::abs(angle) > kTurn + kExact; };
   const auto is_half_turn = [](double angle) {
@@ -133,7 +137,7 @@ void check_angles(const PoseConvention& convention, const std::vector<double>& a
   if (std::any_of(angles.begin(), angles.end(), is_beyond)) return;
   const auto found = std::find_if(angles.begin(), angles.end(), is_half_turn);
   if (found == angles.end()) return;
-  throw UnusableInput(source, "an angle of " + to_text(*found) + " degrees, and none beyond 6.28",
+  throw UnusableInput(source, fmt::format("an angle of {} degrees, and none beyond 6.28", *found),
                       "give degrees, or say that they are radians (--radians)");
 }
 

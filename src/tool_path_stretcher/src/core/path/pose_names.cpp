@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/pose_names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -62,11 +64,11 @@ class Reader {
     for (const std::size_t i : indices)
       list += (list.empty() ? "" : ",") + excerpt(names_[i]);
     throw UnusableInput(
-        where_, quoted(indices) + " could be an orientation, and nothing says of which kind",
-        "say how angles turn (--euler zyx --degrees, or --rotation-vector --radians), name "
-        "quaternions qx,qy,qz,qw and tool vectors i,j,k, or say that it is none "
-        "(--process-values " +
-            list + ")");
+        where_, quoted(indices) + " could be an orientation, but its kind is not given",
+        fmt::format("say how angles turn (--euler zyx --degrees, or --rotation-vector --radians), "
+                    "name quaternions qx,qy,qz,qw and tool vectors i,j,k, or say that it is not "
+                    "one (--process-values {})",
+                    list));
   }
 
   /// Names that the person says are process values.
@@ -75,7 +77,8 @@ class Reader {
     for (const std::string& name : conventions_.process_values) {
       const auto at = std::find(names_.begin(), names_.end(), name);
       if (at == names_.end()) {
-        throw InvalidParameter("process values", "'" + excerpt(name) + "' is not in the tool path",
+        throw InvalidParameter("process values",
+                               fmt::format("'{}' is not in the tool path", excerpt(name)),
                                "give names that are in " + where_);
       }
       found.push_back(static_cast<std::size_t>(at - names_.begin()));
@@ -119,7 +122,7 @@ class Reader {
   void read_position() {
     for (const char* const axis : {"x", "y", "z"}) {
       if (!find({axis}, is_length_unit)) {
-        throw UnusableInput(where_, std::string("no column '") + axis + "'",
+        throw UnusableInput(where_, fmt::format("no column '{}'", axis),
                             "name the position x,y,z: begin a CSV file with the header "
                             "x,y,z[,qx,qy,qz,qw]");
       }
@@ -128,9 +131,10 @@ class Reader {
     PoseConvention& convention = found_.convention;
     const std::string unit = unit_of(found);
     if (!unit.empty() && !conventions_.units.empty() && unit != conventions_.units) {
-      throw InvalidParameter("units of the tool path",
-                             "'" + conventions_.units + "', where it says " + quoted(found),
-                             "leave them out, or give " + unit);
+      throw InvalidParameter(
+          "units of the tool path",
+          fmt::format("'{}', but the path has {}", conventions_.units, quoted(found)),
+          "leave them out, or give " + unit);
     }
     if (!unit.empty() || !conventions_.units.empty())
       convention.units = unit.empty() ? conventions_.units : unit;
@@ -155,9 +159,9 @@ class Reader {
         continue;
       }
       if (found) {
-        throw UnusableInput(where_,
-                            "two orientations: " + quoted(*found) + " and " + quoted(*there),
-                            "keep one, or say what is none (--process-values)");
+        throw UnusableInput(
+            where_, fmt::format("two orientations: {} and {}", quoted(*found), quoted(*there)),
+            "keep one, or say which is not one (--process-values)");
       }
       found = there;
       group = &each;
@@ -184,7 +188,7 @@ class Reader {
     throw UnusableInput(where_, "only some of the columns qx,qy,qz,qw", "give all four or none");
   }
 
-  /// What was said of angles where there are none was meant for something else.
+  /// A convention for angles where there are none was meant for something else.
   void refuse_idle_conventions() const {
     const bool said = !conventions_.euler.empty() || conventions_.rotation_vector ||
                       conventions_.angles != AngleUnit::kNotGiven;
@@ -204,8 +208,9 @@ class Reader {
     if (comau && unit == "deg" && convention.euler.empty()) convention.euler = "zyz";
     if (convention.euler.empty()) refuse_unknown(found);
     if (comau && convention.euler != "zyz") {
-      throw InvalidParameter("euler", "'" + excerpt(convention.euler) + "' for " + quoted(found),
-                             "give zyz: so Comau turns A, E and R");
+      throw InvalidParameter("euler",
+                             fmt::format("'{}' for {}", excerpt(convention.euler), quoted(found)),
+                             "give zyz: Comau turns A, E and R that way");
     }
     convention.degrees = is_in_degrees(unit);
     convention.orientation = OrientationKind::kEuler;
@@ -213,7 +218,7 @@ class Reader {
     convention.euler = sequence.axes();
     if (group.kind == Kind::kAnglesByTurn) return;
     if (sequence.repeats()) {
-      throw InvalidParameter("euler", "'" + convention.euler + "' for " + quoted(found),
+      throw InvalidParameter("euler", fmt::format("'{}' for {}", convention.euler, quoted(found)),
                              "give a sequence of three different axes, such as zyx");
     }
     const Indices by_axis = found;
@@ -224,7 +229,7 @@ class Reader {
 
   void read_rotation_vector(const OrientationNames& group, const std::string& unit) {
     if (!conventions_.euler.empty()) {
-      throw InvalidParameter("rotation-vector", "given beside --euler", "give one of them");
+      throw InvalidParameter("rotation-vector", "given together with --euler", "give one of them");
     }
     if (group.kind != Kind::kAnglesByAxis) {
       throw InvalidParameter("rotation-vector", "given for " + quoted(found_.orientation),
@@ -237,13 +242,13 @@ class Reader {
   bool is_in_degrees(const std::string& unit) const {
     const AngleUnit said = conventions_.angles;
     if (unit.empty() && said == AngleUnit::kNotGiven) {
-      throw UnusableInput(where_, quoted(found_.orientation) + " are angles of no unit",
-                          "say --degrees or --radians");
+      throw UnusableInput(where_, quoted(found_.orientation) + " are angles without a unit",
+                          "give --degrees or --radians");
     }
     if (unit.empty()) return said == AngleUnit::kDegrees;
     const bool degrees = unit == "deg";
     if (said != AngleUnit::kNotGiven && degrees != (said == AngleUnit::kDegrees)) {
-      throw InvalidParameter("unit of the angles", "another than " + quoted(found_.orientation),
+      throw InvalidParameter("unit of the angles", "not that of " + quoted(found_.orientation),
                              "leave out --degrees and --radians");
     }
     return degrees;

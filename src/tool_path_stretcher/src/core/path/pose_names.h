@@ -22,7 +22,7 @@ struct PoseNames {
 /// lower case, with a unit behind them (x_mm, a_deg, "rx [rad]").
 /// @param where file and line, for errors
 /// @throw scan_cell_common::UnusableInput if there is no position, or if a name could be that of an
-/// orientation and nothing says of which kind
+/// orientation but whose kind is not given
 /// @throw scan_cell_common::InvalidParameter if the conventions do not fit the names
 PoseNames understand(const std::vector<std::string>& names, const PathConventions& conventions,
                      const std::string& where);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "scan_cell_common/errors.h"
 
@@ -123,14 +122,6 @@ ToolPath resampled(const ToolPath& path, double spacing) {
     segment = resampled(segment, lengths, static_cast<std::size_t>(std::max(1.0, steps)));
   }
   return result;
-}
-
-void check_resample_spacing(const std::string& name, double spacing) {
-  if (spacing == 0 || (spacing >= 1e-6 && spacing <= 10)) return;
-  std::ostringstream value;
-  value << spacing << " m";
-  throw scan_cell_common::InvalidParameter(name, value.str(),
-                                           "give 1e-6 to 10 m, or 0 for the path's own waypoints");
 }
 
 std::vector<Eigen::Quaterniond> continuous_quaternions(const Segment& segment) {

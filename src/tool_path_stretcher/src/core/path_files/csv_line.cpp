@@ -42,8 +42,7 @@ std::vector<std::string> split(const std::string& line, const std::string& where
     } else if (!was_quoted || quoted) {
       fields.back() += c;
     } else if (!is_blank({c})) {
-      throw UnusableInput(where, "a field goes on behind its closing quote",
-                          "double the quotes within a field");
+      throw UnusableInput(where, "text after a closing quote", "double the quotes within a field");
     }
   }
   if (quoted) throw UnusableInput(where, "a quote is not closed", "close it");

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_files/pose_fields.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "path/pose_names.h"
+#include "path_files/yaml_documents.h"
 #include "scan_cell_common/errors.h"
 #include "scan_cell_common/text.h"
 
@@ -18,7 +21,7 @@ bool is_number(const YAML::Node& node) {
   return node.IsScalar() && scan_cell_common::parse_number(node.Scalar()).has_value();
 }
 
-/// As YAML writes them; they are told as such, not kept as texts.
+/// As YAML writes them: they are refused as numbers, not kept as text.
 bool is_not_finite(const YAML::Node& node) {
   if (!node.IsScalar()) return false;
   const std::string text = scan_cell_common::lower_case(node.Scalar());
@@ -34,7 +37,7 @@ void add(const std::string& slot, const std::string& name, const YAML::Node& val
 }  // namespace
 
 std::string PoseSplitter::where(const YAML::Node& node) const {
-  return source_ + ", line " + std::to_string(node.Mark().line + 1);
+  return line_of(source_, node.Mark());
 }
 
 PoseParts PoseSplitter::split(const YAML::Node& node) const {
@@ -45,12 +48,7 @@ PoseParts PoseSplitter::split(const YAML::Node& node) const {
         std::any_of(parts.fields.begin(), parts.fields.end(), [](const PoseField& field) {
           return field.slot.find("process_values.") != std::string::npos;
         });
-    if (!has_values && !process_names_.empty()) {
-      throw UnusableInput(
-          where(node),
-          "0 process_values for " + std::to_string(process_names_.size()) + " process_names",
-          "give each pose one value a name");
-    }
+    if (!has_values) check_value_count(node, 0);
   } else {
     split_list(node, parts);
   }
@@ -59,17 +57,8 @@ PoseParts PoseSplitter::split(const YAML::Node& node) const {
 
 void PoseSplitter::split_map(const YAML::Node& map, const std::string& prefix,
                              PoseParts& parts) const {
-  std::set<std::string> keys;
-  for (const auto& entry : map) {
-    if (!entry.first.IsScalar()) {
-      throw UnusableInput(where(map), "a key that is no text", "give keys as texts");
-    }
-    const std::string& key = entry.first.Scalar();
-    if (!keys.insert(key).second) {
-      throw UnusableInput(where(map), "'" + excerpt(key) + "' occurs twice", "keep one");
-    }
-    split_entry(key, entry.second, prefix, parts);
-  }
+  for (const auto& [key, value] : entries_of(map, source_))
+    split_entry(key, value, prefix, parts);
 }
 
 void PoseSplitter::split_entry(const std::string& key, const YAML::Node& value,
@@ -97,12 +86,12 @@ void PoseSplitter::split_position(const YAML::Node& node, const std::string& slo
   if (node.IsSequence()) return split_elements(node, slot, {"x", "y", "z"}, parts);
   if (!node.IsMap()) throw UnusableInput(where(node), "position is not a map", "give x, y and z");
   for (const char* const axis : {"x", "y", "z"}) {
-    if (!node[axis]) throw UnusableInput(where(node), std::string("no '") + axis + "'", "add it");
+    if (!node[axis]) throw UnusableInput(where(node), fmt::format("no '{}'", axis), "add it");
   }
   for (const auto& entry : node) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
     if (key != "x" && key != "y" && key != "z") {
-      throw UnusableInput(where(node), "'" + excerpt(key) + "' in a position",
+      throw UnusableInput(where(node), fmt::format("'{}' in a position", excerpt(key)),
                           "give x, y and z alone");
     }
     add(slot + "." + key, key, entry.second, parts);
@@ -117,7 +106,7 @@ void PoseSplitter::split_orientation(const YAML::Node& node, const std::string& 
   const bool quaternion = node["w"] || node["x"] || node.size() == 0;
   if (quaternion) {
     for (const char* const part : {"x", "y", "z", "w"}) {
-      if (!node[part]) throw UnusableInput(where(node), std::string("no '") + part + "'", "add it");
+      if (!node[part]) throw UnusableInput(where(node), fmt::format("no '{}'", part), "add it");
     }
   }
   for (const auto& entry : node) {
@@ -125,7 +114,7 @@ void PoseSplitter::split_orientation(const YAML::Node& node, const std::string& 
     const bool part = key == "x" || key == "y" || key == "z" || key == "w";
     const bool angle = key == "roll" || key == "pitch" || key == "yaw";
     if (quaternion ? !part : !angle) {
-      throw UnusableInput(where(node), "'" + excerpt(key) + "' in an orientation",
+      throw UnusableInput(where(node), fmt::format("'{}' in an orientation", excerpt(key)),
                           "give x, y, z and w, or roll, pitch and yaw");
     }
     add(slot + "." + key, part ? "q" + key : key, entry.second, parts);
@@ -136,22 +125,25 @@ void PoseSplitter::split_rpy(const YAML::Node& node, const std::string& slot,
                              PoseParts& parts) const {
   if (node.IsSequence()) return split_elements(node, slot, {"roll", "pitch", "yaw"}, parts);
   if (!node.IsMap()) {
-    throw UnusableInput(where(node), "rpy is no list", "give roll, pitch and yaw");
+    throw UnusableInput(where(node), "rpy is not a list", "give roll, pitch and yaw");
   }
   return split_orientation(node, slot, parts);
+}
+
+void PoseSplitter::check_value_count(const YAML::Node& node, std::size_t count) const {
+  if (count == process_names_.size()) return;
+  throw UnusableInput(
+      where(node),
+      fmt::format("{} process_values for {} process_names", count, process_names_.size()),
+      "give each pose one value per name");
 }
 
 void PoseSplitter::split_process_values(const YAML::Node& node, const std::string& slot,
                                         PoseParts& parts) const {
   if (!node.IsSequence()) {
-    throw UnusableInput(where(node), "process_values is no list", "give one value a name");
+    throw UnusableInput(where(node), "process_values is not a list", "give one value per name");
   }
-  if (node.size() != process_names_.size()) {
-    throw UnusableInput(where(node),
-                        std::to_string(node.size()) + " process_values for " +
-                            std::to_string(process_names_.size()) + " process_names",
-                        "give each pose one value a name");
-  }
+  check_value_count(node, node.size());
   split_elements(node, slot, process_names_, parts);
 }
 
@@ -166,17 +158,17 @@ void PoseSplitter::split_list(const YAML::Node& node, PoseParts& parts) const {
                         "write poses with process values as maps");
   }
   for (std::size_t i = 0; i < node.size(); ++i)
-    add(std::to_string(i), names[i], node[i], parts);
+    add(fmt::to_string(i), names[i], node[i], parts);
 }
 
 void PoseSplitter::split_elements(const YAML::Node& list, const std::string& slot,
                                   const std::vector<std::string>& names, PoseParts& parts) const {
   if (list.size() != names.size()) {
-    throw UnusableInput(where(list), std::to_string(list.size()) + " numbers in " + excerpt(slot),
-                        "give " + std::to_string(names.size()));
+    throw UnusableInput(where(list), fmt::format("{} numbers in {}", list.size(), excerpt(slot)),
+                        fmt::format("give {}", names.size()));
   }
   for (std::size_t i = 0; i < names.size(); ++i)
-    add(slot + "." + std::to_string(i), names[i], list[i], parts);
+    add(fmt::format("{}.{}", slot, i), names[i], list[i], parts);
 }
 
 void PoseSplitter::keep(const std::string& key, const YAML::Node& value, PoseParts& parts) const {
@@ -185,8 +177,8 @@ void PoseSplitter::keep(const std::string& key, const YAML::Node& value, PosePar
 }
 
 void PoseSplitter::check_kept(const std::string& key, const YAML::Node& value, int depth) const {
-  constexpr int kDeepest = 16;
-  constexpr std::size_t kMost = 3000000;  // an alias can make a small text stand for an endless one
+  constexpr int kDeepest = 16;            // chosen
+  constexpr std::size_t kMost = 3000000;  // chosen: an alias can make a small text endless
   if (++visited_ > kMost) {
     throw UnusableInput(where(value), "more than 3 million entries", "give a shorter path");
   }
@@ -200,7 +192,7 @@ void PoseSplitter::check_kept(const std::string& key, const YAML::Node& value, i
   if (value.IsMap()) {
     for (const auto& entry : value) {
       if (!entry.first.IsScalar()) {
-        throw UnusableInput(where(value), "a key that is no text", "give keys as texts");
+        throw UnusableInput(where(value), "a key that is not text", "give keys as text");
       }
       check_kept(entry.first.Scalar(), entry.second, depth + 1);
     }
@@ -218,9 +210,9 @@ void PoseSplitter::check_kept_name(const std::string& key, const YAML::Node& val
   }
   if (!could_be_orientation(key)) return;
   throw UnusableInput(where(value),
-                      "'" + excerpt(key) + "' could be an orientation, and is none that is known",
+                      fmt::format("'{}' could be an orientation of an unknown kind", excerpt(key)),
                       "give orientation {x, y, z, w}, rpy, or numbers by name such as rx, ry, rz; "
-                      "or say that it is none (--process-values)");
+                      "or say that it is not one (--process-values)");
 }
 
 }  // namespace tool_path_stretcher

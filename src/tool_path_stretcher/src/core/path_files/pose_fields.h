@@ -16,20 +16,20 @@ namespace tool_path_stretcher {
 struct PoseParts {
   std::vector<PoseField> fields;   //!< numbers, in the file's order
   std::vector<YAML::Node> values;  //!< theirs
-  std::vector<std::string> kept;   //!< keys of what is no number
+  std::vector<std::string> kept;   //!< keys of what is not a number
 };
 
 /// Takes poses apart: numbers become fields, all else is kept as it is.
 class PoseSplitter {
  public:
   /// @param process_names of the whole file, for `process_values`
-  /// @param not_orientations keys that are none, though they look so
+  /// @param not_orientations keys that look like an orientation and are not
   PoseSplitter(const std::string& source, const std::vector<std::string>& process_names,
                const std::vector<std::string>& not_orientations)
       : source_(source), process_names_(process_names), not_orientations_(not_orientations) {}
 
-  /// @throw scan_cell_common::UnusableInput if it is no pose, or holds what could be an orientation
-  /// and is none that is known
+  /// @throw scan_cell_common::UnusableInput if it is not a pose, or holds what could be an
+  /// orientation of an unknown kind
   PoseParts split(const YAML::Node& node) const;
 
  private:
@@ -42,6 +42,7 @@ class PoseSplitter {
   void split_rpy(const YAML::Node& node, const std::string& slot, PoseParts& parts) const;
   void split_process_values(const YAML::Node& node, const std::string& slot,
                             PoseParts& parts) const;
+  void check_value_count(const YAML::Node& node, std::size_t count) const;
   void split_list(const YAML::Node& node, PoseParts& parts) const;
   void split_elements(const YAML::Node& list, const std::string& slot,
                       const std::vector<std::string>& names, PoseParts& parts) const;

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_files/pose_lists.h"
 
+#include <fmt/format.h>
+
+#include "path_files/yaml_documents.h"
 #include "path_files/yaml_shape.h"
 #include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
 
 namespace tool_path_stretcher {
 namespace {
 
-using scan_cell_common::excerpt;
 using scan_cell_common::UnusableInput;
 
-/// Finds the lists of poses in documents, wherever they are nested.
+/// Finds the lists of poses in documents, however deep they are nested.
 class Finder {
  public:
   explicit Finder(const std::string& source) : source_(source) {}
@@ -35,21 +36,19 @@ class Finder {
   }
 
  private:
-  std::string where(const YAML::Node& node) const {
-    return source_ + ", line " + std::to_string(node.Mark().line + 1);
-  }
+  std::string where(const YAML::Node& node) const { return line_of(source_, node.Mark()); }
 
   /// An alias can make a small text stand for an endless one.
   void count_visit(const YAML::Node& node) {
-    constexpr std::size_t kMostNodes = 3000000;
-    if (++visited_ > kMostNodes) {
+    constexpr std::size_t kMaxNodes = 3000000;  // chosen
+    if (++visited_ > kMaxNodes) {
       throw UnusableInput(where(node), "more than 3 million entries", "give a shorter path");
     }
   }
 
   /// @param depth an alias within what it stands for has no end
   void visit(const YAML::Node& node, const std::string& name, int depth) {
-    constexpr int kDeepest = 64;
+    constexpr int kDeepest = 64;  // chosen
     if (depth > kDeepest) {
       throw UnusableInput(where(node), "nested more than 64 deep", "give a flatter path");
     }
@@ -74,18 +73,11 @@ class Finder {
     const YAML::Node own_name = map["name"];
     const std::string below = own_name && own_name.IsScalar() ? own_name.Scalar() : "";
     const std::size_t at_first = found_.lists.size();
-    std::set<std::string> keys, beside;
-    for (const auto& entry : map) {
-      if (!entry.first.IsScalar()) {
-        throw UnusableInput(where(map), "a key that is no text", "give keys as texts");
-      }
-      const std::string& key = entry.first.Scalar();
-      if (!keys.insert(key).second) {
-        throw UnusableInput(where(map), "'" + excerpt(key) + "' occurs twice", "keep one");
-      }
-      refuse_common_orientation(map, key, entry.second);
+    std::set<std::string> beside;
+    for (const auto& [key, value] : entries_of(map, source_)) {
+      refuse_common_orientation(map, key, value);
       const std::size_t before = found_.lists.size();
-      visit(entry.second, below, depth + 1);
+      visit(value, below, depth + 1);
       const bool of_the_path = key == "name" || key == "process_names";
       if (!of_the_path && found_.lists.size() == before) beside.insert(key);
     }
@@ -100,18 +92,19 @@ class Finder {
     if (!element.IsMap()) return;
     for (const char* const key : {"translation", "xyz", "point", "pos", "transform", "cartesian"}) {
       if (!element[key]) continue;
-      throw UnusableInput(where(element), std::string("'") + key + "' could be a position",
+      throw UnusableInput(where(element), fmt::format("'{}' could be a position", key),
                           "give position {x, y, z}, or x, y and z");
     }
   }
 
-  /// One orientation beside a list of poses could be meant for all of them.
+  /// One orientation beside a list of poses may be meant for all of them.
   void refuse_common_orientation(const YAML::Node& map, const std::string& key,
                                  const YAML::Node& value) const {
     static const std::set<std::string> names = {"orientation", "rpy",      "quaternion",
                                                 "euler",       "rotation", "normal"};
     if (names.count(key) == 0 || value.IsScalar() || value.IsNull() || map["position"]) return;
-    throw UnusableInput(where(value), "'" + key + "' beside the poses could be an orientation",
+    throw UnusableInput(where(value),
+                        fmt::format("'{}' beside the poses could be an orientation", key),
                         "give each pose its own");
   }
 

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -30,7 +32,7 @@ void check_names(const std::vector<std::string>& names, const std::string& where
   std::set<std::string> seen;
   for (const std::string& name : names) {
     if (!name.empty() && seen.insert(name).second) continue;
-    throw UnusableInput(where, "column '" + excerpt(name) + "' is unnamed or occurs twice",
+    throw UnusableInput(where, fmt::format("column '{}' is unnamed or occurs twice", excerpt(name)),
                         "give each column a name of its own");
   }
 }
@@ -47,8 +49,8 @@ class Reader {
     if (names_.empty()) return read_header(fields, where);
     if (fields.size() != names_.size()) {
       throw UnusableInput(
-          where, std::to_string(fields.size()) + " values",
-          "give " + std::to_string(names_.size()) + ", as in the header, and write 0.5, not 0,5");
+          where, fmt::format("{} values", fields.size()),
+          fmt::format("give {}, as in the header, and write 0.5, not 0,5", names_.size()));
     }
     std::vector<Segment>& segments = file_.path.segments;
     const std::string name = segment_ < names_.size() ? fields[segment_] : "";
@@ -106,8 +108,9 @@ class Reader {
                 const std::string& where) const {
     const std::optional<double> value = parse_number(fields[column]);
     if (!value || !std::isfinite(*value)) {
-      throw UnusableInput(where, excerpt(names_[column]) + " = '" + excerpt(fields[column]) + "'",
-                          "give a finite number");
+      throw UnusableInput(
+          where, fmt::format("{} = '{}'", excerpt(names_[column]), excerpt(fields[column])),
+          "give a finite number");
     }
     return *value;
   }
@@ -140,14 +143,14 @@ std::vector<std::string> distinct_names(const ToolPath& path) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     std::string name =
-        path.segments[i].name.empty() ? std::to_string(i + 1) : path.segments[i].name;
-    if (!names.empty() && names.back() == name) name += "_" + std::to_string(i + 1);
+        path.segments[i].name.empty() ? fmt::to_string(i + 1) : path.segments[i].name;
+    if (!names.empty() && names.back() == name) name += fmt::format("_{}", i + 1);
     names.push_back(name);
   }
   return names;
 }
 
-/// Where the file it came from was none of CSV.
+/// With the columns of a new file, where the path did not come from CSV.
 PathLayout with_columns(PathLayout layout, const ToolPath& path) {
   if (!layout.columns.empty()) return layout;
   layout.columns.assign(layout.pose.position.begin(), layout.pose.position.end());
@@ -168,12 +171,14 @@ std::vector<std::size_t> places_of(const PathLayout& layout, const ToolPath& pat
   std::vector<std::size_t> places;
   for (const std::string& column : layout.columns) {
     if (!seen.insert(column).second) {
-      throw UnusableInput("tool path '" + path.name + "'", "two columns '" + column + "' for CSV",
+      throw UnusableInput(fmt::format("tool path '{}'", path.name),
+                          fmt::format("two columns '{}' for CSV", column),
                           "rename the process value, or write YAML");
     }
     const auto at = std::find(texts.begin(), texts.end(), column);
     if (at == texts.end()) {
-      throw UnusableInput("tool path '" + path.name + "'", "no values for '" + column + "'",
+      throw UnusableInput(fmt::format("tool path '{}'", path.name),
+                          fmt::format("no values for '{}'", column),
                           "write it as the file it was read from, or as a new one");
     }
     places.push_back(static_cast<std::size_t>(at - texts.begin()));
@@ -198,7 +203,7 @@ ToolPathFile parse_tool_path_csv(const std::string& text, const std::string& sou
   for (std::size_t number = 1; std::getline(lines, line); ++number) {
     const std::string content = trimmed(line);
     if (content.empty() || content[0] == '#') continue;
-    const std::string where = source + ", line " + std::to_string(number);
+    const std::string where = fmt::format("{}, line {}", source, number);
     reader.read_line(split(line, where), where);
   }
   return reader.finish();

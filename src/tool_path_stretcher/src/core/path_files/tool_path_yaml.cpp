@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -59,9 +60,7 @@ class Reader {
   }
 
  private:
-  std::string where(const YAML::Node& node) const {
-    return source_ + ", line " + std::to_string(node.Mark().line + 1);
-  }
+  std::string where(const YAML::Node& node) const { return line_of(source_, node.Mark()); }
 
   /// Of the path and of its process values, from the roots.
   void read_names(const std::vector<YAML::Node>& documents) {
@@ -74,11 +73,11 @@ class Reader {
       const YAML::Node list = root["process_names"];
       if (!list) continue;
       if (!list.IsSequence()) {
-        throw UnusableInput(where(list), "process_names is no list", "give a list of names");
+        throw UnusableInput(where(list), "process_names is not a list", "give a list of names");
       }
       std::vector<std::string> names;
       for (const YAML::Node& each : list) {
-        if (!each.IsScalar()) throw UnusableInput(where(each), "not a text", "give a text");
+        if (!each.IsScalar()) throw UnusableInput(where(each), "not text", "give text");
         names.push_back(each.Scalar());
       }
       if (!path.process_names.empty() && names != path.process_names) {
@@ -101,7 +100,9 @@ class Reader {
       names.push_back(field.name);
       if (is_process_value(field)) declared.push_back(field.name);
     }
-    refuse_names_given_twice(names, node);
+    std::set<std::string> seen;
+    for (const std::string& name : names)
+      refuse_if_known(name, seen, node);
     const PoseNames found = understand(names, conventions, where(node));
     file_.layout.pose = found.convention;
     file_.path.has_orientation = found.convention.orientation != OrientationKind::kNone;
@@ -120,13 +121,10 @@ class Reader {
     return field.slot.find("process_values.") != std::string::npos;
   }
 
-  void refuse_names_given_twice(const std::vector<std::string>& names,
-                                const YAML::Node& node) const {
-    std::set<std::string> seen;
-    for (const std::string& name : names) {
-      if (seen.insert(name).second) continue;
-      throw UnusableInput(where(node), "'" + excerpt(name) + "' occurs twice", "keep one");
-    }
+  void refuse_if_known(const std::string& name, std::set<std::string>& seen,
+                       const YAML::Node& node) const {
+    if (seen.insert(name).second) return;
+    throw UnusableInput(where(node), fmt::format("'{}' occurs twice", excerpt(name)), "keep one");
   }
 
   /// Those of process_names come first, then what else the poses hold.
@@ -144,10 +142,9 @@ class Reader {
     const std::optional<double> value =
         node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
     if (!value || !std::isfinite(*value)) {
-      throw UnusableInput(
-          where(node),
-          excerpt(name) + " = '" + (node.IsScalar() ? excerpt(node.Scalar()) : "...") + "'",
-          "give a finite number");
+      const std::string text = node.IsScalar() ? excerpt(node.Scalar()) : "...";
+      throw UnusableInput(where(node), fmt::format("{} = '{}'", excerpt(name), text),
+                          "give a finite number");
     }
     return *value;
   }
@@ -176,14 +173,13 @@ class Reader {
                           (field.name.size() == 2 && field.name[0] == 'q');
       throw UnusableInput(where(node),
                           turned ? "only some poses have an orientation"
-                                 : "only some poses have '" + excerpt(field.name) + "'",
-                          "give all or none one");
+                                 : fmt::format("only some poses have '{}'", excerpt(field.name)),
+                          "give it in all poses or in none");
     };
     std::set<std::string> there;
     for (const PoseField& field : parts.fields) {
       if (index_.count(field.slot) == 0) refuse(field);
-      if (there.insert(field.slot).second) continue;
-      throw UnusableInput(where(node), "'" + excerpt(field.name) + "' occurs twice", "keep one");
+      refuse_if_known(field.slot, there, node);
     }
     if (there.size() == shape_.fields.size()) return;
     for (const PoseField& field : shape_.fields) {
@@ -206,8 +202,7 @@ ToolPathFile parse_tool_path_yaml(const std::string& text, const std::string& so
   try {
     return Reader(source, conventions).read(load_documents(text, source));
   } catch (const YAML::Exception& error) {
-    throw UnusableInput(source + ", line " + std::to_string(error.mark.line + 1), error.msg,
-                        "correct the YAML");
+    throw UnusableInput(line_of(source, error.mark), error.msg, "correct the YAML");
   }
 }
 

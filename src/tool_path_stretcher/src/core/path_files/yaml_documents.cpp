@@ -2,30 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_files/yaml_documents.h"
 
+#include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
 
+#include <set>
 #include <sstream>
 
 #include "scan_cell_common/errors.h"
+#include "scan_cell_common/text.h"
 
 namespace tool_path_stretcher {
 namespace {
 
 using scan_cell_common::UnusableInput;
 
-std::string where(const std::string& source, const YAML::Mark& mark) {
-  return source + ", line " + std::to_string(mark.line + 1);
-}
-
-/// Sees to it that each document begins behind the one before. What cannot begin a document
-/// yaml-cpp 0.7 takes for an empty one, over and over again, and LoadAll() never ends.
+/// Checks that each document begins behind the one before. yaml-cpp 0.7 takes what cannot begin a
+/// document for an empty one, over and over again, and LoadAll() never ends.
 class DocumentsGoOn : public YAML::EventHandler {
  public:
   explicit DocumentsGoOn(const std::string& source) : source_(source) {}
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (mark.pos <= last_) {
-      throw UnusableInput(where(source_, mark), "neither part of a document nor a new one",
+      throw UnusableInput(line_of(source_, mark), "neither part of a document nor a new one",
                           "correct the YAML");
     }
     last_ = mark.pos;
@@ -58,8 +57,32 @@ std::vector<YAML::Node> load_documents(const std::string& text, const std::strin
     }
     return YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
-    throw UnusableInput(where(source, error.mark), error.msg, "correct the YAML");
+    throw UnusableInput(line_of(source, error.mark), error.msg, "correct the YAML");
   }
+}
+
+std::string line_of(const std::string& source, const YAML::Mark& mark) {
+  return fmt::format("{}, line {}", source, mark.line + 1);
+}
+
+std::vector<std::pair<std::string, YAML::Node>> entries_of(const YAML::Node& map,
+                                                           const std::string& source) {
+  std::set<std::string> keys;
+  std::vector<std::pair<std::string, YAML::Node>> entries;
+  for (const auto& entry : map) {
+    if (!entry.first.IsScalar()) {
+      throw UnusableInput(line_of(source, map.Mark()), "a key that is not text",
+                          "give keys as text");
+    }
+    const std::string& key = entry.first.Scalar();
+    if (!keys.insert(key).second) {
+      throw UnusableInput(line_of(source, map.Mark()),
+                          fmt::format("'{}' occurs twice", scan_cell_common::excerpt(key)),
+                          "keep one");
+    }
+    entries.emplace_back(key, entry.second);
+  }
+  return entries;
 }
 
 }  // namespace tool_path_stretcher

@@ -5,6 +5,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tool_path_stretcher {
@@ -13,5 +14,13 @@ namespace tool_path_stretcher {
 /// @param source names the text in errors
 /// @throw scan_cell_common::UnusableInput if a part of it is no YAML
 std::vector<YAML::Node> load_documents(const std::string& text, const std::string& source);
+
+/// File and line, as errors name them.
+std::string line_of(const std::string& source, const YAML::Mark& mark);
+
+/// The keys of a map and their values.
+/// @throw scan_cell_common::UnusableInput if a key is not text, or occurs twice
+std::vector<std::pair<std::string, YAML::Node>> entries_of(const YAML::Node& map,
+                                                           const std::string& source);
 
 }  // namespace tool_path_stretcher

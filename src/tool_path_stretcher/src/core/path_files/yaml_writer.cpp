@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <map>
@@ -50,7 +51,7 @@ class ShapeWriter {
  private:
   [[noreturn]] void refuse() const {
     throw UnusableInput("tool path '" + path_.name + "'",
-                        std::to_string(path_.segments.size()) + " segments for another file's YAML",
+                        fmt::format("{} segments for another file's YAML", path_.segments.size()),
                         "write it as the file it was read from, or as a new one");
   }
 
@@ -92,7 +93,7 @@ class ShapeWriter {
       write_style(node);
       out_ << YAML::BeginSeq;
       for (std::size_t i = 0; i < node.size(); ++i)
-        write_child(node[i], std::to_string(i));
+        write_child(node[i], fmt::to_string(i));
       out_ << YAML::EndSeq;
     } else {
       write_scalar(node);
@@ -136,7 +137,7 @@ class ShapeWriter {
     });
   }
 
-  /// A number that is as it was is written as it was.
+  /// Writes a number that has not changed as it was written before.
   void write_number(const YAML::Node& node, double number) {
     const auto before = scan_cell_common::parse_number(node.Scalar());
     out_ << (before && *before == number ? node.Scalar() : to_text(number));
@@ -192,7 +193,7 @@ void write_new(YAML::Emitter& out, const Waypoint& waypoint, const Eigen::Quater
   out << YAML::EndMap;
 }
 
-/// As a file of our own.
+/// A file of our own.
 std::string new_yaml(const ToolPath& path, const PoseConvention& convention) {
   YAML::Emitter out;
   out << YAML::BeginMap << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << path.name;

@@ -7,6 +7,9 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "geometry/kd_tree.h"
+#include "geometry/points.h"
+
 namespace tool_path_stretcher {
 namespace {
 
@@ -21,9 +24,9 @@ struct Strain {
 /// How far the part may be strained where the scan does not show it: as far as it was seen to be,
 /// and a little even where it was not.
 Strain strain_of(const DeformationGraph& graph) {
-  constexpr double kLeastAlong = 5e-4;
-  constexpr double kLeastAcross = 2e-3;
-  constexpr double kWithin = 3;  // times its links, what lies between two nodes is strained
+  constexpr double kMinAlong = 5e-4;   // of a length; chosen
+  constexpr double kMinAcross = 2e-3;  // of a length; chosen
+  constexpr double kWithin = 3;        // strain between two nodes over that of links; chosen
   double along = 0;
   double across = 0;
   double count = 1;
@@ -37,8 +40,8 @@ Strain strain_of(const DeformationGraph& graph) {
     across += error.squaredNorm() / way.squaredNorm() / 2;
     count += 1;
   }
-  return {std::max(kLeastAlong, kWithin * std::sqrt(along / count)),
-          std::max(kLeastAcross, std::sqrt(across / count))};
+  return {std::max(kMinAlong, kWithin * std::sqrt(along / count)),
+          std::max(kMinAcross, std::sqrt(across / count))};
 }
 
 /// The pose as a whole is known from before, if only to the size of the part: by the mean of the
@@ -70,7 +73,7 @@ struct PoseDeviation {
 };
 
 PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, const Prior& prior) {
-  constexpr double kAnyAngle = 1;             // [rad]
+  constexpr double kAnyAngle = 1;             // [rad] chosen
   const double uniform = 1 / std::sqrt(3.0);  // of what may be anywhere up to a limit
   if (!prior.pose) return {kAnyAngle, reference.size};
   return {std::min(kAnyAngle, uniform * prior.pose->angle),
@@ -80,7 +83,7 @@ PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, c
 /// What is taken for granted: that the part is stiff, and what was known before.
 NormalEquations assumptions(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
                             const Eigen::Vector3d& centre) {
-  constexpr double kGrowth = 0.5;
+  constexpr double kGrowth = 0.5;  // of the scale, one standard deviation; chosen
   const Strain strain = strain_of(mapping.graph);
   GraphEquations equations(mapping.graph, centre);
   equations.add_rigidity(strain.along, strain.across);
@@ -94,9 +97,9 @@ NormalEquations assumptions(const Mapping& mapping, const Prior& prior, const Po
 /// how far off each may still be [rad].
 std::vector<double> steady_directions(const Surface& object, const Mapping& mapping,
                                       std::vector<GraphConstraint>& constraints) {
-  constexpr double kReach = 4;  // spacings
-  constexpr std::size_t kLeast = 6;
-  constexpr double kSameFace = 0.9;  // cosine
+  constexpr double kReach = 4;       // spacings; chosen
+  constexpr std::size_t kLeast = 6;  // points; chosen
+  constexpr double kSameFace = 0.9;  // cosine: up to 26 degrees; chosen
   const Similarity& outer = mapping.similarity;
   std::vector<KdTree::Neighbour> neighbours;
   std::vector<double> deviations;
@@ -124,7 +127,7 @@ std::vector<double> steady_directions(const Surface& object, const Mapping& mapp
 /// The same for the rims.
 std::vector<double> steady_rims(const Surface& object, const Mapping& mapping,
                                 std::vector<GraphConstraint>& constraints) {
-  constexpr double kReach = 6;  // spacings
+  constexpr double kReach = 6;  // spacings; chosen
   const Similarity& outer = mapping.similarity;
   std::vector<KdTree::Neighbour> neighbours;
   std::vector<double> deviations;
@@ -148,45 +151,57 @@ std::vector<double> steady_rims(const Surface& object, const Mapping& mapping,
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Motions = Eigen::Matrix<double, 3, 6>;
 
-/// How a point moves with a turn about a centre (of a point at distance `size` by one metre) and a
-/// shift.
-Motions rigid_motions(const Eigen::Vector3d& point, const Eigen::Vector3d& centre, double size) {
+/// The centre of turns [m, reference], and the arm that makes a turn as long as a shift [m].
+struct Turns {
+  Eigen::Vector3d centre;
+  double size;
+};
+
+/// How a point moves with a turn (of a point at the arm's length by one metre) and a shift.
+Motions rigid_motions(const Eigen::Vector3d& point, const Turns& turns) {
   Motions motions;
   for (int axis = 0; axis < 3; ++axis) {
-    motions.col(axis) = Eigen::Vector3d::Unit(axis).cross(point - centre) / size;
+    motions.col(axis) = Eigen::Vector3d::Unit(axis).cross(point - turns.centre) / turns.size;
     motions.col(3 + axis) = Eigen::Vector3d::Unit(axis);
   }
   return motions;
 }
 
+/// How far off each normal may be, and each rim's direction [rad].
+struct Unsteady {
+  std::vector<double> normals;
+  std::vector<double> rims;
+};
+
 /// What the covariance of the rigid motions is short of, because the noise of the normals seems to
 /// hold what nothing holds: a moulding's normals all lie in one plane, and noise tilts them out of
 /// it.
-/// @param unsteady how far off each normal may be, and each rim's direction [rad]
-/// @param known deviations of the motions from before [m]
-Matrix6d seemingly_held(const GraphObservations& seen, const std::vector<double>& unsteady,
-                        const std::vector<double>& unsteady_rims, double share,
-                        const Eigen::Vector3d& centre, double size, const Vector6d& known) {
-  constexpr double kShared =
-      4;  // neighbouring normals share points: their tilts do not average out
+/// @param share of the constraints along normals that are independent
+/// @param pose as it was known before
+Matrix6d seemingly_held(const GraphObservations& seen, const Unsteady& unsteady, double share,
+                        const Turns& turns, const PoseDeviation& pose) {
+  constexpr double kShared = 4;  // neighbouring normals share points, so tilts do not average out
   Matrix6d held = Matrix6d::Zero();
   Matrix6d noise = Matrix6d::Zero();
   const auto add = [&](const std::vector<GraphConstraint>& constraints,
                        const std::vector<double>& off, double weight) {
     for (std::size_t i = 0; i < constraints.size(); ++i) {
-      const Motions motions = rigid_motions(constraints[i].target, centre, size);
+      const Motions motions = rigid_motions(constraints[i].target, turns);
       const Vector6d along = motions.transpose() * constraints[i].direction;
       const Matrix6d one = weight * along * along.transpose();
       held += one;
       noise += std::pow(off[i], 2) * (weight * motions.transpose() * motions - one);
     }
   };
-  add(seen.normals, unsteady, share / std::pow(seen.normal_deviation, 2));
-  add(seen.rims, unsteady_rims, 1 / std::pow(seen.rim_deviation, 2));
+  add(seen.normals, unsteady.normals, share / std::pow(seen.normal_deviation, 2));
+  add(seen.rims, unsteady.rims, 1 / std::pow(seen.rim_deviation, 2));
   const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(held - kShared * noise);
   const Vector6d clear = solver.eigenvalues().cwiseMax(0);
   const Matrix6d really =
       solver.eigenvectors() * clear.asDiagonal() * solver.eigenvectors().transpose();
+  Vector6d known;  // [m] deviations of the motions from before
+  known << Eigen::Vector3d::Constant(pose.angle * turns.size),
+      Eigen::Vector3d::Constant(pose.distance);
   const Matrix6d prior = known.cwiseAbs2().cwiseInverse().asDiagonal();
   return Matrix6d((really + prior).inverse() - (held + prior).inverse());
 }
@@ -203,21 +218,22 @@ NormalEquations measurements(const Mapping& mapping, const GraphObservations& se
 
 }  // namespace
 
-MappingError::MappingError(const Surface& reference, const Surface& object, const Mapping& mapping,
-                           const Prior& prior)
-    : mapping_(mapping), centre_(principal_frame(reference.points).centroid) {
-  constexpr int kLevel = 2;              // where no graph was justified
+MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, const Prior& prior)
+    : mapping_(mapping), centre_(principal_frame(surfaces.reference.points).centroid) {
+  constexpr int kLevel = 2;              // where no graph was justified; chosen
+  constexpr double kExact = 1e-6;        // of the size: a deviation above 0; chosen
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
-  constexpr double kIndependent = 0.25;  // of the points: neighbours share part of their errors
-  constexpr double kCommon = 0.05;       // of the noise: what all points of a face are off alike
+  constexpr double kIndependent = 0.25;  // of the points: neighbours share errors; chosen
+  constexpr double kCommon = 0.05;       // of the noise: shared by all points of a face; chosen
+  const auto& [reference, object] = surfaces;
   if (mapping_.graph.empty()) {
     mapping_.graph = DeformationGraph(reference.points, graph_spacing(reference, kLevel));
   }
-  GraphObservations seen = observe(reference, object, mapping_);
-  seen.normal_deviation = std::max(seen.normal_deviation, 1e-6 * reference.size);
+  GraphObservations seen = observe(surfaces, mapping_);
+  seen.normal_deviation = std::max(seen.normal_deviation, kExact * reference.size);
   seen.rim_deviation = std::max(seen.rim_deviation, kRimDeviation * reference.spacing);
-  const std::vector<double> unsteady = steady_directions(object, mapping_, seen.normals);
-  const std::vector<double> unsteady_rims = steady_rims(object, mapping_, seen.rims);
+  const Unsteady unsteady{steady_directions(object, mapping_, seen.normals),
+                          steady_rims(object, mapping_, seen.rims)};
   // The anchors looked at stand for all those that the mapping was fitted to.
   const double share = kIndependent * static_cast<double>(reference.samples.many.size()) /
                        static_cast<double>(reference.samples.few.size());
@@ -229,9 +245,7 @@ MappingError::MappingError(const Surface& reference, const Surface& object, cons
   assumed_ = assumed.matrix.sparseView();
   pull_ = covariance_ * (assumed.right_side + measured.right_side);
   size_ = reference.size;
-  Vector6d known;
-  known << Eigen::Vector3d::Constant(pose.angle * size_), Eigen::Vector3d::Constant(pose.distance);
-  slack_ = seemingly_held(seen, unsteady, unsteady_rims, share, centre_, size_, known);
+  slack_ = seemingly_held(seen, unsteady, share, {centre_, size_}, pose);
   common_ = kCommon * mapping.similarity.scale * seen.normal_deviation;
 }
 
@@ -269,7 +283,7 @@ MappingError::Covariance MappingError::at(const Eigen::Vector3d& point) const {
   result.all = motion.jacobian * spread(motion.unknowns, Eigen::all) + pull * pull.transpose();
   result.assumed = spread.transpose() * (assumed_ * spread);
   const Similarity& outer = mapping_.similarity;
-  const Motions rigid = outer.scale * outer.rotation * rigid_motions(point, centre_, size_);
+  const Motions rigid = outer.scale * outer.rotation * rigid_motions(point, {centre_, size_});
   const Eigen::Matrix3d slack = rigid * slack_ * rigid.transpose();
   result.all += slack;
   result.assumed += slack;

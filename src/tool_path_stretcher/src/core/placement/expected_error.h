@@ -5,7 +5,7 @@
 #include <Eigen/SparseCore>
 
 #include "mapping/graph_equations.h"
-#include "tool_path_stretcher/placement.h"
+#include "placement/placement.h"
 
 namespace tool_path_stretcher {
 
@@ -15,8 +15,7 @@ namespace tool_path_stretcher {
 class MappingError {
  public:
   /// @param mapping as it was fitted; without a graph, one that does not displace anything is taken
-  MappingError(const Surface& reference, const Surface& object, const Mapping& mapping,
-               const Prior& prior);
+  MappingError(const SurfacePair& surfaces, const Mapping& mapping, const Prior& prior);
 
   struct Covariance {
     Eigen::Matrix3d all;      //!< [m^2, object] of where the mapping puts a point

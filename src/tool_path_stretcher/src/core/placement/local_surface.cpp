@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/kd_tree.h"
 #include "geometry/robust.h"
 
 namespace tool_path_stretcher {
@@ -14,8 +15,8 @@ namespace {
 
 /// Those that have neighbours as points of a surface do, and loose ones do not.
 Points on_surfaces(const Points& points, double spacing) {
-  constexpr double kReach = 2;       // spacings
-  constexpr std::size_t kLeast = 5;  // of about 12 on a surface, itself included
+  constexpr double kReach = 2;       // spacings; chosen
+  constexpr std::size_t kLeast = 5;  // of about 12 on a surface, itself included; chosen
   Points result;
   if (points.empty()) return result;
   const KdTree tree(points);
@@ -29,15 +30,14 @@ Points on_surfaces(const Points& points, double spacing) {
 
 }  // namespace
 
-LocalSurfaceFitter::LocalSurfaceFitter(const Surface& reference, const Surface& object,
-                                       const Mapping& mapping, double radius, int min_support,
-                                       double max_stranger)
-    : reference_(reference),
-      object_(object),
+LocalSurfaceFitter::LocalSurfaceFitter(const SurfacePair& surfaces, const Mapping& mapping,
+                                       double radius, int min_support, double max_stranger)
+    : reference_(surfaces.reference),
+      object_(surfaces.object),
       mapping_(mapping),
       radius_(radius),
       min_support_(static_cast<std::size_t>(min_support)),
-      residuals_(residuals_of(reference, mapping, object.points)) {
+      residuals_(residuals_of(reference_, mapping, object_.points)) {
   const double scale = mapping.similarity.scale;
   std::vector<double> along;
   Points strangers;
@@ -46,18 +46,18 @@ LocalSurfaceFitter::LocalSurfaceFitter(const Surface& reference, const Surface& 
     const Residual& residual = residuals_[i];
     along.push_back(scale * residual.along_normal);
     if (scale * std::hypot(residual.along_normal, residual.beside) > max_stranger) {
-      strangers.push_back(object.points[i]);
+      strangers.push_back(object_.points[i]);
     }
   }
   noise_ = robust_deviation(std::move(along));
-  strangers = on_surfaces(strangers, object.spacing);
+  strangers = on_surfaces(strangers, object_.spacing);
   if (!strangers.empty()) strangers_ = std::make_unique<const KdTree>(std::move(strangers));
 }
 
 std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
     const std::vector<KdTree::Neighbour>& neighbours, const LocalSurface& local,
     const Eigen::Vector3d& tangent, const Eigen::Vector3d& bitangent) const {
-  constexpr double kSameFace = 0.8;  // cosine between the normals of one face
+  constexpr double kSameFace = 0.8;  // cosine between the normals of one face; chosen
   const double scale = mapping_.similarity.scale;
   std::vector<Height> heights;
   for (const KdTree::Neighbour& neighbour : neighbours) {
@@ -78,7 +78,7 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
 /// Those over and under the waypoint within the radius, and up to several times as far away: what
 /// stands there hides the surface itself.
 std::size_t LocalSurfaceFitter::strangers_beside(const LocalSurface& local) const {
-  constexpr double kReach = 4;  // radii
+  constexpr double kReach = 4;  // radii; chosen
   if (!strangers_) return 0;
   const Eigen::Vector3d at = mapping_ * local.base;
   const Eigen::Vector3d normal = mapping_.turn(local.base, local.normal) * local.normal;
@@ -102,7 +102,7 @@ struct LinearFit {
 
 template <class Heights>
 LinearFit fit_linearly(const Heights& heights, double radius) {
-  constexpr int kReweightings = 4;
+  constexpr int kReweightings = 4;  // chosen
   LinearFit fit;
   double cut = std::numeric_limits<double>::infinity();
   const auto row_of = [radius](const auto& height) {
@@ -158,15 +158,15 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
   local.height = fit.solution[0];
   local.slope = (fit.solution[1] * tangent + fit.solution[2] * bitangent) / radius_;
   // Errors of neighbouring points are not quite independent: part of the noise stays.
-  constexpr double kCommon = 0.1 * 0.1;
+  constexpr double kCommon = 0.1 * 0.1;  // of the variance; chosen
   const double variance = fit.rms * fit.rms;
   local.height_variance = variance * (fit.inverse(0, 0) + kCommon);
   local.slope_variance =
       variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius_ * radius_);
   // Points on one side only tell little of the height here, and those of two faces nothing.
-  constexpr double kMostLeverage = 0.5;
-  constexpr double kRough = 5;  // times the noise
-  local.measured = fit.inverse(0, 0) < kMostLeverage && fit.rms < kRough * noise_;
+  constexpr double kMaxLeverage = 0.5;  // of a point's variance in the height; chosen
+  constexpr double kRough = 5;          // times the noise; chosen
+  local.measured = fit.inverse(0, 0) < kMaxLeverage && fit.rms < kRough * noise_;
   return local;
 }
 

@@ -5,7 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "tool_path_stretcher/residuals.h"
+#include "geometry/kd_tree.h"
+#include "mapping/residuals.h"
 
 namespace tool_path_stretcher {
 
@@ -31,8 +32,8 @@ class LocalSurfaceFitter {
  public:
   /// @param radius [m, object]
   /// @param max_stranger [m, object] farther off the reference, a scanned point is a stranger
-  LocalSurfaceFitter(const Surface& reference, const Surface& object, const Mapping& mapping,
-                     double radius, int min_support, double max_stranger);
+  LocalSurfaceFitter(const SurfacePair& surfaces, const Mapping& mapping, double radius,
+                     int min_support, double max_stranger);
 
   /// The surface beside `point` of the reference's space.
   LocalSurface fit(const Eigen::Vector3d& point) const;

@@ -1,12 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_path_stretcher/placement.h"
+#include "placement/placement.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "geometry/kd_tree.h"
 #include "geometry/robust.h"
 #include "placement/local_surface.h"
 
@@ -73,7 +74,7 @@ Signal signal_of(const std::vector<Track>& tracks) {
 /// nothing where it is noise (Wiener 1949). The signal is that of the whole path, or that of this
 /// place where it alone stands out, as in a dent.
 double trust(double signal, double square, double variance) {
-  constexpr double kStandsOut = 9;  // three standard deviations
+  constexpr double kStandsOut = 9;  // variances: three standard deviations
   const double here = std::max(signal, square - kStandsOut * variance);
   return here > 0 ? here / (here + variance) : 0;
 }
@@ -87,7 +88,7 @@ struct Stretch {
 
 /// Those within `reach` [m] along the path; not all where they are far denser than any scan.
 Stretch around(const Track& track, std::size_t at, double reach) {
-  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kMost = 256;  // waypoints; chosen
   const std::vector<double>& lengths = track.arc_length;
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(at);
   const auto first = std::lower_bound(lengths.begin(), middle, *middle - reach);
@@ -102,8 +103,8 @@ Stretch around(const Track& track, std::size_t at, double reach) {
 
 /// Mean of the neighbours along the path, by their variance and a Gaussian of the arc length.
 Correction smoothed(const Track& track, std::size_t at, double width, const Signal& signal) {
-  constexpr double kSlopeWidth = 2;  // a slope is noisier than a height
-  constexpr double kReach = 3 * kSlopeWidth;
+  constexpr double kSlopeWidth = 2;           // widths: a slope is noisier than a height; chosen
+  constexpr double kReach = 3 * kSlopeWidth;  // widths: beyond, a Gaussian is near 0
   double height_weight = 0;
   double slope_weight = 0;
   Correction sum;
@@ -169,8 +170,8 @@ std::vector<Correction> corrections_of(const Track& track, double width, const S
 /// the spacing shows, it touches; between, the two are blended.
 double stand_off(const Surface& reference, const Eigen::Vector3d& at,
                  const Eigen::Vector3d& normal) {
-  constexpr std::size_t kNeighbours = 7;
-  constexpr double kTouching = 0.3;  // spacings
+  constexpr std::size_t kNeighbours = 7;  // chosen
+  constexpr double kTouching = 0.3;       // spacings; chosen
   std::vector<KdTree::Neighbour> neighbours;
   reference.tree->nearest(at, kNeighbours, neighbours);
   std::vector<double> heights;
@@ -188,10 +189,10 @@ double stand_off(const Surface& reference, const Eigen::Vector3d& at,
 /// Whether a tool is led over a segment at one distance: a few waypoints past an edge make no
 /// stand-off of it, nor does a way through the air.
 bool is_even(const std::vector<double>& heights) {
-  constexpr double kMostTouching = 0.1;  // of the waypoints
-  constexpr double kUneven = 0.2;        // of the stand-off
+  constexpr double kMaxTouching = 0.1;  // of the waypoints; chosen
+  constexpr double kUneven = 0.2;       // of the stand-off; chosen
   const auto touching = static_cast<double>(std::count(heights.begin(), heights.end(), 0.0));
-  if (touching > kMostTouching * static_cast<double>(heights.size())) return false;
+  if (touching > kMaxTouching * static_cast<double>(heights.size())) return false;
   const double middle = quantile(heights, 0.5);
   std::vector<double> off;
   for (const double height : heights)
@@ -211,62 +212,65 @@ std::vector<double> stand_offs(const Segment& segment, const Track& track,
   return result;
 }
 
-/// @param turn of the surface there, from the reference to the object
-/// @param longer [m] than the scaled one the stand-off should be
-Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const LocalSurface& surface,
-                             const Correction& correction, const Mapping& mapping,
-                             const Eigen::Matrix3d& turn, double longer) {
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// A waypoint as it was placed, and what it was placed by.
+struct Placed {
+  const LocalSurface& surface;
+  const Correction& correction;
+  Eigen::Matrix3d turn;  // of the surface there, from the reference to the object
+  double longer;         // [m] than the scaled one the stand-off is
+};
+
+Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const Placed& placed,
+                             const Mapping& mapping) {
   const Eigen::Vector3d at = pose.translation();
+  const Eigen::Vector3d& normal = placed.surface.normal;
   const Eigen::Quaterniond tilt =
-      Eigen::Quaterniond::FromTwoVectors(surface.normal, surface.normal - correction.slope);
+      Eigen::Quaterniond::FromTwoVectors(normal, normal - placed.correction.slope);
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.translation() = mapping * at + correction.height * (turn * surface.normal) +
-                         longer * (turn * (tilt * surface.normal));
-  result.linear() = Eigen::Quaterniond(turn * tilt.toRotationMatrix() * pose.linear())
+  result.translation() = mapping * at + placed.correction.height * (placed.turn * normal) +
+                         placed.longer * (placed.turn * (tilt * normal));
+  result.linear() = Eigen::Quaterniond(placed.turn * tilt.toRotationMatrix() * pose.linear())
                         .normalized()
                         .toRotationMatrix();
   return result;
 }
 
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-WaypointQuality quality_of(const Eigen::Vector3d& reference_point,
-                           const Eigen::Vector3d& adapted_point, const LocalSurface& surface,
-                           const Correction& correction, double longer, const Mapping& mapping,
-                           const Eigen::Matrix3d& turn, const Surface& object) {
+WaypointQuality quality_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                           const Placed& placed, const Mapping& mapping, const Surface& object) {
   const auto distance_to_scan = [&object](const Eigen::Vector3d& point) {
     return std::sqrt(object.tree->nearest(point).squared_distance);
   };
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const LocalSurface& surface = placed.surface;
+  const double height = placed.correction.height;
+  const Eigen::Vector3d carried = mapping.similarity.rotation * surface.normal;
   WaypointQuality quality;
   quality.measured = surface.measured;
-  quality.distance_to_scan = distance_to_scan(adapted_point);
+  quality.distance_to_scan = distance_to_scan(to);
   quality.support = surface.support;
   quality.residual = surface.residual;
-  const Eigen::Vector3d kept = longer * (mapping.similarity.rotation * surface.normal);
-  quality.displacement = (adapted_point - mapping.similarity * reference_point - kept).norm();
-  quality.surface_angle = surface.measured
-                              ? angle_between(mapping.similarity.rotation * surface.normal,
-                                              turn * (surface.normal - surface.slope))
-                              : unknown;
-  quality.gap = surface.measured ? std::abs(correction.height - surface.height) : unknown;
+  const Eigen::Vector3d kept = placed.longer * carried;
+  quality.displacement = (to - mapping.similarity * from - kept).norm();
+  quality.surface_angle =
+      surface.measured ? angle_between(carried, placed.turn * (surface.normal - surface.slope))
+                       : kUnknown;
+  quality.gap = surface.measured ? std::abs(height - surface.height) : kUnknown;
   quality.strangers = surface.strangers;
-  quality.hole =
-      distance_to_scan(mapping * surface.base + correction.height * (turn * surface.normal));
+  quality.hole = distance_to_scan(mapping * surface.base + height * (placed.turn * surface.normal));
   return quality;
 }
 
-PlacedHeight placed(const LocalSurface& surface, const Correction& correction,
-                    const Eigen::Matrix3d& turn, const Signal& signal, double hole) {
+PlacedHeight height_of(const Placed& placed, const Signal& signal, double hole) {
   PlacedHeight height;
-  height.normal = turn * surface.normal;
-  height.measured = surface.measured;
-  height.seen = surface.height;
-  height.variance = surface.height_variance;
-  height.applied = correction.height;
-  height.slope = turn * correction.slope;
+  height.normal = placed.turn * placed.surface.normal;
+  height.measured = placed.surface.measured;
+  height.seen = placed.surface.height;
+  height.variance = placed.surface.height_variance;
+  height.applied = placed.correction.height;
+  height.slope = placed.turn * placed.correction.slope;
   height.signal_variance = signal.height_variance;
   height.slope_variance = signal.slope_variance;
   height.hole = hole;
@@ -278,42 +282,70 @@ double support_radius(const PlacementParameters& parameters, const Surface& obje
   return parameters.support_radius > 0 ? parameters.support_radius : kSpacings * object.spacing;
 }
 
-}  // namespace
+/// Places the waypoints of one segment after the other.
+class Placer {
+ public:
+  Placer(const ToolPath& path, const SurfacePair& surfaces, const Mapping& mapping,
+         const PlacementParameters& parameters)
+      : surfaces_(surfaces),
+        mapping_(mapping),
+        parameters_(parameters),
+        radius_(support_radius(parameters, surfaces.object)),
+        placement_{path, {}, {}} {
+    const LocalSurfaceFitter fitter(surfaces, mapping, radius_, parameters.min_support,
+                                    parameters.max_stranger);
+    for (const Segment& segment : path.segments)
+      tracks_.push_back(survey(segment, fitter, mapping.similarity.scale));
+    signal_ = signal_of(tracks_);
+  }
 
-Placement place(const ToolPath& path, const Surface& reference, const Surface& object,
-                const Mapping& mapping, const PlacementParameters& parameters) {
-  const double radius = support_radius(parameters, object);
-  const LocalSurfaceFitter fitter(reference, object, mapping, radius, parameters.min_support,
-                                  parameters.max_stranger);
-  std::vector<Track> tracks;
-  for (const Segment& segment : path.segments)
-    tracks.push_back(survey(segment, fitter, mapping.similarity.scale));
-  const Signal signal = signal_of(tracks);
-  Placement placement{path, {}, {}};
-  for (std::size_t s = 0; s < tracks.size(); ++s) {
+  Placement run() {
+    for (std::size_t s = 0; s < tracks_.size(); ++s)
+      place(s);
+    return std::move(placement_);
+  }
+
+ private:
+  void place(std::size_t index) {
+    Segment& segment = placement_.path.segments[index];
+    const Track& track = tracks_[index];
     const std::vector<Correction> corrections =
-        parameters.set_on_surface ? corrections_of(tracks[s], radius / 2, signal)
-                                  : std::vector<Correction>(tracks[s].surfaces.size());
-    const std::vector<double> standing = parameters.keep_stand_off
-                                             ? stand_offs(path.segments[s], tracks[s], reference)
+        parameters_.set_on_surface ? corrections_of(track, radius_ / 2, signal_)
+                                   : std::vector<Correction>(track.surfaces.size());
+    const std::vector<double> standing = parameters_.keep_stand_off
+                                             ? stand_offs(segment, track, surfaces_.reference)
                                              : std::vector<double>(corrections.size(), 0.0);
     for (std::size_t w = 0; w < corrections.size(); ++w) {
-      Eigen::Isometry3d& pose = placement.path.segments[s].waypoints[w].pose;
+      Eigen::Isometry3d& pose = segment.waypoints[w].pose;
       const Eigen::Vector3d from = pose.translation();
-      const LocalSurface& surface = tracks[s].surfaces[w];
-      const double longer = (1 - mapping.similarity.scale) * standing[w];
-      const Eigen::Matrix3d turn = mapping.turn(surface.base, surface.normal);
-      pose = carry_over(pose, surface, corrections[w], mapping, turn, longer);
-      if (!path.has_orientation) pose.linear().setIdentity();
-      placement.quality.push_back(quality_of(from, pose.translation(), surface, corrections[w],
-                                             longer, mapping, turn, object));
-      placement.quality.back().segment = s;
-      placement.quality.back().waypoint = w;
-      placement.heights.push_back(
-          placed(surface, corrections[w], turn, signal, placement.quality.back().hole));
+      const LocalSurface& surface = track.surfaces[w];
+      const Placed placed{surface, corrections[w], mapping_.turn(surface.base, surface.normal),
+                          (1 - mapping_.similarity.scale) * standing[w]};
+      pose = carry_over(pose, placed, mapping_);
+      if (!placement_.path.has_orientation) pose.linear().setIdentity();
+      WaypointQuality quality =
+          quality_of(from, pose.translation(), placed, mapping_, surfaces_.object);
+      quality.segment = index;
+      quality.waypoint = w;
+      placement_.heights.push_back(height_of(placed, signal_, quality.hole));
+      placement_.quality.push_back(quality);
     }
   }
-  return placement;
+
+  const SurfacePair surfaces_;
+  const Mapping& mapping_;
+  const PlacementParameters& parameters_;
+  double radius_;
+  std::vector<Track> tracks_;
+  Signal signal_;
+  Placement placement_;
+};
+
+}  // namespace
+
+Placement place(const ToolPath& path, const SurfacePair& surfaces, const Mapping& mapping,
+                const PlacementParameters& parameters) {
+  return Placer(path, surfaces, mapping, parameters).run();
 }
 
 }  // namespace tool_path_stretcher

@@ -1,10 +1,10 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "search/overlapping_guesses.h"
-
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "search/guesses.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -127,8 +127,8 @@ void add_turns(const CoarseSurface& reference, const Eigen::Matrix3d& reference_
 
 }  // namespace
 
-std::vector<Similarity> overlapping_guesses(const CoarseSurface& reference,
-                                            const CoarseSurface& object) {
+std::vector<Similarity> overlapping_guesses(const CoarsePair& surfaces) {
+  const auto& [reference, object] = surfaces;
   std::vector<Similarity> guesses;
   add_turns(reference, reference.frame.axes, object, object.frame.axes, guesses);
   add_turns(reference, rectangle_axes(reference), object, rectangle_axes(object), guesses);

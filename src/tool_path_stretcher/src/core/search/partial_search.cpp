@@ -4,159 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
+#include "alignment/partial_cost.h"
+#include "alignment/partial_fit.h"
+#include "alignment/refinement.h"
+#include "geometry/kd_tree.h"
+#include "geometry/points.h"
 #include "geometry/robust.h"
-#include "search/overlapping_guesses.h"
-#include "search/partial_cost.h"
+#include "search/guesses.h"
+#include "search/search_engine.h"
 
 namespace tool_path_stretcher {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/// A surface thinned, and where it ends.
-struct Side {
-  explicit Side(const Surface& surface)
-      : coarse(coarsen(surface)),
-        spacing(surface.spacing * std::sqrt(static_cast<double>(surface.points.size()) /
-                                            static_cast<double>(surface.samples.few.size()))),
-        border(surface, coarse.found->points(), spacing) {}
-
-  struct Found {
-    Eigen::Vector3d point;  // [m]
-    double distance;        // [m] to it
-    double off;             // [m] to the surface about it
-  };
-
-  /// The nearest point; none where `at` lies beyond the border.
-  std::optional<Found> find(const Eigen::Vector3d& at) const {
-    const std::size_t nearest = coarse.found->nearest(at);
-    const Eigen::Vector3d& point = coarse.found->points()[nearest];
-    const double distance = (at - point).norm();
-    if (distance > spacing && border.is_beyond(at, nearest, distance)) return {};
-    return Found{point, distance, off_surface(at - point, coarse.normals[nearest], spacing)};
-  }
-
-  CoarseSurface coarse;
-  double spacing;  // [m] of the thinned points
-  Border border;
-};
-
-/// A point of the reference and one of the object that may be the same.
-struct Pair {
-  Eigen::Vector3d reference;  // [m] in its frame
-  Eigen::Vector3d object;     // [m]
-  double distance;            // [m, object] between them
-};
-
-/// Point-to-point ICP in both directions, over what is known of both surfaces.
-class CoarseFit {
- public:
-  CoarseFit(const Surface& reference, const Surface& object, const ScaleRange& scales)
-      : reference_(reference), object_(object), size_(object.size), scales_(scales) {}
-
-  const CoarseSurface& reference() const { return reference_.coarse; }
-  const CoarseSurface& object() const { return object_.coarse; }
-
-  /// @param step of the points looked up: every one, every second ...
-  PartialFit rated(const Similarity& similarity, std::size_t step = 1) {
-    PartialFit fit{similarity, {}};
-    fit.agreement.cost = match(similarity, step);
-    return fit;
-  }
-
-  PartialFit improved(Similarity similarity, int iterations, std::size_t step = 1) {
-    for (int i = 0; i < iterations; ++i) {
-      match(similarity, step);
-      if (!fit(similarity)) break;
-    }
-    return rated(similarity, step);
-  }
-
- private:
-  /// Pairs what is known. The cost of the similarity, of every `step`-th point.
-  double match(const Similarity& similarity, std::size_t step) {
-    pairs_.clear();
-    PartialCost cost(size_);
-    const Points& object_points = object_.coarse.queries;
-    for (std::size_t i = 0; i < object_points.size(); i += step) {
-      const auto found = reference_.find(similarity.inverse(object_points[i]));
-      if (!found) continue;
-      cost.add(similarity.scale * found->off);
-      pairs_.push_back({found->point, object_points[i], similarity.scale * found->distance});
-    }
-    const std::size_t forth = pairs_.size();
-    const Points& reference_points = reference_.coarse.queries;
-    for (std::size_t i = 0; i < reference_points.size(); i += step) {
-      const auto found = object_.find(similarity * reference_points[i]);
-      if (!found) continue;
-      cost.add(found->off);
-      pairs_.push_back({reference_points[i], found->point, found->distance});
-    }
-    const double all_forth =
-        std::ceil(static_cast<double>(object_points.size()) / static_cast<double>(step));
-    const double all_back =
-        std::ceil(static_cast<double>(reference_points.size()) / static_cast<double>(step));
-    const double known = std::min(static_cast<double>(forth) / all_forth,
-                                  static_cast<double>(pairs_.size() - forth) / all_back);
-    return known < kLeastKnown ? kNever : cost.of(all_forth + all_back);
-  }
-
-  /// Moves the similarity by the nearer pairs.
-  bool fit(Similarity& similarity) {
-    constexpr double kShare = 0.85;
-    constexpr std::size_t kFewest = 20;
-    if (pairs_.size() < kFewest) return false;
-    const auto end =
-        pairs_.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(pairs_.size()));
-    std::nth_element(pairs_.begin(), end, pairs_.end(),
-                     [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
-    Points from;
-    Points to;
-    for (auto pair = pairs_.begin(); pair != end; ++pair) {
-      from.push_back(pair->reference);
-      to.push_back(pair->object);
-    }
-    similarity = fit_similarity(from, to, scales_);
-    return true;
-  }
-
-  Side reference_;
-  Side object_;
-  double size_;
-  ScaleRange scales_;
-  std::vector<Pair> pairs_;
-};
-
-bool is_better(const PartialFit& a, const PartialFit& b) {
-  return a.agreement.cost < b.agreement.cost;
-}
-
-void keep_best(std::vector<PartialFit>& fits, std::size_t most) {
-  std::stable_sort(fits.begin(), fits.end(), is_better);
-  if (fits.size() > most) fits.resize(most);
-}
-
-/// The best `most` that differ by more than `least_distance` [m] on the probes.
-void keep_distinct(std::vector<PartialFit>& fits, const Points& probes, double least_distance,
-                   std::size_t most) {
-  std::stable_sort(fits.begin(), fits.end(), is_better);
-  std::vector<PartialFit> kept;
-  for (const PartialFit& each : fits) {
-    if (kept.size() == most || each.agreement.cost == kNever) break;
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const PartialFit& other) {
-      return distance(each.similarity, other.similarity, probes) < least_distance;
-    });
-    if (!known) kept.push_back(each);
-  }
-  fits = std::move(kept);
-}
-
 /// [m] robust standard deviation of the points from the planes of their neighbours
 double roughness(const Surface& surface) {
-  constexpr std::size_t kNeighbours = 13;  // the point itself is one
+  constexpr std::size_t kNeighbours = 13;  // twelve, and the point itself; chosen
   std::vector<double> distances;
   std::vector<KdTree::Neighbour> neighbours;
   for (const std::size_t i : surface.samples.few) {
@@ -170,84 +33,80 @@ double roughness(const Surface& surface) {
   return robust_deviation(std::move(distances));
 }
 
+/// No part is sized by so much: beyond, an axis was laid on one that it is not.
 bool is_sane(double scale) {
-  constexpr double kLeast = 0.4;
+  constexpr double kLeast = 0.4;  // chosen: a little beyond min_scale and max_scale
   constexpr double kMost = 2.5;
   return scale > kLeast && scale < kMost;
 }
 
 }  // namespace
 
-const std::vector<PartialFit>& PartialSearch::fits() {
-  if (!searched_) search();
-  searched_ = true;
-  return fits_;
+const std::vector<Candidate>& PartialSearch::fits() {
+  if (!fits_) fits_ = search();
+  return *fits_;
 }
 
-void PartialSearch::search() {
-  constexpr std::size_t kProbes = 30;
-  constexpr std::size_t kGlance = 12;  // every twelfth point, at first
-  constexpr std::size_t kLook = 4;
-  CoarseFit coarse(reference_, object_, prior_.scale.range());
-  const Points& points = coarse.reference().queries;
-  const Points probes = select(points, spread_evenly(points, kProbes));
-  const Eigen::Vector3d& middle = coarse.reference().frame.centroid;
-  const double near = 0.05 * object_.size;
-  std::vector<Similarity> guesses = overlapping_guesses(coarse.reference(), coarse.object());
+std::vector<Candidate> PartialSearch::search() {
+  constexpr std::size_t kProbes = 30;  // points; chosen
+  const CoarsePair coarse(surfaces_);
+  PartialFit fit(surfaces_, coarse, prior_.scale.range());
+  const Eigen::Vector3d& middle = coarse.reference.frame.centroid;
+  const auto improve = [&](const Round& round, Candidate& each) {
+    if (!round.density) {
+      fit.improve(each, round.iterations, round.stride);
+      return true;
+    }
+    each.similarity =
+        refine(surfaces_, each.similarity, prior_.scale, *round.density, round.iterations);
+    if (*round.density == Density::kFewest) {
+      fit.improve(each, 0, round.stride);
+      return true;
+    }
+    each.agreement = agreement({each.similarity, {}});
+    each.cost = each.agreement->cost;
+    return each.agreement->known >= kLeastKnown && is_sane(each.similarity.scale) &&
+           prior_.allows(each.similarity, middle);
+  };
+  std::vector<Similarity> guesses = overlapping_guesses(coarse);
   if (prior_.pose) {
-    const auto given = guesses_about(prior_, coarse.reference().frame, coarse.object().frame);
+    const std::vector<Similarity> given = guesses_about(prior_, coarse);
     guesses.insert(guesses.end(), given.begin(), given.end());
   }
+  std::vector<Candidate> fits;
   for (const Similarity& guess : guesses) {
     const Similarity sized = clamped(guess, prior_.scale.range(), middle);
-    if (is_sane(sized.scale)) fits_.push_back(coarse.rated(sized, kGlance));
+    if (is_sane(sized.scale)) fits.push_back({sized});
   }
-  keep_best(fits_, 2500);
-  for (PartialFit& each : fits_)
-    each = coarse.rated(each.similarity, kLook);
-  keep_distinct(fits_, probes, near, 500);
-  for (PartialFit& each : fits_)
-    each = coarse.improved(each.similarity, 4, kLook);
-  keep_distinct(fits_, probes, near, 100);
-  for (PartialFit& each : fits_)
-    each = coarse.improved(each.similarity, 10);
-  keep_distinct(fits_, probes, near, 60);
-  for (PartialFit& each : fits_) {
-    each = coarse.rated(
-        refine(reference_, object_, each.similarity, prior_.scale, Density::kFewest, 6));
-  }
-  keep_distinct(fits_, probes, 0.03 * object_.size, 10);
-  for (PartialFit& each : fits_) {
-    each.similarity = refine(reference_, object_, each.similarity, prior_.scale, Density::kFew, 15);
-    each.agreement = agreement({each.similarity, {}});
-    const bool allowed = each.agreement.known >= kLeastKnown && is_sane(each.similarity.scale) &&
-                         prior_.allows(each.similarity, middle);
-    if (!allowed) each.agreement.cost = kNever;
-  }
-  keep_distinct(fits_, probes, 0.03 * object_.size, 6);
+  const Points& points = coarse.reference.queries;
+  const SearchEngine engine(select(points, spread_evenly(points, kProbes)), surfaces_.object.size,
+                            improve);
+  for (const Round& round : kPartialRounds)
+    engine.run(round, fits);
+  return fits;
 }
 
 Agreement PartialSearch::agreement(const Mapping& mapping) {
-  if (!comparison_) comparison_.emplace(reference_, object_);
+  if (!comparison_) comparison_.emplace(surfaces_);
   return comparison_->under(mapping);
 }
 
 bool PartialSearch::is_certain() {
-  if (!certain_) certain_ = !fits().empty() && agrees_to_the_noise();
+  if (!certain_) certain_ = !fits().empty() && agrees_to_the_noise(fits().front());
   return *certain_;
 }
 
-bool PartialSearch::agrees_to_the_noise() const {
-  constexpr double kAgreeing = 0.95;
-  constexpr double kContradicted = 0.02;
-  constexpr double kRough = 2;  // times the roughness of both surfaces
-  const PartialFit& best = fits_.front();
+bool PartialSearch::agrees_to_the_noise(const Candidate& best) const {
+  constexpr double kAgreeing = 0.95;      // of the points known; chosen
+  constexpr double kContradicted = 0.02;  // of the points known; chosen
+  constexpr double kRough = 2;            // times the roughness of both surfaces; chosen
   const double scale = best.similarity.scale;
-  const double rough = std::max(std::hypot(scale * roughness(reference_), roughness(object_)),
-                                resolution(reference_, object_, scale));
-  return best.agreement.agreeing >= kAgreeing &&
-         best.agreement.contradicted(best.agreement.noise) <= kContradicted &&
-         best.agreement.noise <= kRough * rough;
+  const double rough =
+      std::max(std::hypot(scale * roughness(surfaces_.reference), roughness(surfaces_.object)),
+               resolution(surfaces_, scale));
+  return best.agreement->agreeing >= kAgreeing &&
+         best.agreement->contradicted(best.agreement->noise) <= kContradicted &&
+         best.agreement->noise <= kRough * rough;
 }
 
 }  // namespace tool_path_stretcher

@@ -1,14 +1,17 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "search/scale_search.h"
+
 #include <cmath>
 
-#include "search/alignment.h"
-#include "tool_path_stretcher/residuals.h"
+#include "alignment/refinement.h"
+#include "geometry/points.h"
+#include "mapping/residuals.h"
 
 namespace tool_path_stretcher {
 namespace {
 
-constexpr int kIterations = 6;
+constexpr int kIterations = 6;  // of a scale; chosen
 
 /// The start, grown to another scale about the object's centre.
 Similarity at_scale(const Similarity& start, double scale, const Eigen::Vector3d& centre) {
@@ -18,9 +21,8 @@ Similarity at_scale(const Similarity& start, double scale, const Eigen::Vector3d
 
 /// Inliers of both directions, each as a share; measured in the object's frame, so that a shrunken
 /// reference gains nothing. Inliers count more the nearer they are: many scales reach them all.
-double score_of(const Surface& reference, const Surface& object, const Similarity& similarity,
-                double inlier_distance) {
-  const Explanation explanation = explain(reference, object, {similarity, {}}, inlier_distance);
+double score_of(const SurfacePair& surfaces, const Similarity& similarity, double inlier_distance) {
+  const Explanation explanation = explain(surfaces, {similarity, {}}, inlier_distance);
   const auto share = [inlier_distance](const std::vector<double>& distances) {
     double sum = 0;
     for (const double distance : distances) {
@@ -39,15 +41,15 @@ struct Scored {
 };
 
 /// Tries scale (1 + range i / steps), i = -steps .. steps, both ends included.
-Scored sweep(const Surface& reference, const Surface& object, const Similarity& start, double scale,
-             double range, int steps, double inlier_distance) {
-  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
+Scored sweep(const SurfacePair& surfaces, const Similarity& start, double scale, double range,
+             int steps, double inlier_distance) {
+  const Eigen::Vector3d centre = principal_frame(surfaces.object.points).centroid;
   Scored best;
   for (int i = -steps; i <= steps; ++i) {
     const double tried = scale * (1 + range * i / static_cast<double>(steps));
-    const Similarity similarity = refine(reference, object, at_scale(start, tried, centre),
-                                         {tried, 0}, Density::kFew, kIterations);
-    const double score = score_of(reference, object, similarity, inlier_distance);
+    const Similarity similarity =
+        refine(surfaces, at_scale(start, tried, centre), {tried, 0}, Density::kFew, kIterations);
+    const double score = score_of(surfaces, similarity, inlier_distance);
     if (score > best.score) best = {similarity, score, i};
   }
   return best;
@@ -55,20 +57,20 @@ Scored sweep(const Surface& reference, const Surface& object, const Similarity& 
 
 }  // namespace
 
-double principal_scale(const Surface& reference, const Surface& object) {
+double principal_scale(const SurfacePair& surfaces) {
   const auto deviation = [](const Surface& surface) {
     return principal_frame(select(surface.points, surface.samples.many)).deviation[0];
   };
-  return deviation(object) / deviation(reference);
+  return deviation(surfaces.object) / deviation(surfaces.reference);
 }
 
-ScaleSearch search_scale(const Surface& reference, const Surface& object, const Similarity& start,
-                         double scale, double range, int steps, double inlier_distance,
+ScaleSearch search_scale(const SurfacePair& surfaces, const Similarity& start, double scale,
+                         double range, int steps, double inlier_distance,
                          const AlignmentProgress& progress) {
-  const Scored rough = sweep(reference, object, start, scale, range, steps, inlier_distance);
+  const Scored rough = sweep(surfaces, start, scale, range, steps, inlier_distance);
   progress(0.5);
-  const Scored fine = sweep(reference, object, rough.similarity, rough.similarity.scale,
-                            range / steps, steps, inlier_distance);
+  const Scored fine = sweep(surfaces, rough.similarity, rough.similarity.scale, range / steps,
+                            steps, inlier_distance);
   progress(1);
   return {fine.similarity, std::abs(rough.index) == steps};
 }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/border.h"
 
+#include "geometry/kd_tree.h"
+
 namespace tool_path_stretcher {
 
 Border::Border(const Surface& surface, const Points& points, double spacing)
     : spacing_(spacing), at_border_(points.size(), false) {
-  constexpr double kGaps = 6;  // spacings between points of the rim that were found
+  constexpr double kGaps = 6;  // spacings between points of the rim that were found; chosen
   Points rim;
   for (std::size_t i = 0; i < surface.rim.points.size(); ++i) {
     if (!surface.rim.open[i]) continue;
@@ -21,7 +23,7 @@ Border::Border(const Surface& surface, const Points& points, double spacing)
 }
 
 bool Border::is_outward(const Eigen::Vector3d& point, double distance) const {
-  constexpr double kOutward = 0.1;  // cosine: a surface may end on a steep flank
+  constexpr double kOutward = 0.1;  // cosine: a surface may end on a steep flank; chosen
   const KdTree::Neighbour nearest = rim_->nearest(point);
   const double limit = distance + spacing_;
   if (nearest.squared_distance > limit * limit) return false;

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "geometry/kd_tree.h"
 #include "tool_path_stretcher/surface.h"
 
 namespace tool_path_stretcher {

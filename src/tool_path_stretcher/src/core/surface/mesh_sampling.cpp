@@ -1,11 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <pcl/conversions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "surface/complete_surface.h"
 #include "tool_path_stretcher/surface.h"
@@ -15,8 +18,8 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kFewestSamples = 20000;
-constexpr double kMostSamples = 100000;
+constexpr double kFewestSamples = 20000;  // chosen: as many as are compared, see Samples::most
+constexpr double kMaxSamples = 100000;    // chosen
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -40,7 +43,7 @@ std::vector<Triangle> triangles_of(const pcl::PolygonMesh& mesh, const Points& v
   for (const pcl::Vertices& polygon : mesh.polygons) {
     for (const auto vertex : polygon.vertices) {
       if (static_cast<std::size_t>(vertex) >= vertices.size()) {
-        throw UnusableInput(name, "a triangle names vertex " + std::to_string(vertex),
+        throw UnusableInput(name, fmt::format("a triangle names vertex {}", vertex),
                             "export the part again");
       }
     }
@@ -66,8 +69,8 @@ bool consistently_wound(const std::vector<Triangle>& triangles) {
 
 /// The i-th point of the R2 low-discrepancy sequence (Roberts 2018) folded into a triangle.
 Eigen::Vector2d spread_in_triangle(std::size_t i) {
-  constexpr double kFirst = 0.7548776662466927;
-  constexpr double kSecond = 0.5698402909980532;
+  constexpr double kFirst = 0.7548776662466927;   // 1 / g, with g^3 = g + 1
+  constexpr double kSecond = 0.5698402909980532;  // 1 / g^2
   double whole = 0;
   Eigen::Vector2d uv(std::modf(0.5 + kFirst * static_cast<double>(i), &whole),
                      std::modf(0.5 + kSecond * static_cast<double>(i), &whole));
@@ -115,7 +118,7 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
     throw UnusableInput(name, "its triangles have no area", "export the part again");
   }
   const double wanted = area / (leaf.x() * leaf.y());
-  const auto count = static_cast<std::size_t>(std::clamp(wanted, kFewestSamples, kMostSamples));
+  const auto count = static_cast<std::size_t>(std::clamp(wanted, kFewestSamples, kMaxSamples));
   Surface surface;
   sample(vertices, triangles, area, count, surface);
   surface.oriented = consistently_wound(triangles);

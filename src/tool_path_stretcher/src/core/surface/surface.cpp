@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/surface.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
+#include "geometry/kd_tree.h"
+#include "geometry/points.h"
+#include "scan_cell_common/cloud_files.h"
 #include "scan_cell_common/errors.h"
 #include "surface/complete_surface.h"
 
@@ -16,23 +21,22 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kNormalNeighbours = 12;
-constexpr std::size_t kRimNeighbours = 20;
+constexpr std::size_t kNormalNeighbours = 12;  // chosen
+constexpr std::size_t kRimNeighbours = 20;     // chosen
 
 void check_finite(const Points& points, const std::string& name) {
   const auto bad = std::count_if(points.begin(), points.end(),
                                  [](const Eigen::Vector3d& point) { return !point.allFinite(); });
   if (bad > 0) {
-    throw UnusableInput(name,
-                        std::to_string(bad) + " of " + std::to_string(points.size()) +
-                            " points are not finite (NaN or infinite)",
-                        "remove them, for instance with rosrun cloud_preprocess clean_cloud");
+    throw UnusableInput(
+        name, fmt::format("{} of {} points are not finite (NaN or infinite)", bad, points.size()),
+        "remove them, for instance with rosrun cloud_preprocess clean_cloud");
   }
 }
 
 void check_extent(const Points& points, const std::string& name) {
   const Eigen::Vector3d deviation = principal_frame(points).deviation;
-  constexpr double kLine = 1e-4;
+  constexpr double kLine = 1e-4;  // width over length; chosen
   if (deviation[1] > kLine * deviation[0]) return;
   throw UnusableInput(name, "all its points lie on one line or in one place",
                       "give a scan that covers the surface of the part");
@@ -83,7 +87,7 @@ Eigen::Vector3d outward_at(const Points& points, const Eigen::Vector3d& at,
 /// Whether all neighbours lie in the plane of the surface: beside a sharp edge some lie below it.
 bool is_flat_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
                 const std::vector<KdTree::Neighbour>& neighbours) {
-  constexpr double kSteepest = 0.5;  // sine
+  constexpr double kSteepest = 0.5;  // sine: 30 degrees; chosen
   return std::all_of(neighbours.begin(), neighbours.end(), [&](const auto& neighbour) {
     const Eigen::Vector3d way = points[neighbour.index] - at;
     return std::abs(way.dot(normal)) <= kSteepest * std::sqrt(neighbours.back().squared_distance);
@@ -93,7 +97,7 @@ bool is_flat_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Ve
 /// [m] farthest of the nearest neighbours from the plane of the surface at a point
 double blur_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
                const std::vector<KdTree::Neighbour>& neighbours) {
-  constexpr std::size_t kNearest = 9;  // the point itself is one
+  constexpr std::size_t kNearest = 9;  // eight around it, and the point itself; chosen
   double most = 0;
   for (std::size_t i = 0; i < std::min(kNearest, neighbours.size()); ++i)
     most = std::max(most, std::abs(normal.dot(points[neighbours[i].index] - at)));
@@ -102,7 +106,7 @@ double blur_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vec
 
 /// The number of the patch that each point lies in: two spacings wide, of one face.
 std::vector<std::size_t> patches_of(const Surface& surface) {
-  constexpr double kWide = 2;  // spacings
+  constexpr double kWide = 2;  // spacings; chosen
   std::map<std::array<long, 4>, std::size_t> numbers;
   std::vector<std::size_t> patches;
   for (const std::size_t i : surface.samples.most) {
@@ -124,7 +128,7 @@ double middle_of(std::vector<double> values) {
 
 /// Loose points are left out: spread over space, few of them would fill half of a sample.
 Samples samples_of(const Points& points, const std::vector<double>& spacings, double typical) {
-  constexpr double kLoose = 3;  // times the typical spacing
+  constexpr double kLoose = 3;  // times the typical spacing; chosen
   std::vector<std::size_t> dense;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (spacings[i] < kLoose * typical) dense.push_back(i);
@@ -196,8 +200,8 @@ namespace {
 /// On the grid, or on a coarser one where that leaves more points than are of use: denser than
 /// their noise, they blur the normals and say nothing new.
 Points reduced(const Points& cloud, Eigen::Vector3d leaf, const std::string& name) {
-  constexpr double kMost = 50000;
-  constexpr double kAim = 0.9;
+  constexpr double kMost = 50000;  // points; chosen
+  constexpr double kAim = 0.9;     // of those; chosen
   try {
     Points points = reduce_on_grid(cloud, leaf);
     while (static_cast<double>(points.size()) > kMost) {
@@ -212,7 +216,7 @@ Points reduced(const Points& cloud, Eigen::Vector3d leaf, const std::string& nam
 
 /// A few points far away would hide the size and axes of all others.
 void check_together(const Points& points, const std::string& name) {
-  constexpr double kFar = 1000;  // times the distance of half of the points from their middle
+  constexpr double kFar = 1000;  // times the median distance from the middle; chosen
   Eigen::Vector3d middle;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
@@ -227,12 +231,11 @@ void check_together(const Points& points, const std::string& name) {
   const auto count = std::count_if(distances.begin(), distances.end(),
                                    [far](double distance) { return distance > far; });
   if (count == 0) return;
-  throw UnusableInput(name,
-                      std::to_string(count) + " of " + std::to_string(points.size()) +
-                          " points lie far away from all others, up to " +
-                          std::to_string(*std::max_element(distances.begin(), distances.end())) +
-                          " m",
-                      "remove them, for instance with rosrun cloud_preprocess clean_cloud");
+  throw UnusableInput(
+      name,
+      fmt::format("{} of {} points lie far away from all others, up to {:.7g} m", count,
+                  points.size(), *std::max_element(distances.begin(), distances.end())),
+      "remove them, for instance with rosrun cloud_preprocess clean_cloud");
 }
 
 }  // namespace
@@ -257,7 +260,7 @@ Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf, doubl
                             path);
 }
 
-Points to_points(const scan_cell_common::Cloud& cloud) {
+Points to_points(const pcl::PointCloud<pcl::PointXYZ>& cloud) {
   Points points;
   points.reserve(cloud.size());
   for (const pcl::PointXYZ& point : cloud)

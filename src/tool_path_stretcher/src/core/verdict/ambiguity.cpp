@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "alignment/refinement.h"
+#include "geometry/kd_tree.h"
+#include "geometry/points.h"
 #include "geometry/robust.h"
-#include "search/alignment.h"
-#include "tool_path_stretcher/residuals.h"
+#include "mapping/residuals.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -41,7 +43,7 @@ double distance_to(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
 
 /// Whether each waypoint of `inner` lies on the line of `outer`.
 bool lies_on(const Laid& inner, const Laid& outer, bool has_orientation, double tolerance) {
-  constexpr double kSameAxis = 0.99;
+  constexpr double kSameAxis = 0.99;  // cosine: up to 8 degrees; chosen
   const KdTree tree(outer.points);
   for (std::size_t i = 0; i < inner.points.size(); ++i) {
     const std::size_t nearest = tree.nearest(inner.points[i]).index;
@@ -75,30 +77,32 @@ bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, d
 namespace {
 
 /// [m] robust standard deviation of the scan from the mapped reference
-double misfit(const Surface& reference, const Surface& object, const Mapping& mapping) {
+double misfit(const SurfacePair& surfaces, const Mapping& mapping) {
+  const Surface& object = surfaces.object;
   std::vector<double> distances;
   for (const Residual& residual :
-       residuals_of(reference, mapping, select(object.points, object.samples.few)))
+       residuals_of(surfaces.reference, mapping, select(object.points, object.samples.few)))
     distances.push_back(mapping.similarity.scale * residual.along_normal);
   return robust_deviation(std::move(distances));
 }
 
 }  // namespace
 
-std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
-                                       const Mapping& mapping, const ScalePrior& scale) {
-  constexpr double kStep = 0.12;   // of the object's size
-  constexpr double kBack = 0.05;   // of the object's size: it slid back to where it was
-  constexpr double kHopeless = 5;  // times the misfit of the mapping
-  constexpr int kIterations = 30;
-  const Points probes = select(reference.points, reference.samples.few);
-  const double most = kHopeless * misfit(reference, object, mapping);
+std::vector<Mapping> slid_along_itself(const SurfacePair& surfaces, const Mapping& mapping,
+                                       const ScalePrior& scale) {
+  constexpr double kStep = 0.12;   // of the object's size; chosen
+  constexpr double kBack = 0.05;   // of the object's size: it slid back to where it was; chosen
+  constexpr double kHopeless = 5;  // times the misfit of the mapping; chosen
+  constexpr int kIterations = 30;  // at most; chosen
+  const double size = surfaces.object.size;
+  const Points probes = select(surfaces.reference.points, surfaces.reference.samples.few);
+  const double most = kHopeless * misfit(surfaces, mapping);
   std::vector<Mapping> result;
-  for (Similarity slid : slides(reference, object, mapping.similarity, kStep * object.size)) {
+  for (Similarity slid : slides(surfaces, mapping.similarity, kStep * size)) {
     for (const Density density : {Density::kFew, Density::kMany}) {
-      slid = refine(reference, object, slid, scale, density, kIterations);
-      if (distance(slid, mapping.similarity, probes) < kBack * object.size) break;
-      if (misfit(reference, object, {slid, mapping.graph}) > most) break;
+      slid = refine(surfaces, slid, scale, density, kIterations);
+      if (distance(slid, mapping.similarity, probes) < kBack * size) break;
+      if (misfit(surfaces, {slid, mapping.graph}) > most) break;
       if (density == Density::kMany) result.push_back({slid, mapping.graph});
     }
   }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tool_path_stretcher/deformation.h"
-#include "tool_path_stretcher/prior.h"
+#include "mapping/deformation.h"
 #include "tool_path_stretcher/tool_path.h"
 
 namespace tool_path_stretcher {
@@ -16,7 +15,7 @@ bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, d
 /// The mapping with the reference slid along itself, in the two ways that the surfaces resist least
 /// (Gelfand 2003), and then held on the object again: a figure of revolution, or a part too
 /// straight, stays where it was slid to.
-std::vector<Mapping> slid_along_itself(const Surface& reference, const Surface& object,
-                                       const Mapping& mapping, const ScalePrior& scale);
+std::vector<Mapping> slid_along_itself(const SurfacePair& surfaces, const Mapping& mapping,
+                                       const ScalePrior& scale);
 
 }  // namespace tool_path_stretcher

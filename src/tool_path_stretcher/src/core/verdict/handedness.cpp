@@ -4,7 +4,8 @@
 
 #include <optional>
 
-#include "search/alignment.h"
+#include "geometry/kd_tree.h"
+#include "search/candidates.h"
 #include "verdict/checks.h"
 
 namespace tool_path_stretcher {
@@ -20,7 +21,7 @@ void mirror(Points& points) {
 /// Whether the first is clearly better, and next to nothing speaks for the second: of another part
 /// that is neither, some would.
 bool is_wholly_better(const Explanation& first, const Explanation& second) {
-  constexpr double kContrary = 0.1;
+  constexpr double kContrary = 0.1;  // of the patches that speak for the first; chosen
   if (!clearly_better(first, second)) return false;
   const Evidence found = evidence(first, second);
   return found.only_second < kContrary * found.only_first;
@@ -28,33 +29,12 @@ bool is_wholly_better(const Explanation& first, const Explanation& second) {
 
 /// Whether there is so little that the reference does not explain, undeformed, that its mirror
 /// image cannot be clearly better: of few patches most points.
-bool explains_all(const Explanation& explanation, const Mapping& mapping) {
-  constexpr double kFew = 12;  // see clearly_better
-  return mapping.graph.empty() && unexplained_patches(explanation) < kFew;
+bool explains_all(const Fitted& fitted) {
+  constexpr double kFew = 12;  // patches: 3.5 squared, the significance of clearly_better
+  return fitted.mapping.graph.empty() && unexplained_patches(fitted.explanation) < kFew;
 }
 
-/// Of the poses of the mirror image the one that explains most, undeformed.
-struct Image {
-  Similarity similarity;
-  Explanation explanation;
-};
-std::optional<Image> best_image(const Surface& image, const Surface& object,
-                                const StretchParameters& parameters) {
-  std::optional<Image> best;
-  for (const Candidate& candidate : find_near_candidates(image, object, parameters.prior.scale)) {
-    Explanation explanation =
-        explain(image, object, {candidate.similarity, {}}, parameters.inlier_distance);
-    if (best) {
-      const Evidence found = evidence(explanation, best->explanation);
-      if (found.only_first <= found.only_second) continue;
-    }
-    best = Image{candidate.similarity, std::move(explanation)};
-  }
-  return best;
-}
-
-}  // namespace
-
+/// The surface seen in a mirror: x is -x.
 Surface mirrored(const Surface& surface) {
   Surface result = surface;
   mirror(result.points);
@@ -66,24 +46,39 @@ Surface mirrored(const Surface& surface) {
   return result;
 }
 
-void check_handedness(const Surface& reference, const Surface& object, const Mapping& best,
-                      const Explanation& explanation, const StretchParameters& parameters) {
-  if (explains_all(explanation, best)) return;
-  const ScalePrior& scale = parameters.prior.scale;
-  const Surface image = mirrored(reference);
-  const std::optional<Image> found = best_image(image, object, parameters);
+/// Of the poses of the mirror image the one that explains most, undeformed.
+std::optional<Fitted> best_image(const SurfacePair& image, const StretchParameters& parameters) {
+  std::optional<Fitted> best;
+  for (const Candidate& candidate : find_near_candidates(image, parameters.prior.scale)) {
+    Fitted found = fitted(image, {candidate.similarity, {}}, parameters.inlier_distance);
+    if (best) {
+      const Evidence between = evidence(found.explanation, best->explanation);
+      if (between.only_first <= between.only_second) continue;
+    }
+    best = std::move(found);
+  }
+  return best;
+}
+
+}  // namespace
+
+void check_handedness(const SurfacePair& surfaces, const Fitted& best,
+                      const StretchParameters& parameters) {
+  if (explains_all(best)) return;
+  const Surface mirror_image = mirrored(surfaces.reference);
+  const SurfacePair image{mirror_image, surfaces.object};
+  const std::optional<Fitted> found = best_image(image, parameters);
   if (!found) return;
-  const auto explained = [&](const Surface& by, const Mapping& mapping) {
-    return explain(by, object, mapping, parameters.inlier_distance);
-  };
-  const Mapping followed =
-      fit_deformation(image, object, found->similarity, scale, parameters.deformation_level);
+  const Mapping followed = fit_deformation(image, found->mapping.similarity, parameters.prior.scale,
+                                           parameters.deformation_level);
   const bool bent = !followed.graph.empty();
-  const Explanation other = bent ? explained(image, followed) : found->explanation;
+  const Explanation other =
+      bent ? explain(image, followed, parameters.inlier_distance) : found->explanation;
   if (other.inlier_ratio < parameters.min_inlier_ratio) return;
-  if (is_wholly_better(other, explanation)) refuse_mirrored(other, explanation);
-  if (bent || best.graph.empty() || clearly_better(explanation, other)) return;
-  const Explanation undeformed = explained(reference, {best.similarity, {}});
+  if (is_wholly_better(other, best.explanation)) refuse_mirrored(other, best.explanation);
+  if (bent || best.mapping.graph.empty() || clearly_better(best.explanation, other)) return;
+  const Explanation undeformed =
+      explain(surfaces, {best.mapping.similarity, {}}, parameters.inlier_distance);
   if (is_wholly_better(other, undeformed)) refuse_mirrored(other, undeformed);
 }
 

@@ -12,8 +12,9 @@ namespace tool_path_stretcher {
 /// The pose of a reference that shows only a part of the object, where nothing speaks against it:
 /// what both show agrees to the noise, undeformed. A deformation could make other poses agree.
 /// @throw Refusal if another pose agrees as well
-std::optional<Similarity> pose_of_partial_reference(const ToolPath& path, const Surface& reference,
-                                                    const Surface& object, PartialSearch& search,
+std::optional<Similarity> pose_of_partial_reference(const ToolPath& path,
+                                                    const SurfacePair& surfaces,
+                                                    PartialSearch& search,
                                                     const StretchParameters& parameters);
 
 /// A scan of a part of the object may lie on the wrong end of a reference that is nearly its own
@@ -21,7 +22,7 @@ std::optional<Similarity> pose_of_partial_reference(const ToolPath& path, const 
 /// the reference, too, shows only a part, another end may even fit as well.
 /// @throw Refusal if another pose is contradicted less, or as little and needs no deformation or
 /// the reference shows only a part
-void check_rivals(const ToolPath& path, const Surface& reference, const Mapping& best,
+void check_rivals(const ToolPath& path, const SurfacePair& surfaces, const Mapping& best,
                   PartialSearch& search, const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher

@@ -57,7 +57,7 @@ Joints turned_near(Joints joints, const Joints& near) {
 }  // namespace
 
 std::vector<Joints> postures_of(const Eigen::Isometry3d& flange, const Joints& near) {
-  constexpr double kOnAxis = 1e-9;  // [m]
+  constexpr double kOnAxis = 1e-9;  // [m] chosen
   const Matrix3d last_axis = flange_turn().transpose();
   std::vector<Joints> found;
   const Vector3d wrist = flange.translation() - kD6 * flange.linear().col(2);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/controller/kinematics.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
-#include <sstream>
 
 #include "controller/arm/arm.h"
 
@@ -78,15 +79,13 @@ const JointLimits& joint_limits() {
 }
 
 std::string outside_limits(const Joints& joints) {
-  constexpr double kRounding = 1e-6;
+  constexpr double kRounding = 1e-6;  // [rad] chosen
   const JointLimits& limits = joint_limits();
   for (int i = 0; i < 6; ++i) {
     if (joints[i] >= limits.lower[i] - kRounding && joints[i] <= limits.upper[i] + kRounding)
       continue;
-    std::ostringstream text;
-    text << "J" << i + 1 << " " << joints[i] / kDegree << " deg is outside "
-         << limits.lower[i] / kDegree << " .. " << limits.upper[i] / kDegree;
-    return text.str();
+    return fmt::format("J{} {:g} deg is outside {:g} .. {:g}", i + 1, joints[i] / kDegree,
+                       limits.lower[i] / kDegree, limits.upper[i] / kDegree);
   }
   return "";
 }

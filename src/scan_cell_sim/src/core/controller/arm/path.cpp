@@ -85,8 +85,8 @@ class LinePath : public Path {
 
 /// True where the arm stands in a singular posture, or passed one since `before`.
 bool singular(const Joints& before, const Joints& joints) {
-  constexpr double kAngle = 0.5 * M_PI / 180;
-  constexpr double kDistance = 0.005;  // [m]
+  constexpr double kAngle = 0.5 * M_PI / 180;  // [rad] c4g_protocol.md
+  constexpr double kDistance = 0.005;          // [m] c4g_protocol.md
   const SingularPostures was = distance_to_singular(before);
   const SingularPostures is = distance_to_singular(joints);
   const auto met = [](double then, double now, double least) {
@@ -97,59 +97,60 @@ bool singular(const Joints& before, const Joints& joints) {
 }
 
 void refuse_singular(const Joints& before, const Joints& joints) {
-  constexpr double kMostTurn = 0.35;  // [rad] more from knot to knot turns the wrist over
+  constexpr double kMaxTurn = 0.35;  // [rad] more from knot to knot turns the wrist over
   if (singular(before, joints)) {
-    throw ControllerRefusal(ControllerErrorCode::Singular, "the line passes a singular posture");
+    throw ControllerRefusal(ControllerErrorCode::kSingular, "the line passes a singular posture");
   }
-  if ((joints - before).cwiseAbs().maxCoeff() > kMostTurn) {
-    throw ControllerRefusal(ControllerErrorCode::Singular, "the line turns the wrist over");
+  if ((joints - before).cwiseAbs().maxCoeff() > kMaxTurn) {
+    throw ControllerRefusal(ControllerErrorCode::kSingular, "the line turns the wrist over");
   }
 }
 
 double LinePath::follow(const Joints& from) {
-  constexpr double kKnotLength = 0.01;  // [m]
-  constexpr double kKnotAngle = 0.035;  // [rad]
+  constexpr double kKnotLength = 0.01;  // [m] chosen
+  constexpr double kKnotAngle = 0.035;  // [rad] chosen
   const double turned = euler_ ? changes().sum() : turn();
   const double steps =
       std::ceil(std::max({1.0, length() / kKnotLength, turned / kKnotAngle}) - kNothing);
-  double most_speed = std::numeric_limits<double>::infinity();
+  double max_speed = std::numeric_limits<double>::infinity();
   refuse_singular(from, from);
   knots_.assign(1, from);
   for (double step = 1; step <= steps; ++step) {
     const auto next = joints_of(flange(step / steps), knots_.back());
     if (!next) {
-      throw ControllerRefusal(ControllerErrorCode::OutOfReach, "the line leaves the robot's reach");
+      throw ControllerRefusal(ControllerErrorCode::kOutOfReach,
+                              "the line leaves the robot's reach");
     }
     refuse_singular(knots_.back(), *next);
     const std::string outside = outside_limits(*next);
     if (!outside.empty()) {
-      throw ControllerRefusal(ControllerErrorCode::JointLimit, "on the line " + outside);
+      throw ControllerRefusal(ControllerErrorCode::kJointLimit, "on the line " + outside);
     }
     const Joints turn = (*next - knots_.back()).cwiseAbs();
     const double share = (turn * steps).cwiseQuotient(joint_limits().speed).maxCoeff();
-    most_speed = std::min(most_speed, 1 / std::max(share, kNothing));
+    max_speed = std::min(max_speed, 1 / std::max(share, kNothing));
     knots_.push_back(*next);
   }
-  return most_speed;
+  return max_speed;
 }
 
 /// @return the postures that reach the pose
 std::vector<Joints> refuse_out_of_reach(const Eigen::Isometry3d& flange, const Joints& near) {
   std::vector<Joints> postures = postures_of(flange, near);
   if (!postures.empty()) return postures;
-  throw ControllerRefusal(ControllerErrorCode::OutOfReach, "no posture reaches the pose");
+  throw ControllerRefusal(ControllerErrorCode::kOutOfReach, "no posture reaches the pose");
 }
 
 }  // namespace
 
 PlannedPath plan_joint_path(const Joints& from, const Joints& to) {
   const std::string outside = outside_limits(to);
-  if (!outside.empty()) throw ControllerRefusal(ControllerErrorCode::JointLimit, outside);
+  if (!outside.empty()) throw ControllerRefusal(ControllerErrorCode::kJointLimit, outside);
   const Joints way = (to - from).cwiseAbs().cwiseMax(kNothing);
   PlannedPath plan;
   plan.path = std::make_shared<JointPath>(from, to);
   plan.speed = joint_limits().speed.cwiseQuotient(way).minCoeff();
-  plan.most_speed = plan.speed;
+  plan.max_speed = plan.speed;
   plan.acceleration = joint_limits().acceleration.cwiseQuotient(way).minCoeff();
   return plan;
 }
@@ -160,7 +161,7 @@ PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
   const auto line = std::make_shared<LinePath>(flange_of(from), to, settings.euler);
   constexpr double kSpinUp = 4;  // [1/s] full rotational speed in a quarter of a second
   PlannedPath plan;
-  plan.most_speed = line->follow(from);
+  plan.max_speed = line->follow(from);
   plan.speed = std::min(settings.speed / std::max(line->length(), kNothing),
                         settings.rotational_speed / std::max(line->angle(), kNothing));
   plan.acceleration =
@@ -171,7 +172,7 @@ PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
 }
 
 double flange_travel(const Path& path) {
-  constexpr int kSteps = 256;  // the flange's speed is smooth over a path
+  constexpr int kSteps = 256;  // chosen: the flange's speed is smooth over a path
   double longest = 0;
   Eigen::Vector3d before = path.flange(0).translation();
   for (int step = 1; step <= kSteps; ++step) {
@@ -190,7 +191,7 @@ Joints reach(const Eigen::Isometry3d& flange, const Joints& near) {
   for (const Joints& joints : postures) {
     if (outside_limits(joints).empty()) return joints;
   }
-  throw ControllerRefusal(ControllerErrorCode::JointLimit, outside_limits(postures.front()));
+  throw ControllerRefusal(ControllerErrorCode::kJointLimit, outside_limits(postures.front()));
 }
 
 }  // namespace scan_cell_sim

@@ -1,29 +1,29 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/controller/motion_control.h"
+#include "controller/motion/motion_control.h"
 
 #include <algorithm>
 
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kHardBrake = 4;   // times as hard as a programmed stop
+constexpr double kHardBrake = 4;   // times as hard as a programmed stop; chosen
 constexpr double kReduced = 0.25;  // [m/s] of the flange in mode programming, as ISO 10218-1 has it
-constexpr double kNoTravel = 1e-9;  // [m]
+constexpr double kNoTravel = 1e-9;  // [m] chosen
 
 }  // namespace
 
 const char* name_of(MotionStatus status) {
   switch (status) {
-    case MotionStatus::Idle:
+    case MotionStatus::kIdle:
       return "idle";
-    case MotionStatus::Moving:
+    case MotionStatus::kMoving:
       return "moving";
-    case MotionStatus::Arrived:
+    case MotionStatus::kArrived:
       return "arrived";
-    case MotionStatus::Stopped:
+    case MotionStatus::kStopped:
       return "stopped";
-    case MotionStatus::Error:
+    case MotionStatus::kError:
       return "error";
   }
   return "error";
@@ -32,7 +32,7 @@ const char* name_of(MotionStatus status) {
 void MotionControl::refuse_unless_ready(Nanoseconds now) const {
   readiness_.require_motion();
   if (!log_.at(now).over(now)) {
-    throw ControllerRefusal(ControllerErrorCode::Moving, "the robot moves: STOP first");
+    throw ControllerRefusal(ControllerErrorCode::kMoving, "the robot moves: STOP first");
   }
 }
 
@@ -55,9 +55,9 @@ void MotionControl::move_to_joints(std::uint64_t motion, const Joints& joints, d
 }
 
 double MotionControl::cruise() const {
-  const double programmed = std::min(plan_.speed * settings_.override, plan_.most_speed);
-  return readiness_.mode() == ControllerMode::Programming ? std::min(programmed, reduced_)
-                                                          : programmed;
+  const double programmed = std::min(plan_.speed * settings_.override, plan_.max_speed);
+  return readiness_.mode() == ControllerMode::kProgramming ? std::min(programmed, reduced_)
+                                                           : programmed;
 }
 
 void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate,
@@ -66,7 +66,7 @@ void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double 
   reduced_ = kReduced / std::max(flange_travel(*plan.path), kNoTravel);
   motion_ = motion;
   camera_rate_ = camera_rate;
-  ending_ = MotionStatus::Arrived;
+  ending_ = MotionStatus::kArrived;
   why_.reset();
   ++begun_;
   log_.begin({now, plan.path, SpeedProfile::trapezoid(0, 1, 0, cruise(), plan.acceleration)});
@@ -85,13 +85,13 @@ void MotionControl::brake(double harder, MotionStatus ending, const std::optiona
 
 void MotionControl::stop(const std::optional<Complaint>& why, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (ending_ == MotionStatus::Arrived) brake(1, MotionStatus::Stopped, why, now);
+  if (ending_ == MotionStatus::kArrived) brake(1, MotionStatus::kStopped, why, now);
 }
 
 void MotionControl::forget(Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (ending_ == MotionStatus::Arrived) brake(1, MotionStatus::Idle, std::nullopt, now);
-  ending_ = MotionStatus::Idle;
+  if (ending_ == MotionStatus::kArrived) brake(1, MotionStatus::kIdle, std::nullopt, now);
+  ending_ = MotionStatus::kIdle;
   motion_ = 0;
   camera_rate_ = 0;
 }
@@ -105,15 +105,15 @@ void MotionControl::cut_power(MotionStatus ending, const Complaint& why, Nanosec
 
 void MotionControl::fail(const std::string& text, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Complaint alarm{ControllerErrorCode::MotionFailed, text};
-  cut_power(MotionStatus::Error, alarm, now, [&] { readiness_.raise(alarm); });
+  const Complaint alarm{ControllerErrorCode::kMotionFailed, text};
+  cut_power(MotionStatus::kError, alarm, now, [&] { readiness_.raise(alarm); });
 }
 
 void MotionControl::power_off(Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Complaint off{ControllerErrorCode::EmergencyStop, "the controller was switched off"};
-  cut_power(MotionStatus::Stopped, off, now,
-            [this] { readiness_.switch_drives(false, Readiness::Source::Panel); });
+  const Complaint off{ControllerErrorCode::kEmergencyStop, "the controller was switched off"};
+  cut_power(MotionStatus::kStopped, off, now,
+            [this] { readiness_.switch_drives(false, Readiness::Source::kPanel); });
 }
 
 void MotionControl::power_on(Nanoseconds now) {
@@ -125,8 +125,8 @@ void MotionControl::power_on(Nanoseconds now) {
 
 void MotionControl::press_e_stop(Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Complaint pressed{ControllerErrorCode::EmergencyStop, "emergency stop"};
-  cut_power(MotionStatus::Stopped, pressed, now, [this] { readiness_.press_e_stop(); });
+  const Complaint pressed{ControllerErrorCode::kEmergencyStop, "emergency stop"};
+  cut_power(MotionStatus::kStopped, pressed, now, [this] { readiness_.press_e_stop(); });
 }
 
 void MotionControl::release_e_stop() {
@@ -137,14 +137,14 @@ void MotionControl::release_e_stop() {
 void MotionControl::select(ControllerMode mode, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::string text = std::string("mode ") + name_of(mode) + " was selected";
-  cut_power(MotionStatus::Stopped, {ControllerErrorCode::Mode, text}, now,
+  cut_power(MotionStatus::kStopped, {ControllerErrorCode::kMode, text}, now,
             [this, mode] { readiness_.select(mode); });
 }
 
 void MotionControl::switch_drives(bool on, Readiness::Source source, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  cut_power(MotionStatus::Stopped, {ControllerErrorCode::EmergencyStop, "the drives went off"}, now,
-            [&] { readiness_.switch_drives(on, source); });
+  cut_power(MotionStatus::kStopped, {ControllerErrorCode::kEmergencyStop, "the drives went off"},
+            now, [&] { readiness_.switch_drives(on, source); });
 }
 
 void MotionControl::reset_alarms(Readiness::Source source) {
@@ -161,7 +161,7 @@ void MotionControl::set(const MotionSettings& settings, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   settings_ = settings;
   const Run run = log_.at(now);
-  if (run.over(now) || ending_ != MotionStatus::Arrived) return;
+  if (run.over(now) || ending_ != MotionStatus::kArrived) return;
   log_.begin(
       {now, run.path,
        SpeedProfile::trapezoid(run.way(now), 1, run.speed(now), cruise(), plan_.acceleration)});
@@ -171,12 +171,12 @@ MotionState MotionControl::state(Nanoseconds now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Run run = log_.at(now);
   MotionState state;
-  state.status = run.over(now) ? ending_ : MotionStatus::Moving;
+  state.status = run.over(now) ? ending_ : MotionStatus::kMoving;
   state.motion = motion_;
   state.progress = motion_ == 0 ? 0 : run.way(now);
   state.camera_rate = camera_rate_;
   state.readiness = readiness_;
-  if (state.status == MotionStatus::Stopped || state.status == MotionStatus::Error)
+  if (state.status == MotionStatus::kStopped || state.status == MotionStatus::kError)
     state.why = why_;
   state.flange = run.path->flange(run.way(now));
   state.joints = run.path->joints(run.way(now));

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/controller/motion_log.h"
+#include "controller/motion/motion_log.h"
 
 #include <algorithm>
 
@@ -26,10 +26,10 @@ MotionLog::MotionLog(const Joints& start) {
 }
 
 void MotionLog::begin(const Run& run) {
-  constexpr std::size_t kMostRuns = 10000;  // hours of work
+  constexpr std::size_t kMaxRuns = 10000;  // hours of work; chosen
   const std::lock_guard<std::mutex> lock(mutex_);
   runs_.push_back(run);
-  if (runs_.size() > kMostRuns) runs_.pop_front();
+  if (runs_.size() > kMaxRuns) runs_.pop_front();
 }
 
 Run MotionLog::at(Nanoseconds host) const {

@@ -10,15 +10,15 @@ namespace {
 
 using Code = ControllerErrorCode;
 
-constexpr std::size_t kMostAlarms = 4;  // so that a state fits into a datagram
+constexpr std::size_t kMaxAlarms = 4;  // so that a state fits into a datagram
 
 const char* const kPressed = "the emergency stop is pressed";
 const std::string kReset = "an alarm stands, reset it first: ";
 
 constexpr std::array<std::pair<ControllerMode, const char*>, 3> kModes = {
-    {{ControllerMode::Programming, "programming"},
-     {ControllerMode::Automatic, "automatic"},
-     {ControllerMode::Remote, "remote"}}};
+    {{ControllerMode::kProgramming, "programming"},
+     {ControllerMode::kAutomatic, "automatic"},
+     {ControllerMode::kRemote, "remote"}}};
 
 }  // namespace
 
@@ -26,7 +26,7 @@ ControllerMode controller_mode_of(const std::string& name) {
   for (const auto& [mode, word] : kModes) {
     if (name == word) return mode;
   }
-  throw ControllerRefusal(Code::OutOfRange, "a mode is programming, automatic or remote");
+  throw ControllerRefusal(Code::kOutOfRange, "a mode is programming, automatic or remote");
 }
 
 const char* name_of(ControllerMode mode) {
@@ -37,14 +37,14 @@ const char* name_of(ControllerMode mode) {
 }
 
 void Readiness::require_motion() const {
-  if (e_stop_) throw ControllerRefusal(Code::EmergencyStop, kPressed);
+  if (e_stop_) throw ControllerRefusal(Code::kEmergencyStop, kPressed);
   if (!alarms_.empty()) {
-    throw ControllerRefusal(Code::Alarm, kReset + alarms_.front().text);
+    throw ControllerRefusal(Code::kAlarm, kReset + alarms_.front().text);
   }
-  if (mode_ == ControllerMode::Automatic) {
-    throw ControllerRefusal(Code::Mode, "motion is started at the panel in mode automatic");
+  if (mode_ == ControllerMode::kAutomatic) {
+    throw ControllerRefusal(Code::kMode, "motion is started at the panel in mode automatic");
   }
-  if (!drives_) throw ControllerRefusal(Code::EmergencyStop, "the drives are off");
+  if (!drives_) throw ControllerRefusal(Code::kEmergencyStop, "the drives are off");
 }
 
 void Readiness::select(ControllerMode mode) {
@@ -56,7 +56,7 @@ void Readiness::select(ControllerMode mode) {
 void Readiness::press_e_stop() {
   if (e_stop_) return;
   e_stop_ = true;
-  raise({Code::EmergencyStop, "emergency stop"});
+  raise({Code::kEmergencyStop, "emergency stop"});
 }
 
 void Readiness::restart() {
@@ -69,30 +69,30 @@ void Readiness::restart() {
 
 void Readiness::raise(const Complaint& alarm) {
   drives_ = false;
-  if (alarms_.size() == kMostAlarms) alarms_.erase(alarms_.begin() + 1);  // the first tells most
+  if (alarms_.size() == kMaxAlarms) alarms_.erase(alarms_.begin() + 1);  // the first tells most
   alarms_.push_back(alarm);
 }
 
 void Readiness::reset_alarms(Source source) {
   require_right(source, "alarms are reset");
-  if (e_stop_) throw ControllerRefusal(Code::EmergencyStop, kPressed);
+  if (e_stop_) throw ControllerRefusal(Code::kEmergencyStop, kPressed);
   alarms_.clear();
 }
 
 void Readiness::switch_drives(bool on, Source source) {
   if (on) {
     require_right(source, "drives are switched on");
-    if (e_stop_) throw ControllerRefusal(Code::EmergencyStop, kPressed);
+    if (e_stop_) throw ControllerRefusal(Code::kEmergencyStop, kPressed);
     if (!alarms_.empty()) {
-      throw ControllerRefusal(Code::Alarm, kReset + alarms_.front().text);
+      throw ControllerRefusal(Code::kAlarm, kReset + alarms_.front().text);
     }
   }
   drives_ = on;
 }
 
 void Readiness::require_right(Source source, const std::string& what) const {
-  if (source == Source::Panel || mode_ == ControllerMode::Remote) return;
-  throw ControllerRefusal(Code::Mode,
+  if (source == Source::kPanel || mode_ == ControllerMode::kRemote) return;
+  throw ControllerRefusal(Code::kMode,
                           what + " at the panel in mode " + std::string(name_of(mode_)));
 }
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/controller/speed_profile.h"
+#include "controller/motion/speed_profile.h"
 
 #include <algorithm>
 #include <cmath>

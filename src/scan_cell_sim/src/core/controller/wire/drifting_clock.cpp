@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/controller/drifting_clock.h"
+#include "controller/wire/drifting_clock.h"
 
 #include <algorithm>
 #include <cmath>

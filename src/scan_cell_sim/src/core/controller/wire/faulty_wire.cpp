@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_sim/controller/faulty_wire.h"
+#include "controller/wire/faulty_wire.h"
 
 #include <algorithm>
 
@@ -35,8 +35,8 @@ void FaultyWire::send(Datagram datagram, const WireFaults& faults, Nanoseconds n
 void FaultyWire::spoil(std::string& text, const WireFaults& faults) {
   if (!text.empty() && drawn(faults.truncated)) text.resize(below(text.size()));
   if (text.empty() || !drawn(faults.flipped)) return;
-  constexpr std::size_t kMostBits = 3;
-  for (std::size_t bits = 1 + below(kMostBits); bits > 0; --bits)
+  constexpr std::size_t kMaxBits = 3;
+  for (std::size_t bits = 1 + below(kMaxBits); bits > 0; --bits)
     text[below(text.size())] ^= static_cast<char>(1U << below(8));
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/controller/wire_faults.h"
 
+#include <fmt/format.h>
+
 #include "scan_cell_common/errors.h"
 
 namespace scan_cell_sim {
@@ -24,8 +26,8 @@ void check(const WireFaults& faults, const std::string& prefix) {
     if (value >= 0 && value <= fault.most) continue;  // not so for NaN
     const std::string unit = fault.time ? " s" : "";
     throw scan_cell_common::InvalidParameter(
-        prefix + fault.name, std::to_string(value) + unit,
-        "give 0 .. " + std::to_string(static_cast<int>(fault.most)) + unit);
+        prefix + fault.name, fmt::format("{:g}{}", value, unit),
+        fmt::format("give 0 .. {}{}", static_cast<int>(fault.most), unit));
   }
 }
 

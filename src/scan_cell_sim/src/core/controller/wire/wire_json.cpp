@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "controller/wire/wire_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
@@ -20,7 +22,7 @@ namespace {
 std::string crc_entry(const std::string& text) {
   boost::crc_32_type crc;
   crc.process_bytes(text.data(), text.size());
-  return ",\"crc\":" + std::to_string(crc.checksum()) + "}";
+  return fmt::format(",\"crc\":{}}}", crc.checksum());
 }
 
 }  // namespace
@@ -40,28 +42,28 @@ std::optional<json> unsealed(const std::string& datagram) {
 }
 
 double number(const json& value, const std::string& name, double least, double most) {
-  if (!value.is_number()) throw ControllerRefusal(Code::Malformed, name + " is not a number");
+  if (!value.is_number()) throw ControllerRefusal(Code::kMalformed, name + " is not a number");
   const auto result = value.get<double>();
   if (result >= least && result <= most) return result;
-  throw ControllerRefusal(Code::OutOfRange,
+  throw ControllerRefusal(Code::kOutOfRange,
                           name + " is outside " + json(least).dump() + " .. " + json(most).dump());
 }
 
 const json& entry(const json& request, const std::string& name) {
   const auto found = request.find(name);
-  if (found == request.end()) throw ControllerRefusal(Code::Malformed, name + " is missing");
+  if (found == request.end()) throw ControllerRefusal(Code::kMalformed, name + " is missing");
   return *found;
 }
 
 std::string text(const json& value, const std::string& name) {
-  if (!value.is_string()) throw ControllerRefusal(Code::Malformed, name + " is not a text");
+  if (!value.is_string()) throw ControllerRefusal(Code::kMalformed, name + " is not a text");
   return value.get<std::string>();
 }
 
 WireSix six(const json& value, const std::string& name) {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   if (!value.is_array() || value.size() != 6) {
-    throw ControllerRefusal(Code::Malformed, name + " is not six numbers");
+    throw ControllerRefusal(Code::kMalformed, name + " is not six numbers");
   }
   WireSix result{};
   for (std::size_t i = 0; i < 6; ++i)
@@ -88,13 +90,14 @@ WireSix pose(const json& value, const std::string& name) {
 }
 
 bool truth(const json& value, const std::string& name) {
-  if (!value.is_boolean()) throw ControllerRefusal(Code::Malformed, name + " is not true or false");
+  if (!value.is_boolean())
+    throw ControllerRefusal(Code::kMalformed, name + " is not true or false");
   return value.get<bool>();
 }
 
 std::uint64_t whole(const json& value, const std::string& name) {
   if (!value.is_number_unsigned()) {
-    throw ControllerRefusal(Code::Malformed, name + " is not a whole number");
+    throw ControllerRefusal(Code::kMalformed, name + " is not a whole number");
   }
   return value.get<std::uint64_t>();
 }

@@ -1,0 +1,103 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frames/frame_log.h"
+#include "matching/pulse_log.h"
+#include "pose_frame_binder/types.h"
+
+namespace pose_frame_binder {
+
+/// Finds the pulse that exposed each frame.
+///
+/// Within one acquisition and one arming, count = counter - offset. A frame agrees where the pulse
+/// that its counter gives is the one that its stamp gives (stamp - latency, see PulseLog::locate).
+///
+/// The offset is elected: frames are held until `frames_to_agree` of them vote for the same one.
+/// From the first frame that does not agree there is doubt: it and those that follow are held, and
+/// vote again. Where the old offset is elected, only those that do not agree with it are dropped.
+/// Where another is, the counter has slipped: `frames_to_agree` - 1 frames on either side of the
+/// slip are dropped as well, since a wrong stamp could have made them fit. So a frame is only told
+/// once that many have followed that agree. The same holds where the camera was started again, and
+/// where the counter does not go on from one arming to the next.
+/// The latency follows the frames that agree.
+class FrameMatcher {
+ public:
+  /// Takes the frames of `frames` from kArrived to kMatched or kDropped.
+  FrameMatcher(const PulseLog& pulses, FrameLog& frames, const Settings& settings);
+
+  /// Goes as far as the pulses that are known allow; all the way once the pulses have ended.
+  void advance();
+
+  /// No more frames will come.
+  void finish();
+
+  double latency() const;  //!< [s] measured; NaN before the first frame agreed
+  std::uint64_t slips() const { return slips_; }
+
+ private:
+  struct Offset {
+    std::uint32_t run = 0;
+    std::int64_t value = 0;
+    bool operator<(const Offset& other) const {
+      return run != other.run ? run < other.run : value < other.value;
+    }
+    bool operator!=(const Offset& other) const { return run != other.run || value != other.value; }
+  };
+  struct Votes {
+    std::vector<Nanoseconds> distances;  // from the pulse to the stamp less the latency
+    std::uint64_t last_counter = 0;
+    std::int64_t first_count = 0;
+  };
+
+  void take(FrameRecord& record);
+  void begin_acquisition(std::uint32_t acquisition);
+  bool agrees(const Frame& frame) const;
+  bool is_behind(const Frame& frame) const;
+  void vote(const Frame& frame);
+  void elect(const Offset& offset, Votes votes);
+  Offset follow(const Offset& next) const;
+  void elect_from_few();
+  std::size_t usable_held() const;
+  void judge_held(bool disputed);
+  void judge(FrameRecord& record, bool disputed);
+  void accept(FrameRecord& record);
+  void confirm(std::size_t count);
+  void drop_unconfirmed(const std::string& detail);
+  FrameRecord& first_agreed();
+  bool last_judged_disagreed() const;
+  void refuse(FrameRecord& record, bool disputed);
+  void drop(FrameRecord& record, DropReason reason, const std::string& detail);
+  bool take_out_of_gap(std::uint64_t counter);
+  std::optional<std::size_t> pulse_of(const Frame& frame) const;
+  Nanoseconds expected_latency() const { return latency_.value_or(initial_latency_); }
+  PulseLog::Place locate(const Frame& frame) const;
+
+  const PulseLog& pulses_;
+  FrameLog& frames_;
+  const Settings settings_;
+  const std::size_t margin_;  // frames that must agree after one before it is told
+  const Nanoseconds tolerance_;
+  const Nanoseconds initial_latency_;
+  std::optional<Nanoseconds> latency_;  // measured, from the first election on
+  std::uint64_t slips_ = 0;
+
+  std::size_t next_ = 0;          // number of the first frame in kArrived
+  std::size_t first_held_ = 0;    // of the first in kHeld, where there are such
+  std::size_t first_agreed_ = 0;  // none before it is in kAgreed
+  std::map<Offset, Votes> votes_;
+
+  std::uint32_t acquisition_ = 0;
+  std::optional<Offset> offset_;
+  std::size_t drop_next_ = 0;                  // frames after a slip or a restart
+  std::optional<std::uint64_t> last_counter_;  // of the frames that agreed
+  std::optional<std::size_t> last_pulse_;
+  std::map<std::uint64_t, std::uint64_t> gaps_;  // counters left out so far: first -> last
+};
+
+}  // namespace pose_frame_binder

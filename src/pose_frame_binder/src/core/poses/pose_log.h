@@ -1,0 +1,50 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+
+#include "pose_frame_binder/types.h"
+
+namespace pose_frame_binder {
+
+/// All poses of a scan, sorted by time. What is at or before settled() does not change any more, so
+/// what is decided from it does not depend on what comes later.
+class PoseLog {
+ public:
+  /// @param settle how far a pose may come behind a later one [ns]
+  PoseLog(Nanoseconds settle, std::size_t max_poses);
+
+  /// A pose with a time that is there already, that is not finite, or that comes too late, is
+  /// dropped and counted.
+  /// @throw scan_cell_common::Refused if the log is full
+  void add(const TimedPose& pose);
+
+  /// No more poses will come: all is settled.
+  void end() { ended_ = true; }
+  bool ended() const { return ended_; }
+
+  /// Whether no pose at or before `time` can still come.
+  bool settled(Nanoseconds time) const;
+
+  /// Index of the first pose at or after `time`; size() if there is none.
+  std::size_t first_at_or_after(Nanoseconds time) const;
+
+  std::size_t size() const { return poses_.size(); }
+  const TimedPose& operator[](std::size_t index) const { return poses_[index]; }
+
+  std::uint64_t repeated() const { return repeated_; }
+  std::uint64_t late() const { return late_; }
+  std::uint64_t unusable() const { return unusable_; }
+
+ private:
+  Nanoseconds settle_;
+  std::size_t max_;
+  bool ended_ = false;
+  std::deque<TimedPose> poses_;  // a vector would stand still for copying all when it grows
+  std::uint64_t repeated_ = 0;
+  std::uint64_t late_ = 0;
+  std::uint64_t unusable_ = 0;
+};
+
+}  // namespace pose_frame_binder

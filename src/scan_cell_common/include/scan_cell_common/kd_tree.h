@@ -1,0 +1,65 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <nanoflann.hpp>
+#include <utility>
+#include <vector>
+
+namespace scan_cell_common {
+
+/// A kd-tree over a list of points, for queries of nearest neighbours. All lengths are in the
+/// points' unit.
+/// @tparam Points a list with size() and operator[]
+/// @tparam Coordinate a function object (point, axis) -> Scalar
+template <class Points, class Coordinate, class Scalar>
+class KdTree {
+ public:
+  using Index = std::uint32_t;  //!< of a point
+
+  /// @param points must outlive the tree, and stay where they are
+  /// @param leaf_size points at the end of a branch; changes the speed, and the order of ties
+  explicit KdTree(const Points& points, std::size_t leaf_size = 16)
+      : source_{points}, tree_(3, source_, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size)) {}
+  KdTree(const KdTree&) = delete;  // nanoflann's tree knows where its points are
+  KdTree& operator=(const KdTree&) = delete;
+
+  /// The `count` nearest points, nearest first.
+  /// @param query three coordinates
+  /// @return how many there are: fewer where the list is shorter
+  std::size_t nearest(const Scalar* query, std::size_t count, Index* indices,
+                      Scalar* squared_distances) const {
+    return tree_.knnSearch(query, count, indices, squared_distances);
+  }
+
+  /// All points nearer than the root of `squared_radius` with their squared distances, in the
+  /// tree's order.
+  void within(const Scalar* query, Scalar squared_radius,
+              std::vector<std::pair<Index, Scalar>>& found) const {
+    nanoflann::SearchParams unsorted;
+    unsorted.sorted = false;
+    tree_.radiusSearch(query, squared_radius, found, unsorted);
+  }
+
+ private:
+  struct Source {
+    const Points& points;
+
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    Scalar kdtree_get_pt(std::size_t index, std::size_t axis) const {
+      return Coordinate()(points[index], axis);
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box&) const {
+      return false;
+    }
+  };
+
+  Source source_;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Scalar, Source>, Source, 3,
+                                      Index>
+      tree_;
+};
+
+}  // namespace scan_cell_common

@@ -1,0 +1,44 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <set>
+#include <string>
+
+#include "scan_cell_common/parameter_table.h"
+
+namespace scan_cell_common {
+
+/// Reads a node's private parameters, and refuses by name what is of another type, out of range,
+/// missing or unknown.
+class RosParameters final : public ParameterTable {
+ public:
+  explicit RosParameters(const ros::NodeHandle& node);
+
+  /// @throw InvalidParameter if a private parameter is set that was never read: a misspelt name
+  /// would otherwise be taken for the default in silence. A read of "a" covers "a/b" too.
+  void refuse_unknown() const;
+
+ private:
+  void visit(const Parameter& parameter, ParameterValue& value) override;
+  bool is_given(const std::string& old, const std::string& now) override;
+  std::string named(const std::string& name) const override;
+
+  ros::NodeHandle node_;
+  std::set<std::string> names_;
+};
+
+/// All parameters of a node; defaults stand in the struct.
+/// @throw InvalidParameter naming the bad, missing or unknown one
+template <class Parameters>
+Parameters load_parameters(const ros::NodeHandle& private_node) {
+  RosParameters reader(private_node);
+  Parameters parameters;
+  describe(reader, parameters);
+  reader.refuse_unknown();
+  return parameters;
+}
+
+}  // namespace scan_cell_common

@@ -1,0 +1,24 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scan_cell_common/errors.h"
+
+namespace scan_cell_common {
+
+/// Does what a service was asked for, and fills in the answer's `success` and, of an Error, its
+/// `message`. Other exceptions pass.
+/// @return true, for ROS: there is an answer
+template <class Response, class Body>
+bool answer(Response& response, const Body& body) {
+  try {
+    body();
+    response.success = true;
+  } catch (const Error& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+}  // namespace scan_cell_common

@@ -1,0 +1,2 @@
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,87 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "controller/motion/motion_log.h"
+#include "scan_cell_sim/controller/motion_state.h"
+
+namespace scan_cell_sim {
+
+/// Plans and runs motions, one at a time. Whatever takes the robot its readiness (emergency stop,
+/// drives off, another mode, an alarm) ends the motion under way, and nothing brings it back. In
+/// mode programming the flange is never faster than 250 mm/s, on a line or not. Safe for use from
+/// several threads; `now` is host time.
+class MotionControl {
+ public:
+  using Nanoseconds = scan_cell_common::Nanoseconds;
+
+  explicit MotionControl(const Joints& start) : log_(start) {}
+
+  /// @throw ControllerRefusal where it cannot be done; then nothing moves
+  void move_to_pose(std::uint64_t motion, const Eigen::Isometry3d& flange, double camera_rate,
+                    Nanoseconds now);
+  void move_to_joints(std::uint64_t motion, const Joints& joints, double camera_rate,
+                      Nanoseconds now);
+
+  /// Brakes along the path, as hard as the motion was planned. Does nothing where it stands.
+  void stop(const std::optional<Complaint>& why, Nanoseconds now);
+
+  /// An alarm that ends the motion under way in an error, as a collision or a following error.
+  void fail(const std::string& text, Nanoseconds now);
+
+  /// Stops, and forgets what the motion was for.
+  void forget(Nanoseconds now);
+
+  /// The drives lose their power with everything else; then all is as at the start, but for the
+  /// mode selector and the emergency stop.
+  void power_off(Nanoseconds now);
+  void power_on(Nanoseconds now);
+
+  void press_e_stop(Nanoseconds now);
+  /// The alarm stands, the drives are off.
+  void release_e_stop();
+  void select(ControllerMode mode, Nanoseconds now);
+  /// @throw ControllerRefusal as Readiness
+  void switch_drives(bool on, Readiness::Source source, Nanoseconds now);
+  void reset_alarms(Readiness::Source source);
+
+  MotionSettings settings() const;
+  /// The override acts at once, the rest from the next motion on.
+  void set(const MotionSettings& settings, Nanoseconds now);
+
+  MotionState state(Nanoseconds now) const;
+  const MotionLog& log() const { return log_; }
+
+  /// How many motions were begun, for tests.
+  std::uint64_t motions_begun() const;
+
+ private:
+  void refuse_unless_ready(Nanoseconds now) const;
+  void begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate, Nanoseconds now);
+  void brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
+             Nanoseconds now);
+  /// Brakes hard where a change of the readiness takes the drives their power.
+  void cut_power(MotionStatus ending, const Complaint& why, Nanoseconds now,
+                 const std::function<void()>& change);
+  double cruise() const;
+
+  mutable std::mutex mutex_;
+  MotionLog log_;
+  MotionSettings settings_;
+  PlannedPath plan_;
+  double reduced_ = 1;  // [1/s] the plan's speed at which the flange moves at 250 mm/s at most
+  MotionStatus ending_ = MotionStatus::kIdle;  // status once the run is over
+  std::uint64_t motion_ = 0;
+  std::uint64_t begun_ = 0;
+  double camera_rate_ = 0;
+  Readiness readiness_;
+  std::optional<Complaint> why_;
+};
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,46 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+
+#include "controller/motion/speed_profile.h"
+#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_sim/controller/path.h"
+
+namespace scan_cell_sim {
+
+/// A path run at a speed from an instant on.
+struct Run {
+  scan_cell_common::Nanoseconds start = 0;  //!< host time
+  std::shared_ptr<const Path> path;
+  SpeedProfile profile;
+
+  double way(scan_cell_common::Nanoseconds host) const;
+  double speed(scan_cell_common::Nanoseconds host) const;  //!< [1/s]
+  bool over(scan_cell_common::Nanoseconds host) const;
+};
+
+/// Where the robot is and was, without a gap: each run lasts until the next begins. Safe for use
+/// from several threads.
+class MotionLog {
+ public:
+  /// The robot stood at `start` for ever.
+  explicit MotionLog(const Joints& start);
+
+  /// Runs must begin in the order of time.
+  void begin(const Run& run);
+
+  /// The run at an instant. Instants before the log's oldest run get its beginning.
+  Run at(scan_cell_common::Nanoseconds host) const;
+
+  Run latest() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::deque<Run> runs_;
+};
+
+}  // namespace scan_cell_sim

@@ -1,0 +1,17 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "scan_cell_common/net/endpoint.h"
+
+namespace scan_cell_sim {
+
+/// What came from a peer, or goes to one.
+struct Datagram {
+  scan_cell_common::Endpoint peer;
+  std::string text;
+};
+
+}  // namespace scan_cell_sim

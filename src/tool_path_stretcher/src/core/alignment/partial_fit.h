@@ -1,0 +1,59 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "alignment/coarse_fit.h"
+#include "surface/border.h"
+
+namespace tool_path_stretcher {
+
+/// Point-to-point ICP in both directions, over what is known of both surfaces.
+class PartialFit {
+ public:
+  /// @param surfaces must outlive it, as the next
+  PartialFit(const SurfacePair& surfaces, const CoarsePair& coarse, const ScaleRange& scales);
+
+  /// Moves the pose up to so often, and sets its cost; infinite where too little is known of both.
+  /// @param stride of the points looked up: every one, every second ...
+  void improve(Candidate& candidate, int iterations, std::size_t stride);
+
+ private:
+  /// A thinned surface, and where it ends.
+  struct Side {
+    struct Found {
+      Eigen::Vector3d point;  // [m]
+      double distance;        // [m] to it
+      double off;             // [m] to the surface about it
+    };
+
+    Side(const Surface& surface, const CoarseSurface& coarse);
+
+    /// The nearest point; none where `at` lies beyond the border.
+    std::optional<Found> find(const Eigen::Vector3d& at) const;
+
+    const CoarseSurface& coarse;
+    double spacing;  // [m] of the thinned points
+    Border border;
+  };
+
+  /// A point of the reference and one of the object that may be the same.
+  struct Pair {
+    Eigen::Vector3d reference;  // [m] in its frame
+    Eigen::Vector3d object;     // [m]
+    double distance;            // [m, object] between them
+  };
+
+  /// Pairs what is known. The cost of the similarity, of every `stride`-th point.
+  double match(const Similarity& similarity, std::size_t stride);
+
+  /// Moves the similarity by the nearer pairs. False: there are too few.
+  bool move(Similarity& similarity);
+
+  Side reference_;
+  Side object_;
+  double size_;
+  ScaleRange scales_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,30 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tool_path_stretcher/similarity.h"
+
+namespace tool_path_stretcher {
+
+/// The mean of the points of each cell of a grid (thesis 8.5), in the order of the cells.
+/// @param leaf edges of a cell [m], above 0
+/// @throw scan_cell_common::InvalidParameter if a leaf is not above 0
+/// @throw scan_cell_common::UnusableInput if a point is not finite or too far out to count its cell
+Points reduce_on_grid(const Points& points, const Eigen::Vector3d& leaf);
+
+/// Indices of at most `most` points, spread evenly over the space the points fill: one of each
+/// cubic cell, whatever the density.
+std::vector<std::size_t> spread_evenly(const Points& points, std::size_t most);
+
+Points select(const Points& points, const std::vector<std::size_t>& indices);
+
+/// Centroid, principal axes (columns, right-handed, longest first) and the standard deviation along
+/// each [m].
+struct PrincipalFrame {
+  Eigen::Vector3d centroid;
+  Eigen::Matrix3d axes;
+  Eigen::Vector3d deviation;
+};
+PrincipalFrame principal_frame(const Points& points);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,31 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "search/partial_search.h"
+
+namespace tool_path_stretcher {
+
+/// Says how far the search is (0 .. 1); may throw to end it.
+using AlignmentProgress = std::function<void(double)>;
+
+/// All distinct poses that may explain the object, best first. The search needs no initial guess:
+/// it starts from the principal frames in all their turns, a sweep about the vertical, and an even
+/// cover of all rotations, and runs the rounds of rounds.h. Residuals are measured in the object's
+/// frame and in both directions, so that shrinking the reference never wins. No candidate
+/// contradicts the prior. Where the prior holds a pose, the search starts there, and ends there if
+/// that explains all of the object.
+/// @param partial searched only where the other guesses fail; it may be used further
+std::vector<Candidate> find_candidates(const SurfacePair& surfaces, const Prior& prior,
+                                       PartialSearch& partial, const AlignmentProgress& progress);
+std::vector<Candidate> find_candidates(const SurfacePair& surfaces, const Prior& prior,
+                                       const AlignmentProgress& progress);
+
+/// The poses found from the principal frames alone, and those turned within themselves: enough
+/// where a reference nearly fits.
+std::vector<Candidate> find_near_candidates(const SurfacePair& surfaces, const ScalePrior& scale);
+
+}  // namespace tool_path_stretcher

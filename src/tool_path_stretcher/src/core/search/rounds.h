@@ -1,0 +1,62 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "tool_path_stretcher/surface.h"
+
+namespace tool_path_stretcher {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// One round of a search: each pose is improved, then the better ones stay.
+struct Round {
+  static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+
+  std::optional<Density> density;  //!< samples for point to plane; none: point to point
+  std::size_t stride;    //!< of the at most 300 points for point to point every so manieth is used
+  int iterations;        //!< at most; 0: the pose is only rated
+  double hopeless;       //!< times the least bulk cost, above which a pose is dropped
+  double radius;         //!< of the object's size: of two poses nearer to each other one is dropped
+  std::size_t max_kept;  //!< poses that stay, best first; kAll: the radius does not count
+};
+
+// The numbers below are chosen: on the 60 cases that the stretcher was developed on. What they find
+// and how long they take on those and on others is measured by `make bench`.
+
+/// For a scan that shows most of what the reference shows.
+struct WholeRounds {
+  Round guess, near, retry, rough, fine, last;
+};
+
+constexpr WholeRounds whole_rounds(std::size_t max_near, std::size_t max_retried,
+                                   std::size_t max_kept) {
+  constexpr std::nullopt_t kPoints = std::nullopt;
+  return {                                    // samples, stride, iterations, hopeless, radius, kept
+          {kPoints, 1, 4, 3, 0.1, max_near},  // every guess
+          {kPoints, 1, 10, kNever, 0.05, max_retried},     // what is promising of them
+          {Density::kFewest, 1, 5, 3, 0.02, max_retried},  // what was not refined before
+          {Density::kFew, 1, 5, 3, 0, Round::kAll},
+          {Density::kFew, 1, 15, kNever, 0.03, max_kept},
+          {Density::kSome, 1, 30, kNever, 0.01, max_kept}};
+}
+
+constexpr WholeRounds kWholeRounds = whole_rounds(40, 12, 5);
+
+/// For turns of a pose that explains the object already: all that explain it as well are kept, and
+/// a cube has 24. Those that are only half refined yet are among the many.
+constexpr WholeRounds kTurnedRounds = whole_rounds(150, 50, 24);
+
+/// For surfaces of which either may show only a part of what the other shows: there are far more
+/// guesses (about 10,000), and each says less.
+constexpr Round kPartialRounds[] = {
+    // samples, stride, iterations, hopeless, radius, kept
+    {std::nullopt, 12, 0, kNever, 0, 2500},     {std::nullopt, 4, 0, kNever, 0.05, 500},
+    {std::nullopt, 4, 4, kNever, 0.05, 100},    {std::nullopt, 1, 10, kNever, 0.05, 60},
+    {Density::kFewest, 1, 6, kNever, 0.03, 10},  // rated as the rounds before
+    {Density::kFew, 1, 15, kNever, 0.03, 6},     // rated by all samples of both surfaces
+};
+
+}  // namespace tool_path_stretcher

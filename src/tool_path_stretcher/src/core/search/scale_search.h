@@ -1,0 +1,24 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "search/candidates.h"
+
+namespace tool_path_stretcher {
+
+/// Initial scale of the thesis (9.3): the ratio of the deviations along the principal axes, of
+/// points spread evenly.
+double principal_scale(const SurfacePair& surfaces);
+
+/// The thesis' search (9.5), corrected: scales s (1 + range i / steps), i = -steps .. steps, each
+/// with a rigid registration from `start`; most inliers of both directions wins; then once more
+/// between the neighbours of the winner.
+struct ScaleSearch {
+  Similarity best;
+  bool at_bound = false;  //!< the winner was an end of the range
+};
+ScaleSearch search_scale(const SurfacePair& surfaces, const Similarity& start, double scale,
+                         double range, int steps, double inlier_distance,
+                         const AlignmentProgress& progress);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,223 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "alignment/coarse_fit.h"
+#include "alignment/refinement.h"
+#include "search/candidates.h"
+#include "search/guesses.h"
+#include "search/search_engine.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+std::vector<Similarity> poses_of(const std::vector<Candidate>& candidates) {
+  std::vector<Similarity> poses;
+  for (const Candidate& each : candidates)
+    poses.push_back(each.similarity);
+  return poses;
+}
+
+void append(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) {
+  candidates.insert(candidates.end(), more.begin(), more.end());
+}
+
+class WholeSearch {
+ public:
+  WholeSearch(const SurfacePair& surfaces, const Prior& prior)
+      : surfaces_(surfaces),
+        prior_(prior),
+        coarse_(surfaces),
+        engine_(coarse_.reference.queries, surfaces.object.size,
+                [this](const Round& round, Candidate& each) { return improve(round, each); }) {}
+
+  /// Tries more poses coarsely; the distinct ones among all stay.
+  void try_coarsely(const std::vector<Similarity>& guesses) {
+    std::vector<Candidate> tried;
+    for (const Similarity& guess : allowed(guesses))
+      tried.push_back({guess});
+    engine_.run(rounds_.guess, tried);
+    engine_.run(rounds_.near, tried);
+    append(tried, untried_);
+  }
+
+  /// Takes poses that were improved already.
+  void take(const std::vector<Candidate>& candidates) {
+    for (const Candidate& each : candidates)
+      untried_.push_back({each.similarity, each.cost, each.cost});
+  }
+
+  /// Tries the best pose turned within itself, where that is not hopeless from the start. Of a part
+  /// that is explained already all are kept that explain it as well.
+  void try_turned() {
+    constexpr double kHopeless = 5;  // times the cost: even rotations are up to 10 degrees off
+    const Similarity best = candidates_.front().similarity;
+    if (settled()) {
+      rounds_ = kTurnedRounds;
+      refined_.clear();  // only few of those were kept
+    }
+    std::vector<Similarity> promising;
+    const double cost = cost_as_it_is(best);
+    for (const Similarity& turned : turned_in_itself(coarse_.reference.frame, best)) {
+      if (cost_as_it_is(turned) < kHopeless * cost) promising.push_back(turned);
+    }
+    try_coarsely(promising);
+  }
+
+  /// Takes the best pose turned about an axis that it is nearly round about, and the best of those
+  /// that were turned over.
+  void try_turned_to_marks() {
+    const Similarity best = candidates_.front().similarity;
+    std::vector<Similarity> starts = {best};
+    for (const Axis& axis : freest_axes(surfaces_, best)) {
+      const Eigen::Vector3d in_reference = best.rotation.transpose() * axis.along;
+      const auto over =
+          std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& each) {
+            constexpr double kOver = -0.9;  // cosine: turned by more than 154 degrees; chosen
+            return (each.similarity.rotation * in_reference).dot(axis.along) < kOver;
+          });
+      if (over != candidates_.end()) starts.push_back(over->similarity);
+    }
+    for (const Similarity& start : starts) {
+      for (const Similarity& turned : turned_to_marks(surfaces_, start))
+        candidates_.push_back(judged(surfaces_, turned, Density::kSome));
+    }
+  }
+
+  /// Refines what was tried coarsely since the last time and does not lead to a known pose.
+  void refine_tried() {
+    engine_.select(rounds_.near, untried_, {refined_});
+    for (const Candidate& each : untried_)
+      refined_.push_back(each.similarity);
+    engine_.run(rounds_.retry, untried_, {poses_of(candidates_)});
+    engine_.run(rounds_.rough, untried_,
+                {{}, candidates_.empty() ? kNever : candidates_.front().bulk_cost});
+    engine_.improve(rounds_.fine, untried_);
+    append(untried_, candidates_);
+    untried_.clear();
+    engine_.select(rounds_.fine, candidates_);
+  }
+
+  /// Whether the best pose leaves nothing to explain, as it is or slightly deformed: most of the
+  /// object lies on the reference, and most of the reference was found again.
+  bool settled() const {
+    constexpr int kLevel = 2;  // of the deformation graph, of 3; chosen
+    if (candidates_.empty()) return false;
+    const Similarity& best = candidates_.front().similarity;
+    return explains_most({best, {}}) ||
+           explains_most(sketch_deformation(surfaces_, best, prior_.scale, kLevel));
+  }
+
+  void finish() {
+    engine_.select(rounds_.rough, candidates_);  // drops the hopeless
+    engine_.run(rounds_.last, candidates_);
+  }
+
+  const CoarsePair& coarse() const { return coarse_; }
+  const std::vector<Candidate>& candidates() const { return candidates_; }
+
+ private:
+  bool improve(const Round& round, Candidate& each) const {
+    if (!round.density) {
+      each = improve_coarsely(coarse_, each.similarity, prior_.scale.range(), round.iterations);
+      return true;
+    }
+    each =
+        judged(surfaces_,
+               refine(surfaces_, each.similarity, prior_.scale, *round.density, round.iterations),
+               *round.density);
+    return prior_.allows(each.similarity, middle());
+  }
+
+  bool explains_most(const Mapping& mapping) const {
+    constexpr double kReach = 0.4;       // of the object's spacing; chosen
+    constexpr double kExplained = 0.88;  // of the object's points; chosen, as all shares here
+    constexpr double kCovered = 0.8;     // of the reference's points
+    constexpr double kExplainedBesideOthers = 0.75;  // floor and loose points are in the scan, too
+    constexpr double kWhollyCovered = 0.95;
+    const Explanation found = explain(surfaces_, mapping, kReach * surfaces_.object.spacing);
+    const auto reaches = [&found](double explained, double covered) {
+      return found.inlier_ratio > explained && found.overlap > covered;
+    };
+    return reaches(kExplained, kCovered) || reaches(kExplainedBesideOthers, kWhollyCovered);
+  }
+
+  double cost_as_it_is(const Similarity& similarity) const {
+    return improve_coarsely(coarse_, similarity, prior_.scale.range(), 0).cost;
+  }
+
+  /// The guesses that may lead to a pose that the prior allows.
+  std::vector<Similarity> allowed(const std::vector<Similarity>& guesses) const {
+    constexpr double kAngle = 0.5;     // [rad] that the search may turn a guess; chosen
+    constexpr double kDistance = 0.5;  // of the object's size that it may move one; chosen
+    const Prior wide = prior_.widened(kAngle, kDistance * surfaces_.object.size);
+    std::vector<Similarity> result;
+    for (const Similarity& guess : guesses) {
+      const Similarity sized = clamped(guess, prior_.scale.range(), middle());
+      if (wide.allows(sized, middle())) result.push_back(sized);
+    }
+    return result;
+  }
+
+  const Eigen::Vector3d& middle() const { return coarse_.reference.frame.centroid; }
+
+  const SurfacePair surfaces_;
+  const Prior& prior_;
+  const CoarsePair coarse_;
+  SearchEngine engine_;
+  WholeRounds rounds_ = kWholeRounds;
+  std::vector<Candidate> untried_;
+  std::vector<Similarity> refined_;  // as they were before
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+std::vector<Candidate> find_candidates(const SurfacePair& surfaces, const Prior& prior,
+                                       PartialSearch& partial, const AlignmentProgress& progress) {
+  WholeSearch search(surfaces, prior);
+  if (prior.pose) {
+    search.try_coarsely(guesses_about(prior, search.coarse()));
+    search.refine_tried();
+  }
+  if (!search.settled()) {
+    search.try_coarsely(principal_guesses(search.coarse()));
+    search.refine_tried();
+  }
+  progress(0.3);
+  if (!search.settled()) {
+    search.take(partial.fits());
+    progress(0.5);
+    if (!partial.is_certain()) search.try_coarsely(even_guesses(search.coarse()));
+    search.refine_tried();
+  }
+  progress(0.7);
+  if (search.candidates().empty()) return {};
+  search.try_turned();
+  search.refine_tried();
+  progress(0.85);
+  search.try_turned_to_marks();
+  search.finish();
+  progress(1);
+  return search.candidates();
+}
+
+std::vector<Candidate> find_candidates(const SurfacePair& surfaces, const Prior& prior,
+                                       const AlignmentProgress& progress) {
+  PartialSearch partial(surfaces, prior);
+  return find_candidates(surfaces, prior, partial, progress);
+}
+
+std::vector<Candidate> find_near_candidates(const SurfacePair& surfaces, const ScalePrior& scale) {
+  const Prior prior{scale, {}};
+  WholeSearch search(surfaces, prior);
+  search.try_coarsely(principal_guesses(search.coarse()));
+  search.refine_tried();
+  if (search.candidates().empty()) return {};
+  search.try_turned();
+  search.refine_tried();
+  search.finish();
+  return search.candidates();
+}
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,145 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verdict/placement_checks.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace tool_path_stretcher {
+namespace {
+
+/// Whether the mapping crushes space to nothing at a point of the reference, or turns it inside
+/// out.
+bool turned_over(const Mapping& mapping, const Eigen::Vector3d& at) {
+  constexpr double kMinVolume = 0.1;  // of what it was; chosen
+  if (mapping.graph.empty()) return false;
+  const Eigen::Matrix3d local = Eigen::Matrix3d::Identity() + mapping.graph.jacobian(at);
+  return local.determinant() < kMinVolume;
+}
+
+/// The waypoints of all segments at which the adapted path runs back, or lies where the surface is
+/// turned over.
+/// @param step [m, reference] shorter ways are not looked at
+std::vector<std::size_t> folded_waypoints(const ToolPath& path, const ToolPath& adapted,
+                                          const Mapping& mapping, double step) {
+  std::vector<std::size_t> folded;
+  std::size_t first = 0;
+  for (std::size_t s = 0; s < path.segments.size(); ++s) {
+    const std::vector<Waypoint>& from = path.segments[s].waypoints;
+    const std::vector<Waypoint>& to = adapted.segments[s].waypoints;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Eigen::Vector3d at = from[i].pose.translation();
+      const Eigen::Vector3d way = at - from[last].pose.translation();
+      const Eigen::Vector3d went = to[i].pose.translation() - to[last].pose.translation();
+      const bool far_enough = way.norm() >= step;
+      const bool back = far_enough && (mapping.similarity.rotation * way).dot(went) < 0;
+      if (back || turned_over(mapping, at)) folded.push_back(first + i);
+      if (far_enough) last = i;
+    }
+    first += from.size();
+  }
+  return folded;
+}
+
+/// The waypoints where a value is greater than `most`, and the greatest. NaN is not known, and not
+/// bad.
+struct Found {
+  template <class Value>
+  Found(const std::vector<WaypointQuality>& quality, double most, const Value& value)
+      : all(quality.size()) {
+    for (std::size_t i = 0; i < quality.size(); ++i) {
+      const double at = value(quality[i]);
+      if (!(at > most)) continue;
+      waypoints.push_back(i);
+      worst = std::max(worst, at);
+    }
+  }
+
+  /// @param text how they are bad, with {} for the worst [mm]
+  void refuse_if_any(Reason reason, const std::string& thing, const std::string& text,
+                     const std::string& cure) const {
+    if (waypoints.empty()) return;
+    refuse(reason, thing,
+           fmt::format("{} of {} waypoints ", waypoints.size(), all) +
+               fmt::format(fmt::runtime(text), worst * 1e3),
+           cure, waypoints);
+  }
+
+  std::size_t all;
+  std::vector<std::size_t> waypoints;
+  double worst = 0;
+};
+
+/// [m] to the scanned surface, or three deviations of that where those are more.
+double gap_of(const WaypointQuality& quality) {
+  constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
+  const double uncertain =
+      kDeviations * quality.residual / std::sqrt(std::max<double>(quality.support, 1));
+  return std::isnan(quality.gap) ? uncertain : std::max(quality.gap, uncertain);
+}
+
+}  // namespace
+
+void check_fold_over(const ToolPath& path, const ToolPath& adapted, const SurfacePair& surfaces,
+                     const Mapping& mapping) {
+  const char* cure = "check the part and its scan, or lower deformation_level";
+  const std::vector<std::size_t> folded =
+      folded_waypoints(path, adapted, mapping, surfaces.object.spacing / mapping.similarity.scale);
+  if (!folded.empty()) {
+    refuse(Reason::kFoldOver, "adapted path",
+           fmt::format("{} of {} waypoints run back where the path runs on, or lie where the "
+                       "surface is turned over",
+                       folded.size(), waypoint_count(path)),
+           cure, folded);
+  }
+  std::size_t turned = 0;
+  for (const std::size_t i : surfaces.reference.samples.few)
+    turned += turned_over(mapping, surfaces.reference.points[i]);
+  if (turned == 0) return;
+  refuse(Reason::kFoldOver, "deformation",
+         fmt::format("it turns the surface over at {} of {} points", turned,
+                     surfaces.reference.samples.few.size()),
+         cure);
+}
+
+double max_stranger(const StretchParameters& parameters, double spacing) {
+  return std::max(parameters.max_stranger, spacing);
+}
+
+void check_placement(const std::vector<WaypointQuality>& quality, double spacing,
+                     const StretchParameters& parameters) {
+  constexpr double kHole = 1.5;       // spacings: a sparse scan is not a hole; chosen
+  constexpr double kTolerance = 0.2;  // spacings; chosen
+  constexpr double kLoose = 2;        // points: outliers of the scan; chosen
+  const double max_hole = std::max(parameters.max_hole_distance, kHole * spacing);
+  const double tolerance = std::max(parameters.tolerance, kTolerance * spacing);
+  Found(quality, max_hole, [](const WaypointQuality& q) { return q.measured ? 0 : q.hole; })
+      .refuse_if_any(Reason::kPathNotScanned, "object",
+                     "lie where it was not scanned, up to {:.4g} mm from the scan",
+                     fmt::format("scan there, or raise max_hole_distance ({:.4g} mm)",
+                                 parameters.max_hole_distance * 1e3));
+  Found(quality, tolerance, gap_of)
+      .refuse_if_any(
+          Reason::kToleranceExceeded, "adapted path",
+          "are up to {:.4g} mm from the scanned surface",
+          fmt::format("use the general method, or raise tolerance ({:.4g} mm)", tolerance * 1e3));
+  Found(quality, kLoose, [](const WaypointQuality& q) { return static_cast<double>(q.strangers); })
+      .refuse_if_any(
+          Reason::kWrongPart, "object",
+          fmt::format("pass by a surface that is not on the reference, more than {:.4g} mm off it",
+                      max_stranger(parameters, spacing) * 1e3),
+          "check that it is the part of the reference and that nothing lies on it, or raise "
+          "max_stranger");
+  Found(quality, parameters.max_displacement,
+        [](const WaypointQuality& q) { return q.displacement; })
+      .refuse_if_any(Reason::kToleranceExceeded, "adapted path",
+                     "were moved by up to {:.4g} mm from where the similarity puts them",
+                     fmt::format("check the part, or raise max_displacement ({:.4g} mm)",
+                                 parameters.max_displacement * 1e3));
+}
+
+}  // namespace tool_path_stretcher

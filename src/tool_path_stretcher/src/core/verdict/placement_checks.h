@@ -1,0 +1,29 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "tool_path_stretcher/waypoint_quality.h"
+#include "verdict/checks.h"
+
+namespace tool_path_stretcher {
+
+// Reasons to refuse a path that was placed. All throw Refusal.
+
+/// FOLD_OVER: the mapping turns the surface over, or the adapted path runs back where the path runs
+/// on
+/// @param adapted the path as it was placed
+void check_fold_over(const ToolPath& path, const ToolPath& adapted, const SurfacePair& surfaces,
+                     const Mapping& mapping);
+
+/// [m, object] that a scanned point may be off the reference: sparser surfaces cannot show less.
+double max_stranger(const StretchParameters& parameters, double spacing);
+
+/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART. Where the surfaces are sparser than the
+/// parameters ask for, as much is allowed as they can show.
+/// @param spacing [m, object] of the reference's points and of the object's, summed
+void check_placement(const std::vector<WaypointQuality>& quality, double spacing,
+                     const StretchParameters& parameters);
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/StretchToolPathGoal.h>
+#include <scan_cell_msgs/StretchToolPathResult.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "report.h"
+
+namespace tool_path_stretcher {
+
+/// The node's parameters with what the goal gives.
+/// @throw scan_cell_common::InvalidParameter naming what makes no sense
+StretchParameters with_goal(const StretchParameters& parameters,
+                            const scan_cell_msgs::StretchToolPathGoal& goal);
+
+/// Green lines between corresponding waypoints of two paths of the same shape.
+visualization_msgs::MarkerArray correspondence_markers(const ToolPath& from, const ToolPath& to,
+                                                       const std_msgs::Header& header);
+
+/// @param header of the object's cloud
+scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,
+                                                 const std_msgs::Header& header,
+                                                 const RunRecord& record = {});
+
+}  // namespace tool_path_stretcher
