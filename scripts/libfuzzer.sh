@@ -12,7 +12,7 @@ driver=src/c4g_driver
 simulator=src/scan_cell_sim
 cell=src/scan_cell
 shopt -s globstar
-sources=($common/src/core/{clouds,clock,errors,files,net,pose,tools}/*.cpp $common/src/fuzzing/{fuzzing,fuzz_main}.cpp)
+sources=($common/src/core/{clouds,clock,errors,files,net,pose,tools}/*.cpp $common/src/testing/{fuzzing,fuzz_main}.cpp)
 case $reader in
   ply | ply_mesh | pcd | point_table | depth_profiles | stl | obj) program=$common/test/clouds/fuzz_cloud_files.cpp
     sources+=($common/test/clouds/cloud_file_targets.cpp) ;;

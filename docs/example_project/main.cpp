@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// Adapts a tool path to a scanned object and prints the verdict, as a program of your own would.
-#include <scan_cell_common/errors.h>
+#include <scan_cell_common/errors/errors.h>
 #include <tool_path_stretcher/stretcher.h>
 #include <tool_path_stretcher/surface.h>
 #include <tool_path_stretcher/tool_path_files.h>

@@ -4,7 +4,7 @@
 
 #include "clean_cloud_tool.h"
 #include "cloud_preprocess/clean.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
 #include "scene.h"
 
 namespace fs = std::filesystem;

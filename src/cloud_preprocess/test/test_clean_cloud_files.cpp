@@ -3,7 +3,7 @@
 #include <pcl/common/common.h>
 
 #include "clean_cloud_tool.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace fs = std::filesystem;
 using cloud_preprocess::CleanCloudTool;

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "cloud_preprocess/floor_removal.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scene.h"
 
 using cloud_preprocess::Cloud;

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "cloud_preprocess/grid_reduction.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using cloud_preprocess::Cloud;
 using cloud_preprocess::GridParameters;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <scan_cell_common/errors.h>
+#include <scan_cell_common/errors/errors.h>
 #include <scan_cell_common/ros/cloud_messages.h>
 #include <scan_cell_msgs/PreprocessReport.h>
 #include <unistd.h>

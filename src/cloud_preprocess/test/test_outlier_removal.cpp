@@ -4,7 +4,7 @@
 #include <pcl/filters/statistical_outlier_removal.h>
 
 #include "cloud_preprocess/outlier_removal.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scene.h"
 
 using cloud_preprocess::Cloud;

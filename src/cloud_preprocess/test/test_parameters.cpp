@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cloud_preprocess/clean.h"
-#include "scan_cell_common/parameter_test.h"
+#include "scan_cell_common/testing/parameter_test.h"
 
 using cloud_preprocess::CleanParameters;
 

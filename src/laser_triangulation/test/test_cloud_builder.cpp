@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cloud_builder.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using laser_triangulation::CloudBuilder;
 using scan_cell_common::Refused;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "parameters.h"
-#include "scan_cell_common/parameter_test.h"
+#include "scan_cell_common/testing/parameter_test.h"
 
 using laser_triangulation::Parameters;
 

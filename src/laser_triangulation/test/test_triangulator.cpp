@@ -12,7 +12,7 @@
 
 #include "cloud_file.h"
 #include "laser_triangulation/triangulator.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using namespace laser_triangulation;  // NOLINT
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "laser_trigger/trigger_port.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 #include "scan_cell_common/net/udp_socket.h"
 
 namespace laser_trigger {

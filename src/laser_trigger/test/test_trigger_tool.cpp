@@ -10,8 +10,8 @@
 #include <regex>
 #include <sstream>
 
-#include "scan_cell_common/child_process.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/testing/child_process.h"
 #include "test_circuit.h"
 
 using namespace laser_trigger;  // NOLINT
@@ -26,16 +26,22 @@ struct Outcome {
   std::string said;  //!< on both outputs
 };
 
-/// A program whose outputs are read.
+/// A program whose outputs are read; killed where a test leaves it running.
 class Command {
  public:
+  // The shell becomes the program, so that its number comes before all that the program says.
   explicit Command(const std::string& words)
-      : pipe_(popen(("{ " + words + "; } 2>&1").c_str(), "r")) {}
+      : pipe_(popen(("echo $$; exec " + words + " 2>&1").c_str(), "r")),
+        process_(std::stoi(line())) {}
   ~Command() {
-    if (pipe_ != nullptr) pclose(pipe_);
+    if (pipe_ == nullptr) return;
+    kill(process_, SIGKILL);
+    pclose(pipe_);
   }
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
+
+  int process() const { return process_; }
 
   std::string line() {
     std::string text;
@@ -55,6 +61,7 @@ class Command {
 
  private:
   FILE* pipe_;
+  int process_;
 };
 
 class TriggerTool : public testing::Test {
@@ -137,10 +144,9 @@ TEST_F(TriggerTool, LasersGoOffAtEachSignal) {
 }
 
 TEST_F(TriggerTool, SaysThatASignalEndedIt) {
-  Command tool("exec " + command("laser 0 --seconds 300") + " & echo $!; wait $!");
-  const int process = std::stoi(tool.line());
+  Command tool(command("laser 0 --seconds 300"));
   ASSERT_TRUE(becomes(kLaser0));
-  kill(process, SIGTERM);
+  kill(tool.process(), SIGTERM);
   const Outcome result = tool.end();
   EXPECT_EQ(result.code, kRefused);
   EXPECT_NE(result.said.find("stopped by a signal"), std::string::npos) << result.said;
@@ -204,8 +210,7 @@ TEST_F(TriggerTool, RefusesWhatMakesNoSenseAndSwitchesNothingOn) {
 TEST_F(TriggerTool, PrintsWhatTheLinesDoAsItHappens) {
   const std::string port = std::to_string(circuit_.address().port);
   circuit_.stop();
-  Command watch("exec " + command("watch") + " & echo $!; wait $!");
-  const int process = std::stoi(watch.line());
+  Command watch(command("watch"));
   EXPECT_EQ(watch.line(),
             "listening on 127.0.0.1:" + port + " as the trigger circuit; Ctrl-C ends it");
   const auto before = scan_cell_common::host_now();
@@ -219,7 +224,7 @@ TEST_F(TriggerTool, PrintsWhatTheLinesDoAsItHappens) {
     EXPECT_GE(time, 1e-9L * static_cast<long double>(before) - 1e-6L);
     EXPECT_LE(time, 1e-9L * static_cast<long double>(after) + 1e-6L);
   }
-  kill(process, SIGINT);
+  kill(watch.process(), SIGINT);
   const Outcome result = watch.end();
   EXPECT_EQ(result.code, 0) << result.said;
   EXPECT_EQ(result.said, "2 pulses\n");

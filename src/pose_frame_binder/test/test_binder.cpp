@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "accounts.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using namespace pose_frame_binder;  // NOLINT
 

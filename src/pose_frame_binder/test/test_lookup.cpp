@@ -11,7 +11,7 @@
 
 #include "lookup_server.h"
 #include "poses/pose_table.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using namespace pose_frame_binder;  // NOLINT
 

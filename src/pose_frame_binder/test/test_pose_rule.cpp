@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "poses/pose_rule.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "synthetic_scan.h"
 
 using namespace pose_frame_binder;  // NOLINT

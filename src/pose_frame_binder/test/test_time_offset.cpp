@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "time_offset/time_offset.h"
 
 using namespace pose_frame_binder;  // NOLINT

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "calibrated_frames_parameters.h"
-#include "scan_cell_common/parameter_test.h"
+#include "scan_cell_common/testing/parameter_test.h"
 
 TEST(CalibratedFramesParameters, AreAllInTheDocument) {
   scan_cell_common::expect_documented<scan_calibration::CalibratedFramesParameters>(

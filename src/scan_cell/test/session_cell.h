@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "sequence/session_sequence.h"
 
 using scan_cell::Motion;

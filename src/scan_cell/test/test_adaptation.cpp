@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "client/adaptation.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
 

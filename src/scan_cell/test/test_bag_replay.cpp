@@ -12,7 +12,7 @@
 #include <iterator>
 
 #include "client/bag_replay.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
 

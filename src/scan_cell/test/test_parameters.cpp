@@ -4,7 +4,7 @@
 
 #include "devices/parameters.h"
 #include "replay_parameters.h"
-#include "scan_cell_common/parameter_test.h"
+#include "scan_cell_common/testing/parameter_test.h"
 #include "videe/videe_parameters.h"
 
 using scan_cell_common::expect_documented;

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "scan_cell/scan_program.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "scan_cell/scan_request.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using scan_cell::ScanRequest;
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "sequence/scan_sequence.h"
 
 using scan_cell::Motion;

@@ -7,6 +7,8 @@ macro(scan_cell_package)
   set(CMAKE_CXX_STANDARD 17)
   set(CMAKE_CXX_STANDARD_REQUIRED ON)
   set(CMAKE_CXX_EXTENSIONS OFF)
+  # A library whose source changed is not linked again into all that use it.
+  set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
   add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
   scan_cell_precompile(${ARGN})
 endmacro()

@@ -15,7 +15,7 @@
 #include <regex>
 #include <set>
 
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
 
 namespace fs = std::filesystem;
 

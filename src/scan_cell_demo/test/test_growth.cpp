@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "trials/growth.h"
 
 using scan_cell_demo::growth;

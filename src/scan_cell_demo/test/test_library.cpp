@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <regex>
 
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/files/files.h"
 #include "scan_cell_sim/ground_truth.h"
 #include "scan_cell_sim/tool_paths.h"
 #include "scan_cell_sim/world.h"

@@ -13,7 +13,7 @@
 #include <fstream>
 
 #include "recorded_scan.h"
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_demo/comparison.h"
 #include "scan_cell_sim/ground_truth.h"
 #include "tool_path_stretcher/tool_path_files.h"

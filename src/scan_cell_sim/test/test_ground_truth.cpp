@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "part/moulding.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/ground_truth.h"
 #include "scan_cell_sim/tool_paths.h"
 #include "test_worlds.h"

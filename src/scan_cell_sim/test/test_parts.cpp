@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "part/moulding.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/scene.h"
 #include "test_worlds.h"
 

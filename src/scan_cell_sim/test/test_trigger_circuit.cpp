@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "camera/loopback.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/trigger_circuit.h"
 
 namespace scan_cell_sim {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/scene.h"
 #include "test_worlds.h"
 

@@ -4,7 +4,7 @@
 #include <tecnogamma_camera/CameraConfig.h>
 
 #include "parameters.h"
-#include "scan_cell_common/parameter_test.h"
+#include "scan_cell_common/testing/parameter_test.h"
 
 using scan_cell_common::Parameter;
 using tecnogamma_camera::CameraConfig;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "scan_cell_common/parameter_test.h"
+#include "scan_cell_common/testing/parameter_test.h"
 #include "tool_path_stretcher/stretch_parameters.h"
 
 TEST(StretchParameters, AreAllInTheDocument) {

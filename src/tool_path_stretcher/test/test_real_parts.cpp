@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/stretcher.h"
 #include "tool_path_stretcher/tool_path_files.h"

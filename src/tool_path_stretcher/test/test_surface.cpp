@@ -8,8 +8,8 @@
 #include <random>
 
 #include "geometry/points.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/surface.h"
 

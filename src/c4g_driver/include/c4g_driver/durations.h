@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace c4g_driver {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "c4g_driver/durations.h"
-#include "scan_cell_common/clock_map.h"
+#include "scan_cell_common/clock/clock_map.h"
 
 namespace c4g_driver {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace c4g_driver {
 

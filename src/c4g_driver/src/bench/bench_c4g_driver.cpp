@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "delay_runs.h"
-#include "scan_cell_common/child_process.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/testing/child_process.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 using namespace c4g_driver;  // NOLINT
 using scan_cell_common::ChildProcess;

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "wire_trials.h"
 
 namespace {

@@ -14,10 +14,10 @@
 
 #include "driver_node.h"
 #include "messages.h"
-#include "scan_cell_common/child_process.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/testing/child_process.h"
 #include "wire/allocations.h"
 #include "wire/codec.h"
 #include "wire/peer_socket.h"

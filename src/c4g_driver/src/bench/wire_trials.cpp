@@ -9,7 +9,7 @@
 #include <random>
 #include <thread>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace c4g_driver {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "messages.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/service_answer.h"
 
 namespace c4g_driver {

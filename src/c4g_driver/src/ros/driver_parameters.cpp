@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <ros/package.h>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 #include "scan_cell_common/ros/load_parameters.h"
 
 namespace c4g_driver {

@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "c4g_commands.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/interrupts.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/tools/interrupts.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 namespace {
 

@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/tools/interrupts.h"
 
 namespace c4g_driver {
 namespace {

@@ -13,7 +13,7 @@
 #include "c4g_driver/client.h"
 #include "link/fake_controller.h"
 #include "robot/smart5_six.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 
 /// The client against a scripted controller on real sockets.
 namespace c4g_driver {

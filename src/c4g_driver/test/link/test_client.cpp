@@ -9,7 +9,7 @@
 
 #include "link/client_test.h"
 #include "robot/inverse_kinematics.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "wire/wire_units.h"
 
 using namespace c4g_driver;  // NOLINT

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "link/client_test.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "wire/peer_socket.h"
 
 using namespace c4g_driver;  // NOLINT

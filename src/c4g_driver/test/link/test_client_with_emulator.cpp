@@ -12,7 +12,7 @@
 #include "c4g_driver/client.h"
 #include "robot/closed_form.h"
 #include "robot/smart5_six.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/controller/controller.h"
 
 using c4g_driver::Client;

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "link/client_test.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using namespace c4g_driver;  // NOLINT
 using nlohmann::json;

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "link/client_test.h"
-#include "scan_cell_common/child_process.h"
+#include "scan_cell_common/testing/child_process.h"
 #include "scan_cell_sim/controller/controller.h"
 
 using nlohmann::json;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "node/driver_node_test.h"
-#include "scan_cell_common/child_process.h"
+#include "scan_cell_common/testing/child_process.h"
 
 using namespace driver_node_test;  // NOLINT
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "c4g_driver/robot_model.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
 
 /// The robot of the package's URDF.
 inline const c4g_driver::RobotModel& smart5_six() {

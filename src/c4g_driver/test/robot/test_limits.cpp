@@ -7,7 +7,7 @@
 
 #include "c4g_driver/limits.h"
 #include "robot/smart5_six.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using c4g_driver::RobotLimits;
 using scan_cell_common::Refused;

@@ -8,7 +8,7 @@
 #include "robot/inverse_kinematics.h"
 #include "robot/motion_check.h"
 #include "robot/smart5_six.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using c4g_driver::Joints;
 using c4g_driver::MotionCheck;

@@ -7,9 +7,9 @@
 
 #include "robot/motion_check.h"
 #include "robot/smart5_six.h"
-#include "scan_cell_common/csv_reader.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/csv_reader.h"
+#include "scan_cell_common/files/files.h"
 #include "scan_cell_sim/controller/controller.h"
 #include "scan_cell_sim/controller/path.h"
 

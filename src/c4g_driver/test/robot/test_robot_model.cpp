@@ -7,7 +7,7 @@
 #include "robot/closed_form.h"
 #include "robot/inverse_kinematics.h"
 #include "robot/smart5_six.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using c4g_driver::Joints;
 using c4g_driver::RobotModel;

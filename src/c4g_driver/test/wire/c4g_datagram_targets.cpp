@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/controller/offline_controller.h"
 #include "wire/codec.h"
 #include "wire/seal.h"

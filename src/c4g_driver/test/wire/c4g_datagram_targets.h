@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scan_cell_common/fuzzing.h"
+#include "scan_cell_common/testing/fuzzing.h"
 
 /// Who reads C4G datagrams, the driver and the emulated controller, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> c4g_datagram_targets();

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "wire/peer_socket.h"
 
 using c4g_driver::PeerSocket;

@@ -10,8 +10,8 @@
 #include "robot/closed_form.h"
 #include "robot/motion_check.h"
 #include "robot/smart5_six.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 #include "scan_cell_sim/controller/path.h"
 #include "wire/wire_units.h"
 

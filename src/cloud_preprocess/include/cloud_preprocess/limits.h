@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 
 namespace scan_cell_common {
 class ParameterTable;

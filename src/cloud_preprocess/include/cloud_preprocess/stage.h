@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 
 namespace cloud_preprocess {
 

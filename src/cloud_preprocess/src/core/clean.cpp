@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "scan_cell_common/parameter_table.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {

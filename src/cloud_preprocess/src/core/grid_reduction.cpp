@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "geometry/grid_cells.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace cloud_preprocess {
 

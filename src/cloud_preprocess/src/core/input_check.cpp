@@ -9,8 +9,8 @@
 #include <random>
 
 #include "geometry/kd_tree.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace cloud_preprocess {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "geometry/clusters.h"
 #include "geometry/grid_cells.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {

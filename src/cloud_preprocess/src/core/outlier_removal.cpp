@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/kd_tree.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 #include <pcl_ros/transforms.h>
-#include <scan_cell_common/errors.h>
+#include <scan_cell_common/errors/errors.h>
 #include <scan_cell_common/ros/cloud_messages.h>
 #include <scan_cell_msgs/PreprocessReport.h>
 

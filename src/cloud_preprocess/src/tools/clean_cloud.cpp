@@ -8,12 +8,12 @@
 
 #include "cloud_preprocess/clean.h"
 #include "input_check.h"
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/parameter_table.h"
-#include "scan_cell_common/text.h"
-#include "scan_cell_common/tool_main.h"
-#include "scan_cell_common/units.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/parameters/parameter_table.h"
+#include "scan_cell_common/pose/units.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 using cloud_preprocess::CleanParameters;
 using cloud_preprocess::Cloud;

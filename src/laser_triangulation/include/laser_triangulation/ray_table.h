@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace laser_triangulation {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "laser_triangulation/ray_table.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_cell_common {
 class ParameterTable;
@@ -24,8 +24,8 @@ struct ScanPoint {
   float intensity = 0;     //!< [grey value] height of the peak
   std::uint8_t laser = 0;  //!< 0: laser_0, 1: laser_1
   /// Zero, so that the same scan gives the same bytes.
-  std::uint8_t padding[3] = {0, 0, 0};  // zero, so that the same scan gives the same bytes
-  float width = 0;                      //!< [px] of the stripe
+  std::uint8_t padding[3] = {0, 0, 0};
+  float width = 0;  //!< [px] of the stripe
 };
 static_assert(sizeof(ScanPoint) == 24);
 

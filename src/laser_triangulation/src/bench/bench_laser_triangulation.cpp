@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "laser_triangulation/triangulator.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 using namespace laser_triangulation;  // NOLINT
 

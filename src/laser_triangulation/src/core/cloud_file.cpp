@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
 
 namespace laser_triangulation {
 

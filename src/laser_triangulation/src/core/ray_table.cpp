@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace laser_triangulation {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace laser_triangulation {

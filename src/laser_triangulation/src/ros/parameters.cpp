@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace laser_triangulation {
 

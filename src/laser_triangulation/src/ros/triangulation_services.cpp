@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "cloud_file.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace laser_triangulation {
 

@@ -8,11 +8,11 @@
 
 #include "cloud_builder.h"
 #include "cloud_file.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_options.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/bag_errors.h"
-#include "scan_cell_common/tool_main.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 namespace {
 

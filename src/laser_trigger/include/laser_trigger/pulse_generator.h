@@ -12,7 +12,7 @@
 
 #include "laser_trigger/guardian.h"
 #include "laser_trigger/trigger_port.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace laser_trigger {
 

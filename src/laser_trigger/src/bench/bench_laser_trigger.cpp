@@ -18,8 +18,8 @@
 #include "distribution.h"
 #include "edge_listener.h"
 #include "laser_trigger/pulse_generator.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 using namespace laser_trigger;  // NOLINT
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "loopback_circuit.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace laser_trigger {
 

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 
 namespace laser_trigger {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "loopback_port.h"
 #include "parallel_port.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace laser_trigger {
 namespace {

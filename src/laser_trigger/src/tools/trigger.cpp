@@ -4,9 +4,9 @@
 /// The trigger circuit from the command line: no ROS master is needed.
 #include <CLI/CLI.hpp>
 
-#include "scan_cell_common/interrupts.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/tools/interrupts.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "trigger_orders.h"
 
 namespace {

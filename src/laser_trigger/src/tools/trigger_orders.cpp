@@ -9,7 +9,7 @@
 #include <cstdio>
 
 #include "loopback_circuit.h"
-#include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/tools/interrupts.h"
 
 namespace laser_trigger {
 namespace {

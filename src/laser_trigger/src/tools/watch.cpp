@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "loopback_circuit.h"
-#include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/tools/interrupts.h"
 #include "trigger_orders.h"
 
 namespace laser_trigger {

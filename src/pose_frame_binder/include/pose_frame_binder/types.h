@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace scan_cell_common {
 class ParameterTable;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace pose_frame_binder {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "profile_feeder.h"
-#include "scan_cell_common/child_process.h"
+#include "scan_cell_common/testing/child_process.h"
 
 namespace pose_frame_binder {
 

@@ -12,7 +12,7 @@
 
 #include "faulty_scan.h"
 #include "pose_frame_binder/binder.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 using namespace pose_frame_binder;  // NOLINT
 

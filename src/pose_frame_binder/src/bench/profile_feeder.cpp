@@ -10,7 +10,7 @@
 #include <boost/make_shared.hpp>
 #include <cmath>
 
-#include "scan_cell_common/child_process.h"
+#include "scan_cell_common/testing/child_process.h"
 
 namespace pose_frame_binder {
 namespace {

@@ -5,7 +5,7 @@
 #include <scan_cell_msgs/StartScan.h>
 #include <unistd.h>
 
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace pose_frame_binder {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/child_process.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/testing/child_process.h"
 
 namespace pose_frame_binder {
 

@@ -14,8 +14,8 @@
 #include "matching/pulse_log.h"
 #include "poses/pose_log.h"
 #include "poses/pose_rule.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace pose_frame_binder {
 

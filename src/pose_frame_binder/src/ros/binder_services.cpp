@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/service_answer.h"
 
 namespace pose_frame_binder {

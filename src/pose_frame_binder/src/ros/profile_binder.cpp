@@ -9,8 +9,8 @@
 #include <limits>
 #include <sstream>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace pose_frame_binder {

@@ -4,7 +4,7 @@
 
 #include <tf2/exceptions.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace pose_frame_binder {

@@ -9,12 +9,12 @@
 #include <iostream>
 
 #include "bag_scan.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/parameter_options.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/parameters/parameter_options.h"
 #include "scan_cell_common/ros/bag_errors.h"
 #include "scan_cell_common/ros/conversions.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include "bag_scan.h"
 #include "laser_triangulation/triangulator.h"
 #include "poses/pose_log.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "time_offset/time_offset.h"
 
 namespace {

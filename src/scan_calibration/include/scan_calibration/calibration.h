@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "scan_calibration/observations.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_calibration {
 

@@ -11,7 +11,7 @@
 #include "estimate/truth_comparison.h"
 #include "laser_triangulation/triangulator.h"
 #include "scan_calibration/calibration.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "sequential.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <opencv2/core.hpp>
 
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "session_figures.h"
 
 int main(int argc, char** argv) {

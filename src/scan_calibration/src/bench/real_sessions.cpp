@@ -10,7 +10,7 @@
 #include "camera_calibration.h"
 #include "images/board_detection.h"
 #include "scan_calibration/calibration_run.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "session_figures.h"
 #include "tecnogamma_camera/grey_image_file.h"
 

@@ -9,8 +9,8 @@
 #include "quality/advice.h"
 #include "quality/figures.h"
 #include "scan_calibration/calibration.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 namespace scan_calibration {
 namespace {

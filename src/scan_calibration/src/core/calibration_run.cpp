@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "scan_calibration/calibration.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "sequential.h"
 
 namespace scan_calibration {

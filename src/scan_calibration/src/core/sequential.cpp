@@ -10,7 +10,7 @@
 #include "estimate/laser_start.h"
 #include "geometry/opencv.h"
 #include "quality/figures.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

@@ -9,9 +9,9 @@
 #include <opencv2/core.hpp>
 
 #include "scan_calibration/calibration_files.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 namespace {
 

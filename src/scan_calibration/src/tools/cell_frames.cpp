@@ -7,9 +7,9 @@
 #include <cstdio>
 
 #include "scan_calibration/taught_poses.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "teaching/cell_file.h"
 #include "teaching/tool_tip.h"
 #include "teaching/world_frame.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scan_calibration/session.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 /// Images of a checkerboard on a plate above a table, through a known camera: the truth that the
 /// readers of images are judged by. Nothing of it uses what it judges, save the lens model.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scan_calibration/observations.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 /// Sessions with known truth, made with OpenCV's projection and closed-form cuts of planes.
 namespace synthetic {

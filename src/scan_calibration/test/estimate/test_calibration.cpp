@@ -9,7 +9,7 @@
 #include "estimate/example_sessions.h"
 #include "laser_triangulation/triangulator.h"
 #include "scan_calibration/calibration.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "sequential.h"
 
 using Eigen::Isometry3d;

@@ -6,7 +6,7 @@
 
 #include "estimate/example_sessions.h"
 #include "scan_calibration/calibration.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "sequential.h"
 
 using Eigen::Vector3d;

@@ -7,7 +7,7 @@
 
 #include "estimate/synthetic_session.h"
 #include "scan_calibration/calibration.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;

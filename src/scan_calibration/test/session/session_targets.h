@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scan_cell_common/fuzzing.h"
+#include "scan_cell_common/testing/fuzzing.h"
 
 /// The readers of sessions, taught poses and peaks, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> session_targets();

@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "scan_calibration/observations.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "session/rendered_session.h"
 #include "tecnogamma_camera/grey_image_file.h"
 #include "tecnogamma_camera/peak_detector.h"

@@ -8,7 +8,7 @@
 
 #include "scan_calibration/session.h"
 #include "scan_calibration/session_recorder.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
 using namespace scan_calibration;

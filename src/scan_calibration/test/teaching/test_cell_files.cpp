@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "scan_calibration/taught_poses.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "teaching/cell_file.h"
 
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "teaching/tool_tip.h"
 
 using Eigen::AngleAxisd;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "teaching/world_frame.h"
 
 using Eigen::Vector3d;

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scan_calibration/calibration_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
 using namespace scan_calibration;

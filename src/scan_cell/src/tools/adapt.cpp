@@ -7,7 +7,7 @@
 
 #include "client/adaptation.h"
 #include "scan_cell/progress_bar.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/node_main.h"
 
 namespace {

@@ -9,7 +9,7 @@
 
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/node_main.h"
 
 namespace {

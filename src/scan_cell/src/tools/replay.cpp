@@ -10,7 +10,7 @@
 #include "devices/ros_stages.h"
 #include "replay_parameters.h"
 #include "scan_cell/progress_bar.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "client/adaptation.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace scan_cell {
 

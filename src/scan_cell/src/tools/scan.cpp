@@ -8,11 +8,11 @@
 #include "client/clean_cloud_watch.h"
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/node_main.h"
-#include "scan_cell_common/units.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 
 #include "node/scan_client.h"
 #include "scan_cell/ros/cell_client.h"
-#include "scan_cell_common/child_process.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/testing/child_process.h"
 
 namespace fs = std::filesystem;
 

@@ -8,7 +8,7 @@
 
 #include "node/scan_client.h"
 #include "scan_cell/ros/cell_watcher.h"
-#include "scan_cell_common/child_process.h"
+#include "scan_cell_common/testing/child_process.h"
 
 using namespace scan_test;  // NOLINT
 using scan_cell_common::ChildProcess;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scan_cell/videe_command.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "videe/videe_line_targets.h"
 
 TEST(VideeLines, AreTakenOrRefusedWhateverAClientSends) {

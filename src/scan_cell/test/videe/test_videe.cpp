@@ -8,7 +8,7 @@
 #include <random>
 #include <thread>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "videe/videe_client.h"
 
 using namespace videe_test;  // NOLINT

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "scan_cell/videe_command.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scan_cell_common/fuzzing.h"
+#include "scan_cell_common/testing/fuzzing.h"
 
 /// The reader of ViDeE's lines, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> videe_line_targets();

@@ -9,7 +9,7 @@
 
 #include <atomic>
 
-#include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/tools/interrupts.h"
 
 namespace scan_cell_common {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <limits>
 
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
 using scan_cell_common::Cloud;

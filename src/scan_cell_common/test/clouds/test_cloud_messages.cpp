@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 
 using scan_cell_common::Cloud;

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "clouds/scratch_folder.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 
 using namespace scan_cell_common;  // NOLINT
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "scan_cell_common/csv_reader.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/csv_reader.h"
 
 using scan_cell_common::CsvReader;
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 namespace fs = std::filesystem;
 using namespace scan_cell_common;

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
 
 namespace fs = std::filesystem;
 using scan_cell_common::YamlEntry;

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 #include "scan_cell_common/net/stamped_datagram.h"
 
 using scan_cell_common::host_now;

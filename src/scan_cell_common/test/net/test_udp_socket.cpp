@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 #include "scan_cell_common/net/udp_socket.h"
 
 using scan_cell_common::Endpoint;

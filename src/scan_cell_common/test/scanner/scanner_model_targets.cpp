@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace {
 

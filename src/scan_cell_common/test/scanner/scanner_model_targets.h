@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scan_cell_common/fuzzing.h"
+#include "scan_cell_common/testing/fuzzing.h"
 
 /// The reader of scanner models, with the models that are changed.
 std::vector<scan_cell_common::FuzzTarget> scanner_model_targets();

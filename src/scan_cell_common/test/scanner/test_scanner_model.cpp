@@ -8,8 +8,8 @@
 #include <opencv2/calib3d.hpp>
 #include <regex>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace fs = std::filesystem;
 using scan_cell_common::ScannerModel;

@@ -12,7 +12,7 @@
 #include "binding_errors.h"
 #include "delay_trial.h"
 #include "pose_frame_binder/types.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_sim/cell.h"
 
 using namespace scan_cell_demo;  // NOLINT

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace scan_cell_demo {

@@ -16,7 +16,7 @@
 #include <mutex>
 
 #include "binding_errors.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_demo {
 namespace {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "running_cell/started_cell.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace scan_cell_demo {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/ground_truth.h"
 #include "scan_cell_sim/tool_paths.h"
 #include "scan_cell_sim/world.h"

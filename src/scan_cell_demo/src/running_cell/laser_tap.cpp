@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 
 namespace scan_cell_demo {
 

@@ -8,7 +8,7 @@
 #include <ros/time.h>
 #include <xmlrpcpp/XmlRpc.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_demo {
 

@@ -11,7 +11,7 @@
 #include "running_cell/nodes.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell/videe_command.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_sim/cell.h"
 

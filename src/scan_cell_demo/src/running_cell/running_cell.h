@@ -15,7 +15,7 @@
 
 #include "running_cell/videe_client.h"
 #include "scan_cell/scan_program.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_demo {
 

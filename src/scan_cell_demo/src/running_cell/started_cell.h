@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/child_process.h"
+#include "scan_cell_common/testing/child_process.h"
 
 namespace scan_cell_demo {
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_demo {
 

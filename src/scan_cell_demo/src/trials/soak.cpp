@@ -12,8 +12,8 @@
 #include "running_cell/nodes.h"
 #include "running_cell/running_cell.h"
 #include "running_cell/started_cell.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "trials/growth.h"
 
 using namespace scan_cell_demo;  // NOLINT

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "running_cell/nodes.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace scan_cell_demo {

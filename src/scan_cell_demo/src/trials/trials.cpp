@@ -13,9 +13,9 @@
 #include <random>
 
 #include "running_cell/started_cell.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "trials/trial.h"
 
 using namespace scan_cell_demo;  // NOLINT

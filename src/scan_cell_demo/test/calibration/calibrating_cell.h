@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "scan_cell/ros/service_call.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace fs = std::filesystem;
 

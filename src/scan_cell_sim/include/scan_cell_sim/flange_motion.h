@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace scan_cell_sim {
 

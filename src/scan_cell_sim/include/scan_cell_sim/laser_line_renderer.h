@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 #include "scan_cell_sim/exposure.h"
 #include "scan_cell_sim/scene.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_sim/laser_line_renderer.h"
 
 namespace {

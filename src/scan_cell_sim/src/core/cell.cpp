@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/cell.h"
 
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
 
 namespace scan_cell_sim {
 namespace {

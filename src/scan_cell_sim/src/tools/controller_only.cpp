@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "panel.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/tool_main.h"
-#include "scan_cell_common/units.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/pose/units.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_sim/tool_paths.h"
 
 namespace {

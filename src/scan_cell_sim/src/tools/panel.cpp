@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "controller/arm/wire_pose.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_sim {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "camera/loopback.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 #include "scan_cell_sim/cell.h"
 
 namespace scan_cell_sim {

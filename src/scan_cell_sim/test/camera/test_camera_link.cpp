@@ -7,7 +7,7 @@
 #include <random>
 
 #include "camera/gige_client.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_sim {
 namespace {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "camera/gige_client.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "test_worlds.h"
 
 namespace scan_cell_sim {

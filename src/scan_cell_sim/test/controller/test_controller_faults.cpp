@@ -10,8 +10,8 @@
 
 #include "controller/bare_client.h"
 #include "controller/wire/faulty_wire.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
 
 using scan_cell_common::from_seconds;
 using scan_cell_common::host_now;

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "controller/bare_client.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
 
 using nlohmann::json;
 using scan_cell_common::host_now;

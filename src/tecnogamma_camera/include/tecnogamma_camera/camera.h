@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/timed_pose.h"
 #include "tecnogamma_camera/counter_unwrapper.h"
 #include "tecnogamma_camera/image_view.h"
 #include "tecnogamma_camera/peak_profile.h"

@@ -13,7 +13,7 @@
 
 #include "opencv_peaks.h"
 #include "peak_accuracy.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 namespace {

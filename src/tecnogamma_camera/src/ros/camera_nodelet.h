@@ -15,7 +15,7 @@
 
 #include "parameters.h"
 #include "scan_cell_common/ros/nodelet.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace tecnogamma_camera {
 

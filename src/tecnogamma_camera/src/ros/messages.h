@@ -10,7 +10,7 @@
 #include <string>
 
 #include "acquisition/acquisition.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 #include "tecnogamma_camera/peak_profile.h"
 
 namespace tecnogamma_camera {

@@ -3,7 +3,7 @@
 #include "parameters.h"
 
 #include "frame/pixel_format.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace tecnogamma_camera {
 namespace {

@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "open_camera.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"
 

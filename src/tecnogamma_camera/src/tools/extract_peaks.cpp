@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "tecnogamma_camera/grey_image_file.h"
 #include "tecnogamma_camera/peak_detector.h"
 #include "tecnogamma_camera/peak_file.h"

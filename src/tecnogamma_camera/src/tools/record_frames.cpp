@@ -8,8 +8,8 @@
 #include "acquisition/acquisition.h"
 #include "open_camera.h"
 #include "recording/folder_recorder.h"
-#include "scan_cell_common/interrupts.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/interrupts.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 namespace {
 

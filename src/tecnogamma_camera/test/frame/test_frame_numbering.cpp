@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "acquisition/frame_numbering.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using namespace tecnogamma_camera;
 

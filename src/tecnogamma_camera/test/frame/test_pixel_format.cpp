@@ -5,7 +5,7 @@
 #include <random>
 
 #include "frame/pixel_format.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 using tecnogamma_camera::pixel_format;
 using tecnogamma_camera::PixelFormat;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "peaks/stripes.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "tecnogamma_camera/peak_detector.h"
 
 using tecnogamma_camera::Choice;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/draws.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "stopwatch.h"
 
 namespace {

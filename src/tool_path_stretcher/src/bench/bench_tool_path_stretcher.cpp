@@ -10,8 +10,8 @@
 #include "cases/case_list.h"
 #include "growth.h"
 #include "registration.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace {

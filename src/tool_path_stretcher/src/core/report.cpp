@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
 
 namespace tool_path_stretcher {
 namespace {

@@ -12,7 +12,7 @@
 #include "alignment/refinement.h"
 #include "geometry/points.h"
 #include "placement/expected_error.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "search/candidates.h"
 #include "search/scale_search.h"
 #include "verdict/ambiguity.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geometry/kd_tree.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "verdict_picture.h"
 
 namespace tool_path_stretcher {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <tf2_eigen/tf2_eigen.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace tool_path_stretcher {

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/load_parameters.h"
 #include "stretch_messages.h"

@@ -5,10 +5,10 @@
 
 #include "../picture/verdict_picture.h"
 #include "file_options.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/tool_main.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/pose/units.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace {

@@ -11,11 +11,11 @@
 
 #include "file_options.h"
 #include "report.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/parameter_options.h"
-#include "scan_cell_common/tool_main.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/pose/units.h"
+#include "scan_cell_common/tools/tool_main.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace cases {

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 using namespace tool_path_stretcher;

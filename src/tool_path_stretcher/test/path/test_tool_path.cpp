@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/stretcher.h"
 

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "path/tool_path_file_targets.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace fs = std::filesystem;

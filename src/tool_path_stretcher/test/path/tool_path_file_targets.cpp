@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/tool_path_file_targets.h"
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 #include "tool_path_stretcher/surface.h"
 #include "tool_path_stretcher/tool_path_files.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scan_cell_common/fuzzing.h"
+#include "scan_cell_common/testing/fuzzing.h"
 
 /// The readers of tool paths, and what makes surfaces of clouds and meshes, for the fuzzers.
 std::vector<scan_cell_common::FuzzTarget> tool_path_file_targets();

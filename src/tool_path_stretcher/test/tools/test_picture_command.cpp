@@ -12,7 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "report.h"
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 
 namespace fs = std::filesystem;
 

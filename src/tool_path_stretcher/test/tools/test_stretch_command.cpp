@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report.h"
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/tool_path_files.h"
 

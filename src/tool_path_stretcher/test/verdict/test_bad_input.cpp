@@ -7,7 +7,7 @@
 #include <random>
 #include <thread>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/stretcher.h"
 #include "tool_path_stretcher/tool_path_files.h"

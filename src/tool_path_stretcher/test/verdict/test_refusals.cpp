@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "report.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "stretch_case.h"
 #include "tool_path_stretcher/tool_path_files.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "synthetic_parts.h"
 #include "verdict/placement_checks.h"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "parts/scan.h"
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 #include "tool_path_stretcher/surface.h"
 
 namespace cases {

@@ -8,7 +8,7 @@
 
 #include "link/link.h"
 #include "robot/motion_check.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "wire/parameter_values.h"
 
 namespace c4g_driver {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace c4g_driver {
 namespace {

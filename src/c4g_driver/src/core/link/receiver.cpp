@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace c4g_driver {
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace c4g_driver {
 namespace {

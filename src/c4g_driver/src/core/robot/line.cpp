@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "scan_cell_common/timed_pose.h"
-#include "scan_cell_common/wire_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
+#include "scan_cell_common/pose/wire_pose.h"
 
 namespace c4g_driver {
 namespace {

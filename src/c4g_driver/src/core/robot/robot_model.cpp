@@ -10,8 +10,8 @@
 #include <limits>
 #include <vector>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace c4g_driver {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace c4g_driver {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "wire/codec.h"
 #include "wire/seal.h"
 #include "wire/wire_units.h"

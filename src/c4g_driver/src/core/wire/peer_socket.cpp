@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 
 namespace c4g_driver {
 namespace {

@@ -7,7 +7,7 @@
 #include <boost/crc.hpp>
 #include <charconv>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace c4g_driver {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "c4g_driver/robot_state.h"
-#include "scan_cell_common/wire_pose.h"
+#include "scan_cell_common/pose/wire_pose.h"
 
 namespace c4g_driver {
 

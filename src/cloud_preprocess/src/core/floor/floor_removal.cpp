@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "floor/floor_plane.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {

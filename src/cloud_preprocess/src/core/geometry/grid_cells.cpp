@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/grid_cells.h"
 
-#include "scan_cell_common/grid.h"
+#include "scan_cell_common/geometry/grid.h"
 
 namespace cloud_preprocess {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 
 namespace cloud_preprocess {
 

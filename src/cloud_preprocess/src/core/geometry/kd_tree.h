@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/kd_tree.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/geometry/kd_tree.h"
 
 namespace cloud_preprocess {
 

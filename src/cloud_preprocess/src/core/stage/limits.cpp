@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "cloud_preprocess/stage.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <pcl/common/common.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace cloud_preprocess {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "poses/pose_rules.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace pose_frame_binder {
 

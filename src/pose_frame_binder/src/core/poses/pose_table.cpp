@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace pose_frame_binder {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "scan_cell_common/kd_tree.h"
+#include "scan_cell_common/geometry/kd_tree.h"
 #include "time_offset/time_offset.h"
 
 namespace pose_frame_binder {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "time_offset/offset_fit.h"
 #include "time_offset/placed_scan.h"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace pose_frame_binder {
 

@@ -11,7 +11,7 @@
 
 #include "geometry/opencv.h"
 #include "geometry/statistics.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

@@ -9,7 +9,7 @@
 #include "estimate/rejection.h"
 #include "geometry/statistics.h"
 #include "residuals/multiplicity.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "geometry/statistics.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

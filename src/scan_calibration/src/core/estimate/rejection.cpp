@@ -11,7 +11,7 @@
 #include "checks/session_checks.h"
 #include "estimate/camera_fit.h"
 #include "geometry/statistics.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

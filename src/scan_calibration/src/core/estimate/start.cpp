@@ -12,7 +12,7 @@
 #include "estimate/rejection.h"
 #include "geometry/statistics.h"
 #include "residuals/noise_components.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scan_calibration/session.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_calibration {
 

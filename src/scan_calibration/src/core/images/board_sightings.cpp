@@ -8,7 +8,7 @@
 #include <map>
 
 #include "images/parallel.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "tecnogamma_camera/grey_image_file.h"
 
 namespace scan_calibration {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "images/board_detection.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_calibration {
 

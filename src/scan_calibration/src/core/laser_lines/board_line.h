@@ -8,7 +8,7 @@
 
 #include "laser_lines/line_peaks.h"
 #include "scan_calibration/observations.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_calibration {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "images/parallel.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "report/report.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 namespace fs = std::filesystem;
 

@@ -10,7 +10,7 @@
 
 #include "geometry/statistics.h"
 #include "residuals/residuals.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "residuals/residuals.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

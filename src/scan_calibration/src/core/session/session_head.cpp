@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "scan_calibration/session.h"
-#include "scan_cell_common/scanner_model.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_calibration {
 namespace {

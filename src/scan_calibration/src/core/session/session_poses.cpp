@@ -6,8 +6,8 @@
 #include <map>
 
 #include "scan_calibration/session.h"
-#include "scan_cell_common/csv_reader.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/csv_reader.h"
 
 namespace scan_calibration {
 namespace {

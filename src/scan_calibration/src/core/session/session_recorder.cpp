@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 #include "tecnogamma_camera/peak_file.h"
 
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 #include "teaching/cell_file.h"
 
 namespace scan_calibration {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
 
 namespace scan_calibration {
 namespace {

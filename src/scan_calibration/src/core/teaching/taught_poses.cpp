@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan_cell_common/csv_reader.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/wire_pose.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/csv_reader.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/pose/wire_pose.h"
 
 namespace scan_calibration {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "geometry/statistics.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

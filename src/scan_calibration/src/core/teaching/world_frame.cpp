@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_calibration {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell {
 

@@ -12,9 +12,9 @@
 #include <sstream>
 #include <string_view>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/euler_angles.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/pose/euler_angles.h"
 
 namespace scan_cell {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_cell {
 

@@ -13,7 +13,7 @@
 
 #include "actions/cell_in_use.h"
 #include "actions/state_topic.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "sequence/sequence_end.h"
 
 namespace scan_cell {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace scan_cell {

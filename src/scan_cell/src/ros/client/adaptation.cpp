@@ -4,12 +4,12 @@
 
 #include <filesystem>
 
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
-#include "scan_cell_common/outputs.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/files/outputs.h"
+#include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/ros/cloud_messages.h"
-#include "scan_cell_common/yaml_file.h"
 #include "tool_path_stretcher/ros/conversions.h"
 #include "tool_path_stretcher/tool_path_files.h"
 

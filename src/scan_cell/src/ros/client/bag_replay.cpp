@@ -10,7 +10,7 @@
 
 #include <map>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/bag_errors.h"
 
 namespace scan_cell {

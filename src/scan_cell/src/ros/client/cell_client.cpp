@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "client/clean_cloud_watch.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/interrupts.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/tools/interrupts.h"
 
 namespace scan_cell {
 namespace {

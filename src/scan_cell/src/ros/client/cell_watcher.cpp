@@ -5,7 +5,7 @@
 #include <ros/this_node.h>
 #include <scan_cell_msgs/CellState.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell {
 

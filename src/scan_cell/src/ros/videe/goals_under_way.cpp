@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "videe/videe_parameters.h"
 
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace scan_cell {
 

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "videe/videe_server.h"
 
 namespace scan_cell {

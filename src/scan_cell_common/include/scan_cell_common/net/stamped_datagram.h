@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "scan_cell_common/net/endpoint.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace scan_cell_common {
 

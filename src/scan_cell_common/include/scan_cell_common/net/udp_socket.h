@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/net/descriptor.h"
 #include "scan_cell_common/net/stamped_datagram.h"
 

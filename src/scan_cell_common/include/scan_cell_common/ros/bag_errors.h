@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 

@@ -7,8 +7,8 @@
 #include <ros/time.h>
 #include <tf2_eigen/tf2_eigen.h>
 
-#include "scan_cell_common/timed_pose.h"
-#include "scan_cell_common/unit_quaternion.h"
+#include "scan_cell_common/pose/timed_pose.h"
+#include "scan_cell_common/pose/unit_quaternion.h"
 
 namespace scan_cell_common {
 

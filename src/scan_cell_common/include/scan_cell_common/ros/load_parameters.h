@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace scan_cell_common {
 

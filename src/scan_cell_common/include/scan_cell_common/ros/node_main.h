@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "scan_cell_common/parameter_table.h"
-#include "scan_cell_common/tool_main.h"
+#include "scan_cell_common/parameters/parameter_table.h"
+#include "scan_cell_common/tools/tool_main.h"
 
 namespace scan_cell_common {
 

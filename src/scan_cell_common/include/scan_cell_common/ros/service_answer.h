@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 

@@ -1,13 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/clock_map.h"
+#include "scan_cell_common/clock/clock_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 
 #include <pcl/conversions.h>
 
@@ -11,8 +11,8 @@
 
 #include "clouds/cloud_writers.h"
 #include "files/scalars.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 // PCL's readers are not used: they trust what a file says of itself. Of 1500 small
 // changes to a valid file each, PCL 1.13 crashed on 5 to 172 (PCD, OBJ, binary PLY), did not return

@@ -5,9 +5,9 @@
 
 #include "clouds/meshes.h"
 #include "files/scalars.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace scan_cell_common {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "clouds/meshes.h"
 #include "clouds/ply_body.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 namespace {

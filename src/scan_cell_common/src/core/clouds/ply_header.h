@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "files/scalars.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace scan_cell_common {
 

@@ -6,10 +6,10 @@
 
 #include "files/scalars.h"
 #include "files/table_reader.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace scan_cell_common {
 namespace {

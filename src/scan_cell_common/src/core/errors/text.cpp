@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,12 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/csv_reader.h"
+#include "scan_cell_common/files/csv_reader.h"
 
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
-#include "scan_cell_common/unit_quaternion.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/pose/unit_quaternion.h"
 
 namespace scan_cell_common {
 namespace {

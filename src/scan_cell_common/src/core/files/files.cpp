@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace fs = std::filesystem;
 

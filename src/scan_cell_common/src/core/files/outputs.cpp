@@ -1,12 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/outputs.h"
+#include "scan_cell_common/files/outputs.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 namespace scan_cell_common {
 namespace {

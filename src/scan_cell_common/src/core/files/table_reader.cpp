@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace scan_cell_common {
 namespace {

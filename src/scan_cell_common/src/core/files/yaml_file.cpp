@@ -1,11 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
 
 #include <cmath>
 #include <limits>
 
-#include "scan_cell_common/unit_quaternion.h"
+#include "scan_cell_common/pose/unit_quaternion.h"
 
 namespace scan_cell_common {
 

@@ -1,12 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/grid.h"
+#include "scan_cell_common/geometry/grid.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 

@@ -5,7 +5,7 @@
 #include <arpa/inet.h>
 #include <fmt/core.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "net/line_session.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 

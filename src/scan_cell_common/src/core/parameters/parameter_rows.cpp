@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace scan_cell_common {
 namespace {

@@ -1,13 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 namespace {

@@ -1,11 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/euler_angles.h"
+#include "scan_cell_common/pose/euler_angles.h"
 
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace scan_cell_common {
 namespace {

@@ -1,10 +1,10 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 #include <string>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_cell_common/scanner_model.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_cell_common {
 namespace {

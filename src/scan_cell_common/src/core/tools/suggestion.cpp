@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace scan_cell_common {
 namespace {

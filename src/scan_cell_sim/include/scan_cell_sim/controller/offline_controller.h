@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 #include "scan_cell_sim/controller/motion_state.h"
 
 namespace scan_cell_sim {

@@ -17,8 +17,8 @@
 #include <thread>
 
 #include "camera/frame_sender.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_sim {
 namespace {

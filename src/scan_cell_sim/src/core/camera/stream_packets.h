@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 #include "scan_cell_sim/laser_line_renderer.h"
 
 namespace scan_cell_sim::gige {

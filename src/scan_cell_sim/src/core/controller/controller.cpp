@@ -3,7 +3,7 @@
 #include "scan_cell_sim/controller/controller.h"
 
 #include "controller/controller_loop.h"
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 
 namespace scan_cell_sim {
 

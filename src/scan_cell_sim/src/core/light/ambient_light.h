@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "light/sensor_noise.h"
-#include "scan_cell_common/scanner_model.h"
+#include "scan_cell_common/scanner/scanner_model.h"
 #include "scan_cell_sim/exposure.h"
 #include "scan_cell_sim/scene.h"
 

@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "part/moulding.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/unit_quaternion.h"
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/pose/unit_quaternion.h"
 
 namespace scan_cell_sim {
 namespace {

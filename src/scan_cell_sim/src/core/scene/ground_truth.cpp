@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scene/scramble.h"
 
 namespace scan_cell_sim {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "scan_cell_common/yaml_file.h"
+#include "scan_cell_common/files/yaml_file.h"
 
 namespace scan_cell_sim {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 
 namespace scan_cell_sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "scan_cell_common/clock_map.h"
+#include "scan_cell_common/clock/clock_map.h"
 #include "tecnogamma_camera/camera.h"
 
 namespace tecnogamma_camera {

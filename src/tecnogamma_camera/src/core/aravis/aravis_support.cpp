@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aravis/aravis_support.h"
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 #include "tecnogamma_camera/camera.h"
 
 namespace tecnogamma_camera {

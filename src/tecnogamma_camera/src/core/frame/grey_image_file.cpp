@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 namespace tecnogamma_camera {
 namespace {

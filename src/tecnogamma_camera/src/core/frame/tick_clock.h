@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace tecnogamma_camera {
 

@@ -11,8 +11,8 @@
 #include "peaks/peak_locators.h"
 #include "peaks/spots.h"
 #include "peaks/stripe.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace tecnogamma_camera {
 namespace {

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "recording/folder_recording.h"
-#include "scan_cell_common/csv_reader.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/files/csv_reader.h"
 
 namespace tecnogamma_camera {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
 
 namespace fs = std::filesystem;
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/files/files.h"
 
 namespace fs = std::filesystem;
 

@@ -6,9 +6,9 @@
 #include <iomanip>
 #include <sstream>
 
-#include "scan_cell_common/csv_reader.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/csv_reader.h"
+#include "scan_cell_common/files/files.h"
 
 namespace tecnogamma_camera {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-#include "scan_cell_common/host_clock.h"
+#include "scan_cell_common/clock/host_clock.h"
 #include "tecnogamma_camera/recording.h"
 
 namespace tecnogamma_camera {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scan_cell_common/kd_tree.h"
+#include "scan_cell_common/geometry/kd_tree.h"
 
 namespace tool_path_stretcher {
 namespace {

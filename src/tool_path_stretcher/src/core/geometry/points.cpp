@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/grid.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/geometry/grid.h"
 
 namespace tool_path_stretcher {
 namespace {

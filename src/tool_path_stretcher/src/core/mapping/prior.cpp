@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan_cell_common/unit_quaternion.h"
+#include "scan_cell_common/pose/unit_quaternion.h"
 
 namespace tool_path_stretcher {
 

@@ -7,8 +7,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/parameter_table.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/parameters/parameter_table.h"
 
 namespace tool_path_stretcher {
 namespace {

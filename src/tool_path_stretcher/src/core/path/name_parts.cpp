@@ -7,7 +7,7 @@
 #include <set>
 
 #include "path/pose_names.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace tool_path_stretcher {
 namespace {

@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "path/number_text.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/euler_angles.h"
-#include "scan_cell_common/unit_quaternion.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/euler_angles.h"
+#include "scan_cell_common/pose/unit_quaternion.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace tool_path_stretcher {
 namespace {

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "path/name_parts.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/euler_angles.h"
-#include "scan_cell_common/text.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/pose/euler_angles.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace tool_path_stretcher {
 namespace {

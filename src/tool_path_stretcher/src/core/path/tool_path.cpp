@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace tool_path_stretcher {
 namespace {

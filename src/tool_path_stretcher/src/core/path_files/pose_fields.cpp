@@ -8,8 +8,8 @@
 
 #include "path/pose_names.h"
 #include "path_files/yaml_documents.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace tool_path_stretcher {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "path_files/yaml_documents.h"
 #include "path_files/yaml_shape.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace tool_path_stretcher {
 namespace {

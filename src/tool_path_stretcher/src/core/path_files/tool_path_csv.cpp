@@ -11,8 +11,8 @@
 #include "path/pose_convention.h"
 #include "path/pose_names.h"
 #include "path_files/csv_line.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace tool_path_stretcher {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 namespace tool_path_stretcher {
 namespace {

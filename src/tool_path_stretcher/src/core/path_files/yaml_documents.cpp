@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 
 namespace tool_path_stretcher {
 namespace {

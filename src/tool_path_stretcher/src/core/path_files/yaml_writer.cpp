@@ -8,8 +8,8 @@
 #include "path/number_text.h"
 #include "path/pose_convention.h"
 #include "path_files/yaml_shape.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/text.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace tool_path_stretcher {

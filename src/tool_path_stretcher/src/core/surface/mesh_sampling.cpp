@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
 #include "surface/complete_surface.h"
 #include "tool_path_stretcher/surface.h"
 

@@ -12,8 +12,8 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/points.h"
-#include "scan_cell_common/cloud_files.h"
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
 #include "surface/complete_surface.h"
 
 namespace tool_path_stretcher {

@@ -9,8 +9,8 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/robust.h"
-#include "scan_cell_common/errors.h"
-#include "scan_cell_common/units.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "verdict/ambiguity.h"
 
 namespace tool_path_stretcher {

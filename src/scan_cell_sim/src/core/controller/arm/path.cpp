@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "controller/arm/wire_pose.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace scan_cell_sim {
 namespace {

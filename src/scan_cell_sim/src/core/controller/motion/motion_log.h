@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "controller/motion/speed_profile.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 #include "scan_cell_sim/controller/path.h"
 
 namespace scan_cell_sim {

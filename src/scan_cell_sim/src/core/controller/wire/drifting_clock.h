@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <mutex>
 
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 
 namespace scan_cell_sim {
 

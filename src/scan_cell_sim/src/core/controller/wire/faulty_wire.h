@@ -8,7 +8,7 @@
 #include <random>
 
 #include "controller/wire/datagram.h"
-#include "scan_cell_common/timed_pose.h"
+#include "scan_cell_common/pose/timed_pose.h"
 #include "scan_cell_sim/controller/wire_faults.h"
 
 namespace scan_cell_sim {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "scan_cell_common/errors.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_sim {
 

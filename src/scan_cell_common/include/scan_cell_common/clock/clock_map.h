@@ -1,0 +1,81 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "scan_cell_common/pose/timed_pose.h"
+
+namespace scan_cell_common {
+
+/// Maps the clock of a device to the host's, from pairs of a device time and the host time at which
+/// the message with it was received. A message is never early, so the pairs with the least delay
+/// are the best, and the map is a line below all pairs: its slope, the drift, is that of the
+/// lower convex hull over a long history (Zhang, Liu and Xia, INFOCOM 2002), its height that of
+/// the least delay in a short window.
+///
+/// The mapped time is late by the least delay of the wire (tens of microseconds on a cable), not by
+/// its jitter. A clock that was set is followed within the window. Allocates nothing. Not safe for
+/// use from several threads at once.
+class ClockMap {
+ public:
+  /// How the map is doing.
+  struct Figures {
+    double drift = 0;          //!< the device's clock runs 1 + drift times as fast as the host's
+    Nanoseconds residual = 0;  //!< median of the least delays above the line, each of a cell
+    Nanoseconds history = 0;   //!< device time over which the drift was sought
+    unsigned steps = 0;        //!< how often a clock was set: the history began anew
+  };
+
+  /// @param window how much device time the least delay is sought over [ns], above 0; the drift is
+  /// sought over sixteen times as much
+  /// @throw InvalidParameter if it is not
+  explicit ClockMap(Nanoseconds window);
+
+  /// Takes a pair. A device time before the last one restarts the map: the device was restarted.
+  void add(Nanoseconds device, Nanoseconds host);
+
+  bool empty() const { return count_ == 0; }  //!< whether no pair was added yet
+
+  /// Host time [ns] of a device time.
+  /// @throw Refused if no pair was added
+  Nanoseconds to_host(Nanoseconds device) const;
+
+  Figures figures() const;  //!< of the map as it is now
+
+ private:
+  static constexpr std::size_t kCells = 64;
+
+  /// The pair of a stretch of device time that was delayed least.
+  struct Cell {
+    Nanoseconds number = 0;  // of the stretch
+    double device = 0;       // [ns] since the reference
+    double offset = 0;       // [ns] host - device, less that of the reference
+  };
+
+  const Cell& cell(std::size_t i) const { return cells_[(first_ + i) % kCells]; }
+  Cell& cell(std::size_t i) { return cells_[(first_ + i) % kCells]; }
+  double above_line(const Cell& pair) const { return pair.offset - slope_ * pair.device; }
+  void begin(Nanoseconds device, Nanoseconds host);
+  void drop_before(double device);
+  bool keep(const Cell& pair);
+  void fit();
+  double hull_slope() const;
+  double least_since(double device) const;
+  double median_residual() const;
+
+  Nanoseconds window_;
+  Nanoseconds reference_device_ = 0;
+  Nanoseconds reference_offset_ = 0;
+  Nanoseconds last_device_ = 0;
+  std::array<Cell, kCells> cells_;  // a ring, ascending
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  double slope_ = 0;    // of the offset
+  double height_ = 0;   // [ns] of the map's line at the reference: the least delay of the window
+  double support_ = 0;  // [ns] the same of the whole history
+  unsigned steps_ = 0;
+};
+
+}  // namespace scan_cell_common

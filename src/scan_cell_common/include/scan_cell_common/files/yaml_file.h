@@ -1,0 +1,91 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Geometry>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+
+namespace scan_cell_common {
+
+/// @throw FileError if the file is missing, unreadable or not YAML
+YAML::Node load_yaml(const std::string& path);
+
+/// The same for text that was read already.
+/// @param name of the text, in errors
+/// @throw FileError if it is not YAML
+YAML::Node parse_yaml(const std::string& text, const std::string& name);
+
+/// One entry of a YAML file. Errors name the file and the entry's whole way, such as
+/// "scanner.yaml: camera.fx".
+class YamlEntry {
+ public:
+  /// The root of a file.
+  /// @throw FileError as load_yaml()
+  static YamlEntry load(const std::string& path);
+
+  /// The root of a text. @throw FileError as parse_yaml()
+  static YamlEntry parse(const std::string& text, const std::string& name);
+
+  /// @param file and name of the entry in it, in errors
+  YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
+
+  bool is_map() const;                     //!< whether it has keys
+  bool is_null() const;                    //!< it stands there, and holds nothing: ~
+  bool has(const std::string& key) const;  //!< whether it is a map with this key
+
+  /// @throw UnusableInput if it is missing
+  YamlEntry operator[](const std::string& key) const;
+
+  /// @throw UnusableInput if it has another type
+  template <class T>
+  T as() const {
+    try {
+      return node_.as<T>();
+    } catch (const YAML::Exception&) {
+      refuse("of the wrong type", "correct it");
+    }
+  }
+
+  /// A list of exactly N finite numbers.
+  /// @throw UnusableInput if it is not
+  template <int N>
+  Eigen::Matrix<double, N, 1> vector() const {
+    return Eigen::Map<const Eigen::Matrix<double, N, 1>>(numbers(N).data());
+  }
+
+  /// A map of `translation` [m] and `rotation` (unit quaternion x y z w).
+  /// @throw UnusableInput if one is missing or makes no sense
+  Eigen::Isometry3d pose() const;
+
+  /// Those of a list.
+  /// @throw UnusableInput if it is none
+  std::vector<YamlEntry> elements() const;
+
+  /// @throw UnusableInput if a key is not among `known`, or this is no map
+  void refuse_unknown(const std::set<std::string>& known) const;
+
+  /// @throw UnusableInput about this entry
+  [[noreturn]] void refuse(const std::string& value, const std::string& cure) const;
+
+  const std::string& name() const { return name_; }  //!< the entry's whole way in the file
+
+ private:
+  std::vector<double> numbers(std::size_t count) const;
+  std::string child(const std::string& key) const;
+
+  YAML::Node node_;
+  std::string file_;
+  std::string name_;
+};
+
+/// As YamlEntry::pose() reads it, to the last digit.
+YAML::Node yaml_pose(const Eigen::Isometry3d& pose);
+
+}  // namespace scan_cell_common

@@ -1,0 +1,47 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <clocale>
+
+#include "scan_cell_common/errors/text.h"
+
+using namespace scan_cell_common;
+
+TEST(Numbers, AreReadWholeOrNotAtAll) {
+  EXPECT_EQ(parse_number("-1.5e-3"), -0.0015);
+  EXPECT_EQ(parse_number("+2"), 2);
+  for (const char* text : {"", "1 2", "1,5", "0x10", "+-1", "1m", "--1", "+"})
+    EXPECT_FALSE(parse_number(text)) << text;
+  EXPECT_EQ(parse_count("12"), 12U);
+  for (const char* text : {"", "-1", "1.0", "99999999999999999999", "+1"})
+    EXPECT_FALSE(parse_count(text)) << text;
+}
+
+TEST(Numbers, AreReadTheSameInEveryLocale) {
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  for (const char* locale : {"de_DE.UTF-8", "it_IT.UTF-8", "fr_FR.UTF-8"})
+    if (std::setlocale(LC_NUMERIC, locale) != nullptr) break;
+  EXPECT_EQ(parse_number("0.5"), 0.5);
+  EXPECT_FALSE(parse_number("0,5"));
+  std::setlocale(LC_NUMERIC, before.c_str());
+}
+
+TEST(Excerpt, IsShortAndFitForATerminal) {
+  EXPECT_EQ(excerpt("x\x1b[2J\n"), "x?[2J?");
+  EXPECT_EQ(excerpt(std::string(1000000, 'a')).size(), 43U);
+}
+
+TEST(LineReader, SplitsLinesHoweverTheyEnd) {
+  const std::string text = "a  b\r\n\n\tc\nlast";
+  LineReader lines(text, "file");
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.words(), (std::vector<std::string_view>{"a", "b"}));
+  ASSERT_TRUE(lines.next_filled());
+  EXPECT_EQ(lines.words(), (std::vector<std::string_view>{"c"}));
+  EXPECT_EQ(lines.where(), "file, line 3");
+  EXPECT_EQ(lines.left(), 4U);
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.words(), (std::vector<std::string_view>{"last"}));
+  EXPECT_FALSE(lines.next());
+}
