@@ -42,8 +42,8 @@ struct FakeRobot : scan_cell::Robot {
   explicit FakeRobot(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return trouble_from == cell.pose ? "robot is lost" : ""; }
   void set_linear_motion(double) override { cell.note("speed"); }
-  void start_move(const Eigen::Isometry3d& flange, double) override {
-    target = flange;
+  void start_move(const scan_cell::MoveTarget& to, double) override {
+    target = to.flange;
     ++cell.pose;
     looks = 0;
     cell.note("move " + std::to_string(cell.pose));
@@ -107,17 +107,17 @@ struct FakeCamera : scan_cell::SnapshotCamera {
 struct FakeTrigger : scan_cell::Trigger {
   explicit FakeTrigger(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return lost && cell.armed ? "trigger is lost" : ""; }
-  void arm(double r, std::uint8_t lasers) override {
+  void arm(double r, const scan_cell::Lighting& lighting, std::uint32_t) override {
     rates.push_back(r);
     cell.armed = true;
-    cell.lasers = lasers;
-    cell.note("arm " + std::to_string(lasers));
+    cell.lasers = lighting.lasers;
+    cell.note("arm " + std::to_string(lighting.lasers));
   }
   scan_cell::Disarmed disarm() noexcept override {
     cell.log.emplace_back("disarm");
     cell.armed = false;
     cell.lasers = 0;
-    return {5, answers ? "" : "trigger: no answer"};
+    return {1, 5, answers ? "" : "trigger: no answer"};
   }
   void keep_alive() override { cell.note("keep alive"); }
   FakeCell& cell;

@@ -10,6 +10,8 @@
 #include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
+using scan_cell::PassKind;
+using scan_cell::PassLasers;
 
 namespace {
 
@@ -21,6 +23,31 @@ const char* const kGood =
     "rate: 100\n"
     "laser: 1\n";
 
+const char* const kPasses =
+    "frame: world\n"
+    "passes:\n"
+    "  - line:\n"
+    "      start: {translation: [-0.1, 0, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "      end: {translation: [0.1, 0, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "    name: flank\n"
+    "    speed: 0.05\n"
+    "    rate: 100\n"
+    "    laser: each\n"
+    "  - arc:\n"
+    "      start: {translation: [-0.1, 0, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "      via: {translation: [0, 0.1, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "      end: {translation: [0.1, 0, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "    speed: 0.05\n"
+    "    rate: 100\n"
+    "    laser: alternate\n"
+    "  - poses:\n"
+    "      - {translation: [0.1, 0, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "      - {translation: [0.2, 0, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "      - {translation: [0.2, 0.1, 0.6], rotation: [1, 0, 0, 0]}\n"
+    "    speed: 0.05\n"
+    "    rate: 100\n"
+    "    laser: 0\n";
+
 class ScanProgram : public testing::Test {
  protected:
   void TearDown() override { fs::remove(path_); }
@@ -31,8 +58,8 @@ class ScanProgram : public testing::Test {
   }
 
   /// What is named as wrong after the first `from` in the good program became `to`.
-  std::string refused(const std::string& from, const std::string& to) const {
-    std::string text = kGood;
+  std::string refused(const std::string& from, const std::string& to,
+                      std::string text = kGood) const {
     text.replace(text.find(from), from.size(), to);
     try {
       load(text);
@@ -48,13 +75,34 @@ class ScanProgram : public testing::Test {
 
 }  // namespace
 
-TEST_F(ScanProgram, GivesTheRequestInItsFrame) {
+TEST_F(ScanProgram, GivesItsPassesInTheirFrame) {
+  const scan_cell::ScanProgram program = load(kPasses);
+  EXPECT_EQ(program.frame, "world");
+  ASSERT_EQ(program.passes.size(), 3U);
+  EXPECT_EQ(program.passes[0].name, "flank");
+  EXPECT_EQ(program.passes[0].kind, PassKind::kLine);
+  EXPECT_EQ(program.passes[0].lasers, PassLasers::kEach);
+  EXPECT_EQ(program.passes[0].poses[0].translation(), Eigen::Vector3d(-0.1, 0, 0.6));
+  EXPECT_EQ(program.passes[1].kind, PassKind::kArc);
+  ASSERT_EQ(program.passes[1].poses.size(), 3U);
+  EXPECT_EQ(program.passes[1].poses[1].translation(), Eigen::Vector3d(0, 0.1, 0.6));
+  EXPECT_EQ(program.passes[1].lasers, PassLasers::kAlternate);
+  EXPECT_EQ(program.passes[2].kind, PassKind::kPolyline);
+  EXPECT_EQ(program.passes[2].poses.size(), 3U);
+  EXPECT_EQ(program.passes[2].speed, 0.05);
+  EXPECT_EQ(program.passes[2].rate, 100);
+}
+
+TEST_F(ScanProgram, OfTheTimeBeforePassesIsOneLine) {
   const scan_cell::ScanProgram program = load(kGood);
   EXPECT_EQ(program.frame, "world");
-  EXPECT_EQ(program.request.start.translation(), Eigen::Vector3d(-0.1, 0, 0.6));
-  const Eigen::Vector3d looks = program.request.end.linear() * Eigen::Vector3d::UnitZ();
+  ASSERT_EQ(program.passes.size(), 1U);
+  const scan_cell::ScanPass& pass = program.passes.front();
+  EXPECT_EQ(pass.kind, PassKind::kLine);
+  EXPECT_EQ(pass.poses[0].translation(), Eigen::Vector3d(-0.1, 0, 0.6));
+  const Eigen::Vector3d looks = pass.poses[1].linear() * Eigen::Vector3d::UnitZ();
   EXPECT_TRUE(looks.isApprox(-Eigen::Vector3d::UnitZ(), 1e-12));
-  EXPECT_EQ(program.request.lasers, 2);
+  EXPECT_EQ(pass.lasers, PassLasers::kLaser1);
 }
 
 TEST_F(ScanProgram, IsRefusedByTheNameOfTheBadEntry) {
@@ -64,6 +112,22 @@ TEST_F(ScanProgram, IsRefusedByTheNameOfTheBadEntry) {
   EXPECT_EQ(refused("[1, 0, 0, 0]", "[1, 1, 0, 0]"), "start.rotation");
   EXPECT_EQ(refused("0.05", "slow"), "speed");
   EXPECT_EQ(refused("laser: 1", "laser: 2"), "laser");
+}
+
+TEST_F(ScanProgram, IsRefusedByTheNameOfTheBadEntryOfAPass) {
+  const auto of_passes = [this](const std::string& from, const std::string& to) {
+    return refused(from, to, kPasses);
+  };
+  EXPECT_EQ(of_passes("laser: each", "laser: both"), "passes[0].laser");
+  EXPECT_EQ(of_passes("via:", "over:"), "passes[1].arc.over");
+  EXPECT_EQ(of_passes("arc:", "circle:"), "passes[1].circle");
+  EXPECT_EQ(of_passes("    name: flank\n", "    poses: []\n"), "passes[0]") << "two ways";
+  EXPECT_EQ(of_passes("{translation: [0.2, 0, 0.6], ", "{"), "passes[2].poses[1].translation");
+  EXPECT_EQ(of_passes("frame: world\n", "frame: world\nspeed: 1\n"), "speed");
+}
+
+TEST_F(ScanProgram, IsRefusedWithoutAPass) {
+  EXPECT_THROW(load("frame: world\npasses: []\n"), scan_cell_common::UnusableInput);
 }
 
 TEST_F(ScanProgram, IsRefusedWhereMissingOrNotYaml) {

@@ -1,186 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <optional>
-#include <vector>
-
-#include "scan_cell_common/errors/errors.h"
-#include "sequence/scan_sequence.h"
+#include "fake_scan_cell.h"
 
 using scan_cell::Motion;
 using scan_cell::Outcome;
-
-namespace {
-
-/// A cell without hardware: it writes down what it is told, and each look at the motion takes it
-/// on.
-struct FakeCell {
-  std::vector<std::string> log;
-  int looks = 0;  // at the motion under way
-  int moves = 0;  // motions started
-  bool armed = false;
-  std::string trouble_of;  // device that gets into trouble half way through the scan
-  std::string throws_at;   // call that finds its device gone
-  std::string refused_at;  // call that the device refuses
-
-  void note(const std::string& call) {
-    log.push_back(call);
-    if (call == throws_at) throw scan_cell_common::ConnectionError(call, "gone", "look for it");
-    if (call == refused_at) throw scan_cell_common::Refused(call, "refused", "ask for less");
-  }
-  bool noted(const std::string& call) const {
-    return std::find(log.begin(), log.end(), call) != log.end();
-  }
-  std::size_t place(const std::string& call) const {
-    return static_cast<std::size_t>(std::find(log.begin(), log.end(), call) - log.begin());
-  }
-  bool half_way() const { return moves == 2 && looks >= 5; }
-  std::string trouble(const std::string& device) const {
-    return device == trouble_of && half_way() ? device + " is lost" : "";
-  }
-};
-
-struct FakeRobot : scan_cell::Robot {
-  explicit FakeRobot(FakeCell& c) : cell(c) {}
-  std::string trouble() const override { return cell.trouble("robot"); }
-  void set_linear_motion(double) override { cell.note("speed"); }
-  void start_move(const Eigen::Isometry3d&, double) override {
-    cell.looks = 0;
-    ++cell.moves;
-    cell.note("move " + std::to_string(cell.moves));
-  }
-  Motion motion() const override {
-    ++cell.looks;
-    if (stuck && cell.moves == 2) return {Motion::State::kMoving, 0, ""};
-    if (ends_at_once && cell.moves == 2) return {*ends_at_once, 0, "no path"};
-    if (cell.half_way() && fails) return {Motion::State::kFailed, 0.5, "collision"};
-    if (cell.looks >= 10) return {Motion::State::kReached, 1, ""};
-    return {Motion::State::kMoving, std::max(0, cell.looks - 2) / 10.0, ""};
-  }
-  std::string unseen() const override {
-    const bool is = unseen_from <= looks_for_it && looks_for_it < unseen_until;
-    ++looks_for_it;
-    return is ? "robot: no pose" : "";
-  }
-  std::string hindrance() const override { return ""; }
-  Eigen::Isometry3d static_pose() override { return Eigen::Isometry3d::Identity(); }
-  void stop() noexcept override { cell.log.emplace_back("stop robot"); }
-  FakeCell& cell;
-  bool fails = false;
-  bool stuck = false;
-  int unseen_from = 0, unseen_until = 0;  // in looks for it
-  mutable int looks_for_it = 0;
-  std::optional<Motion::State> ends_at_once;
-};
-
-struct FakeCamera : scan_cell::Camera {
-  explicit FakeCamera(FakeCell& c) : cell(c) {}
-  std::string trouble() const override { return cell.trouble("camera"); }
-  void start() override { cell.note("start camera"); }
-  void expect_profiles(double) override { cell.note("expect profiles"); }
-  void stop() noexcept override { cell.log.emplace_back("stop camera"); }
-  FakeCell& cell;
-};
-
-struct FakeTrigger : scan_cell::Trigger {
-  FakeTrigger(FakeCell& c, const FakeRobot& r) : cell(c), robot(r) {}
-  std::string trouble() const override { return cell.trouble("trigger"); }
-  void arm(double, std::uint8_t) override {
-    moving_when_armed = robot.motion().progress > 0;
-    cell.note("arm");
-    cell.armed = true;
-  }
-  scan_cell::Disarmed disarm() noexcept override {
-    cell.log.emplace_back("disarm");
-    cell.armed = false;
-    return {77, answers ? "" : "trigger: no answer"};
-  }
-  void keep_alive() override { cell.note("keep alive"); }
-  FakeCell& cell;
-  const FakeRobot& robot;
-  bool moving_when_armed = false;
-  bool answers = true;
-};
-
-struct FakeStages : scan_cell::Stages {
-  explicit FakeStages(FakeCell& c) : cell(c) {}
-  std::string trouble() const override { return cell.trouble("stages"); }
-  void start(const std::string&) override { cell.note("start stages"); }
-  std::uint64_t bind(std::uint64_t pulses, double) override {
-    finished_pulses = pulses;
-    cell.note("bind");
-    return missing_at_the_end;
-  }
-  void triangulate(bool whole, double) override {
-    whole_cloud = whole;
-    cell.note("triangulate");
-  }
-  FakeCell& cell;
-  std::uint64_t missing_at_the_end = 0;
-  bool whole_cloud = false;
-  std::uint64_t finished_pulses = 0;
-};
-
-struct FakeObserver : scan_cell::ScanObserver {
-  explicit FakeObserver(FakeCell& c) : cell(c) {}
-  void on_progress(int step, const std::string&, double progress) override {
-    if (steps.empty() || steps.back() != step) steps.push_back(step);
-    EXPECT_GE(progress, last);
-    last = progress;
-    if (cancel != nullptr && cell.half_way()) *cancel = true;
-  }
-  void on_capture_begins() override { cell.note("capture begins"); }
-  void on_capture_ends() override { cell.note("capture ends"); }
-  FakeCell& cell;
-  std::vector<int> steps;
-  double last = 0;
-  std::atomic<bool>* cancel = nullptr;
-};
-
-class ScanSequence : public testing::Test {
- protected:
-  ScanSequence() {
-    request_.scan_id = "test";
-    request_.start.translation() << 0.6, 0, 0.6;
-    request_.end.translation() << 0.9, 0, 0.6;
-    request_.speed = 0.1;
-    request_.rate = 100;
-    request_.lasers = 1;
-    timing_.poll = 1e-4;
-    timing_.keep_alive = 0;
-  }
-
-  scan_cell::SequenceEnd run() {
-    scan_cell::ScanSequence sequence(robot_, camera_, trigger_, stages_, observer_, {}, timing_);
-    return sequence.run(request_, [this] { return cancel_ ? "cancelled" : ""; });
-  }
-
-  void expect_safe() const {
-    EXPECT_FALSE(cell_.armed);
-    EXPECT_TRUE(cell_.noted("disarm"));
-    EXPECT_TRUE(cell_.noted("stop robot"));
-    EXPECT_LT(cell_.place("disarm"), cell_.place("stop robot"));
-    EXPECT_TRUE(cell_.noted("stop camera"));
-    EXPECT_EQ(stages_.finished_pulses, 77U) << "what was captured must be kept";
-    EXPECT_TRUE(cell_.noted("triangulate"));
-    EXPECT_FALSE(stages_.whole_cloud);
-    EXPECT_EQ(cell_.log.back(), "capture ends");
-  }
-
-  FakeCell cell_;
-  FakeRobot robot_{cell_};
-  FakeCamera camera_{cell_};
-  FakeTrigger trigger_{cell_, robot_};
-  FakeStages stages_{cell_};
-  FakeObserver observer_{cell_};
-  scan_cell::ScanRequest request_;
-  scan_cell::ScanSequence::Timing timing_;
-  std::atomic<bool> cancel_{false};
-};
-
-}  // namespace
+using scan_sequence_test::FakeCell;
+using scan_sequence_test::ScanSequence;
 
 TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
   const scan_cell::SequenceEnd end = run();
@@ -188,10 +13,10 @@ TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
   EXPECT_EQ(observer_.steps, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
   std::vector<std::string> once = cell_.log;
   once.erase(std::remove(once.begin(), once.end(), "keep alive"), once.end());
-  EXPECT_EQ(once,
-            (std::vector<std::string>{"speed", "move 1", "speed", "start stages", "capture begins",
-                                      "start camera", "move 2", "arm", "expect profiles", "disarm",
-                                      "bind", "triangulate", "stop camera", "capture ends"}));
+  EXPECT_EQ(once, (std::vector<std::string>{"speed", "move 1", "speed", "start stages", "start run",
+                                            "capture begins", "start camera", "move 2", "arm",
+                                            "expect profiles", "disarm", "bind", "triangulate",
+                                            "stop camera", "capture ends"}));
   EXPECT_TRUE(stages_.whole_cloud);
   EXPECT_EQ(stages_.finished_pulses, 77U);
   EXPECT_TRUE(cell_.noted("keep alive"));
@@ -203,7 +28,7 @@ TEST_F(ScanSequence, SwitchesTheLasersOnOnlyOnceTheRobotMoves) {
 }
 
 TEST_F(ScanSequence, RefusesABadRequestBeforeAnythingMoves) {
-  request_.speed = 100;
+  request_.passes[0].speed = 100;
   EXPECT_EQ(run().outcome, Outcome::kRefused);
   EXPECT_TRUE(cell_.log.empty());
 }

@@ -38,12 +38,12 @@ class Recorder {
         scene_(scan_cell_sim::load_world(world)),
         renderer_(scan_cell_common::load_scanner_model(sim("scanner.yaml")), {}),
         base_(scan_cell_sim::load_base_link_in_world(sim("cell.yaml"))),
-        program_(scan_cell::load_scan_program(ros::package::getPath("scan_cell") +
-                                              "/config/scan_line.yaml")) {}
+        pass_(scan_cell::load_scan_program(ros::package::getPath("scan_cell") +
+                                           "/config/scan_line.yaml")
+                  .passes.front()) {}
 
   double duration() const {
-    return (program_.request.end.translation() - program_.request.start.translation()).norm() /
-           kSpeed;
+    return (pass_.poses.back().translation() - pass_.poses.front().translation()).norm() / kSpeed;
   }
 
   void write_state(double time, std::uint8_t state, const std::string& scan_id) {
@@ -82,7 +82,7 @@ class Recorder {
   }
 
   Eigen::Isometry3d flange(double time) const {
-    return scan_cell_common::interpolate(program_.request.start, program_.request.end,
+    return scan_cell_common::interpolate(pass_.poses.front(), pass_.poses.back(),
                                          time / duration());
   }
 
@@ -118,7 +118,7 @@ class Recorder {
   scan_cell_sim::Scene scene_;
   scan_cell_sim::LaserLineRenderer renderer_;
   Eigen::Isometry3d base_;
-  scan_cell::ScanProgram program_;
+  scan_cell::ScanPass pass_;
   std::unique_ptr<tecnogamma_camera::PeakDetector> detector_ =
       tecnogamma_camera::make_detector("fir_derivative", {});
   std::vector<std::uint8_t> pixels_;

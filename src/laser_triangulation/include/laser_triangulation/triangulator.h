@@ -23,8 +23,9 @@ struct ScanPoint {
   float z = 0;             //!< [m]
   float intensity = 0;     //!< [grey value] height of the peak
   std::uint8_t laser = 0;  //!< 0: laser_0, 1: laser_1
+  std::uint8_t pass = 0;   //!< of the scan, from 0
   /// Zero, so that the same scan gives the same bytes.
-  std::uint8_t padding[3] = {0, 0, 0};
+  std::uint8_t padding[2] = {0, 0};
   float width = 0;  //!< [px] of the stripe
 };
 static_assert(sizeof(ScanPoint) == 24);
@@ -38,6 +39,7 @@ struct ProfileView {
   const float* position = nullptr;   //!< [px] sensor column
   const float* width = nullptr;      //!< [px]
   const float* intensity = nullptr;  //!< [grey value]
+  std::uint8_t pass = 0;             //!< of the scan, from 0
 };
 
 /// Which peaks become points. A width or intensity of NaN is within no limits but infinite ones.

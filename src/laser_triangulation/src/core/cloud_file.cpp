@@ -15,7 +15,7 @@ namespace {
 void write_ply(const ScanCloud& points, double metres_per_unit, std::ostream& file) {
   file << "ply\nformat binary_little_endian 1.0\nelement vertex " << points.size()
        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float intensity\n"
-          "property uchar laser\nproperty float width\nend_header\n";
+          "property uchar laser\nproperty uchar pass\nproperty float width\nend_header\n";
   constexpr std::size_t kAtOnce = 65536;
   std::string bytes;
   const auto append = [&bytes](const auto& field) {
@@ -29,6 +29,7 @@ void write_ply(const ScanCloud& points, double metres_per_unit, std::ostream& fi
         append(static_cast<float>(static_cast<double>(metres) / metres_per_unit));
       append(point.intensity);
       append(point.laser);
+      append(point.pass);
       append(point.width);
     }
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

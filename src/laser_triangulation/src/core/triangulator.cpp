@@ -151,7 +151,8 @@ struct Block {
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t row = first + i;
       if (fits[i] & to_point.in_range(inverse_depth[i])) {
-        *point++ = {x[i], y[i], z[i], profile.intensity[row], laser, {0, 0, 0}, profile.width[row]};
+        *point++ = {x[i],  y[i],         z[i],   profile.intensity[row],
+                    laser, profile.pass, {0, 0}, profile.width[row]};
       } else if (!fits[i]) {
         count_rejected(filter, profile, row, counts);
       } else {

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_builder.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "scan_cell_common/errors/errors.h"
@@ -60,6 +63,9 @@ void CloudBuilder::add(const BoundProfile& bound) {
     throw UnusableInput(name, laser + " is not calibrated",
                         "calibrate it, or scan with a laser that the scanner model has");
   }
+  if (bound.pass > std::numeric_limits<std::uint8_t>::max())
+    throw UnusableInput(name, fmt::format("pass {}", bound.pass), "scan in at most 256 passes");
+  const auto pass = static_cast<std::uint8_t>(bound.pass);
   const Eigen::Isometry3d pose = pose_of(bound, name);
   if (profiles() > 0 && bound.header.frame_id != header_.frame_id) {
     throw UnusableInput(name, "in frame " + bound.header.frame_id,
@@ -74,7 +80,7 @@ void CloudBuilder::add(const BoundProfile& bound) {
   header_ = bound.header;
   profile_.clear();
   triangulator_.add({profile.laser, profile.first_row, rows, profile.position.data(),
-                     profile.width.data(), profile.intensity.data()},
+                     profile.width.data(), profile.intensity.data(), pass},
                     pose, profile_);
   points_.append(profile_);
   points_of_laser_[profile.laser] += profile_.size();
@@ -93,6 +99,7 @@ PointCloud2 CloudBuilder::cloud(std::size_t first) const {
                   field("z", offsetof(ScanPoint, z), PointField::FLOAT32),
                   field("intensity", offsetof(ScanPoint, intensity), PointField::FLOAT32),
                   field("laser", offsetof(ScanPoint, laser), PointField::UINT8),
+                  field("pass", offsetof(ScanPoint, pass), PointField::UINT8),
                   field("width", offsetof(ScanPoint, width), PointField::FLOAT32)};
   cloud.point_step = sizeof(ScanPoint);
   cloud.row_step = static_cast<std::uint32_t>(count * sizeof(ScanPoint));

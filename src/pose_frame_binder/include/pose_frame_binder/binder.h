@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pose_frame_binder/types.h"
@@ -27,6 +28,12 @@ class Binder {
   ~Binder();
   Binder(const Binder&) = delete;
   Binder& operator=(const Binder&) = delete;
+
+  /// The motion of the next arming of the trigger, for the constant speed. Where it is called once,
+  /// it is called for each arming.
+  /// @param motion none: not a line at a constant speed; its frames are dropped
+  /// @throw scan_cell_common::InvalidParameter if the motion is not determined
+  void start_run(const std::optional<ConstantSpeed>& motion);
 
   /// @throw scan_cell_common::Refused if the pose log is full
   void add_pose(const TimedPose& pose);

@@ -55,6 +55,7 @@ struct Pulse {
   std::uint32_t arming = 0;  //!< number of the trigger's arming
   std::uint64_t count = 0;   //!< within the arming, from 1
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
+  std::uint32_t pass = 0;    //!< of the scan
 };
 
 /// What the binder needs to know of a frame.
@@ -65,8 +66,8 @@ struct Frame {
   std::string corrupt;            //!< why it cannot be used; empty where it can
 };
 
-/// A motion along a line at constant speed (thesis, section 6.1). The first pulse of the first
-/// arming is at its start, the others follow at a constant frame rate. Nothing of it is measured.
+/// A motion along a line at constant speed (thesis, section 6.1). The first pulse of an arming is
+/// at its start, the others follow at a constant frame rate. Nothing of it is measured.
 struct ConstantSpeed {
   Eigen::Isometry3d start = none();  //!< pose of the flange in the frame of the poses
   Eigen::Isometry3d end = none();    //!< the same at the end
@@ -97,7 +98,7 @@ struct Settings {
   double max_speed = 1.5;                   //!< [m/s] of the flange, for the error bound
   std::size_t max_poses = 2'000'000;        //!< held in memory (170 bytes each)
   std::size_t max_pending_frames = 20'000;  //!< that wait for pulses or poses
-  ConstantSpeed constant_speed;             //!< for that method alone
+  ConstantSpeed constant_speed;  //!< for that method alone, of a scan whose runs are not told
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
@@ -111,6 +112,9 @@ void check(const Settings& settings);
 
 /// @throw scan_cell_common::InvalidParameter if the motion is not determined
 void check(const ConstantSpeed& motion);
+
+/// Whether anything of it was given.
+bool is_given(const ConstantSpeed& motion);
 
 /// A frame with its pulse and pose.
 struct Match {
@@ -129,6 +133,7 @@ struct Drop {
   DropReason reason = DropReason::kNoTrigger;  //!< why
   std::optional<std::size_t> frame;  //!< its number; none: the pulse's frame never arrived
   std::uint64_t frame_counter = 0;   //!< the camera's, unwrapped
+  std::uint32_t arming = 0;          //!< of the pulse; 0: no pulse belongs to it
   std::uint64_t trigger_count = 0;   //!< 0: no pulse belongs to it
   std::string detail;                //!< for a person
 };

@@ -67,7 +67,8 @@ void describe(scan_cell_common::ParameterTable& table, Settings& settings) {
 
 void check(const Settings& settings) {
   scan_cell_common::check(settings);
-  if (settings.method == Method::kConstantSpeed) check(settings.constant_speed);
+  if (settings.method == Method::kConstantSpeed && is_given(settings.constant_speed))
+    check(settings.constant_speed);
 }
 
 Binder::Binder(const Settings& settings)
@@ -89,6 +90,10 @@ std::uint64_t Binder::pulses() const {
 
 std::uint64_t Binder::progress() const {
   return pulses() + settled_ + frames_->undecided();
+}
+
+void Binder::start_run(const std::optional<ConstantSpeed>& motion) {
+  rule_->start_run(motion);
 }
 
 void Binder::add_pose(const TimedPose& pose) {
@@ -143,8 +148,9 @@ void Binder::advance() {
 }
 
 void Binder::on_drop(const FrameRecord& frame, const std::string& detail) {
-  const std::uint64_t count = frame.pulse ? (*pulses_)[*frame.pulse].count : 0;
-  dropped_.push_back({frame.reason, frame.number, frame.frame.counter, count, detail});
+  const Pulse pulse = frame.pulse ? (*pulses_)[*frame.pulse] : Pulse();
+  dropped_.push_back(
+      {frame.reason, frame.number, frame.frame.counter, pulse.arming, pulse.count, detail});
   decisions_.push_back({frame.number, std::nullopt});
   if (frame.pulse) settle(*frame.pulse, Fate::kDropped);
 }
@@ -216,8 +222,9 @@ Audit Binder::audit() const {
   for (std::size_t i = 0; i < fates_.size(); ++i) {
     if (fates_[i] != Fate::kUnknown) continue;
     ++audit.frames_never_arrived;
-    audit.dropped.push_back({DropReason::kNeverArrived, std::nullopt, 0, (*pulses_)[i].count,
-                             fmt::format("arming {}", (*pulses_)[i].arming)});
+    const Pulse& pulse = (*pulses_)[i];
+    audit.dropped.push_back({DropReason::kNeverArrived, std::nullopt, 0, pulse.arming, pulse.count,
+                             fmt::format("arming {}", pulse.arming)});
   }
   return audit;
 }

@@ -11,6 +11,7 @@
 namespace pose_frame_binder {
 
 using scan_cell_msgs::FinishBinding;
+using scan_cell_msgs::StartRun;
 using scan_cell_msgs::StartScan;
 
 BinderServices::BinderServices(ros::NodeHandle node, ros::NodeHandle private_node,
@@ -42,6 +43,7 @@ BinderServices::BinderServices(ros::NodeHandle node, ros::NodeHandle private_nod
   poses_ = data.subscribe<tf2_msgs::TFMessage>("/tf", kUnbounded, on_poses, ros::VoidConstPtr(),
                                                no_delay);
   start_ = private_node.advertiseService("start", &BinderServices::start, this);
+  start_run_ = private_node.advertiseService("start_run", &BinderServices::start_run, this);
   finish_ = private_node.advertiseService("finish", &BinderServices::finish, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("binding", this, &BinderServices::diagnose);
@@ -86,6 +88,15 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
     lookup_.start();
     failure_.clear();
     profiles_ignored_ = 0;
+  });
+}
+
+bool BinderServices::start_run(StartRun::Request& request, StartRun::Response& response) {
+  return scan_cell_common::answer(response, [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!scan_)
+      throw scan_cell_common::Refused("run", "no scan is under way", "call ~start before");
+    scan_->start_run(request);
   });
 }
 

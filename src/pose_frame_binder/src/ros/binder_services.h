@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 #include <scan_cell_msgs/FinishBinding.h>
+#include <scan_cell_msgs/StartRun.h>
 #include <scan_cell_msgs/StartScan.h>
 
 #include <atomic>
@@ -31,6 +32,8 @@ class BinderServices {
  private:
   bool start(scan_cell_msgs::StartScan::Request& request,
              scan_cell_msgs::StartScan::Response& response);
+  bool start_run(scan_cell_msgs::StartRun::Request& request,
+                 scan_cell_msgs::StartRun::Response& response);
   bool finish(scan_cell_msgs::FinishBinding::Request& request,
               scan_cell_msgs::FinishBinding::Response& response);
 
@@ -60,6 +63,7 @@ class BinderServices {
   ros::Subscriber events_;
   ros::Subscriber poses_;
   ros::ServiceServer start_;
+  ros::ServiceServer start_run_;
   ros::ServiceServer finish_;
   diagnostic_updater::Updater diagnostics_;
   ros::Timer diagnostics_timer_;

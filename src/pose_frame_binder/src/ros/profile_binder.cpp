@@ -40,6 +40,7 @@ BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
   bound.profile = profile;
   bound.profile.laser = laser_of(profile, match.pulse.lasers);
   bound.pose = scan_cell_common::to_ros_pose(match.pose);
+  bound.pass = match.pulse.pass;
   bound.match.rule = static_cast<std::uint8_t>(match.rule);
   bound.match.frame_counter = profile.frame_counter;
   bound.match.arming = match.pulse.arming;
@@ -121,6 +122,26 @@ Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& 
   return pose;
 }
 
+void ProfileBinder::start_run(const scan_cell_msgs::StartRun::Request& run) {
+  if (!run.straight) return binder_.start_run(std::nullopt);
+  ConstantSpeed motion;
+  motion.start = in_fixed_frame(run.start, "start");
+  motion.end = in_fixed_frame(run.end, "end");
+  motion.speed = run.speed;
+  motion.frame_rate = run.rate;
+  binder_.start_run(motion);
+}
+
+Eigen::Isometry3d ProfileBinder::in_fixed_frame(const geometry_msgs::PoseStamped& pose,
+                                                const std::string& name) const {
+  const auto flange = scan_cell_common::checked_from_ros<scan_cell_common::Refused>(
+      pose.pose, "orientation of the " + name);
+  if (pose.header.frame_id == frames_.fixed) return flange;
+  if (pose.header.frame_id == frames_.base) return fixed_to_base_ * flange;
+  throw scan_cell_common::Refused(name, "in frame '" + pose.header.frame_id + "'",
+                                  "give it in " + frames_.fixed + " or " + frames_.base);
+}
+
 void ProfileBinder::add(const tf2_msgs::TFMessage& transforms) {
   for (const geometry_msgs::TransformStamped& transform : transforms.transforms) {
     if (transform.header.frame_id != frames_.base) continue;
@@ -131,7 +152,8 @@ void ProfileBinder::add(const tf2_msgs::TFMessage& transforms) {
 }
 
 void ProfileBinder::add(const TriggerEvent& event) {
-  binder_.add_pulse({from_ros(event.header.stamp), event.arming, event.count, event.lasers});
+  binder_.add_pulse(
+      {from_ros(event.header.stamp), event.arming, event.count, event.lasers, event.pass});
 }
 
 void ProfileBinder::add(const scan_cell_msgs::PeakProfileConstPtr& profile) {
@@ -180,6 +202,7 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
     scan_cell_msgs::DroppedFrame dropped;
     dropped.reason = static_cast<std::uint8_t>(drop.reason);
     dropped.frame_counter = drop.frame_counter;
+    dropped.arming = drop.arming;
     dropped.trigger_count = drop.trigger_count;
     dropped.detail = drop.detail;
     message.dropped.push_back(dropped);

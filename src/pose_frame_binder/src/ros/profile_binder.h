@@ -4,6 +4,7 @@
 
 #include <scan_cell_msgs/BindingAudit.h>
 #include <scan_cell_msgs/BoundProfile.h>
+#include <scan_cell_msgs/StartRun.h>
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -34,6 +35,10 @@ class ProfileBinder {
   ProfileBinder(const Settings& settings, const Frames& frames,
                 const Eigen::Isometry3d& fixed_to_base);
 
+  /// The motion of the next arming, as Binder::start_run().
+  /// @throw scan_cell_common::Refused if its poses are in another frame, or are none
+  void start_run(const scan_cell_msgs::StartRun::Request& run);
+
   /// Takes the transforms from base to flange among these.
   /// @throw scan_cell_common::Refused if the memory allowed is full
   void add(const tf2_msgs::TFMessage& transforms);
@@ -48,6 +53,9 @@ class ProfileBinder {
   std::vector<scan_cell_msgs::BoundProfileConstPtr> take();
 
  private:
+  Eigen::Isometry3d in_fixed_frame(const geometry_msgs::PoseStamped& pose,
+                                   const std::string& name) const;
+
   const Frames frames_;
   const Eigen::Isometry3d fixed_to_base_;
   Binder binder_;

@@ -3,22 +3,29 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scan_cell/scan_request.h"
 
 namespace scan_cell {
 
-/// One line to scan, as people keep it in a YAML file:
+/// Passes to scan, as people keep them in a YAML file:
 ///
 ///     frame: world                 # of the poses
-///     start: {translation: [x, y, z], rotation: [x, y, z, w]}   # of the flange, metres
-///     end:   {translation: [x, y, z], rotation: [x, y, z, w]}
-///     speed: 0.05                  # [m/s]
-///     rate: 100                    # [Hz]
-///     laser: 0                     # 0 or 1
+///     passes:
+///       - name: outer flank        # may be left out
+///         line:                    # poses of the flange, metres
+///           start: {translation: [x, y, z], rotation: [x, y, z, w]}
+///           end:   {translation: [x, y, z], rotation: [x, y, z, w]}
+///         speed: 0.05              # [m/s]
+///         rate: 100                # [Hz]
+///         laser: 0                 # 0, 1, each or alternate
+///
+/// In place of `line`: `arc` with start, via and end, or `poses` with a list. A file with start,
+/// end, speed, rate and laser in place of `passes` is one line.
 struct ScanProgram {
-  std::string frame;    //!< of the poses
-  ScanRequest request;  //!< poses in `frame`
+  std::string frame;             //!< of the poses
+  std::vector<ScanPass> passes;  //!< poses in `frame`
 };
 
 /// @throw scan_cell_common::FileError if the file is missing or not YAML

@@ -23,7 +23,8 @@ enum class VideeCommandKind {
 /// One command as it came over the wire. docs/videe_protocol.md describes the lines.
 struct VideeCommand {
   VideeCommandKind kind = VideeCommandKind::kReset;  //!< which command
-  std::vector<Eigen::Isometry3d> poses;  //!< SET_POSITION: start and end of the flange [m]
+  std::vector<Eigen::Isometry3d>
+      poses;  //!< SET_POSITION: of the flange [m], start and end of each pass
 };
 
 /// @param line without its line end

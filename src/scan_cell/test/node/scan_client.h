@@ -55,12 +55,16 @@ class ScanClient : public testing::Test {
   static scan_cell_msgs::ScanGoal goal(const std::string& scan_id) {
     scan_cell_msgs::ScanGoal goal;
     goal.scan_id = scan_id;
-    goal.start.header.frame_id = goal.end.header.frame_id = "world";
-    goal.start.pose.orientation.x = goal.end.pose.orientation.x = 1;
-    goal.end.pose.position.x = 0.1;
-    goal.speed = 0.1;
-    goal.rate = 50;
-    goal.lasers = 1;
+    goal.frame = "world";
+    goal.passes.resize(1);
+    scan_cell_msgs::ScanPass& line = goal.passes.front();
+    line.kind = scan_cell_msgs::ScanPass::LINE;
+    line.poses.resize(2);
+    line.poses[0].orientation.x = line.poses[1].orientation.x = 1;
+    line.poses[1].position.x = 0.1;
+    line.speed = 0.1;
+    line.rate = 50;
+    line.lasers = scan_cell_msgs::ScanPass::LASER_0;
     return goal;
   }
 

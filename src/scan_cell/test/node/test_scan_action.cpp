@@ -220,14 +220,14 @@ TEST_F(ScanClient, TellsARobotThatRefusesASpeedFromOneThatIsLost) {
 
 TEST_F(ScanClient, RefusesWhatMakesNoSense) {
   scan_cell_msgs::ScanGoal bad = goal("bad");
-  bad.start.header.frame_id = "no_such_frame";
+  bad.frame = "no_such_frame";
   EXPECT_NE(run(bad).message.find("no_such_frame"), std::string::npos);
   EXPECT_EQ(client_.getState().state_, State::REJECTED);
   bad = goal("bad");
-  bad.start.pose.orientation.x = 0;
+  bad.passes[0].poses[0].orientation.x = 0;
   EXPECT_NE(run(bad).message.find("quaternion"), std::string::npos);
   bad = goal("bad");
-  bad.speed = 9;
+  bad.passes[0].speed = 9;
   EXPECT_NE(run(bad).message.find("speed"), std::string::npos);
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "running_cell/nodes.h"
+#include "scan_cell/ros/scan_goal.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell/videe_command.h"
 #include "scan_cell_common/errors/errors.h"
@@ -67,12 +68,13 @@ void RunningCell::wait_until_well() {
   wait_until("an image of the camera", [] { return grabs_an_image(); });
 }
 
-scan_cell::ScanRequest RunningCell::line() const {
-  scan_cell::ScanRequest line = program_.request;
+scan_cell::ScanProgram RunningCell::line() const {
+  scan_cell::ScanProgram program = program_;
+  std::vector<Eigen::Isometry3d>& poses = program.passes.front().poses;
   const Eigen::Vector3d place = look().place;
-  if ((line.start.translation() - place).norm() < (line.end.translation() - place).norm())
-    std::swap(line.start, line.end);
-  return line;
+  if ((poses.front().translation() - place).norm() < (poses.back().translation() - place).norm())
+    std::reverse(poses.begin(), poses.end());
+  return program;
 }
 
 void RunningCell::forget_last_scan() {
@@ -84,16 +86,7 @@ void RunningCell::forget_last_scan() {
 
 void RunningCell::start_scan(const std::string& scan_id) {
   forget_last_scan();
-  const scan_cell::ScanRequest request = line();
-  scan_cell_msgs::ScanGoal goal;
-  goal.scan_id = scan_id;
-  goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
-  goal.start.pose = scan_cell_common::to_ros_pose(request.start);
-  goal.end.pose = scan_cell_common::to_ros_pose(request.end);
-  goal.speed = request.speed;
-  goal.rate = request.rate;
-  goal.lasers = request.lasers;
-  scan_.sendGoal(goal);
+  scan_.sendGoal(scan_cell::scan_goal(line(), scan_id));
 }
 
 void RunningCell::start_videe_scan(std::uint16_t port) {
@@ -106,9 +99,9 @@ void RunningCell::start_videe_scan(std::uint16_t port) {
       return false;  // it is starting, or restarting
     }
   });
-  const scan_cell::ScanRequest request = line();
-  videe_->ask("SET_POSITION " + scan_cell::pose_to_wire(request.start) + " " +
-              scan_cell::pose_to_wire(request.end));
+  const scan_cell::ScanPass pass = line().passes.front();
+  videe_->ask("SET_POSITION " + scan_cell::pose_to_wire(pass.poses.front()) + " " +
+              scan_cell::pose_to_wire(pass.poses.back()));
   videe_->ask("START_SCAN");
 }
 

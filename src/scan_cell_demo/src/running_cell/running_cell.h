@@ -69,7 +69,7 @@ class RunningCell {
   void on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback);
   void on_result(const scan_cell_msgs::ScanActionResultConstPtr& result);
   void forget_last_scan();
-  scan_cell::ScanRequest line() const;
+  scan_cell::ScanProgram line() const;
   scan_cell_msgs::ScanActionResultConstPtr result() const;
   void on_flange(const geometry_msgs::PoseStamped& flange);
   void on_status(const scan_cell_msgs::RobotStatus& status);

@@ -13,7 +13,8 @@ import unittest
 import actionlib
 import rospy
 import rostest
-from scan_cell_msgs.msg import CellState, ScanAction, ScanGoal, ScanResult, TriggerState
+from geometry_msgs.msg import Point, Pose, Quaternion
+from scan_cell_msgs.msg import CellState, ScanAction, ScanGoal, ScanPass, ScanResult, TriggerState
 from scan_cell_msgs.srv import GrabImage
 
 PAGE = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../../docs/videe_protocol.md')
@@ -150,12 +151,10 @@ class Videe(unittest.TestCase):
         self.assertEqual(answer, 'OK')
 
     def ros_goal(self):
-        goal = ScanGoal(scan_id='of a ROS client', speed=0.06, rate=100, lasers=1)
-        for pose, x in ((goal.start, -0.18), (goal.end, 0.18)):
-            pose.header.frame_id = 'world'
-            pose.pose.position.x, pose.pose.position.z = x, 0.595
-            pose.pose.orientation.x = 1
-        return goal
+        line = ScanPass(kind=ScanPass.LINE, speed=0.06, rate=100, lasers=ScanPass.LASER_0)
+        for x in (-0.18, 0.18):
+            line.poses.append(Pose(position=Point(x=x, z=0.595), orientation=Quaternion(x=1)))
+        return ScanGoal(scan_id='of a ROS client', frame='world', passes=[line])
 
     def test_session_of_the_page_runs_as_it_stands_there(self):
         session = session_of_the_page()

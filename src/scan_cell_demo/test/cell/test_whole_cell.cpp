@@ -127,19 +127,12 @@ class WholeCell : public testing::Test {
 
   /// Starts a scan and waits until its frames come in.
   void start_scan(const std::string& scan_id) {
-    scan_cell_msgs::ScanGoal goal;
-    goal.scan_id = scan_id;
-    goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
-    goal.start.pose = scan_cell_common::to_ros_pose(program_.request.start);
-    goal.end.pose = scan_cell_common::to_ros_pose(program_.request.end);
-    goal.speed = program_.request.speed;
-    goal.rate = program_.request.rate;
-    goal.lasers = program_.request.lasers;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       frames_ = 0;
     }
-    scan_.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+    scan_.sendGoal(scan_cell::scan_goal(program_, scan_id), Client::SimpleDoneCallback(),
+                   Client::SimpleActiveCallback(),
                    [this](const scan_cell_msgs::ScanFeedbackConstPtr& feedback) {
                      const std::lock_guard<std::mutex> lock(mutex_);
                      frames_ = feedback->frames;
@@ -172,7 +165,7 @@ class WholeCell : public testing::Test {
     wait_for("the flange to stand", [this] { return still_ >= 3; });
     wait_for("the driver to say so", [this] { return !moving_; });
     const std::lock_guard<std::mutex> lock(mutex_);
-    EXPECT_GT((program_.request.end.translation() - place_).norm(), kMinWayLeft);
+    EXPECT_GT((program_.passes.front().poses.back().translation() - place_).norm(), kMinWayLeft);
   }
 
   /// Rows that show a laser line: the circuit's state, whatever the trigger's node says of it.

@@ -34,6 +34,12 @@ std::optional<std::size_t> PulseLog::find(std::uint32_t run, std::int64_t count)
   return static_cast<std::size_t>(found - entries_.begin());
 }
 
+std::size_t PulseLog::first_of(std::uint32_t run) const {
+  const auto before = [](const Entry& entry, std::uint32_t r) { return entry.run < r; };
+  const auto first = std::lower_bound(entries_.begin(), entries_.end(), run, before);
+  return static_cast<std::size_t>(first - entries_.begin());
+}
+
 std::uint64_t PulseLog::last_count(std::uint32_t run) const {
   const auto before = [](std::uint32_t r, const Entry& entry) { return r < entry.run; };
   const auto next = std::upper_bound(entries_.begin(), entries_.end(), run, before);

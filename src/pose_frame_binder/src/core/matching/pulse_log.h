@@ -26,6 +26,9 @@ class PulseLog {
   /// again gives the same arming again, and yet another run.
   std::uint32_t run(std::size_t index) const { return entries_[index].run; }
 
+  /// The first pulse of a run that has one.
+  std::size_t first_of(std::uint32_t run) const;
+
   /// The pulse with this count in this run.
   std::optional<std::size_t> find(std::uint32_t run, std::int64_t count) const;
 

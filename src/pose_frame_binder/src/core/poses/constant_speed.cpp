@@ -52,43 +52,59 @@ void check(const ConstantSpeed& motion) {
   }
 }
 
-ConstantSpeedRule::ConstantSpeedRule(const Settings& settings)
-    : motion_(settings.constant_speed),
-      max_off_(settings.max_pose_gap),
-      length_(length(settings.constant_speed)) {}
+bool is_given(const ConstantSpeed& motion) {
+  return motion.start.matrix().allFinite() || motion.end.matrix().allFinite() ||
+         motion.speed != 0 || motion.frame_rate != 0;  // NaN too
+}
+
+ConstantSpeedRule::ConstantSpeedRule(const Settings& settings) : settings_(settings) {}
+
+void ConstantSpeedRule::start_run(const std::optional<ConstantSpeed>& motion) {
+  if (motion) check(*motion);
+  runs_.push_back(motion);
+}
+
+std::optional<ConstantSpeed> ConstantSpeedRule::motion_of(std::uint32_t run) const {
+  if (run < runs_.size()) return runs_[run];
+  const bool told = !runs_.empty() || !is_given(settings_.constant_speed);
+  if (told || run > 0) return std::nullopt;
+  return settings_.constant_speed;
+}
 
 std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const PulseLog& pulses,
                                                   const PoseLog&) const {
   const Pulse& pulse = pulses[index];
-  const Pulse& first = pulses[0];
-  if (pulses.run(index) != pulses.run(0)) {
+  const std::uint32_t run = pulses.run(index) - pulses.run(0);
+  const std::optional<ConstantSpeed> motion = motion_of(run);
+  if (!motion) {
     return refuse(DropReason::kNoPoseBefore,
-                  "the trigger was armed again: when that motion began is not known");
+                  "the motion of this arming is not known to be a line at a constant speed");
   }
-  const double since_start = static_cast<double>(pulse.count - 1) / motion_.frame_rate;
-  const double since_first = static_cast<double>(pulse.count - first.count) / motion_.frame_rate;
+  const Pulse& first = pulses[pulses.first_of(pulses.run(index))];
+  const double since_start = static_cast<double>(pulse.count - 1) / motion->frame_rate;
+  const double since_first = static_cast<double>(pulse.count - first.count) / motion->frame_rate;
   const double off = to_seconds(pulse.time - first.time) - since_first;
-  if (std::abs(off) > max_off_) {
+  if (std::abs(off) > settings_.max_pose_gap) {
     return refuse(
         DropReason::kPoseGap,
         fmt::format("its pulse came {:.6g} s off a constant frame rate, at most {} s allowed", off,
-                    max_off_));
+                    settings_.max_pose_gap));
   }
-  const double fraction = since_start * motion_.speed / length_;
+  const double fraction = since_start * motion->speed / length(*motion);
   constexpr double kRounding = 1e-9;  // of the fraction, which is of order 1
   if (fraction > 1 + kRounding) {
     return refuse(DropReason::kNoPoseAfter, "the motion has ended before it");
   }
   const Eigen::Isometry3d moved =
-      scan_cell_common::interpolate(motion_.start, motion_.end, std::min(fraction, 1.0));
+      scan_cell_common::interpolate(motion->start, motion->end, std::min(fraction, 1.0));
   PoseAnswer answer;
   Match& match = answer.match.emplace();
   match.rule = Rule::kConstantSpeed;
   match.pulse = pulse;
   // What moved an object from start to `moved` moves the scanner the other way, seen from it.
-  match.pose = motion_.object_moves ? motion_.start * moved.inverse() * motion_.start : moved;
+  match.pose = motion->object_moves ? motion->start * moved.inverse() * motion->start : moved;
   match.time_to_before = match.time_to_after = std::numeric_limits<double>::quiet_NaN();
-  match.position_error_bound = motion_.speed * std::abs(off);
+  match.position_error_bound = motion->speed * std::abs(off);
   return answer;
 }
 

@@ -26,6 +26,9 @@ class PoseRule {
  public:
   virtual ~PoseRule() = default;
 
+  /// The motion of the next run of pulses, for those who need to know.
+  virtual void start_run(const std::optional<ConstantSpeed>&) {}
+
   /// @param pulse index in the log
   /// @return none while poses or pulses that still may come could change the answer
   virtual std::optional<PoseAnswer> find(std::size_t pulse, const PulseLog& pulses,

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "poses/pose_rule.h"
 
 namespace pose_frame_binder {
@@ -37,13 +40,15 @@ class FirstPoseRule : public PoseRule {
 class ConstantSpeedRule : public PoseRule {
  public:
   explicit ConstantSpeedRule(const Settings& settings);
+  void start_run(const std::optional<ConstantSpeed>& motion) override;
   std::optional<PoseAnswer> find(std::size_t pulse, const PulseLog& pulses,
                                  const PoseLog& poses) const override;
 
  private:
-  const ConstantSpeed motion_;
-  const double max_off_;  // [s]
-  const double length_;   // [m]
+  std::optional<ConstantSpeed> motion_of(std::uint32_t run) const;
+
+  const Settings settings_;
+  std::vector<std::optional<ConstantSpeed>> runs_;  // as they were told
 };
 
 PoseAnswer refuse(DropReason reason, const std::string& detail);

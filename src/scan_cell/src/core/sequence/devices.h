@@ -7,10 +7,17 @@
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tecnogamma_camera/peak_profile.h"
 
 namespace scan_cell {
+
+/// Where a motion goes.
+struct MoveTarget {
+  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0 in the robot's base frame
+  std::optional<Eigen::Isometry3d> via;  //!< on the arc to it; none: it goes along a line
+};
 
 /// How the motion that was started last stands.
 struct Motion {
@@ -42,10 +49,9 @@ class Robot : public Device {
   /// Linear motion with linear interpolation, at this speed of the flange [m/s].
   virtual void set_linear_motion(double speed) = 0;
 
-  /// Starts to move the flange along a line; returns once the goal was handed over.
-  /// @param flange pose of tool0 in the robot's base frame
+  /// Starts to move the flange; returns once the goal was handed over.
   /// @param camera_rate [Hz] frame rate told to the controller with the motion; 0: none
-  virtual void start_move(const Eigen::Isometry3d& flange, double camera_rate) = 0;
+  virtual void start_move(const MoveTarget& target, double camera_rate) = 0;
 
   virtual Motion motion() const = 0;
 
@@ -67,8 +73,11 @@ class Robot : public Device {
 /// The camera, through its driver.
 class Camera : public Device {
  public:
-  /// Profiles on external trigger. trouble() watches for profiles from expect_profiles() on.
+  /// Profiles on external trigger.
   virtual void start() = 0;
+
+  /// From here on trouble() watches for profiles.
+  /// @param rate [Hz] 0: none are expected any more
   virtual void expect_profiles(double rate) = 0;
   virtual void stop() noexcept = 0;
 };
@@ -102,17 +111,25 @@ class SnapshotCamera {
   virtual std::string restore() noexcept = 0;
 };
 
+/// Which lasers burn while the camera is pulsed.
+struct Lighting {
+  std::uint8_t lasers = 0;  //!< bit mask, TriggerEvent.LASER_*
+  bool alternate = false;   //!< both lasers of the mask in turns, pulse by pulse
+};
+
 /// How a trigger circuit left off.
 struct Disarmed {
-  std::uint64_t pulses =
-      0;                //!< since arm(): by its own count where it answers, or else those heard
-  std::string trouble;  //!< why it may not have pulsed to the end; empty where it answered
+  std::uint32_t arming = 0;  //!< its number
+  std::uint64_t pulses = 0;  //!< in it: by its own count where it answers, or else those heard
+  std::string trouble;       //!< why it may not have pulsed to the end; empty where it answered
 };
 
 /// The trigger circuit with the lasers.
 class Trigger : public Device {
  public:
-  virtual void arm(double rate, std::uint8_t lasers) = 0;
+  /// @param rate [Hz] of the pulses
+  /// @param pass number that its events carry
+  virtual void arm(double rate, const Lighting& lighting, std::uint32_t pass) = 0;
 
   /// Pulses stop, lasers go off. Never throws.
   virtual Disarmed disarm() noexcept = 0;
@@ -121,16 +138,28 @@ class Trigger : public Device {
   virtual void keep_alive() = 0;
 };
 
+struct ScanRun;
+
+/// The pulses of one arming of the trigger.
+struct ArmingPulses {
+  std::uint32_t arming = 0;  //!< its number
+  std::uint64_t pulses = 0;  //!< sent in it
+};
+
 /// What happens to the data: binder and triangulation.
 class Stages : public Device {
  public:
   virtual void start(const std::string& scan_id) = 0;
 
+  /// What is pulsed from here on belongs to this run.
+  virtual void start_run(const ScanRun& run) = 0;
+
   /// Waits for frames and poses that are late, and makes the audit of all that was captured.
-  /// @param pulses sent in the scan
+  /// @param armings of the scan, in their order
   /// @param patience [s] the longest to wait
-  /// @return how many of the last pulses have no frame
-  virtual std::uint64_t bind(std::uint64_t pulses, double patience) = 0;
+  /// @return how many of the last pulses of each arming have no frame
+  virtual std::vector<std::uint64_t> bind(const std::vector<ArmingPulses>& armings,
+                                          double patience) = 0;
 
   /// Makes the cloud of all that was bound, also where bind() failed.
   /// @param whole the scan did not end early: its cloud may go on to preprocessing

@@ -2,24 +2,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell/scan_program.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "scan_cell_common/files/yaml_file.h"
 
 namespace scan_cell {
+namespace {
+
+using scan_cell_common::YamlEntry;
+
+PassLasers read_lasers(const YamlEntry& entry) {
+  const std::string words[] = {"0", "1", "each", "alternate"};  // in the order of PassLasers
+  const auto word = entry.as<std::string>();
+  const auto found = std::find(std::begin(words), std::end(words), word);
+  if (found == std::end(words)) entry.refuse(word, "give 0, 1, each or alternate");
+  return static_cast<PassLasers>(found - std::begin(words));
+}
+
+void read_motion(const YamlEntry& entry, ScanPass& pass) {
+  pass.speed = entry["speed"].as<double>();
+  pass.rate = entry["rate"].as<double>();
+  pass.lasers = read_lasers(entry["laser"]);
+}
+
+void read_way(const YamlEntry& entry, PassKind kind, ScanPass& pass) {
+  pass.kind = kind;
+  if (kind == PassKind::kPolyline) {
+    for (const YamlEntry& pose : entry.elements())
+      pass.poses.push_back(pose.pose());
+    return;
+  }
+  std::vector<std::string> keys = {"start", "end"};
+  if (kind == PassKind::kArc) keys.insert(keys.begin() + 1, "via");
+  entry.refuse_unknown({keys.begin(), keys.end()});
+  for (const std::string& key : keys)
+    pass.poses.push_back(entry[key].pose());
+}
+
+ScanPass read_pass(const YamlEntry& entry) {
+  const std::pair<const char*, PassKind> ways[] = {
+      {"line", PassKind::kLine}, {"arc", PassKind::kArc}, {"poses", PassKind::kPolyline}};
+  entry.refuse_unknown({"name", "line", "arc", "poses", "speed", "rate", "laser"});
+  ScanPass pass;
+  for (const auto& [key, kind] : ways) {
+    if (!entry.has(key)) continue;
+    if (!pass.poses.empty()) entry.refuse("more than one way", "give line, arc or poses");
+    read_way(entry[key], kind, pass);
+  }
+  if (pass.poses.empty()) entry.refuse("no way", "give line, arc or poses");
+  if (entry.has("name")) pass.name = entry["name"].as<std::string>();
+  read_motion(entry, pass);
+  return pass;
+}
+
+/// As programs were before there were passes.
+ScanPass read_one_line(const YamlEntry& root) {
+  root.refuse_unknown({"frame", "start", "end", "speed", "rate", "laser"});
+  ScanPass pass;
+  pass.poses = {root["start"].pose(), root["end"].pose()};
+  read_motion(root, pass);
+  return pass;
+}
+
+}  // namespace
 
 ScanProgram load_scan_program(const std::string& path) {
-  const auto root = scan_cell_common::YamlEntry::load(path);
-  root.refuse_unknown({"frame", "start", "end", "speed", "rate", "laser"});
+  const YamlEntry root = YamlEntry::load(path);
   ScanProgram program;
+  if (root.has("passes")) {
+    root.refuse_unknown({"frame", "passes"});
+    for (const YamlEntry& entry : root["passes"].elements())
+      program.passes.push_back(read_pass(entry));
+    if (program.passes.empty()) root["passes"].refuse("empty", "give at least one pass");
+  } else {
+    program.passes.push_back(read_one_line(root));
+  }
   program.frame = root["frame"].as<std::string>();
-  program.request.start = root["start"].pose();
-  program.request.end = root["end"].pose();
-  program.request.speed = root["speed"].as<double>();
-  program.request.rate = root["rate"].as<double>();
-  const int laser = root["laser"].as<int>();
-  if (laser < 0 || laser > 1) root["laser"].refuse(fmt::format("{}", laser), "give 0 or 1");
-  program.request.lasers = static_cast<std::uint8_t>(1 << laser);
   return program;
 }
 

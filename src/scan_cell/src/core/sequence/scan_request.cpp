@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scan_cell_common/errors/errors.h"
 
@@ -13,40 +15,113 @@ namespace {
 
 using scan_cell_common::Refused;
 
-void check_range(const std::string& name, double value, double most, const std::string& unit) {
-  if (std::isfinite(value) && value > 0 && value <= most) return;
-  throw Refused(name, fmt::format("{:g} {}", value, unit),
-                fmt::format("give one above 0, up to {:g} {}", most, unit));
-}
+constexpr std::size_t kMaxPasses = 200;  // chosen; a point of the cloud has a byte for its pass
+constexpr std::size_t kMaxPoses = 1000;  // of a pass; chosen
 
-void check_pose(const std::string& name, const Eigen::Isometry3d& pose) {
-  if (pose.matrix().allFinite()) return;
-  throw Refused(name, "not finite", "give a pose of finite numbers");
+/// One pass with its name, to refuse.
+class PassCheck {
+ public:
+  PassCheck(const ScanPass& pass, std::size_t index, const ScanLimits& limits)
+      : pass_(pass), name_(pass_name(pass, index)), limits_(limits) {}
+
+  void run() const {
+    check_poses();
+    check_range("speed", pass_.speed, 0, limits_.max_speed, "m/s", "");
+    check_range("frame rate", pass_.rate, limits_.min_rate, limits_.max_rate, "Hz",
+                ": the loss of a slower camera would be noticed too late");
+    check_length();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what, const std::string& value,
+                           const std::string& cure) const {
+    throw Refused(name_ + ": " + what, value, cure);
+  }
+
+  void check_poses() const {
+    const std::size_t count = pass_.poses.size();
+    const std::size_t least = pass_.kind == PassKind::kArc ? 3 : 2;
+    const std::size_t most = pass_.kind == PassKind::kPolyline ? kMaxPoses : least;
+    if (count < least || count > most) {
+      refuse("poses", fmt::format("{}", count),
+             least == most ? fmt::format("give {}", least)
+                           : fmt::format("give {} to {}", least, most));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!pass_.poses[i].matrix().allFinite())
+        refuse(fmt::format("pose {}", i + 1), "not finite", "give a pose of finite numbers");
+    }
+  }
+
+  void check_range(const std::string& what, double value, double least, double most,
+                   const std::string& unit, const std::string& why) const {
+    if (value > 0 && value >= least && value <= most) return;  // refuses NaN too
+    refuse(what, fmt::format("{:g} {}", value, unit),
+           least > 0 ? fmt::format("give one from {:g} to {:g} {}{}", least, most, unit, why)
+                     : fmt::format("give one above 0, up to {:g} {}", most, unit));
+  }
+
+  void check_length() const {
+    for (std::size_t i = 1; i < pass_.poses.size(); ++i) {
+      const double apart = (pass_.poses[i].translation() - pass_.poses[i - 1].translation()).norm();
+      if (apart < limits_.min_length) {
+        refuse(fmt::format("pose {}", i + 1),
+               fmt::format("{:g} mm from the one before", 1e3 * apart),
+               fmt::format("put them at least {:g} mm apart", 1e3 * limits_.min_length));
+      }
+    }
+    const double whole = length(pass_);
+    if (std::isnan(whole)) {
+      refuse("arc", "its three poses are on no circle",
+             "put the middle pose beside the line from start to end, or give a line");
+    }
+    if (whole > limits_.max_length) {
+      refuse("length", fmt::format("{:g} m", whole),
+             fmt::format("give a way of at most {:g} m", limits_.max_length));
+    }
+  }
+
+  const ScanPass& pass_;
+  const std::string name_;
+  const ScanLimits& limits_;
+};
+
+/// Of the circle through three points, from the first over the second to the third: its angle at
+/// the centre is twice that at the circumference.
+double arc_length(const Eigen::Vector3d& start, const Eigen::Vector3d& via,
+                  const Eigen::Vector3d& end) {
+  constexpr double kStraight = 1e-3;  // [rad] chosen: 0.1 m of it bulge by 25 um
+  const Eigen::Vector3d to_start = start - via;
+  const Eigen::Vector3d to_end = end - via;
+  const double at_via = std::atan2(to_start.cross(to_end).norm(), to_start.dot(to_end));
+  const double half = M_PI - at_via;  // half of the arc's angle at the centre
+  if (half < kStraight || at_via < kStraight) return std::numeric_limits<double>::quiet_NaN();
+  const double radius = (end - start).norm() / (2 * std::sin(at_via));
+  return 2 * half * radius;
 }
 
 }  // namespace
 
+std::string pass_name(const ScanPass& pass, std::size_t index) {
+  return fmt::format("pass {}{}", index + 1, pass.name.empty() ? "" : " (" + pass.name + ")");
+}
+
+double length(const ScanPass& pass) {
+  const auto point = [&pass](std::size_t i) { return pass.poses[i].translation(); };
+  if (pass.kind == PassKind::kArc) return arc_length(point(0), point(1), point(2));
+  double sum = 0;
+  for (std::size_t i = 1; i < pass.poses.size(); ++i)
+    sum += (point(i) - point(i - 1)).norm();
+  return sum;
+}
+
 void check(const ScanRequest& request, const ScanLimits& limits) {
-  check_pose("start of the scan", request.start);
-  check_pose("end of the scan", request.end);
-  check_range("speed", request.speed, limits.max_speed, "m/s");
-  check_range("frame rate", request.rate, limits.max_rate, "Hz");
-  if (request.rate < limits.min_rate) {
-    throw Refused(
-        "frame rate", fmt::format("{:g} Hz", request.rate),
-        fmt::format("give at least {:g} Hz: the loss of a slower camera would be noticed too late",
-                    limits.min_rate));
+  if (request.passes.empty() || request.passes.size() > kMaxPasses) {
+    throw Refused("passes", fmt::format("{}", request.passes.size()),
+                  fmt::format("give 1 to {}", kMaxPasses));
   }
-  const double length = (request.end.translation() - request.start.translation()).norm();
-  if (length < limits.min_length || length > limits.max_length) {
-    throw Refused("length of the scan", fmt::format("{:g} m", length),
-                  fmt::format("give start and end from {:g} to {:g} m apart", limits.min_length,
-                              limits.max_length));
-  }
-  if (request.lasers != 1 && request.lasers != 2) {
-    throw Refused("lasers", fmt::format("{}", request.lasers),
-                  "give 1 for laser_0 or 2 for laser_1: a frame holds one line");
-  }
+  for (std::size_t i = 0; i < request.passes.size(); ++i)
+    PassCheck(request.passes[i], i, limits).run();
 }
 
 }  // namespace scan_cell

@@ -10,11 +10,6 @@
 #include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell {
-namespace {
-
-constexpr double kSteps = 8;
-
-}  // namespace
 
 ScanSequence::ScanSequence(Robot& robot, Camera& camera, Trigger& trigger, Stages& stages,
                            ScanObserver& observer, const ScanLimits& limits, const Timing& timing)
@@ -29,12 +24,19 @@ ScanSequence::ScanSequence(Robot& robot, Camera& camera, Trigger& trigger, Stage
 
 SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why_to_cancel) {
   supervisor_.begin(why_to_cancel);
-  step_ = 0;
-  capturing_ = stages_started_ = false;
+  begin();
   SequenceEnd end;
   try {
-    prepare(request);
-    capture(request);
+    step(1, "read the positions");
+    on(Outcome::kRefused, [&] { check(request, limits_); });
+    runs_ = runs_of(request.passes);
+    supervisor_.wait_until_well();
+    for (run_ = 0; run_ < runs_.size(); ++run_) {
+      approach(runs_[run_]);
+      start_stages(request.scan_id);
+      capture(runs_[run_]);
+    }
+    passes_finished_ = request.passes.size();
   } catch (const EndEarly& early) {
     end = {early.outcome, early.message};
   } catch (const std::exception& error) {  // whatever it is: the cell must be made safe
@@ -43,39 +45,63 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
   return finish(end);
 }
 
-void ScanSequence::prepare(const ScanRequest& request) {
-  step(1, "read the positions");
-  on(Outcome::kRefused, [&] { check(request, limits_); });
-  supervisor_.wait_until_well();
-  step(2, "move to the start");
-  on_robot([&] { robot_.set_linear_motion(timing_.approach_speed); });
-  supervisor_.start_move(request.start, 0);
-  wait_for_motion();
-  step(3, "set speed and linear motion");
-  on_robot([&] { robot_.set_linear_motion(request.speed); });
-  step(4, "prepare binder and triangulation");
-  on(Outcome::kStageFailed, [&] { stages_.start(request.scan_id); });
-  stages_started_ = true;
+void ScanSequence::begin() {
+  runs_.clear();
+  run_ = passes_finished_ = 0;
+  flange_.reset();
+  armings_.clear();
+  progress_ = {};
+  capturing_ = stages_started_ = false;
 }
 
-void ScanSequence::capture(const ScanRequest& request) {
+void ScanSequence::approach(const ScanRun& run) {
+  passes_finished_ = run.pass;
+  step(2, "move to the start");
+  if (!flange_ || !flange_->isApprox(run.start)) {
+    on_robot([&] { robot_.set_linear_motion(timing_.approach_speed); });
+    supervisor_.start_move({run.start, std::nullopt}, 0);
+    wait_for_motion();
+  }
+  step(3, "set speed and linear motion");
+  on_robot([&] { robot_.set_linear_motion(run.speed); });
+}
+
+void ScanSequence::start_stages(const std::string& scan_id) {
+  step(4, "prepare binder and triangulation");
+  if (!stages_started_) on(Outcome::kStageFailed, [&] { stages_.start(scan_id); });
+  stages_started_ = true;
+  on(Outcome::kStageFailed, [&] { stages_.start_run(runs_[run_]); });
   step(5, "start the camera");
+  if (capturing_) return;
   observer_.on_capture_begins();
   capturing_ = true;
   on(Outcome::kCameraLost, [&] { camera_.start(); });
+}
+
+void ScanSequence::capture(const ScanRun& run) {
   step(6, "scan");
-  supervisor_.start_move(request.end, request.rate);
+  supervisor_.start_move(run.moves.front(), run.rate);
   supervisor_.wait_until_moving();
-  supervisor_.arm(request.rate, request.lasers);
-  camera_.expect_profiles(request.rate);
-  wait_for_motion();
+  supervisor_.arm(run.rate, run.lighting, static_cast<std::uint32_t>(run.pass));
+  camera_.expect_profiles(run.rate);
+  const double part = 1 / static_cast<double>(run.moves.size());
+  wait_for_motion(0, part);
+  for (std::size_t i = 1; i < run.moves.size(); ++i) {
+    supervisor_.start_move(run.moves[i], run.rate);
+    wait_for_motion(static_cast<double>(i) * part, part);
+  }
+  flange_ = run.moves.back().flange;
+  camera_.expect_profiles(0);
+  const std::string trouble = disarm();
+  if (!trouble.empty()) throw EndEarly{Outcome::kTriggerLost, trouble};
 }
 
 SequenceEnd ScanSequence::finish(SequenceEnd end) {
-  const std::uint64_t pulses = disarm(end);
+  const std::string trouble = disarm();
+  if (!trouble.empty()) worsen(end, Outcome::kTriggerLost, trouble);
   supervisor_.stop_robot();
   if (capturing_) step(7, "stop");
-  if (stages_started_) finish_stages(pulses, end);
+  if (stages_started_) finish_stages(end);
   if (capturing_) {
     camera_.stop();
     observer_.on_capture_ends();
@@ -84,25 +110,19 @@ SequenceEnd ScanSequence::finish(SequenceEnd end) {
   return end;
 }
 
-std::uint64_t ScanSequence::disarm(SequenceEnd& end) {
+std::string ScanSequence::disarm() {
   const Disarmed disarmed = supervisor_.disarm();
-  if (!disarmed.trouble.empty()) worsen(end, Outcome::kTriggerLost, disarmed.trouble);
-  return disarmed.pulses;
+  if (disarmed.pulses > 0) armings_.push_back({disarmed.arming, disarmed.pulses});
+  return disarmed.trouble;
 }
 
-void ScanSequence::finish_stages(std::uint64_t pulses, SequenceEnd& end) {
-  constexpr std::uint64_t kMissing = 5;  // in a row at the end: more than a lost packet; chosen
+void ScanSequence::finish_stages(SequenceEnd& end) {
   const bool whole = end.outcome == Outcome::kFinished;
   const double patience = whole ? timing_.patience : timing_.patience_after_failure;
   if (whole) step(8, "bind and triangulate");
   try {
-    const std::uint64_t missing = stages_.bind(pulses, patience);
-    if (whole && missing > 0 && missing >= std::min(kMissing, pulses)) {
-      worsen(end, Outcome::kCameraLost,
-             fmt::format("camera: no frame of the last {} of {} pulses; check the camera's cable "
-                         "and trigger input",
-                         missing, pulses));
-    }
+    const std::string lost = find_lost_frames(stages_.bind(armings_, patience));
+    if (whole && !lost.empty()) worsen(end, Outcome::kCameraLost, lost);
   } catch (const scan_cell_common::Error& error) {
     worsen(end, Outcome::kStageFailed, error.what());
   }
@@ -113,16 +133,42 @@ void ScanSequence::finish_stages(std::uint64_t pulses, SequenceEnd& end) {
   }
 }
 
-void ScanSequence::step(int number, const std::string& name) {
-  step_ = number;
-  step_name_ = name;
-  observer_.on_progress(number, name, (number - 1) / kSteps);
+std::string ScanSequence::find_lost_frames(const std::vector<std::uint64_t>& missing) const {
+  constexpr std::uint64_t kMissing = 5;  // in a row at the end: more than a lost packet; chosen
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    if (missing[i] == 0 || missing[i] < std::min(kMissing, armings_[i].pulses)) continue;
+    return fmt::format(
+        "camera: no frame of the last {} of {} pulses{}; check the camera's cable and trigger "
+        "input",
+        missing[i], armings_[i].pulses, runs_.size() > 1 ? " of " + runs_[i].name : "");
+  }
+  return "";
 }
 
-void ScanSequence::wait_for_motion() {
-  supervisor_.wait_for_motion([this](double progress) {
-    observer_.on_progress(step_, step_name_, (step_ - 1 + progress) / kSteps);
-  });
+void ScanSequence::step(int number, const std::string& name) {
+  progress_.pass = runs_.empty() ? 0 : runs_[std::min(run_, runs_.size() - 1)].pass;
+  progress_.step = number;
+  progress_.name = name;
+  show(0);
+}
+
+/// @param share of the step, 0 .. 1
+void ScanSequence::show(double share) {
+  constexpr double kSteps = 8;
+  constexpr int kOfRuns = 6;  // the first steps, which belong to the runs
+  const double steps = progress_.step - 1 + share;
+  if (progress_.step <= kOfRuns && !runs_.empty()) {
+    const auto run = static_cast<double>(run_);
+    progress_.whole = (run * kOfRuns + steps) / (kSteps * static_cast<double>(runs_.size()));
+  } else {
+    progress_.whole = steps / kSteps;
+  }
+  observer_.on_progress(progress_);
+}
+
+/// @param begun, part the motion is this part of the step, after what was begun
+void ScanSequence::wait_for_motion(double begun, double part) {
+  supervisor_.wait_for_motion([=](double progress) { show(begun + part * progress); });
 }
 
 }  // namespace scan_cell

@@ -2,21 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "scan_cell/scan_request.h"
 #include "sequence/devices.h"
+#include "sequence/scan_run.h"
 #include "sequence/sequence_end.h"
 #include "sequence/supervisor.h"
 
 namespace scan_cell {
 
+/// How far a scan is.
+struct ScanProgress {
+  std::size_t pass = 0;  //!< from 0
+  int step = 0;          //!< 1 .. 8
+  std::string name;      //!< of the step
+  double whole = 0;      //!< 0 .. 1, of the scan
+};
+
 /// Hears how a scan goes on.
 class ScanObserver {
  public:
   virtual ~ScanObserver() = default;
-  /// @param step 1 .. 8 @param progress 0 .. 1, of the whole scan
-  virtual void on_progress(int step, const std::string& name, double progress) = 0;
+  virtual void on_progress(const ScanProgress& progress) = 0;
   /// From here on profiles belong to the scan / no longer do.
   virtual void on_capture_begins() = 0;
   virtual void on_capture_ends() = 0;
@@ -24,7 +34,9 @@ class ScanObserver {
 
 /// The eight steps of a scan (thesis, section 6.1): read the positions; move to the start; set
 /// speed, linear motion and interpolation; prepare binder and triangulation; start the camera; move
-/// to the end while the trigger pulses; stop; bind and triangulate.
+/// to the end while the trigger pulses; stop; bind and triangulate. Of a scan with several passes
+/// each does the steps 2 to 6; binder, triangulation and camera are started once. Between passes
+/// the lasers are off.
 ///
 /// Whatever goes wrong, the lasers go off first, the robot stops, and what was captured is still
 /// made into a cloud.
@@ -42,15 +54,22 @@ class ScanSequence {
   /// Runs the whole scan in the calling thread.
   SequenceEnd run(const ScanRequest& request, const WhyToCancel& why_to_cancel);
 
+  /// Of the latest scan, those that were scanned to their end.
+  std::size_t passes_finished() const { return passes_finished_; }
+
  private:
-  void prepare(const ScanRequest& request);
-  void capture(const ScanRequest& request);
+  void begin();
+  void approach(const ScanRun& run);
+  void start_stages(const std::string& scan_id);
+  void capture(const ScanRun& run);
   SequenceEnd finish(SequenceEnd end);
-  std::uint64_t disarm(SequenceEnd& end);
-  void finish_stages(std::uint64_t pulses, SequenceEnd& end);
+  std::string disarm();
+  void finish_stages(SequenceEnd& end);
+  std::string find_lost_frames(const std::vector<std::uint64_t>& missing) const;
 
   void step(int number, const std::string& name);
-  void wait_for_motion();
+  void show(double share);
+  void wait_for_motion(double begun = 0, double part = 1);
 
   Robot& robot_;
   Camera& camera_;
@@ -60,10 +79,14 @@ class ScanSequence {
   Timing timing_;
   Supervisor supervisor_;
 
-  int step_ = 0;
-  std::string step_name_;
-  bool capturing_ = false;
+  std::vector<ScanRun> runs_;
+  std::size_t run_ = 0;  // of them, the one under way
+  std::size_t passes_finished_ = 0;
+  std::optional<Eigen::Isometry3d> flange_;  // where the latest motion ended
+  std::vector<ArmingPulses> armings_;
+  ScanProgress progress_;
   bool stages_started_ = false;
+  bool capturing_ = false;
 };
 
 }  // namespace scan_cell

@@ -90,7 +90,7 @@ void SessionSequence::visit(const TaughtPose& pose, const SessionRequest& reques
 void SessionSequence::move_to(const Eigen::Isometry3d& flange) {
   tell("move", 0);
   try {
-    supervisor_.start_move(flange, 0);
+    supervisor_.start_move({flange, std::nullopt}, 0);
     supervisor_.wait_for_motion([&](double progress) { tell("move", kMoving * progress); });
   } catch (const EndEarly& failure) {
     skip_or_end(failure);
@@ -142,7 +142,7 @@ Snapshot SessionSequence::grab(double exposure, std::uint8_t lasers, const std::
   std::string trouble = "no image came";
   try {
     camera_.start(exposure);
-    supervisor_.arm(std::min(timing_.rate, kDuty / exposure), lasers);
+    supervisor_.arm(std::min(timing_.rate, kDuty / exposure), {lasers, false});
     supervisor_.wait_for(timing_.image_patience, [&] {
       taken = camera_.snapshot();
       return taken.has_value();

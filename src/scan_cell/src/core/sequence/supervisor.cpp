@@ -37,10 +37,10 @@ void Supervisor::wait_until_well() {
   watch();
 }
 
-void Supervisor::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
+void Supervisor::start_move(const MoveTarget& target, double camera_rate) {
   watch();  // no motion begins after a cancel
   moving_ = true;
-  on_robot([&] { robot_.start_move(flange, camera_rate); });
+  on_robot([&] { robot_.start_move(target, camera_rate); });
 }
 
 void Supervisor::wait_until_moving() {
@@ -70,10 +70,10 @@ void Supervisor::wait_for_motion(const std::function<void(double)>& on_progress)
   moving_ = false;
 }
 
-void Supervisor::arm(double rate, std::uint8_t lasers) {
+void Supervisor::arm(double rate, const Lighting& lighting, std::uint32_t pass) {
   watch();
   armed_ = true;  // before: a circuit that did not answer may have heard it
-  on(Outcome::kTriggerLost, [&] { trigger_.arm(rate, lasers); });
+  on(Outcome::kTriggerLost, [&] { trigger_.arm(rate, lighting, pass); });
 }
 
 Disarmed Supervisor::disarm() noexcept {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <functional>
 #include <vector>
 
@@ -39,13 +38,13 @@ class Supervisor {
   void begin(WhyToCancel why_to_cancel);
 
   void wait_until_well();
-  void start_move(const Eigen::Isometry3d& flange, double camera_rate);
+  void start_move(const MoveTarget& target, double camera_rate);
   void wait_until_moving();
 
   /// @param on_progress hears 0 .. 1
   void wait_for_motion(const std::function<void(double)>& on_progress);
 
-  void arm(double rate, std::uint8_t lasers);
+  void arm(double rate, const Lighting& lighting, std::uint32_t pass = 0);
 
   /// Pulses stop, lasers go off; does nothing where arm() was not called.
   Disarmed disarm() noexcept;

@@ -83,10 +83,11 @@ VideeCommand parse_videe(const std::string& line) {
   std::string argument;
   while (words >> argument)
     command.poses.push_back(pose_from_wire(argument));
-  const std::size_t expected = command.kind == VideeCommandKind::kSetPosition ? 2 : 0;
-  if (command.poses.size() != expected) {
-    throw ProtocolError(name, fmt::format("{} arguments", command.poses.size()),
-                        fmt::format("send {}", expected));
+  const bool positions = command.kind == VideeCommandKind::kSetPosition;
+  const std::size_t count = command.poses.size();
+  if (positions ? count == 0 || count % 2 != 0 : count != 0) {
+    throw ProtocolError(name, fmt::format("{} arguments", count),
+                        positions ? "send start and end of each pass" : "send 0");
   }
   return command;
 }

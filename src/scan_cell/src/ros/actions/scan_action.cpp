@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "scan_cell/ros/scan_goal.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
@@ -20,7 +21,8 @@ ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellD
                        CellInUse& cell, const StateTopic& state)
     : parameters_(parameters),
       camera_(devices.camera),
-      stages_(parameters.binder, parameters.triangulation, parameters.call_timeout),
+      stages_(parameters.base_frame, parameters.binder, parameters.triangulation,
+              parameters.call_timeout),
       sequence_(devices.robot, devices.camera, devices.trigger, stages_, *this, parameters.limits,
                 parameters.timing),
       state_(state),
@@ -53,6 +55,7 @@ ScanResult ScanAction::run(const WhyToCancel& why_to_cancel) {
   ScanResult result;
   result.outcome = static_cast<std::uint8_t>(end.outcome);
   result.scan_id = request_.scan_id;
+  result.passes_finished = static_cast<std::uint32_t>(sequence_.passes_finished());
   result.audit = stages_.audit();
   result.statistics = stages_.statistics();
   result.cloud = stages_.cloud();
@@ -71,40 +74,43 @@ ScanRequest ScanAction::request_from(const scan_cell_msgs::ScanGoal& goal) const
   request.scan_id = goal.scan_id.empty()
                         ? fmt::format("scan_{}", ros::Time::now().toNSec() / 1000000)
                         : goal.scan_id;
-  request.start = in_base_frame(goal.start);
-  request.end = in_base_frame(goal.end);
-  request.speed = goal.speed;
-  request.rate = goal.rate;
-  request.lasers = goal.lasers;
+  for (std::size_t i = 0; i < goal.passes.size(); ++i)
+    request.passes.push_back(pass_from(goal.passes[i], fmt::format("pass {}", i + 1)));
   check(request, parameters_.limits);
+  const Eigen::Isometry3d base = base_to(goal.frame);
+  for (ScanPass& pass : request.passes) {
+    for (Eigen::Isometry3d& pose : pass.poses)
+      pose = base * pose;
+  }
   return request;
 }
 
-Eigen::Isometry3d ScanAction::in_base_frame(const geometry_msgs::PoseStamped& pose) const {
-  const Eigen::Isometry3d flange =
-      scan_cell_common::checked_from_ros<Refused>(pose.pose, "orientation of the flange");
-  if (pose.header.frame_id == parameters_.base_frame) return flange;
+/// @throw Refused where tf does not know the frame
+Eigen::Isometry3d ScanAction::base_to(const std::string& frame) const {
+  if (frame == parameters_.base_frame) return Eigen::Isometry3d::Identity();
   try {
-    const auto base = transforms_.lookupTransform(parameters_.base_frame, pose.header.frame_id,
-                                                  ros::Time(0), ros::Duration(1.0));
-    return scan_cell_common::from_ros(base.transform) * flange;
+    const auto base = transforms_.lookupTransform(parameters_.base_frame, frame, ros::Time(0),
+                                                  ros::Duration(1.0));
+    return scan_cell_common::from_ros(base.transform);
   } catch (const tf2::TransformException& error) {
-    throw Refused("frame '" + pose.header.frame_id + "'", error.what(),
+    throw Refused("frame '" + frame + "'", error.what(),
                   "give the poses in " + parameters_.base_frame +
                       ", or start the node that publishes the calibrated frames");
   }
 }
 
-void ScanAction::on_progress(int step, const std::string& name, double progress) {
+void ScanAction::on_progress(const ScanProgress& progress) {
   constexpr double kPeriod = 0.1;  // [s] chosen
   const ros::WallTime now = ros::WallTime::now();
-  if (step == last_step_ && (now - last_feedback_).toSec() < kPeriod) return;
+  if (progress.step == last_step_ && (now - last_feedback_).toSec() < kPeriod) return;
   last_feedback_ = now;
-  last_step_ = step;
+  last_step_ = progress.step;
   scan_cell_msgs::ScanFeedback feedback;
-  feedback.step = static_cast<std::uint8_t>(step);
-  feedback.step_name = name;
-  feedback.progress = progress;
+  feedback.pass = static_cast<std::uint32_t>(progress.pass + 1);
+  feedback.passes = static_cast<std::uint32_t>(request_.passes.size());
+  feedback.step = static_cast<std::uint8_t>(progress.step);
+  feedback.step_name = progress.name;
+  feedback.progress = progress.whole;
   feedback.frames = camera_.profiles();
   feedback.points = points_;
   action_.publish(feedback);

@@ -35,9 +35,9 @@ class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::Scan
 
   /// @throw scan_cell_common::Refused
   ScanRequest request_from(const scan_cell_msgs::ScanGoal& goal) const;
-  Eigen::Isometry3d in_base_frame(const geometry_msgs::PoseStamped& pose) const;
+  Eigen::Isometry3d base_to(const std::string& frame) const;
 
-  void on_progress(int step, const std::string& name, double progress) override;
+  void on_progress(const ScanProgress& progress) override;
   void on_capture_begins() override;
   void on_capture_ends() override;
   void publish_state(std::uint8_t state, const std::string& message);

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "client/clean_cloud_watch.h"
+#include "scan_cell/ros/scan_goal.h"
 #include "scan_cell_common/errors/errors.h"
-#include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_common/tools/interrupts.h"
 
 namespace scan_cell {
@@ -90,13 +90,6 @@ auto run_action(ros::NodeHandle node, const std::string& name, Goal goal, double
   return *client.getResult();
 }
 
-geometry_msgs::PoseStamped stamped(const Eigen::Isometry3d& pose, const std::string& frame) {
-  geometry_msgs::PoseStamped result;
-  result.header.frame_id = frame;
-  result.pose = scan_cell_common::to_ros_pose(pose);
-  return result;
-}
-
 }  // namespace
 
 CellClient::CellClient(ros::NodeHandle node, const Names& names)
@@ -104,20 +97,16 @@ CellClient::CellClient(ros::NodeHandle node, const Names& names)
 
 scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const std::string& scan_id,
                                             double timeout, const Progress& progress) {
-  scan_cell_msgs::ScanGoal goal;
-  goal.scan_id = scan_id;
-  goal.start = stamped(program.request.start, program.frame);
-  goal.end = stamped(program.request.end, program.frame);
-  goal.speed = program.request.speed;
-  goal.rate = program.request.rate;
-  goal.lasers = program.request.lasers;
   const auto feedback = [&](const scan_cell_msgs::ScanFeedbackConstPtr& news) {
-    progress(fmt::format("{}, {} frames, {} points", news->step_name, news->frames, news->points),
+    const std::string pass =
+        news->passes > 1 ? fmt::format("pass {} of {}: ", news->pass, news->passes) : "";
+    progress(fmt::format("{}{}, {} frames, {} points", pass, news->step_name, news->frames,
+                         news->points),
              news->progress);
   };
   const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
-  const auto result =
-      run_action<scan_cell_msgs::ScanAction>(node_, names_.scan, goal, timeout, watched, feedback);
+  const auto result = run_action<scan_cell_msgs::ScanAction>(
+      node_, names_.scan, scan_goal(program, scan_id), timeout, watched, feedback);
   progress(fmt::format("scanned, {} frames, {} points", result.audit.frames_bound,
                        result.statistics.points),
            1);

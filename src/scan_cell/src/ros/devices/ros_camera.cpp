@@ -42,7 +42,7 @@ void RosCamera::start() {
 
 void RosCamera::expect_profiles(double rate) {
   profile_.now();
-  silence_allowed_ = parameters_.silence_allowed(rate);
+  silence_allowed_ = rate > 0 ? parameters_.silence_allowed(rate) : 0;
 }
 
 void RosCamera::stop() noexcept {

@@ -28,7 +28,7 @@ class RosRobot : public Robot {
 
   std::string trouble() const override;
   void set_linear_motion(double speed) override;
-  void start_move(const Eigen::Isometry3d& flange, double camera_rate) override;
+  void start_move(const MoveTarget& target, double camera_rate) override;
   Motion motion() const override;
   std::string unseen() const override;
   std::string hindrance() const override;
@@ -94,7 +94,7 @@ class RosTrigger : public Trigger {
   RosTrigger(ros::NodeHandle node, const Parameters& parameters);
 
   std::string trouble() const override;
-  void arm(double rate, std::uint8_t lasers) override;
+  void arm(double rate, const Lighting& lighting, std::uint32_t pass) override;
   Disarmed disarm() noexcept override;
   void keep_alive() override;
 

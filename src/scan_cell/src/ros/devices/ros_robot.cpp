@@ -110,12 +110,14 @@ void RosRobot::set_linear_motion(double speed) {
   }
 }
 
-void RosRobot::start_move(const Eigen::Isometry3d& flange, double camera_rate) {
+void RosRobot::start_move(const MoveTarget& target, double camera_rate) {
   MoveGoal goal;
-  goal.kind = MoveGoal::CARTESIAN;
+  goal.kind = target.via ? MoveGoal::CIRCULAR : MoveGoal::CARTESIAN;
   goal.pose.header.frame_id = parameters_.base_frame;
   goal.pose.header.stamp = ros::Time::now();
-  goal.pose.pose = scan_cell_common::to_ros_pose(flange);
+  goal.pose.pose = scan_cell_common::to_ros_pose(target.flange);
+  goal.via.header = goal.pose.header;
+  goal.via.pose = scan_cell_common::to_ros_pose(target.via.value_or(target.flange));
   goal.camera_rate = camera_rate;
   goal.watcher = ros::this_node::getName();
   std::uint64_t move = 0;

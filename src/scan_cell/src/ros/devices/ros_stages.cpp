@@ -5,21 +5,28 @@
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/FinishCloud.h>
+#include <scan_cell_msgs/StartRun.h>
 #include <scan_cell_msgs/StartScan.h>
 
 #include <set>
+#include <utility>
 
 #include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/conversions.h"
 
 namespace scan_cell {
 
 using scan_cell_msgs::FinishBinding;
 using scan_cell_msgs::FinishCloud;
+using scan_cell_msgs::StartRun;
 using scan_cell_msgs::StartScan;
 
-RosStages::RosStages(const std::string& binder, const std::string& triangulation,
-                     double call_timeout)
-    : binder_(binder), triangulation_(triangulation), call_timeout_(call_timeout) {}
+RosStages::RosStages(const std::string& base_frame, const std::string& binder,
+                     const std::string& triangulation, double call_timeout)
+    : base_frame_(base_frame),
+      binder_(binder),
+      triangulation_(triangulation),
+      call_timeout_(call_timeout) {}
 
 double RosStages::longest(double patience) const {
   constexpr double kRounds = 4;  // chosen; patience begins anew while late data keeps coming
@@ -58,25 +65,41 @@ void RosStages::start(const std::string& scan_id) {
   under_way_ = true;
 }
 
-std::uint64_t RosStages::bind(std::uint64_t pulses, double patience) {
+void RosStages::start_run(const ScanRun& run) {
+  StartRun::Request request;
+  request.straight = run.moves.size() == 1 && !run.moves.front().via;
+  request.start.header.frame_id = request.end.header.frame_id = base_frame_;
+  request.start.pose = scan_cell_common::to_ros_pose(run.start);
+  request.end.pose = scan_cell_common::to_ros_pose(run.moves.back().flange);
+  request.speed = run.speed;
+  request.rate = run.rate;
+  call<StartRun>(binder_ + "/start_run", request, call_timeout_);
+}
+
+std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armings,
+                                           double patience) {
   under_way_ = false;
   FinishBinding::Request request;
-  request.triggers = pulses;
+  for (const ArmingPulses& arming : armings)
+    request.triggers += arming.pulses;
   request.timeout = ros::Duration(patience);
   const auto bound = ask<FinishBinding>(finish_binding(), request, longest(patience));
   audit_ = bound.audit;
   binding_ = bound.message;
   check_answer(finish_binding(), bound);
 
-  std::set<std::uint64_t> without_frame;
+  std::set<std::pair<std::uint32_t, std::uint64_t>> without_frame;  // arming, pulse
   for (const scan_cell_msgs::DroppedFrame& dropped : audit_.dropped) {
-    if (dropped.reason == scan_cell_msgs::DroppedFrame::NEVER_ARRIVED) {
-      without_frame.insert(dropped.trigger_count);
-    }
+    if (dropped.reason == scan_cell_msgs::DroppedFrame::NEVER_ARRIVED)
+      without_frame.emplace(dropped.arming, dropped.trigger_count);
   }
-  std::uint64_t missing = 0;
-  while (missing < pulses && without_frame.count(pulses - missing) > 0)
-    ++missing;
+  std::vector<std::uint64_t> missing;
+  for (const ArmingPulses& arming : armings) {
+    std::uint64_t last = arming.pulses;
+    while (last > 0 && without_frame.count({arming.arming, last}) > 0)
+      --last;
+    missing.push_back(arming.pulses - last);
+  }
   return missing;
 }
 

@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "sequence/devices.h"
+#include "sequence/scan_run.h"
 
 namespace scan_cell {
 
@@ -17,14 +17,18 @@ namespace scan_cell {
 /// laser_triangulation.
 class RosStages : public Stages {
  public:
-  /// @param binder node with ~start and ~finish
+  /// @param base_frame of the robot's poses
+  /// @param binder node with ~start, ~start_run and ~finish
   /// @param triangulation node with ~start and ~finish
   /// @param call_timeout [s] the longest a call may take beyond what it waits for late data
-  RosStages(const std::string& binder, const std::string& triangulation, double call_timeout);
+  RosStages(const std::string& base_frame, const std::string& binder,
+            const std::string& triangulation, double call_timeout);
 
   std::string trouble() const override;
   void start(const std::string& scan_id) override;
-  std::uint64_t bind(std::uint64_t pulses, double patience) override;
+  void start_run(const ScanRun& run) override;
+  std::vector<std::uint64_t> bind(const std::vector<ArmingPulses>& armings,
+                                  double patience) override;
   void triangulate(bool whole, double patience) override;
 
   /// Forgets the results of the last scan.
@@ -43,6 +47,7 @@ class RosStages : public Stages {
   std::string finish_binding() const { return binder_ + "/finish"; }
   std::string finish_cloud() const { return triangulation_ + "/finish"; }
 
+  const std::string base_frame_;
   const std::string binder_;
   const std::string triangulation_;
   const double call_timeout_;

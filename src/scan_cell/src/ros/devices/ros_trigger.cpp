@@ -52,11 +52,13 @@ std::string RosTrigger::trouble() const {
                      parameters_.trigger);
 }
 
-void RosTrigger::arm(double rate, std::uint8_t lasers) {
+void RosTrigger::arm(double rate, const Lighting& lighting, std::uint32_t pass) {
   keep_alive();
   ArmTrigger::Request request;
   request.rate = rate;
-  request.lasers = lasers;
+  request.lasers = lighting.lasers;
+  request.alternate = lighting.alternate;
+  request.pass = pass;
   const auto response = call<ArmTrigger>(parameters_.trigger + "/arm", request, kCallTimeout);
   event_.now();
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -78,6 +80,7 @@ Disarmed RosTrigger::disarm() noexcept {
     disarmed.trouble += error.what();
   }
   const std::lock_guard<std::mutex> lock(mutex_);
+  disarmed.arming = arming_;
   arming_ = 0;
   disarmed.pulses = std::max(disarmed.pulses, pulses_);
   return disarmed;

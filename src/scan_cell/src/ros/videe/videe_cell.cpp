@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
+#include "scan_cell/ros/scan_goal.h"
 #include "scan_cell/ros/service_call.h"
-#include "scan_cell_common/ros/conversions.h"
 #include "videe/videe_wait.h"
 
 namespace scan_cell {
@@ -98,13 +98,15 @@ std::string VideeCell::start_scan() {
   }
   if (running_) throw Refused("START_SCAN", "a scan is running", "send STOP_SCAN or RESET first");
   wait_for_server(client_, parameters_.scan, parameters_.call_timeout);
-  scan_cell_msgs::ScanGoal goal;
-  goal.start.header.frame_id = goal.end.header.frame_id = program_.frame;
-  goal.start.pose = scan_cell_common::to_ros_pose(positions_[0]);
-  goal.end.pose = scan_cell_common::to_ros_pose(positions_[1]);
-  goal.speed = program_.request.speed;
-  goal.rate = program_.request.rate;
-  goal.lasers = program_.request.lasers;
+  ScanProgram program{program_.frame, {}};
+  for (std::size_t i = 0; i < positions_.size(); i += 2) {
+    ScanPass pass = program_.passes.front();
+    pass.name.clear();
+    pass.kind = PassKind::kLine;
+    pass.poses = {positions_[i], positions_[i + 1]};
+    program.passes.push_back(pass);
+  }
+  scan_cell_msgs::ScanGoal goal = scan_goal(program, "");
   goal.watcher = watcher_.name(parameters_.call_timeout);
   client_.sendGoal(goal);
   wait_until_taken(client_, parameters_.scan, parameters_.call_timeout);
