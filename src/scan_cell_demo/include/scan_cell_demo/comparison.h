@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scan_cell_common/cloud_files.h"
+#include "scan_cell_common/clouds/cloud_files.h"
 #include "tool_path_stretcher/tool_path.h"
 
 namespace scan_cell_demo {
