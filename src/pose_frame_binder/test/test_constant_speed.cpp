@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <utility>
 
 #include "poses/pose_rule.h"
 #include "scan_cell_common/errors/errors.h"
@@ -128,6 +129,54 @@ TEST(ConstantSpeed, SaysNothingOfASecondArming) {
   const Outcome outcome = bind(scan, motion());
   EXPECT_EQ(outcome.audit.frames_bound, 30U);
   EXPECT_EQ(outcome.dropped(DropReason::kNoPoseBefore), 30U);
+}
+
+TEST(ConstantSpeed, FollowsTheMotionThatItIsToldOfEachArming) {
+  Settings settings = motion();
+  const ConstantSpeed there = std::exchange(settings.constant_speed, {});
+  ConstantSpeed back = there;
+  std::swap(back.start, back.end);
+  const SyntheticScan scan = armed_twice();
+  Binder binder(settings);
+  binder.start_run(there);
+  binder.start_run(back);
+  for (const Pulse& pulse : scan.pulses)
+    binder.add_pulse(pulse);
+  for (const Frame& frame : scan.frames)
+    binder.add_frame(frame);
+  binder.end(scan.pulses.size());
+  std::size_t bound = 0;
+  for (const Decision& decision : binder.take_decisions()) {
+    if (!decision.match) continue;
+    ++bound;
+    const Match& match = *decision.match;
+    const double way = 0.001 * static_cast<double>(match.pulse.count - 1);
+    const bool second = match.pulse.arming != scan.pulses.front().arming;
+    EXPECT_NEAR(match.pose.translation().x(), second ? 1.3 - 0.6 * way : 1 + 0.6 * way, 1e-12);
+  }
+  EXPECT_EQ(bound, 60U);
+}
+
+TEST(ConstantSpeed, DropsTheFramesOfAnArmingWhoseMotionIsNoLine) {
+  Settings settings = motion();
+  settings.constant_speed = {};
+  Binder binder(settings);
+  binder.start_run(std::nullopt);
+  const SyntheticScan scan = steady_scan(20);
+  for (const Pulse& pulse : scan.pulses)
+    binder.add_pulse(pulse);
+  for (const Frame& frame : scan.frames)
+    binder.add_frame(frame);
+  binder.end(scan.pulses.size());
+  EXPECT_EQ(binder.audit().frames_bound, 0U);
+  EXPECT_EQ(binder.audit().frames_dropped, 20U);
+}
+
+TEST(ConstantSpeed, RefusesAnArmingWhoseMotionIsNotDetermined) {
+  Settings settings = motion();
+  ConstantSpeed nowhere = std::exchange(settings.constant_speed, {});
+  nowhere.end = nowhere.start;
+  EXPECT_THROW(Binder(settings).start_run(nowhere), InvalidParameter);
 }
 
 TEST(ConstantSpeed, RefusesAMotionThatIsNotDetermined) {

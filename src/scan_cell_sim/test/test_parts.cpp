@@ -91,6 +91,32 @@ TEST(Mesh, FlatTrianglesStayWithinFiveMicrometresOfTheDeformedSurface) {
   EXPECT_LT(worst, 5 * kMicrometre);
 }
 
+TEST(Elbow, HasTheVolumeAndTheSurfaceOfAPipeAlongItsAxis) {
+  const ElbowShape elbow{0.02, 0.06, 0.05};
+  const Mesh mesh = tessellate(elbow, {}, Scene::kTolerance);
+  double volume = 0;
+  double surface = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const Vector3d& a = mesh.vertices[triangle[0]];
+    const Vector3d& b = mesh.vertices[triangle[1]];
+    const Vector3d& c = mesh.vertices[triangle[2]];
+    volume += a.dot(b.cross(c)) / 6;  // divergence theorem: closed, and seen from outside
+    surface += (b - a).cross(c - a).norm() / 2;
+  }
+  const double way =
+      2 * 0.05 + 0.06 * M_PI / 2;  // Pappus and Guldin: the axis is the centroid's way
+  const double section = M_PI * 0.02 * 0.02;
+  EXPECT_NEAR(volume / (section * way), 1, 1e-3);
+  EXPECT_NEAR(surface / (2 * M_PI * 0.02 * way + 2 * section), 1, 1e-3);
+}
+
+TEST(Elbow, LiesOnTheFloor) {
+  double lowest = 1;
+  for (const Vector3d& vertex : tessellate(ElbowShape(), {}, Scene::kTolerance).vertices)
+    lowest = std::min(lowest, vertex.z());
+  EXPECT_NEAR(lowest, 0, Scene::kTolerance);
+}
+
 TEST(Moulding, ChordsStayWithinTheToleranceOfTheRoundings) {
   const std::vector<Vector2d> coarse = Moulding().points(0.005, 2 * kMicrometre);
   const std::vector<Vector2d> fine = Moulding().points(0.00002, 0.01 * kMicrometre);

@@ -76,6 +76,7 @@ parts:
       - {kind: bend, along: [2, 0, 0], towards: [0, 0, 1], curvature: 1}
       - {kind: filed_edge, from: [0, 1, 0], to: [1, 1, 0], towards: [0, -1, 0], radius: 0.01, depth: 0.002}
   - {name: b, shape: box, size: [0.1, 0.2, 0.3]}
+  - {name: c, shape: elbow, size: [0.03, 0.09, 0.05]}
 )");
   const World world = load_world(file.path());
   EXPECT_EQ(world.floor->height, 0.01);
@@ -95,6 +96,7 @@ parts:
   EXPECT_NEAR(part.deformation.apply(Vector3d::Zero()).z(), 0.01, 1e-15);
   EXPECT_NEAR(part.deformation.apply({0.5, 1, 0}).y(), 0.998, 1e-15);
   EXPECT_EQ(std::get<BoxShape>(world.part("b").shape).size, Vector3d(0.1, 0.2, 0.3));
+  EXPECT_EQ(std::get<ElbowShape>(world.part("c").shape).bend_radius, 0.09);
   EXPECT_THROW(world.part("c"), scan_cell_common::UnusableInput);
 }
 
@@ -111,6 +113,8 @@ TEST(WorldFile, TheShippedBoardLiesFaceUpInTheMiddle) {
 TEST(WorldFile, RefusalsNameTheEntry) {
   EXPECT_EQ(thing_refused("parts: [{name: a, shape: ball}]"), "parts[0].shape");
   EXPECT_EQ(thing_refused("parts: [{name: a}]"), "parts[0].shape");
+  EXPECT_EQ(thing_refused("parts: [{name: a, shape: elbow, size: [0.03, 0.03, 0.1]}]"),
+            "parts[0].size");
   EXPECT_EQ(thing_refused("parts: [{name: a, shape: box, scale: 0}]"), "parts[0].scale");
   EXPECT_EQ(thing_refused("parts: [{name: a, shape: box, scle: 1}]"), "parts[0].scle");
   EXPECT_EQ(thing_refused("parts: [{name: a, shape: box, size: [1, 2]}]"), "parts[0].size");

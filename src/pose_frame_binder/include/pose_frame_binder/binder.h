@@ -29,8 +29,8 @@ class Binder {
   Binder(const Binder&) = delete;
   Binder& operator=(const Binder&) = delete;
 
-  /// The motion of the next arming of the trigger, for the constant speed. Where it is called once,
-  /// it is called for each arming.
+  /// The motion of the next arming of the trigger, for the constant speed where the settings do not
+  /// give one. Call it before each arming.
   /// @param motion none: not a line at a constant speed; its frames are dropped
   /// @throw scan_cell_common::InvalidParameter if the motion is not determined
   void start_run(const std::optional<ConstantSpeed>& motion);

@@ -98,7 +98,7 @@ struct Settings {
   double max_speed = 1.5;                   //!< [m/s] of the flange, for the error bound
   std::size_t max_poses = 2'000'000;        //!< held in memory (170 bytes each)
   std::size_t max_pending_frames = 20'000;  //!< that wait for pulses or poses
-  ConstantSpeed constant_speed;  //!< for that method alone, of a scan whose runs are not told
+  ConstantSpeed constant_speed;  //!< for that method alone; not given: as start_run() tells
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };

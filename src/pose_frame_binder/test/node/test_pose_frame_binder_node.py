@@ -289,12 +289,12 @@ class PoseFrameBinderNode(unittest.TestCase):
 
     def test_refuses_a_bad_parameter_by_name(self):
         for parameter, words in (('_method:=guess', '/bad_binder/method'),
-                                 ('_method:=constant_speed', 'constant_speed/speed'),
+                                 ('_method:=constant_speed _constant_speed/speed:=1', 'constant_speed/frame_rate'),
                                  ('_lookup/port:=45017', 'lookup on 127.0.0.1:45017'),
                                  ('_fixed_frame:=/world', 'fixed_frame'),
                                  ('_flange_frame:=', 'flange_frame')):
             run = subprocess.run(['rosrun', 'pose_frame_binder', 'pose_frame_binder_node',
-                                  '__name:=bad_binder', parameter], timeout=60,
+                                  '__name:=bad_binder'] + parameter.split(), timeout=60,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.assertEqual(run.returncode, 1)
             self.assertIn(words, run.stdout.decode())

@@ -30,4 +30,12 @@ TaughtPoses load_taught_poses(const std::string& path);
 /// The same from the text of such a file. @param name of the text, in errors
 TaughtPoses parse_taught_poses(const std::string& text, const std::string& name);
 
+/// Appends a pose to such a file of poses in metres, which is made where there is none. The file is
+/// whole at any moment, and what stands in it stays as it is.
+/// @param flange pose of tool0 in base_link [m]
+/// @return how many poses are in the file now
+/// @throw scan_cell_common::FileError if it cannot be read or written
+/// @throw scan_cell_common::UnusableInput if it is another file, or has the pose already
+std::size_t append_taught_pose(const std::string& path, const Eigen::Isometry3d& flange);
+
 }  // namespace scan_calibration

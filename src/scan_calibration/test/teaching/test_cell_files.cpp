@@ -8,6 +8,7 @@
 
 #include "scan_calibration/taught_poses.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 #include "teaching/cell_file.h"
 
 namespace fs = std::filesystem;
@@ -157,4 +158,37 @@ TEST_F(TaughtPosesFile, SaysWhereTheNumbersBelieTheUnitsOfTheHead) {
 TEST_F(TaughtPosesFile, NamesThePoseThatIsRepeated) {
   EXPECT_EQ(complaint("x,y,z,qx,qy,qz,qw\n1,2,3,0,0,0,1\n1,2,4,0,0,0,1\n1,2,3,0,0,0,1\n"),
             ": line 4: the pose of line 2 again; leave one out or teach another pose");
+}
+
+TEST_F(TaughtPosesFile, GrowsByAPoseAndKeepsWhatStoodInIt) {
+  const Eigen::Isometry3d first =
+      Eigen::Translation3d(0.1, -0.2, 1.0 / 3) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitY());
+  const Eigen::Isometry3d second = first * Eigen::Translation3d(0, 0, 0.1);
+  fs::remove(path_);
+  EXPECT_EQ(scan_calibration::append_taught_pose(path_, first), 1U);
+  std::ofstream(path_, std::ios::app) << "# by hand, without a line's end";
+  EXPECT_EQ(scan_calibration::append_taught_pose(path_, second), 2U);
+  const TaughtPoses taught = scan_calibration::load_taught_poses(path_);
+  ASSERT_EQ(taught.poses.size(), 2U);
+  EXPECT_TRUE(taught.poses[0].isApprox(first, 1e-15));
+  EXPECT_TRUE(taught.poses[1].isApprox(second, 1e-15));
+  EXPECT_EQ(taught.lines, (std::vector<int>{2, 4})) << "the comment is still there";
+}
+
+TEST_F(TaughtPosesFile, DoesNotTakeTheSamePoseTwice) {
+  fs::remove(path_);
+  const Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  scan_calibration::append_taught_pose(path_, pose);
+  const std::string before = scan_cell_common::read_file(path_);
+  EXPECT_THROW(scan_calibration::append_taught_pose(path_, pose), scan_cell_common::UnusableInput);
+  EXPECT_EQ(scan_cell_common::read_file(path_), before);
+}
+
+TEST_F(TaughtPosesFile, TakesNoPoseWhereItIsAnotherFile) {
+  for (const char* const text : {"", "x,y,z\n0,0,1\n", "poem\n"}) {
+    write(text);
+    EXPECT_THROW(scan_calibration::append_taught_pose(path_, Eigen::Isometry3d::Identity()),
+                 scan_cell_common::UnusableInput);
+    EXPECT_EQ(scan_cell_common::read_file(path_), text);
+  }
 }

@@ -60,6 +60,7 @@ class FakeCell:
         ok = {'success': True}
         rospy.Service('/c4g_driver/set_linear_speed', srv.SetLinearSpeed, self.on_speed)
         rospy.Service('/c4g_driver/set_parameter', srv.SetControllerParameter, lambda _: ok)
+        rospy.Service('/c4g_driver/get_static_pose', srv.GetStaticPose, self.on_static_pose)
         rospy.Service('/camera/set_acquisition', srv.SetAcquisition, lambda _: ok)
         rospy.Service('/laser_trigger/arm', srv.ArmTrigger, self.on_arm)
         rospy.Service('/laser_trigger/disarm', srv.DisarmTrigger, self.on_disarm)
@@ -77,6 +78,13 @@ class FakeCell:
     def on_speed(self, _):
         trouble = fake('speed')
         return {'success': trouble == '', 'link_lost': trouble == 'lost', 'message': trouble}
+
+    def on_static_pose(self, _):
+        answer = srv.GetStaticPoseResponse(success=fake('moves') == '', message='moving')
+        answer.pose.header.frame_id = 'base_link'
+        answer.pose.pose.position.x = fake('flange_x', 0.5)
+        answer.pose.pose.orientation.x = 1
+        return answer
 
     def on_arm(self, request):
         if fake('hangs') == 'arm':

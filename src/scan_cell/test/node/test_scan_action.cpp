@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <actionlib/server/action_server.h>
 #include <scan_cell_msgs/FinishBinding.h>
+#include <scan_cell_msgs/RecordPose.h>
 #include <scan_cell_msgs/StartScan.h>
 
 #include <boost/asio.hpp>
@@ -9,7 +10,9 @@
 #include <filesystem>
 
 #include "node/scan_client.h"
+#include "scan_calibration/taught_poses.h"
 #include "scan_cell/ros/cell_client.h"
+#include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/testing/child_process.h"
 
@@ -229,6 +232,47 @@ TEST_F(ScanClient, RefusesWhatMakesNoSense) {
   bad = goal("bad");
   bad.passes[0].speed = 9;
   EXPECT_NE(run(bad).message.find("speed"), std::string::npos);
+}
+
+TEST_F(ScanClient, RunsEachPassOfAProgramIntoOneCloud) {
+  scan_cell_msgs::ScanGoal program = goal("program");
+  program.passes.push_back(program.passes.front());
+  program.passes[1].lasers = scan_cell_msgs::ScanPass::EACH;
+  const ScanResult result = run(program);
+  EXPECT_EQ(result.outcome, ScanResult::FINISHED) << result.message;
+  EXPECT_EQ(result.passes_finished, 2U);
+  ASSERT_TRUE(logged("cloud whole"));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  EXPECT_EQ(std::count(log_.begin(), log_.end(), "armed"), 3) << "laser_0, then there and back";
+  EXPECT_EQ(std::count(log_.begin(), log_.end(), "disarmed"), 3);
+  EXPECT_EQ(std::count(log_.begin(), log_.end(), "cloud whole"), 1);
+}
+
+TEST_F(ScanClient, RecordsThePoseInWhichTheRobotStands) {
+  const std::string file = (std::filesystem::temp_directory_path() / "recorded_poses.csv").string();
+  std::filesystem::remove(file);
+  const auto record = [](const std::string& path) {
+    scan_cell_msgs::RecordPose::Request request;
+    request.file = path;
+    return scan_cell::ask<scan_cell_msgs::RecordPose>("/scan_cell/record_pose", request, 20);
+  };
+  ros::param::set("/fake/flange_x", 0.25);
+  EXPECT_EQ(record(file).poses, 1U);
+  ros::param::set("/fake/flange_x", 0.75);
+  const auto answer = record(file);
+  EXPECT_TRUE(answer.success) << answer.message;
+  EXPECT_EQ(answer.poses, 2U);
+  EXPECT_EQ(answer.pose.pose.position.x, 0.75);
+  const auto taught = scan_calibration::load_taught_poses(file);
+  EXPECT_EQ(taught.poses.at(0).translation().x(), 0.25);
+  EXPECT_EQ(taught.poses.at(1).translation().x(), 0.75);
+
+  EXPECT_NE(record(file).message.find("again"), std::string::npos) << "the same pose";
+  EXPECT_NE(record("poses.csv").message.find("absolute path"), std::string::npos);
+  ros::param::set("/fake/moves", "yes");
+  EXPECT_NE(record(file).message.find("moving"), std::string::npos);
+  EXPECT_EQ(scan_calibration::load_taught_poses(file).poses.size(), 2U);
+  std::filesystem::remove(file);
 }
 
 TEST_F(ScanClient, IsReachedByViDeE) {

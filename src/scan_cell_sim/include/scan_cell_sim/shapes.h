@@ -37,7 +37,15 @@ struct BoxShape {
   Eigen::Vector3d size = {0.10, 0.06, 0.04};  //!< [m]
 };
 
-using Shape = std::variant<FrameShape, BoxShape>;  //!< of a part
+/// Pipe that turns by a right angle, closed at its ends, lying on z = 0. Its axis comes along x,
+/// bends and leaves along y; the two straight axes would meet at x = y = 0.
+struct ElbowShape {
+  double pipe_radius = 0.02;  //!< [m] outside
+  double bend_radius = 0.06;  //!< [m] of the axis
+  double leg = 0.06;          //!< [m] of each straight end
+};
+
+using Shape = std::variant<FrameShape, BoxShape, ElbowShape>;  //!< of a part
 
 /// Where the hanger of a frame is: lower and upper corner of its foot and its height [m].
 struct Hanger {

@@ -65,9 +65,10 @@ void ConstantSpeedRule::start_run(const std::optional<ConstantSpeed>& motion) {
 }
 
 std::optional<ConstantSpeed> ConstantSpeedRule::motion_of(std::uint32_t run) const {
-  if (run < runs_.size()) return runs_[run];
-  const bool told = !runs_.empty() || !is_given(settings_.constant_speed);
-  if (told || run > 0) return std::nullopt;
+  if (!is_given(settings_.constant_speed)) {
+    return run < runs_.size() ? runs_[run] : std::nullopt;
+  }
+  if (run > 0) return std::nullopt;
   return settings_.constant_speed;
 }
 

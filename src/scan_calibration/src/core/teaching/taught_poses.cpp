@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/csv_reader.h"
@@ -18,6 +19,8 @@ namespace {
 using scan_cell_common::CsvReader;
 using scan_cell_common::UnusableInput;
 using scan_cell_common::WireSix;
+
+const std::vector<std::string_view> kPoseHead = {"x", "y", "z", "qx", "qy", "qz", "qw"};
 
 constexpr const char* kHeaders =
     "begin with the header x,y,z or x,y,z,qx,qy,qz,qw or x_mm,y_mm,z_mm,a_deg,e_deg,r_deg";
@@ -86,6 +89,21 @@ void refuse_repeated(const TaughtPoses& taught, const std::string& name) {
 
 }  // namespace
 
+std::size_t append_taught_pose(const std::string& path, const Eigen::Isometry3d& flange) {
+  const std::string head = fmt::format("{}\n", fmt::join(kPoseHead, ","));
+  std::string text = std::filesystem::exists(path) ? scan_cell_common::read_file(path) : head;
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  CsvReader table(text, path);
+  if (!table.next() || table.fields() != kPoseHead)
+    throw UnusableInput(path, "no file of poses in metres", "give another file");
+  const Eigen::Vector3d p = flange.translation();
+  const Eigen::Quaterniond q(flange.linear());
+  text += fmt::format("{},{},{},{},{},{},{}\n", p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w());
+  const std::size_t count = parse_taught_poses(text, path).poses.size();
+  scan_cell_common::save_text(path, text);
+  return count;
+}
+
 TaughtPoses load_taught_poses(const std::string& path) {
   return parse_taught_poses(scan_cell_common::read_file(path), path);
 }
@@ -96,7 +114,7 @@ TaughtPoses parse_taught_poses(const std::string& text, const std::string& name)
   if (!table.next()) throw UnusableInput(name, "empty", kHeaders);
   const Fields head = table.fields();
   const bool wire = head == Fields{"x_mm", "y_mm", "z_mm", "a_deg", "e_deg", "r_deg"};
-  const bool poses = head == Fields{"x", "y", "z", "qx", "qy", "qz", "qw"};
+  const bool poses = head == kPoseHead;
   if (!wire && !poses && head != Fields{"x", "y", "z"}) {
     table.refuse(fmt::format("'{}'", fmt::join(head, ",")), kHeaders);
   }

@@ -4,6 +4,7 @@
 
 #include "actions/calibrate_action.h"
 #include "actions/grab_image.h"
+#include "actions/record_pose.h"
 #include "actions/scan_action.h"
 #include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
         scan_cell::ScanAction scan(node, parameters, devices, cell, state);
         scan_cell::CalibrateAction calibrate(node, parameters, devices, cell, state);
         const scan_cell::GrabImage grab_image(node, parameters, cell);
+        const scan_cell::RecordPose record_pose(node, parameters.base_frame, devices.robot);
         scan_cell_common::take_over_shutdown();
         spinner.start();
         bool dropped = false;

@@ -4,112 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
+#include "part/elbow.h"
 #include "part/moulding.h"
+#include "part/tessellator.h"
 
 namespace scan_cell_sim {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr double kLongestStep = 0.005;  // [m] a hump reaches further than this (deformation.cpp)
-
-/// Cuts patches of surface into triangles.
-class Tessellator {
- public:
-  Tessellator(const Deformation& deformation, double tolerance)
-      : deformation_(deformation), tolerance_(tolerance) {}
-
-  /// Longest edge [m] at a surface of this curvature: a triangle with legs L on a surface of
-  /// curvature c is at most 2 c L^2 / 8 off it.
-  double step(double curvature) const {
-    return curvature > 0 ? std::min(std::sqrt(4 * tolerance_ / curvature), kLongestStep)
-                         : kLongestStep;
-  }
-
-  double curvature(const Vector3d& point) const { return deformation_.curvature_bound(point); }
-
-  /// Fractions 0 .. 1 of a way of `length` [m], as close as the curvature at each demands.
-  std::vector<double> stations(double length,
-                               const std::function<double(double)>& curvature_at) const {
-    std::vector<double> result = {0};
-    while (result.back() < 1) {
-      const double ahead =
-          std::min(1.0, result.back() + step(curvature_at(result.back())) / length);
-      const double wanted =
-          std::min(step(curvature_at(result.back())), step(curvature_at(ahead))) / length;
-      result.push_back(std::min(1.0, result.back() + wanted));
-    }
-    return result;
-  }
-
-  /// A grid of points, rows x columns; row direction x column direction points outwards.
-  void add_grid(std::size_t rows, std::size_t columns,
-                const std::function<Vector3d(std::size_t, std::size_t)>& point) {
-    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    for (std::size_t r = 0; r < rows; ++r) {
-      for (std::size_t c = 0; c < columns; ++c)
-        mesh_.vertices.push_back(point(r, c));
-    }
-    const auto at = [&](std::size_t r, std::size_t c) {
-      return first + static_cast<std::uint32_t>(r * columns + c);
-    };
-    for (std::size_t r = 0; r + 1 < rows; ++r) {
-      for (std::size_t c = 0; c + 1 < columns; ++c) {
-        mesh_.triangles.push_back({at(r, c), at(r + 1, c), at(r + 1, c + 1)});
-        mesh_.triangles.push_back({at(r, c), at(r + 1, c + 1), at(r, c + 1)});
-      }
-    }
-  }
-
-  /// A parallelogram origin + s u + t v, seen from the side u x v; `lift` shifts its points and has
-  /// no larger second derivative than `lift_curvature`.
-  void add_patch(const Vector3d& origin, const Vector3d& u, const Vector3d& v,
-                 const std::function<Vector3d(double, double)>& lift = nullptr,
-                 double lift_curvature = 0) {
-    const auto along = [&](const Vector3d& way, const Vector3d& across) {
-      return stations(way.norm(), [&](double s) {
-        return lift_curvature + max_curvature(origin + s * way, across);
-      });
-    };
-    const std::vector<double> us = along(u, v);
-    const std::vector<double> vs = along(v, u);
-    add_grid(us.size(), vs.size(), [&](std::size_t i, std::size_t j) -> Vector3d {
-      const Vector3d flat = origin + us[i] * u + vs[j] * v;
-      return lift ? Vector3d(flat + lift(us[i], vs[j])) : flat;
-    });
-  }
-
-  void add_box(const Vector3d& least, const Vector3d& most) {
-    const Vector3d x = Vector3d::UnitX() * (most.x() - least.x());
-    const Vector3d y = Vector3d::UnitY() * (most.y() - least.y());
-    const Vector3d z = Vector3d::UnitZ() * (most.z() - least.z());
-    add_patch(least + z, x, y);
-    add_patch(least, y, x);
-    add_patch(least, x, z);
-    add_patch(least, z, y);
-    add_patch(least + x, y, z);
-    add_patch(least + y, z, x);
-  }
-
-  Mesh take() { return std::move(mesh_); }
-
- private:
-  double max_curvature(const Vector3d& begin, const Vector3d& way) const {
-    const int samples = static_cast<int>(std::ceil(way.norm() / kLongestStep)) + 1;
-    double most = 0;
-    for (int i = 0; i <= samples; ++i) {
-      most = std::max(most, curvature(begin + way * i / samples));
-    }
-    return most;
-  }
-
-  const Deformation& deformation_;
-  double tolerance_;
-  Mesh mesh_;
-};
 
 /// One of the four mitred sides of a ring, along `tangent`, outside at `outward`.
 struct Side {
@@ -176,6 +80,10 @@ void add(const FrameShape& frame, Tessellator& tessellator, double tolerance) {
 void add(const BoxShape& box, Tessellator& tessellator, double) {
   const Vector3d half(box.size.x() / 2, box.size.y() / 2, 0);
   tessellator.add_box(-half, half + Vector3d::UnitZ() * box.size.z());
+}
+
+void add(const ElbowShape& elbow, Tessellator& tessellator, double) {
+  add_elbow(elbow, tessellator);
 }
 
 }  // namespace

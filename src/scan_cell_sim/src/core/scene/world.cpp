@@ -104,11 +104,27 @@ BoxShape read_box(const YamlEntry& entry) {
   return box;
 }
 
+/// @throw UnusableInput if the pipe would run into itself on the inside of its bend
+ElbowShape read_elbow(const YamlEntry& entry) {
+  constexpr double kMinInside = 0.005;  // [m] radius on the inside of the bend; chosen
+  ElbowShape elbow;
+  if (entry.has("sheet")) entry["sheet"].refuse("in an elbow", "only a frame can hold a sheet");
+  if (!entry.has("size")) return elbow;
+  const Eigen::Vector3d size = lengths<3>(entry["size"], 0.001);
+  elbow = {size.x(), size.y(), size.z()};
+  if (elbow.bend_radius - elbow.pipe_radius < kMinInside) {
+    entry["size"].refuse("the bend is too tight for the pipe",
+                         "give [pipe radius, bend radius, leg], the second 5 mm above the first");
+  }
+  return elbow;
+}
+
 Shape read_shape(const YamlEntry& entry) {
   const auto shape = entry["shape"].as<std::string>();
   if (shape == "frame") return read_frame(entry);
   if (shape == "box") return read_box(entry);
-  entry["shape"].refuse(shape, "give frame or box");
+  if (shape == "elbow") return read_elbow(entry);
+  entry["shape"].refuse(shape, "give frame, box or elbow");
 }
 
 Part read_part(const YamlEntry& entry) {
