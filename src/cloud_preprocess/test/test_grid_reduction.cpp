@@ -14,6 +14,7 @@ using cloud_preprocess::Cloud;
 using cloud_preprocess::GridParameters;
 using cloud_preprocess::GridReduction;
 using cloud_preprocess::StageReport;
+using cloud_preprocess::TracedCloud;
 using scan_cell_common::UnusableInput;
 
 namespace {
@@ -54,6 +55,19 @@ TEST(GridReduction, ReducesACloudWithAPointFarAwayThatMakesVoxelGridGiveUp) {
   const std::size_t alone = reduced(cloud).size();
   cloud.push_back({9, -14, 11});
   EXPECT_EQ(reduced(cloud).size(), alone + 1);
+}
+
+TEST(GridReduction, TracesEachMeanToTheNearestPointOfItsCell) {
+  const Cloud cloud = random_cloud(20000);
+  TracedCloud traced(cloud);
+  StageReport report;
+  GridReduction({}).run(traced, report);
+  ASSERT_EQ(traced.sources().size(), traced.cloud().size());
+  for (std::size_t i = 0; i < traced.cloud().size(); ++i) {
+    const auto mean = traced.cloud()[i].getVector3fMap();
+    const auto source = cloud[traced.sources()[i]].getVector3fMap();
+    EXPECT_LT((mean - source).norm(), 0.003F) << "the diagonal of a cell";
+  }
 }
 
 TEST(GridReduction, RefusesAPointBeyondItsGridWithACure) {

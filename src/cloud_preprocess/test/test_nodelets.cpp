@@ -5,6 +5,7 @@
 #include <scan_cell_common/errors/errors.h>
 #include <scan_cell_common/ros/cloud_messages.h>
 #include <scan_cell_msgs/PreprocessReport.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -123,6 +124,32 @@ TEST_F(Chain, LeavesOneReducedObjectAndPassesTheHeaderOn) {
   EXPECT_EQ(scene.share_in(isolated, Label::kFloor), 0.0);
   EXPECT_EQ(scene.share_in(isolated, Label::kOutlier), 0.0);
   EXPECT_GE(scene.share_in(isolated, Label::kPart), 0.9999);
+}
+
+TEST_F(Chain, KeepsWhatEachPointCarries) {
+  const Scene::Rectangle box{0, 0, 0.06, 0.08};
+  Scene scene;
+  scene.add_floor({0, 0, 0.20, 0.15}, {box});
+  scene.add_box(box, 0.03);
+  scan_cell_common::FieldedCloud cloud =
+      scan_cell_common::fields_from_message(scan_cell_common::to_message(scene.cloud(), {}));
+  // Behind x, y and z the point's own x again: it tells where it came from.
+  scan_cell_common::FieldedCloud marked{cloud.fields, cloud.step + sizeof(float), {}};
+  marked.fields.push_back(
+      {"mark", scan_cell_common::FieldType::kFloat32, static_cast<std::size_t>(cloud.step)});
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::uint8_t* const point = &cloud.bytes[i * cloud.step];
+    marked.bytes.insert(marked.bytes.end(), point, point + cloud.step);
+    marked.bytes.insert(marked.bytes.end(), point, point + sizeof(float));
+  }
+  send(scan_cell_common::to_message(marked, {}));
+
+  const auto result = output("grid");
+  ASSERT_NE(result, nullptr);
+  sensor_msgs::PointCloud2ConstIterator<float> x(*result, "x");
+  sensor_msgs::PointCloud2ConstIterator<float> mark(*result, "mark");
+  for (; x != x.end(); ++x, ++mark)
+    ASSERT_NEAR(*x, *mark, 0.002) << "of a point in the same cell";
 }
 
 TEST_F(Chain, LooksForTheFloorWhereItsParameterUpSays) {

@@ -42,7 +42,7 @@ class FloorRemoval final : public Stage {
 
  private:
   /// @throw scan_cell_common::UnusableInput where the floor seems to be elsewhere
-  std::string apply(Cloud& cloud) const override;
+  std::string apply(TracedCloud& cloud) const override;
 
   FloorParameters parameters_;
 };

@@ -33,7 +33,7 @@ class GridReduction final : public Stage {
   std::string name() const override { return "grid"; }  //!< of the stage
 
  private:
-  std::string apply(Cloud& cloud) const override;
+  std::string apply(TracedCloud& cloud) const override;
 
   GridParameters parameters_;
 };

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "scan_cell_common/clouds/cloud_files.h"
+#include "cloud_preprocess/traced_cloud.h"
 
 namespace scan_cell_common {
 class ParameterTable;
@@ -33,6 +33,6 @@ void describe(scan_cell_common::ParameterTable& table, Limits& limits);
 
 /// Removes the points outside. Says how many in words; empty where there was none.
 /// @throw scan_cell_common::UnusableInput if none is left
-std::string cut(scan_cell_common::Cloud& cloud, const Limits& limits);
+std::string cut(TracedCloud& cloud, const Limits& limits);
 
 }  // namespace cloud_preprocess

@@ -39,7 +39,7 @@ class ObjectIsolation final : public Stage {
   std::string name() const override { return "isolate"; }  //!< of the stage
 
  private:
-  std::string apply(Cloud& cloud) const override;
+  std::string apply(TracedCloud& cloud) const override;
 
   IsolationParameters parameters_;
 };

@@ -32,7 +32,7 @@ class OutlierRemoval final : public Stage {
   std::string name() const override { return "outliers"; }  //!< of the stage
 
  private:
-  std::string apply(Cloud& cloud) const override;
+  std::string apply(TracedCloud& cloud) const override;
 
   OutlierParameters parameters_;
 };

@@ -4,11 +4,9 @@
 
 #include <string>
 
-#include "scan_cell_common/clouds/cloud_files.h"
+#include "cloud_preprocess/traced_cloud.h"
 
 namespace cloud_preprocess {
-
-using scan_cell_common::Cloud;
 
 /// What one stage did to one cloud.
 struct StageReport {
@@ -32,9 +30,12 @@ class Stage {
   /// empty cloud never comes out
   Cloud run(Cloud cloud, StageReport& report) const;
 
+  /// The same, and the points know where they come from.
+  void run(TracedCloud& cloud, StageReport& report) const;
+
  protected:
   /// Changes a cloud that is finite and not empty, and says in a few words what was done.
-  virtual std::string apply(Cloud& cloud) const = 0;
+  virtual std::string apply(TracedCloud& cloud) const = 0;
 };
 
 /// "x 0.1 .. 0.2, y ..., z ... m", for error texts.

@@ -104,15 +104,12 @@ std::vector<Object> large_enough(std::vector<Object> objects, int min_points) {
   return objects;
 }
 
-void keep(Cloud& cloud, const GridCells& grid, const Object& object) {
+/// @return how many points went
+std::size_t keep(TracedCloud& cloud, const GridCells& grid, const Object& object) {
   std::vector<bool> of_object(grid.means.size(), false);
   for (const KdTree::Index cell : object.cells)
     of_object[cell] = true;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (of_object[grid.cell_of_point[i]]) cloud[kept++] = cloud[i];
-  }
-  cloud.resize(kept);
+  return cloud.keep_if([&](std::size_t i) { return of_object[grid.cell_of_point[i]]; });
 }
 
 }  // namespace
@@ -134,21 +131,20 @@ ObjectIsolation::ObjectIsolation(const IsolationParameters& parameters) : parame
   scan_cell_common::check(parameters_);
 }
 
-std::string ObjectIsolation::apply(Cloud& cloud) const {
+std::string ObjectIsolation::apply(TracedCloud& cloud) const {
   const std::string message = cut(cloud, parameters_.limits);
   if (parameters_.select == Selection::kAll) return message + "all objects kept";
 
   // Cells much smaller than the gap stand for their points: a hundred times fewer steps.
   constexpr double kCellsAGap = 4;  // chosen
   const GridCells grid =
-      sort_into_grid(cloud, Eigen::Vector3d::Constant(parameters_.gap / kCellsAGap));
+      sort_into_grid(cloud.cloud(), Eigen::Vector3d::Constant(parameters_.gap / kCellsAGap));
   std::vector<Object> objects =
       large_enough(objects_of(grid, parameters_.gap), parameters_.min_points);
   const Object& object = objects[choose(objects, grid.means, parameters_)];
-  const std::size_t before = cloud.size();
-  keep(cloud, grid, object);
+  const std::size_t removed = keep(cloud, grid, object);
   return fmt::format("{}one of {} objects kept, {} points of others and of no object removed",
-                     message, objects.size(), before - cloud.size());
+                     message, objects.size(), removed);
 }
 
 }  // namespace cloud_preprocess

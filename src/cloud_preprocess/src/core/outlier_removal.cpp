@@ -62,18 +62,13 @@ OutlierRemoval::OutlierRemoval(const OutlierParameters& parameters) : parameters
   scan_cell_common::check(parameters_);
 }
 
-std::string OutlierRemoval::apply(Cloud& cloud) const {
+std::string OutlierRemoval::apply(TracedCloud& cloud) const {
   const std::string message = cut(cloud, parameters_.limits);
   if (!parameters_.automatic) return message + "not looked for others";
 
-  const std::vector<double> distances = mean_distances(cloud, parameters_.neighbours);
+  const std::vector<double> distances = mean_distances(cloud.cloud(), parameters_.neighbours);
   const double most = threshold(distances, parameters_.deviations);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (distances[i] <= most) cloud[kept++] = cloud[i];
-  }
-  const std::size_t removed = cloud.size() - kept;
-  cloud.resize(kept);
+  const std::size_t removed = cloud.keep_if([&](std::size_t i) { return distances[i] <= most; });
   return fmt::format("{}{} more than {:.2f} mm from their neighbours", message, removed,
                      most * 1e3);
 }

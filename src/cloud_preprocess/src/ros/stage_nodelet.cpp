@@ -36,15 +36,16 @@ void StageNodelet::on_cloud(const sensor_msgs::PointCloud2ConstPtr& message) {
   result.stage = stage_->name();
   result.points_in = std::uint64_t{message->width} * message->height;
   try {
-    const Cloud input = in_target_frame(scan_cell_common::from_message(*message), message->header);
+    const scan_cell_common::FieldedCloud fields = scan_cell_common::fields_from_message(*message);
+    TracedCloud cloud(in_target_frame(scan_cell_common::places_of(fields), message->header));
     if (!target_.frame.empty()) result.header.frame_id = target_.frame;
     StageReport report;
-    const Cloud cloud = stage_->run(input, report);
+    stage_->run(cloud, report);
     result.ok = true;
     result.points_out = report.points_out;
     result.message = report.message;
-    output_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
-        scan_cell_common::to_message(cloud, result.header)));
+    output_.publish(boost::make_shared<sensor_msgs::PointCloud2>(scan_cell_common::to_message(
+        scan_cell_common::with_fields(cloud.cloud(), fields, cloud.sources()), result.header)));
   } catch (const scan_cell_common::Error& error) {
     result.message = error.what();
     NODELET_ERROR("%s", error.what());

@@ -26,9 +26,7 @@ void check_field(const sensor_msgs::PointCloud2& message, const char* name) {
   }
 }
 
-void check(const sensor_msgs::PointCloud2& message) {
-  for (const char* name : {"x", "y", "z"})
-    check_field(message, name);
+void check_data(const sensor_msgs::PointCloud2& message) {
   const std::size_t points = std::size_t{message.width} * message.height;
   if (message.data.size() != points * message.point_step) {
     throw UnusableInput("cloud message: data",
@@ -45,7 +43,9 @@ void check(const sensor_msgs::PointCloud2& message) {
 }  // namespace
 
 Cloud from_message(const sensor_msgs::PointCloud2& message) {
-  check(message);
+  for (const char* name : {"x", "y", "z"})
+    check_field(message, name);
+  check_data(message);
   Cloud cloud;
   if (message.data.empty()) return cloud;  // of which the iterators would take the first byte
   cloud.reserve(std::size_t{message.width} * message.height);
@@ -70,6 +70,37 @@ sensor_msgs::PointCloud2 to_message(const Cloud& cloud, const std_msgs::Header& 
     *x = point.x, *y = point.y, *z = point.z;
     ++x, ++y, ++z;
   }
+  return message;
+}
+
+FieldedCloud fields_from_message(const sensor_msgs::PointCloud2& message) {
+  check_data(message);
+  FieldedCloud cloud;
+  for (const sensor_msgs::PointField& field : message.fields) {
+    if (field.count == 1)
+      cloud.fields.push_back({field.name, static_cast<FieldType>(field.datatype), field.offset});
+  }
+  cloud.step = message.point_step;
+  cloud.bytes.assign(message.data.begin(), message.data.end());
+  return cloud;
+}
+
+sensor_msgs::PointCloud2 to_message(const FieldedCloud& cloud, const std_msgs::Header& header) {
+  sensor_msgs::PointCloud2 message;
+  message.header = header;
+  for (const CloudField& field : cloud.fields) {
+    sensor_msgs::PointField& entry = message.fields.emplace_back();
+    entry.name = field.name;
+    entry.datatype = static_cast<std::uint8_t>(field.type);
+    entry.offset = static_cast<std::uint32_t>(field.offset);
+    entry.count = 1;
+  }
+  message.height = 1;
+  message.width = static_cast<std::uint32_t>(cloud.size());
+  message.point_step = static_cast<std::uint32_t>(cloud.step);
+  message.row_step = static_cast<std::uint32_t>(cloud.bytes.size());
+  message.is_dense = true;
+  message.data.assign(cloud.bytes.begin(), cloud.bytes.end());
   return message;
 }
 

@@ -137,21 +137,18 @@ FloorRemoval::FloorRemoval(const FloorParameters& parameters) : parameters_(para
   scan_cell_common::check(parameters_);
 }
 
-std::string FloorRemoval::apply(Cloud& cloud) const {
-  const bool is_cut = cuts_floor(cloud, parameters_.limits, parameters_.up);
+std::string FloorRemoval::apply(TracedCloud& cloud) const {
+  const bool is_cut = cuts_floor(cloud.cloud(), parameters_.limits, parameters_.up);
   const std::string message = cut(cloud, parameters_.limits);
   if (!parameters_.automatic) return message + "not looked for a floor";
 
-  const OrientedPoints sample = sample_with_normals(cloud);
+  const OrientedPoints sample = sample_with_normals(cloud.cloud());
   const std::optional<Plane> floor = floor_of(sample, parameters_, is_cut);
   if (!floor) return message + "no floor found";
-  const std::size_t before = cloud.size();
-  const auto on_floor = [&](const pcl::PointXYZ& point) {
-    return floor->height(point) <= parameters_.margin;
-  };
-  cloud.erase(std::remove_if(cloud.begin(), cloud.end(), on_floor), cloud.end());
+  const std::size_t removed = cloud.keep_if(
+      [&](std::size_t i) { return !(floor->height(cloud.cloud()[i]) <= parameters_.margin); });
   return fmt::format("{}{} on or below the floor through {} m, which leans {:.2f} deg", message,
-                     before - cloud.size(), text_of(floor->point, "({:.4f}, {:.4f}, {:.4f})"),
+                     removed, text_of(floor->point, "({:.4f}, {:.4f}, {:.4f})"),
                      degrees(angle_between(floor->normal, parameters_.up.normalized())));
 }
 

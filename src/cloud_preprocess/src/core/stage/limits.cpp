@@ -36,15 +36,14 @@ bool Limits::contain(const pcl::PointXYZ& point) const {
          point.z >= z_min && point.z <= z_max;
 }
 
-std::string cut(Cloud& cloud, const Limits& limits) {
-  const auto outside = [&limits](const pcl::PointXYZ& point) { return !limits.contain(point); };
-  const auto kept = std::remove_if(cloud.begin(), cloud.end(), outside);
-  if (kept == cloud.begin()) {
+std::string cut(TracedCloud& cloud, const Limits& limits) {
+  const Cloud& points = cloud.cloud();
+  const auto within = [&limits](const pcl::PointXYZ& point) { return limits.contain(point); };
+  if (std::none_of(points.begin(), points.end(), within)) {
     throw scan_cell_common::UnusableInput("limits", "no point lies within them",
-                                          "widen them: the cloud has " + bounds_text(cloud));
+                                          "widen them: the cloud has " + bounds_text(points));
   }
-  const auto removed = cloud.end() - kept;
-  cloud.erase(kept, cloud.end());
+  const std::size_t removed = cloud.keep_if([&](std::size_t i) { return within(points[i]); });
   return removed > 0 ? std::to_string(removed) + " outside the limits, " : "";
 }
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <pcl/common/common.h>
 
+#include <utility>
+
 #include "scan_cell_common/errors/errors.h"
 
 namespace cloud_preprocess {
@@ -12,9 +14,15 @@ namespace cloud_preprocess {
 using scan_cell_common::UnusableInput;
 
 Cloud Stage::run(Cloud cloud, StageReport& report) const {
-  report = {name(), cloud.size(), 0, 0, ""};
-  report.non_finite = scan_cell_common::remove_non_finite(cloud);
-  if (cloud.empty()) {
+  TracedCloud traced(std::move(cloud));
+  run(traced, report);
+  return traced.cloud();
+}
+
+void Stage::run(TracedCloud& cloud, StageReport& report) const {
+  report = {name(), cloud.cloud().size(), 0, 0, ""};
+  report.non_finite = cloud.keep_if([&](std::size_t i) { return pcl::isFinite(cloud.cloud()[i]); });
+  if (cloud.cloud().empty()) {
     throw UnusableInput(name() + ": cloud",
                         report.points_in == 0
                             ? "no points"
@@ -26,15 +34,14 @@ Cloud Stage::run(Cloud cloud, StageReport& report) const {
   } catch (const UnusableInput& error) {
     throw UnusableInput(name() + ": " + error.thing(), error.value(), error.cure());
   }
-  if (cloud.empty()) {
+  if (cloud.cloud().empty()) {
     throw UnusableInput(name() + ": cloud", "nothing is left: " + report.message,
                         "set the limits by hand, or leave this stage out");
   }
   if (report.non_finite > 0) {
     report.message += fmt::format("; {} points were not finite", report.non_finite);
   }
-  report.points_out = cloud.size();
-  return cloud;
+  report.points_out = cloud.cloud().size();
 }
 
 std::string bounds_text(const Cloud& cloud) {

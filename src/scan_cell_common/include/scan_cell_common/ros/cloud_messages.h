@@ -5,6 +5,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
 
 namespace scan_cell_common {
 
@@ -14,5 +15,12 @@ Cloud from_message(const sensor_msgs::PointCloud2& message);
 
 /// @param header passed through as it is
 sensor_msgs::PointCloud2 to_message(const Cloud& cloud, const std_msgs::Header& header);
+
+/// All fields of a message that have one value a point.
+/// @throw UnusableInput if the data do not fit the size, or are big endian
+FieldedCloud fields_from_message(const sensor_msgs::PointCloud2& message);
+
+/// The other way round. @param header passed through as it is
+sensor_msgs::PointCloud2 to_message(const FieldedCloud& cloud, const std_msgs::Header& header);
 
 }  // namespace scan_cell_common

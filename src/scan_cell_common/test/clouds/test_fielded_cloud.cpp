@@ -1,0 +1,111 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <cstring>
+
+#include "clouds/scratch_folder.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
+#include "scan_cell_common/errors/errors.h"
+
+using scan_cell_common::Cloud;
+using scan_cell_common::FieldedCloud;
+using scan_cell_common::FieldType;
+
+namespace {
+
+/// With a gap behind `laser`, as scans have it.
+struct Point {
+  float x, y, z;
+  std::uint8_t laser;
+  std::uint8_t gap[3];
+  double weight;
+};
+
+FieldedCloud three_points() {
+  const Point points[] = {
+      {1, 2, 3, 0, {9, 9, 9}, 0.5}, {4, 5, 6, 1, {9, 9, 9}, 1.0 / 3}, {7, 8, 9, 1, {9, 9, 9}, -7}};
+  FieldedCloud cloud;
+  cloud.fields = {{"x", FieldType::kFloat32, offsetof(Point, x)},
+                  {"y", FieldType::kFloat32, offsetof(Point, y)},
+                  {"z", FieldType::kFloat32, offsetof(Point, z)},
+                  {"laser", FieldType::kUint8, offsetof(Point, laser)},
+                  {"weight", FieldType::kFloat64, offsetof(Point, weight)}};
+  cloud.step = sizeof(Point);
+  cloud.bytes.resize(sizeof points);
+  std::memcpy(cloud.bytes.data(), points, sizeof points);
+  return cloud;
+}
+
+template <class T>
+T value(const pcl::PCLPointCloud2& cloud, std::size_t point, const std::string& name) {
+  for (const pcl::PCLPointField& field : cloud.fields) {
+    if (field.name != name) continue;
+    T result;
+    std::memcpy(&result, &cloud.data[point * cloud.point_step + field.offset], sizeof result);
+    return result;
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+void expect_in_millimetres(const pcl::PCLPointCloud2& read) {
+  ASSERT_EQ(read.width * read.height, 3U);
+  EXPECT_EQ(value<float>(read, 1, "x"), 4000.0F);
+  EXPECT_EQ(value<float>(read, 2, "z"), 9000.0F);
+  EXPECT_EQ(value<std::uint8_t>(read, 0, "laser"), 0);
+  EXPECT_EQ(value<std::uint8_t>(read, 2, "laser"), 1);
+  EXPECT_EQ(value<double>(read, 1, "weight"), 1.0 / 3);
+}
+
+class FieldedCloudFile : public ScratchFolder {};
+
+}  // namespace
+
+TEST_F(FieldedCloudFile, IsReadByPclWithAllItsFields) {
+  pcl::PCLPointCloud2 read;
+  save_cloud((folder_ / "cloud.ply").string(), three_points(), 1e-3);
+  ASSERT_EQ(pcl::io::loadPLYFile((folder_ / "cloud.ply").string(), read), 0);
+  expect_in_millimetres(read);
+  save_cloud((folder_ / "cloud.pcd").string(), three_points(), 1e-3);
+  ASSERT_EQ(pcl::io::loadPCDFile((folder_ / "cloud.pcd").string(), read), 0);
+  expect_in_millimetres(read);
+}
+
+TEST_F(FieldedCloudFile, IsReadBackAsPlaces) {
+  for (const char* const name : {"cloud.ply", "cloud.pcd"}) {
+    save_cloud((folder_ / name).string(), three_points());
+    const Cloud read = scan_cell_common::load_cloud((folder_ / name).string());
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_EQ(read[2].y, 8.0F);
+  }
+}
+
+TEST(FieldedCloud, GivesOtherPlacesWhatTheirSourcesCarry) {
+  Cloud places;
+  places.push_back({0.1F, 0.2F, 0.3F});
+  places.push_back({0.4F, 0.5F, 0.6F});
+  const FieldedCloud chosen = with_fields(places, three_points(), {2, 0});
+  Point points[2];
+  ASSERT_EQ(chosen.bytes.size(), sizeof points);
+  std::memcpy(points, chosen.bytes.data(), sizeof points);
+  EXPECT_EQ(points[0].x, 0.1F);
+  EXPECT_EQ(points[1].z, 0.6F);
+  EXPECT_EQ(points[0].weight, -7);
+  EXPECT_EQ(points[1].laser, 0);
+}
+
+TEST(FieldedCloud, IsRefusedWhereItsFieldsMakeNoSense) {
+  const auto refuses = [](const auto& spoil) {
+    FieldedCloud cloud = three_points();
+    spoil(cloud);
+    EXPECT_THROW(places_of(cloud), scan_cell_common::UnusableInput);
+  };
+  refuses([](FieldedCloud& c) { c.fields.erase(c.fields.begin() + 2); });
+  refuses([](FieldedCloud& c) { c.fields[0].type = FieldType::kFloat64; });
+  refuses([](FieldedCloud& c) { c.fields[3].type = static_cast<FieldType>(99); });
+  refuses([](FieldedCloud& c) { c.fields[4].offset = sizeof(Point) - 4; });
+  refuses([](FieldedCloud& c) { c.bytes.pop_back(); });
+  refuses([](FieldedCloud& c) { c.step = 0; });
+}
