@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 
+#include "pass_overlap.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
@@ -123,7 +124,31 @@ scan_cell_msgs::CloudStatistics CloudBuilder::statistics(const std::string& scan
   statistics.outside_sensor = counts.outside_sensor;
   statistics.points_of_laser = points_of_laser_;
   statistics.seconds = seconds_;
+  for (const PassOverlap& overlap : compare_sweeps(points_)) {
+    scan_cell_msgs::PassOverlap message;
+    message.pass_one = overlap.one.pass;
+    message.laser_one = overlap.one.laser;
+    message.pass_other = overlap.other.pass;
+    message.laser_other = overlap.other.laser;
+    message.points = overlap.points;
+    message.median = overlap.median;
+    message.most = overlap.most;
+    statistics.overlaps.push_back(message);
+  }
   return statistics;
+}
+
+std::vector<std::string> CloudBuilder::overlap_lines(
+    const scan_cell_msgs::CloudStatistics& statistics) {
+  constexpr double kMillimetres = 1e3;
+  std::vector<std::string> lines;
+  for (const scan_cell_msgs::PassOverlap& overlap : statistics.overlaps) {
+    lines.push_back(fmt::format(
+        "pass {} laser_{} and pass {} laser_{}: {:.3f} mm apart, 95 % within {:.3f} mm",
+        overlap.pass_one + 1, overlap.laser_one, overlap.pass_other + 1, overlap.laser_other,
+        kMillimetres * overlap.median, kMillimetres * overlap.most));
+  }
+  return lines;
 }
 
 std::string CloudBuilder::summary() const {

@@ -30,10 +30,15 @@ class CloudBuilder {
 
   /// The points from `first` on. Frame: the profiles'; stamp: the last pulse's.
   sensor_msgs::PointCloud2 cloud(std::size_t first = 0) const;
+
+  /// Compares the passes besides, which takes a second or two of a large scan.
   scan_cell_msgs::CloudStatistics statistics(const std::string& scan_id) const;
 
   /// For a person: what became of every row.
   std::string summary() const;
+
+  /// For a person, one line a pair: how far the passes lie apart.
+  static std::vector<std::string> overlap_lines(const scan_cell_msgs::CloudStatistics& statistics);
 
  private:
   Triangulator triangulator_;

@@ -154,6 +154,8 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
   if (response.success && response.file.empty() && !request.partial)
     whole_cloud_.publish(response.cloud);
   ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
+  for (const std::string& line : CloudBuilder::overlap_lines(response.statistics))
+    ROS_INFO("scan %s: %s", scan_id_.c_str(), line.c_str());
   scan_.reset();
   return true;
 }
