@@ -138,8 +138,8 @@ TEST(ConstantSpeed, FollowsTheMotionThatItIsToldOfEachArming) {
   std::swap(back.start, back.end);
   const SyntheticScan scan = armed_twice();
   Binder binder(settings);
-  binder.start_run(there);
-  binder.start_run(back);
+  binder.start_run({0, there});
+  binder.start_run({7, back});
   for (const Pulse& pulse : scan.pulses)
     binder.add_pulse(pulse);
   for (const Frame& frame : scan.frames)
@@ -152,6 +152,7 @@ TEST(ConstantSpeed, FollowsTheMotionThatItIsToldOfEachArming) {
     const Match& match = *decision.match;
     const double way = 0.001 * static_cast<double>(match.pulse.count - 1);
     const bool second = match.pulse.arming != scan.pulses.front().arming;
+    EXPECT_EQ(match.pass, second ? 7U : 0U);
     EXPECT_NEAR(match.pose.translation().x(), second ? 1.3 - 0.6 * way : 1 + 0.6 * way, 1e-12);
   }
   EXPECT_EQ(bound, 60U);
@@ -161,7 +162,7 @@ TEST(ConstantSpeed, DropsTheFramesOfAnArmingWhoseMotionIsNoLine) {
   Settings settings = motion();
   settings.constant_speed = {};
   Binder binder(settings);
-  binder.start_run(std::nullopt);
+  binder.start_run({0, std::nullopt});
   const SyntheticScan scan = steady_scan(20);
   for (const Pulse& pulse : scan.pulses)
     binder.add_pulse(pulse);
@@ -176,7 +177,7 @@ TEST(ConstantSpeed, RefusesAnArmingWhoseMotionIsNotDetermined) {
   Settings settings = motion();
   ConstantSpeed nowhere = std::exchange(settings.constant_speed, {});
   nowhere.end = nowhere.start;
-  EXPECT_THROW(Binder(settings).start_run(nowhere), InvalidParameter);
+  EXPECT_THROW(Binder(settings).start_run({0, nowhere}), InvalidParameter);
 }
 
 TEST(ConstantSpeed, RefusesAMotionThatIsNotDetermined) {

@@ -93,10 +93,10 @@ struct FakeCamera : scan_cell::Camera {
 struct FakeTrigger : scan_cell::Trigger {
   FakeTrigger(FakeCell& c, const FakeRobot& r) : cell(c), robot(r) {}
   std::string trouble() const override { return cell.trouble("trigger"); }
-  void arm(double, const scan_cell::Lighting& lighting, std::uint32_t pass) override {
+  void arm(double, const scan_cell::Lighting& lighting) override {
     moving_when_armed = robot.motion().progress > 0;
     EXPECT_FALSE(cell.armed) << "between passes the lasers are off";
-    armings.push_back({lighting.lasers, lighting.alternate, pass});
+    armings.push_back(lighting);
     cell.note("arm");
     cell.armed = true;
   }
@@ -108,12 +108,7 @@ struct FakeTrigger : scan_cell::Trigger {
   void keep_alive() override { cell.note("keep alive"); }
   FakeCell& cell;
   const FakeRobot& robot;
-  struct Arming {
-    std::uint8_t lasers;
-    bool alternate;
-    std::uint32_t pass;
-  };
-  std::vector<Arming> armings;
+  std::vector<scan_cell::Lighting> armings;
   bool moving_when_armed = false;
   bool answers = true;
 };
@@ -122,7 +117,10 @@ struct FakeStages : scan_cell::Stages {
   explicit FakeStages(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return cell.trouble("stages"); }
   void start(const std::string&) override { cell.note("start stages"); }
-  void start_run(const scan_cell::ScanRun&) override { cell.note("start run"); }
+  void start_run(const scan_cell::ScanRun& run) override {
+    passes.push_back(run.pass);
+    cell.note("start run");
+  }
   std::vector<std::uint64_t> bind(const std::vector<scan_cell::ArmingPulses>& armings,
                                   double) override {
     finished_pulses = 0;
@@ -136,6 +134,7 @@ struct FakeStages : scan_cell::Stages {
     cell.note("triangulate");
   }
   FakeCell& cell;
+  std::vector<std::size_t> passes;  // of the runs
   std::uint64_t missing_at_the_end = 0;
   bool whole_cloud = false;
   std::uint64_t finished_pulses = 0;

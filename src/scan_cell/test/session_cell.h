@@ -107,7 +107,7 @@ struct FakeCamera : scan_cell::SnapshotCamera {
 struct FakeTrigger : scan_cell::Trigger {
   explicit FakeTrigger(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return lost && cell.armed ? "trigger is lost" : ""; }
-  void arm(double r, const scan_cell::Lighting& lighting, std::uint32_t) override {
+  void arm(double r, const scan_cell::Lighting& lighting) override {
     rates.push_back(r);
     cell.armed = true;
     cell.lasers = lighting.lasers;

@@ -25,7 +25,6 @@ struct Pulse {
   std::uint64_t count = 0;   //!< since this arming; the first is 1
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
   Nanoseconds late = 0;      //!< behind its deadline
-  std::uint32_t pass = 0;    //!< of the scan, as the arming said
 };
 
 /// How the pulse thread is doing.
@@ -65,7 +64,6 @@ class PulseGenerator {
     std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
     double longest_on = 0;    //!< [s] 0: the settings'
     bool pulses = true;       //!< false: the lasers alone; the rate is not used
-    std::uint32_t pass = 0;   //!< of the scan: its pulses carry it
   };
   /// Hears of pulses and changes, in the pulse thread.
   struct Observer {

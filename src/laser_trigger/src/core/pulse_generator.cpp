@@ -267,12 +267,8 @@ void PulseGenerator::send_pulse(Clock::time_point deadline, std::uint32_t arming
     if (failure.empty()) {
       // Where a write is held up it is behind the edge, as the call returns.
       shortest_write_ = std::clamp<Nanoseconds>(after - before, 0, shortest_write_);
-      pulse = {before + shortest_write_ / 2,
-               status_.arming,
-               ++status_.pulses,
-               status_.lasers,
-               late,
-               arming_.pass};
+      pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, status_.lasers,
+               late};
       status_.latest = std::max(status_.latest, scan_cell_common::to_seconds(late));
     }
   }

@@ -58,8 +58,7 @@ bool TriggerServices::arm(ArmEvent& event) {
   const std::string& caller = event.getCallerName();
   const bool listened = listeners_.contains(caller);
   return scan_cell_common::answer(response, [&] {
-    response.arming = generator_->arm(
-        {request.rate, request.lasers, request.longest_on.toSec(), true, request.pass});
+    response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec()});
     client_ = listened ? caller : "";
     if (listened && !listeners_.contains(caller)) end_of_client();
   });
@@ -79,7 +78,6 @@ void TriggerServices::on_pulse(const Pulse& pulse) {
   event.header.stamp = scan_cell_common::to_ros(pulse.time);
   event.arming = pulse.arming;
   event.count = pulse.count;
-  event.pass = pulse.pass;
   event.lasers = pulse.lasers;
   events_.publish(event);
 }

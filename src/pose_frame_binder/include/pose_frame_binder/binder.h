@@ -29,11 +29,10 @@ class Binder {
   Binder(const Binder&) = delete;
   Binder& operator=(const Binder&) = delete;
 
-  /// The motion of the next arming of the trigger, for the constant speed where the settings do not
-  /// give one. Call it before each arming.
-  /// @param motion none: not a line at a constant speed; its frames are dropped
+  /// Tells of the next arming of the trigger. Call it before each, or never: then each arming is a
+  /// pass.
   /// @throw scan_cell_common::InvalidParameter if the motion is not determined
-  void start_run(const std::optional<ConstantSpeed>& motion);
+  void start_run(const Run& run);
 
   /// @throw scan_cell_common::Refused if the pose log is full
   void add_pose(const TimedPose& pose);
@@ -78,6 +77,7 @@ class Binder {
   void advance();
   void on_drop(const FrameRecord& frame, const std::string& detail);
   void bind();
+  std::uint32_t pass_of(std::size_t pulse) const;
   void count(const Match& match);
   void settle(std::size_t pulse, Fate fate);
   bool latency_doubtful() const;
@@ -88,8 +88,9 @@ class Binder {
   const std::unique_ptr<PulseLog> pulses_;
   const std::unique_ptr<FrameLog> frames_;
   const std::unique_ptr<FrameMatcher> matcher_;
-  std::vector<Fate> fates_;    // of the pulses
-  std::uint64_t settled_ = 0;  // pulses whose fate is known
+  std::vector<std::uint32_t> passes_;  // of the runs, as they were told
+  std::vector<Fate> fates_;            // of the pulses
+  std::uint64_t settled_ = 0;          // pulses whose fate is known
   std::vector<Decision> decisions_;
   std::uint64_t triggers_ = 0;  // pulses sent, as end() was told
   Audit counts_;                // of the frames bound

@@ -55,7 +55,6 @@ struct Pulse {
   std::uint32_t arming = 0;  //!< number of the trigger's arming
   std::uint64_t count = 0;   //!< within the arming, from 1
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
-  std::uint32_t pass = 0;    //!< of the scan
 };
 
 /// What the binder needs to know of a frame.
@@ -83,6 +82,14 @@ struct ConstantSpeed {
   }
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+/// What is known of an arming of the trigger before it comes.
+struct Run {
+  std::uint32_t pass = 0;  //!< of the scan, from 0
+  /// For the method of that name where the settings do not give one. None: no line at a constant
+  /// speed; the frames are dropped then.
+  std::optional<ConstantSpeed> motion;
 };
 
 /// What decides which frame gets which pose.
@@ -120,6 +127,7 @@ bool is_given(const ConstantSpeed& motion);
 struct Match {
   Rule rule = Rule::kOneToOne;                             //!< that made it
   Pulse pulse;                                             //!< that exposed the frame
+  std::uint32_t pass = 0;                                  //!< of the scan, from 0
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< of the flange at the pulse
   double time_to_before = 0;                               //!< [s] NaN: that pose was not used
   double time_to_after = 0;                                //!< [s] NaN: that pose was not used

@@ -92,8 +92,14 @@ std::uint64_t Binder::progress() const {
   return pulses() + settled_ + frames_->undecided();
 }
 
-void Binder::start_run(const std::optional<ConstantSpeed>& motion) {
-  rule_->start_run(motion);
+void Binder::start_run(const Run& run) {
+  rule_->start_run(run.motion);
+  passes_.push_back(run.pass);
+}
+
+std::uint32_t Binder::pass_of(std::size_t pulse) const {
+  const std::uint32_t run = pulses_->run(pulse);
+  return run < passes_.size() ? passes_[run] : run;
 }
 
 void Binder::add_pose(const TimedPose& pose) {
@@ -159,12 +165,13 @@ void Binder::bind() {
   for (FrameRecord* frame = frames_->first_undecided();
        frame != nullptr && frame->state == FrameState::kMatched;
        frame = frames_->first_undecided()) {
-    const std::optional<PoseAnswer> answer = rule_->find(*frame->pulse, *pulses_, *poses_);
+    std::optional<PoseAnswer> answer = rule_->find(*frame->pulse, *pulses_, *poses_);
     if (!answer) return;
     if (!answer->match) {
       frames_->drop(*frame, answer->reason, answer->detail);
       continue;
     }
+    answer->match->pass = pass_of(*frame->pulse);
     frames_->set(*frame, FrameState::kBound);
     decisions_.push_back({frame->number, answer->match});
     settle(*frame->pulse, Fate::kBound);

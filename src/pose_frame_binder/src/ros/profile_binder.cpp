@@ -40,7 +40,7 @@ BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
   bound.profile = profile;
   bound.profile.laser = laser_of(profile, match.pulse.lasers);
   bound.pose = scan_cell_common::to_ros_pose(match.pose);
-  bound.pass = match.pulse.pass;
+  bound.pass = match.pass;
   bound.match.rule = static_cast<std::uint8_t>(match.rule);
   bound.match.frame_counter = profile.frame_counter;
   bound.match.arming = match.pulse.arming;
@@ -123,13 +123,13 @@ Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& 
 }
 
 void ProfileBinder::start_run(const scan_cell_msgs::StartRun::Request& run) {
-  if (!run.straight) return binder_.start_run(std::nullopt);
+  if (!run.straight) return binder_.start_run({run.pass, std::nullopt});
   ConstantSpeed motion;
   motion.start = in_fixed_frame(run.start, "start");
   motion.end = in_fixed_frame(run.end, "end");
   motion.speed = run.speed;
   motion.frame_rate = run.rate;
-  binder_.start_run(motion);
+  binder_.start_run({run.pass, motion});
 }
 
 Eigen::Isometry3d ProfileBinder::in_fixed_frame(const geometry_msgs::PoseStamped& pose,
@@ -152,8 +152,7 @@ void ProfileBinder::add(const tf2_msgs::TFMessage& transforms) {
 }
 
 void ProfileBinder::add(const TriggerEvent& event) {
-  binder_.add_pulse(
-      {from_ros(event.header.stamp), event.arming, event.count, event.lasers, event.pass});
+  binder_.add_pulse({from_ros(event.header.stamp), event.arming, event.count, event.lasers});
 }
 
 void ProfileBinder::add(const scan_cell_msgs::PeakProfileConstPtr& profile) {

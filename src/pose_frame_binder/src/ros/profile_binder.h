@@ -35,7 +35,7 @@ class ProfileBinder {
   ProfileBinder(const Settings& settings, const Frames& frames,
                 const Eigen::Isometry3d& fixed_to_base);
 
-  /// The motion of the next arming, as Binder::start_run().
+  /// Tells of the next arming, as Binder::start_run().
   /// @throw scan_cell_common::Refused if its poses are in another frame, or are none
   void start_run(const scan_cell_msgs::StartRun::Request& run);
 

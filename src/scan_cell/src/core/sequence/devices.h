@@ -128,8 +128,7 @@ struct Disarmed {
 class Trigger : public Device {
  public:
   /// @param rate [Hz] of the pulses
-  /// @param pass number that its events carry
-  virtual void arm(double rate, const Lighting& lighting, std::uint32_t pass) = 0;
+  virtual void arm(double rate, const Lighting& lighting) = 0;
 
   /// Pulses stop, lasers go off. Never throws.
   virtual Disarmed disarm() noexcept = 0;

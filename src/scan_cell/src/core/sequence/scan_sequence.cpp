@@ -82,7 +82,7 @@ void ScanSequence::capture(const ScanRun& run) {
   step(6, "scan");
   supervisor_.start_move(run.moves.front(), run.rate);
   supervisor_.wait_until_moving();
-  supervisor_.arm(run.rate, run.lighting, static_cast<std::uint32_t>(run.pass));
+  supervisor_.arm(run.rate, run.lighting);
   camera_.expect_profiles(run.rate);
   const double part = 1 / static_cast<double>(run.moves.size());
   wait_for_motion(0, part);

@@ -52,13 +52,12 @@ std::string RosTrigger::trouble() const {
                      parameters_.trigger);
 }
 
-void RosTrigger::arm(double rate, const Lighting& lighting, std::uint32_t pass) {
+void RosTrigger::arm(double rate, const Lighting& lighting) {
   keep_alive();
   ArmTrigger::Request request;
   request.rate = rate;
   request.lasers = lighting.lasers;
   request.alternate = lighting.alternate;
-  request.pass = pass;
   const auto response = call<ArmTrigger>(parameters_.trigger + "/arm", request, kCallTimeout);
   event_.now();
   const std::lock_guard<std::mutex> lock(mutex_);
