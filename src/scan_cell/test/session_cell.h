@@ -107,11 +107,11 @@ struct FakeCamera : scan_cell::SnapshotCamera {
 struct FakeTrigger : scan_cell::Trigger {
   explicit FakeTrigger(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return lost && cell.armed ? "trigger is lost" : ""; }
-  void arm(double r, std::uint8_t lasers) override {
+  void arm(double r, const scan_cell::Lighting& lighting) override {
     rates.push_back(r);
     cell.armed = true;
-    cell.lasers = lasers;
-    cell.note("arm " + std::to_string(lasers));
+    cell.lasers = lighting.lasers;
+    cell.note("arm " + std::to_string(lighting.lasers));
   }
   scan_cell::Disarmed disarm() noexcept override {
     cell.log.emplace_back("disarm");

@@ -87,7 +87,7 @@ struct FakeCamera : scan_cell::Camera {
 struct FakeTrigger : scan_cell::Trigger {
   FakeTrigger(FakeCell& c, const FakeRobot& r) : cell(c), robot(r) {}
   std::string trouble() const override { return cell.trouble("trigger"); }
-  void arm(double, std::uint8_t) override {
+  void arm(double, const scan_cell::Lighting&) override {
     moving_when_armed = robot.motion().progress > 0;
     cell.note("arm");
     cell.armed = true;

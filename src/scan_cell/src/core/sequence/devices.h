@@ -109,10 +109,16 @@ struct Disarmed {
   std::string trouble;  //!< why it may not have pulsed to the end; empty where it answered
 };
 
+/// Which lasers are on with the pulses.
+struct Lighting {
+  std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
+  bool alternate = false;   //!< both take turns, pulse by pulse, laser_0 first
+};
+
 /// The trigger circuit with the lasers.
 class Trigger : public Device {
  public:
-  virtual void arm(double rate, std::uint8_t lasers) = 0;
+  virtual void arm(double rate, const Lighting& lighting) = 0;
 
   /// Pulses stop, lasers go off. Never throws.
   virtual Disarmed disarm() noexcept = 0;

@@ -66,7 +66,7 @@ void ScanSequence::capture(const ScanRequest& request) {
   step(6, "scan");
   supervisor_.start_move(request.end, request.rate);
   supervisor_.wait_until_moving();
-  supervisor_.arm(request.rate, request.lasers);
+  supervisor_.arm(request.rate, {request.lasers, false});
   camera_.expect_profiles(request.rate);
   wait_for_motion();
 }

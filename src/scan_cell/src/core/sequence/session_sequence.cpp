@@ -142,7 +142,7 @@ Snapshot SessionSequence::grab(double exposure, std::uint8_t lasers, const std::
   std::string trouble = "no image came";
   try {
     camera_.start(exposure);
-    supervisor_.arm(std::min(timing_.rate, kDuty / exposure), lasers);
+    supervisor_.arm(std::min(timing_.rate, kDuty / exposure), {lasers, false});
     supervisor_.wait_for(timing_.image_patience, [&] {
       taken = camera_.snapshot();
       return taken.has_value();

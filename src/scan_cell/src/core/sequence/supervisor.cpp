@@ -70,10 +70,10 @@ void Supervisor::wait_for_motion(const std::function<void(double)>& on_progress)
   moving_ = false;
 }
 
-void Supervisor::arm(double rate, std::uint8_t lasers) {
+void Supervisor::arm(double rate, const Lighting& lighting) {
   watch();
   armed_ = true;  // before: a circuit that did not answer may have heard it
-  on(Outcome::kTriggerLost, [&] { trigger_.arm(rate, lasers); });
+  on(Outcome::kTriggerLost, [&] { trigger_.arm(rate, lighting); });
 }
 
 Disarmed Supervisor::disarm() noexcept {

@@ -45,7 +45,7 @@ class Supervisor {
   /// @param on_progress hears 0 .. 1
   void wait_for_motion(const std::function<void(double)>& on_progress);
 
-  void arm(double rate, std::uint8_t lasers);
+  void arm(double rate, const Lighting& lighting);
 
   /// Pulses stop, lasers go off; does nothing where arm() was not called.
   Disarmed disarm() noexcept;

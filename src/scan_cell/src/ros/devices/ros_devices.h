@@ -94,7 +94,7 @@ class RosTrigger : public Trigger {
   RosTrigger(ros::NodeHandle node, const Parameters& parameters);
 
   std::string trouble() const override;
-  void arm(double rate, std::uint8_t lasers) override;
+  void arm(double rate, const Lighting& lighting) override;
   Disarmed disarm() noexcept override;
   void keep_alive() override;
 

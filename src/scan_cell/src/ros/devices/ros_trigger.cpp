@@ -52,11 +52,12 @@ std::string RosTrigger::trouble() const {
                      parameters_.trigger);
 }
 
-void RosTrigger::arm(double rate, std::uint8_t lasers) {
+void RosTrigger::arm(double rate, const Lighting& lighting) {
   keep_alive();
   ArmTrigger::Request request;
   request.rate = rate;
-  request.lasers = lasers;
+  request.lasers = lighting.lasers;
+  request.alternate = static_cast<unsigned char>(lighting.alternate);
   const auto response = call<ArmTrigger>(parameters_.trigger + "/arm", request, kCallTimeout);
   event_.now();
   const std::lock_guard<std::mutex> lock(mutex_);
