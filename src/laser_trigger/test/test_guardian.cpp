@@ -45,6 +45,12 @@ int pulse_for_ever(PulseGenerator& generator) {
     pause();
 }
 
+int alternate_for_ever(PulseGenerator& generator) {
+  generator.arm({100, 3, 0, true, true});
+  while (true)
+    pause();
+}
+
 int crash(PulseGenerator& generator) {
   generator.arm({100, 3, 0});
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -106,6 +112,24 @@ TEST_F(GuardianTest, LasersGoOffWhenTheProcessCrashes) {
 
 TEST_F(GuardianTest, LasersGoOffWhenTheProcessHangs) {
   start(kHangTimeout, pulse_for_ever);
+  ASSERT_TRUE(lasers_are_on());
+  kill(child_, SIGSTOP);
+  EXPECT_TRUE(lines_go_low());
+  EXPECT_EQ(end_of_child(), -SIGKILL);
+}
+
+TEST_F(GuardianTest, LasersThatAlternateGoOffWhenTheProcessIsKilled) {
+  start(60, alternate_for_ever);
+  ASSERT_TRUE(lasers_are_on());
+  kill(child_, SIGKILL);
+  EXPECT_TRUE(lines_go_low());
+  EXPECT_EQ(end_of_child(), -SIGKILL);
+  for (const TestCircuit::Write& write : circuit_.writes())
+    EXPECT_NE(write.data & kLasers, kLasers);
+}
+
+TEST_F(GuardianTest, LasersThatAlternateGoOffWhenTheProcessHangs) {
+  start(kHangTimeout, alternate_for_ever);
   ASSERT_TRUE(lasers_are_on());
   kill(child_, SIGSTOP);
   EXPECT_TRUE(lines_go_low());

@@ -132,9 +132,33 @@ class LaserTriggerNode(unittest.TestCase):
             self.assertLess(abs(event.header.stamp.to_sec() - edge), 0.5)
         self.assertTrue(self.disarm().success, 'disarming what is disarmed succeeds')
 
+    def test_2b_lets_the_lasers_take_turns_and_says_which_was_on(self):
+        answer = self.arm(rate=100, lasers=3, alternate=True)
+        self.assertTrue(answer.success, answer.message)
+        mine = lambda: [e for e in self.events if e.arming == answer.arming]
+        self.wait(lambda: len(mine()) > 20, 'events come')
+        self.wait(lambda: self.states[-1].armed, 'the state says so')
+        self.assertTrue(self.states[-1].alternate)
+        self.assertEqual(self.states[-1].lasers, 3)
+        self.assertTrue(self.disarm().success)
+        self.lines_go_low()
+        for event in mine():
+            self.assertEqual(event.lasers, TriggerEvent.LASER_0 if event.count % 2 else TriggerEvent.LASER_1)
+        self.wait(lambda: not self.states[-1].armed, 'the state says so')
+        self.assertFalse(self.states[-1].alternate)
+
+    def test_2c_lasers_that_take_turns_go_off_without_keep_alive(self):
+        self.assertTrue(self.arm(rate=100, lasers=3, alternate=True).success)
+        type(self).keep_alive_wanted = False
+        self.wait(lambda: not self.states[-1].armed, 'it is disarmed')
+        type(self).keep_alive_wanted = True
+        self.lines_go_low()
+
     def test_3_refuses_what_makes_no_sense(self):
         for request, word in ((dict(rate=0, lasers=1), 'rate'), (dict(rate=1e9, lasers=1), 'rate'),
-                              (dict(rate=100, lasers=4), 'lasers')):
+                              (dict(rate=100, lasers=4), 'lasers'),
+                              (dict(rate=100, lasers=1, alternate=True), 'lasers'),
+                              (dict(rate=900, lasers=3, alternate=True), 'rate')):
             answer = self.arm(**request)
             self.assertFalse(answer.success)
             self.assertIn(word, answer.message)

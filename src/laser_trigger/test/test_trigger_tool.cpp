@@ -118,6 +118,22 @@ TEST_F(TriggerTool, GivesPulsesForSoLong) {
   EXPECT_EQ(lit(), 0);
 }
 
+TEST_F(TriggerTool, LetsTheLasersTakeTurnsOnlyWhereItIsTold) {
+  for (const bool alternate : {false, true}) {
+    const std::size_t before = circuit_.writes().size();
+    const Outcome result = run(std::string("pulses --rate 100 --count 9 --laser 0 1") +
+                               (alternate ? " --alternate" : ""));
+    EXPECT_EQ(result.code, 0) << result.said;
+    ASSERT_TRUE(becomes(0));
+    std::vector<int> at_pulses;
+    const std::vector<TestCircuit::Write> writes = circuit_.writes();
+    for (std::size_t i = before; i < writes.size(); ++i)
+      if ((writes[i].data & kCameraPulse) != 0) at_pulses.push_back(writes[i].data >> 1);
+    const std::vector<int> in_turn = {1, 2, 1, 2, 1, 2, 1, 2, 1};
+    EXPECT_EQ(at_pulses, alternate ? in_turn : std::vector<int>(9, 3));
+  }
+}
+
 TEST_F(TriggerTool, SwitchesOneLaserOnForSoLongWithoutPulses) {
   const Outcome result = run("laser 0 --seconds 0.5");
   EXPECT_EQ(result.code, 0) << result.said;
@@ -191,6 +207,10 @@ TEST_F(TriggerTool, RefusesWhatMakesNoSenseAndSwitchesNothingOn) {
                                   "pulses --rate 10 --count 3001",
                                   "pulses --rate 10 --count -1",
                                   "pulses --rate 10 --count 5 --laser 2",
+                                  "pulses --rate 10 --count 5 --alternate",
+                                  "pulses --rate 10 --count 5 --laser 1 --alternate",
+                                  "pulses --rate 900 --count 5 --laser 0 1 --alternate",
+                                  "laser 0 --seconds 1 --alternate",
                                   "laser",
                                   "laser 0",
                                   "laser 2 --seconds 1",
@@ -252,7 +272,7 @@ TEST_F(TriggerTool, SaysInItsDocumentWhatItSays) {
       break;  // the first block is the one of these examples
     }
   }
-  ASSERT_EQ(examples.size(), 3u);
+  ASSERT_EQ(examples.size(), 4u);
   const auto without_numbers = [](const std::string& text) {
     const std::string calm =
         std::regex_replace(text, std::regex("trigger: pulses without.*\n"), "");

@@ -25,6 +25,20 @@ inline std::size_t count_right(const SyntheticScan& scan, const Outcome& outcome
   return right;
 }
 
+/// No frame has another laser than the one that was lit with its pulse; returns how many have it.
+inline std::size_t count_lit(const SyntheticScan& scan, const Outcome& outcome) {
+  std::size_t lit = 0;
+  for (const Decision& decision : outcome.decisions) {
+    if (!decision.match) continue;
+    const std::int64_t truth = scan.truth[decision.frame];
+    const std::uint8_t lasers =
+        truth < 0 ? std::uint8_t{0} : scan.pulses[static_cast<std::size_t>(truth)].lasers;
+    EXPECT_EQ(1 << decision.match->laser, lasers) << "frame " << decision.frame;
+    ++lit;
+  }
+  return lit;
+}
+
 /// Every frame is decided once, and every pulse is bound, or named by a drop, or never arrived.
 inline void expect_all_accounted(const SyntheticScan& scan, const Outcome& outcome) {
   const Audit& audit = outcome.audit;

@@ -63,6 +63,22 @@ inline SyntheticScan steady_scan(std::size_t pulses, double period = 10) {
   return scan;
 }
 
+/// Whose lasers take turns from laser_0 on. The first pulses are twice as far apart, as the trigger
+/// sends them where `slow` is 4; frames carry what was lit in their truth.
+inline SyntheticScan alternating_scan(std::size_t pulses, double period = 10,
+                                      std::size_t slow = 4) {
+  SyntheticScan scan = steady_scan(pulses + slow, period);
+  scan.pulses.clear();
+  scan.frames.clear();
+  scan.truth.clear();
+  for (std::size_t i = 0; i < pulses; ++i) {
+    scan.add_pulse(static_cast<double>(i + std::min(i, slow)) * period);
+    scan.pulses.back().lasers = i % 2 == 0 ? 1 : 2;
+    scan.add_frame(i, 101 + i);
+  }
+  return scan;
+}
+
 /// 30 pulses, and 30 of a second arming from 1003 ms on, whose frames count on; no poses there.
 inline SyntheticScan armed_twice() {
   SyntheticScan scan = steady_scan(30);

@@ -223,6 +223,30 @@ TEST(LaserLine, ShadowEndsWhereGeometrySaysIt) {
   EXPECT_TRUE(floor_line(image, 855 - 81));
 }
 
+TEST(LaserLine, IsAsBrightAsItsShareOfTheExposure) {
+  Exposure exposure;
+  exposure.camera = looking_down(0.4);
+  exposure.lasers = 3;
+  exposure.duration = 0.0004;  // not saturated
+  const LaserLineRenderer renderer(plain_scanner(), noiseless());
+  const Image whole(renderer, floor_only(), exposure);
+  exposure.light = {0.25, 0.75};
+  const Image shared(renderer, floor_only(), exposure);
+  int brightest = 0;
+  for (int column = kRegion.x; column < kRegion.x + kRegion.width; ++column) {
+    const double share = column < 848 ? 0.25 : 0.75;  // laser_0's line is left of laser_1's
+    EXPECT_NEAR(shared.at(855, column), share * whole.at(855, column), 1.5) << column;
+    brightest = std::max(brightest, whole.at(855, column));
+  }
+  EXPECT_GT(brightest, 50);
+  EXPECT_LT(brightest, 255);
+  exposure.light = {0, 1};
+  const Image alone(renderer, floor_only(), exposure);
+  exposure.lasers = 2;
+  exposure.light = {1, 1};
+  EXPECT_EQ(alone.pixels(), Image(renderer, floor_only(), exposure).pixels());
+}
+
 TEST(LaserLine, BothLasersShowOffTheCrossing) {
   Exposure exposure;
   exposure.camera = looking_down(0.4);

@@ -117,6 +117,46 @@ TEST_F(TriggerCircuitTest, RemembersHowLongEachLaserWasOn) {
   EXPECT_EQ(state.longest_on[1], 0);
 }
 
+TEST_F(TriggerCircuitTest, TellsForHowMuchOfAnIntervalEachLaserWasOn) {
+  send({2 | 1});
+  send({2});
+  wait_until([&] { return circuit_.state().longest_on[0] > 0.02; });
+  send({4 | 1});  // they change places, at the instant of a pulse
+  wait_until([this] { return told() == 2; });
+  Nanoseconds first = 0, second = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    first = pulses_[0].time;
+    second = pulses_[1].time;
+  }
+  using Shares = std::array<double, 2>;
+  const auto expect = [this](Nanoseconds begin, Nanoseconds end, const Shares& truth) {
+    const Shares shares = circuit_.lit(begin, end);
+    EXPECT_NEAR(shares[0], truth[0], 1e-6);
+    EXPECT_NEAR(shares[1], truth[1], 1e-6);
+  };
+  const Nanoseconds between = second - first;
+  expect(first, second, {1, 0});
+  expect(first - between, second, {0.5, 0});
+  expect(first, second + between, {0.5, 0.5});
+  expect(second - between / 4, second + 3 * between / 4, {0.25, 0.75});
+  expect(second, second + between, {0, 1});
+  expect(first - 2 * between, first, {0, 0});
+}
+
+TEST_F(TriggerCircuitTest, LightCountsAllThatWasSentBeforeItIsAskedFor) {
+  constexpr Nanoseconds kMillisecond = 1'000'000;
+  for (int i = 0; i < 300; ++i) {  // its own thread may not have heard of it yet
+    const bool other = i % 2 != 0;
+    const std::uint8_t byte = other ? 4 : 2;
+    ASSERT_EQ(::send(socket_, &byte, 1, 0), 1);
+    const Nanoseconds now = host_now();
+    const std::array<double, 2> shares = circuit_.lit(now, now + kMillisecond);
+    ASSERT_EQ(shares[0], other ? 0 : 1);
+    ASSERT_EQ(shares[1], other ? 1 : 0);
+  }
+}
+
 TEST_F(TriggerCircuitTest, RefusesDatagramsThatAreNotOneByte) {
   send({2});
   send({1, 1});

@@ -23,7 +23,7 @@ struct Pulse {
   Nanoseconds time = 0;      //!< host time of the rising edge
   std::uint32_t arming = 0;  //!< the first is 1
   std::uint64_t count = 0;   //!< since this arming; the first is 1
-  std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
+  std::uint8_t lasers = 0;   //!< mask of those that were on with it, bit 0: laser_0
   Nanoseconds late = 0;      //!< behind its deadline
 };
 
@@ -35,7 +35,8 @@ struct TriggerStatus {
   std::uint64_t missed = 0;  //!< deadlines of it that were missed
   double latest = 0;         //!< [s] the greatest delay of one of its pulses
   double rate = 0;           //!< [Hz] 0: no pulses
-  std::uint8_t lasers = 0;   //!< on now
+  std::uint8_t lasers = 0;   //!< mask of those that are on now, or that take turns
+  bool alternate = false;    //!< they take turns: one is on at a time
   std::string message;       //!< why it was disarmed
   std::string failure;       //!< why the lines could not be written low then
 };
@@ -45,11 +46,21 @@ struct TriggerStatus {
 /// Deadlines are absolute and on the monotonic clock. A pulse that would come later than half a
 /// period is left out and counted as missed, so two pulses are never closer than half a period.
 ///
+/// Lasers that alternate take turns, laser_0 with the first pulse: they change places with one
+/// write of the register, half a period after the pulse's deadline, or `exposure` after its edge
+/// where that is later. So never both are on, the frame before is exposed, and the next pulse waits
+/// until its laser is steady. The first pulses are twice as far apart, so that whoever matches
+/// frames with pulses can see that he is not one off.
+///
 /// All lines are low from the constructor on, and again on disarm(), without a keep_alive() within
 /// its timeout, after the longest-on time, when the port or the guardian fails, and at the end.
 /// While it is idle zero is written again every second.
 class PulseGenerator {
  public:
+  /// Pulses of an alternating arming after which the next comes two periods later; chosen: some of
+  /// their frames may be lost.
+  static constexpr std::uint64_t kSlowStart = 4;
+
   /// Of the pulse thread.
   struct Settings {
     double pulse_width = 200e-6;      //!< [s] how long the camera's line is high
@@ -57,6 +68,9 @@ class PulseGenerator {
     double keep_alive_timeout = 0.5;  //!< [s]
     double longest_on = 300;          //!< [s] the longest an arming lasts, whatever was asked for
     int realtime_priority = 50;       //!< of SCHED_FIFO, where the rights allow it; 0: never
+    double exposure =
+        0.001;  //!< [s] after a pulse, in which lasers that alternate stay as they are
+    double laser_rise = 200e-6;  //!< [s] a laser is on for before the pulse, where they alternate
   };
   /// What an arming asks for.
   struct Arming {
@@ -64,6 +78,7 @@ class PulseGenerator {
     std::uint8_t lasers = 0;  //!< mask, bit 0: laser_0
     double longest_on = 0;    //!< [s] 0: the settings'
     bool pulses = true;       //!< false: the lasers alone; the rate is not used
+    bool alternate = false;   //!< both lasers take turns, pulse by pulse
   };
   /// Hears of pulses and changes, in the pulse thread.
   struct Observer {
@@ -95,11 +110,12 @@ class PulseGenerator {
  private:
   using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
 
-  void check(const Arming& arming) const;
   std::string set_realtime_priority();
   void run();
   void generate();
   void send_pulse(Clock::time_point deadline, std::uint32_t arming);
+  Clock::time_point take_turns(Clock::time_point earliest, std::uint32_t arming);
+  std::string write_or_disarm(std::uint8_t data);
   bool wait_until(Clock::time_point time, std::uint32_t arming);
   bool still_armed(std::uint32_t arming);
   std::string reason_to_disarm(Clock::time_point now) const;
@@ -116,6 +132,8 @@ class PulseGenerator {
   bool ending_ = false;
   TriggerStatus status_;
   Arming arming_;
+  std::uint8_t lit_ = 0;    // mask of the lasers that are on at this moment
+  Clock::time_point edge_;  // not before the latest pulse's
   Clock::time_point armed_at_;
   Clock::time_point kept_alive_at_;
   Clock::time_point guardian_told_at_;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "arming.h"
 #include "scan_cell_common/clock/host_clock.h"
 
 namespace laser_trigger {
@@ -71,47 +72,29 @@ std::string PulseGenerator::set_realtime_priority() {
       settings_.realtime_priority, std::strerror(error));
 }
 
-void PulseGenerator::check(const Arming& arming) const {
-  constexpr std::uint8_t kAllLasers = 3;  // mask
-  constexpr double kMinRate = 0.1;        // [Hz] chosen
-  const double most = std::min(settings_.max_rate, 0.5 / settings_.pulse_width);
-  if (arming.pulses && !(arming.rate >= kMinRate && arming.rate <= most)) {  // NaN too
-    throw Refused("rate", fmt::format("{:g} Hz", arming.rate),
-                  fmt::format("give a rate from {:g} to {:g} Hz", kMinRate, most));
-  }
-  if ((arming.lasers & ~kAllLasers) != 0) {
-    throw Refused("lasers", fmt::format("mask {}", arming.lasers),
-                  "bit 0 is laser_0, bit 1 is laser_1, there are no others");
-  }
-  if (!std::isfinite(arming.longest_on) || arming.longest_on < 0) {
-    throw Refused("longest_on", fmt::format("{:g} s", arming.longest_on),
-                  "give 0 for the trigger's own limit, or more");
-  }
-  if (status_.armed) {
-    throw Refused("trigger", "armed already", "disarm it first");
-  }
-}
-
 std::uint32_t PulseGenerator::arm(const Arming& arming) {
   std::uint32_t number = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    check(arming);
+    check(arming, settings_);
+    if (status_.armed) throw Refused("trigger", "armed already", "disarm it first");
     if (guardian_ != nullptr) guardian_->alive(true);
+    const std::uint8_t first = lasers_of(arming, 1);
     try {
-      port_.write(laser_bits(arming.lasers));
+      port_.write(laser_bits(first));
     } catch (...) {
       write_low();
       throw;
     }
     arming_ = arming;
+    lit_ = first;
     if (arming_.longest_on == 0 || arming_.longest_on > settings_.longest_on) {
       arming_.longest_on = settings_.longest_on;
     }
     armed_at_ = kept_alive_at_ = guardian_told_at_ = Clock::now();
     number = status_.arming + 1;
     const double rate = arming.pulses ? arming.rate : 0;
-    status_ = {true, number, 0, 0, 0, rate, arming.lasers, "", ""};
+    status_ = {true, number, 0, 0, 0, rate, arming.lasers, arming.alternate, "", ""};
   }
   changed_.notify_all();
   observer_.on_change();
@@ -136,7 +119,8 @@ TriggerStatus PulseGenerator::disarm(const std::string& reason) {
 
 void PulseGenerator::disarm_locked(const std::string& reason) {
   status_.armed = false;
-  status_.lasers = 0;
+  status_.lasers = lit_ = 0;
+  status_.alternate = false;
   status_.message = reason;
   status_.failure = write_low();
 }
@@ -224,19 +208,27 @@ bool PulseGenerator::wait_until(Clock::time_point time, std::uint32_t arming) {
 }
 
 void PulseGenerator::generate() {
-  const TriggerStatus begin = status();
+  TriggerStatus begin;
+  Arming arming;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    begin = status_;
+    arming = arming_;
+  }
   if (!begin.armed) return;
-  if (!(begin.rate > 0)) {
+  if (!arming.pulses) {
     wait_until(Clock::time_point::max(), begin.arming);
     return;
   }
-  const nanoseconds period = seconds(1 / begin.rate);
+  const nanoseconds period = seconds(1 / arming.rate);
   Clock::time_point deadline = Clock::now() + period;
-  while (wait_until(deadline, begin.arming)) {
+  Clock::time_point steady = deadline;  // the next pulse's laser, from then on
+  while (wait_until(std::max(deadline, steady), begin.arming)) {
     const auto late = Clock::now() - deadline;
     if (late * 2 < period) {
       send_pulse(deadline, begin.arming);
-      deadline += period;
+      if (arming.alternate) steady = take_turns(deadline + period / 2, begin.arming);
+      deadline += period * periods_after(arming, status().pulses);
     } else {
       const auto missed = (late + period / 2) / period;
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -246,36 +238,52 @@ void PulseGenerator::generate() {
   }
 }
 
+std::string PulseGenerator::write_or_disarm(std::uint8_t data) {
+  try {
+    port_.write(data);
+    return "";
+  } catch (const std::exception& error) {
+    disarm_locked(error.what());
+    return error.what();
+  }
+}
+
+PulseGenerator::Clock::time_point PulseGenerator::take_turns(Clock::time_point earliest,
+                                                             std::uint32_t arming) {
+  std::string failure;
+  if (wait_until(std::max(earliest, edge_ + seconds(settings_.exposure)), arming)) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (status_.armed && status_.arming == arming) {
+      lit_ = lasers_of(arming_, status_.pulses + 1);
+      failure = write_or_disarm(laser_bits(lit_));
+    }
+  }
+  if (!failure.empty()) observer_.on_change();
+  return Clock::now() + seconds(settings_.laser_rise);
+}
+
 void PulseGenerator::send_pulse(Clock::time_point deadline, std::uint32_t arming) {
   Pulse pulse;
   std::string failure;
-  const auto write = [this, &failure](std::uint8_t data) {
-    try {
-      port_.write(data);
-    } catch (const std::exception& error) {
-      failure = error.what();
-      disarm_locked(failure);
-    }
-  };
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!status_.armed || status_.arming != arming) return;
     const Nanoseconds late = duration_cast<nanoseconds>(Clock::now() - deadline).count();
     const Nanoseconds before = host_now();
-    write(laser_bits(status_.lasers) | kCameraPulse);
+    failure = write_or_disarm(laser_bits(lit_) | kCameraPulse);
     const Nanoseconds after = host_now();
+    edge_ = Clock::now();
     if (failure.empty()) {
       // Where a write is held up it is behind the edge, as the call returns.
       shortest_write_ = std::clamp<Nanoseconds>(after - before, 0, shortest_write_);
-      pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, status_.lasers,
-               late};
+      pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, lit_, late};
       status_.latest = std::max(status_.latest, scan_cell_common::to_seconds(late));
     }
   }
   if (failure.empty()) {
     sleep_until(Clock::now() + seconds(settings_.pulse_width));
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (status_.armed && status_.arming == arming) write(laser_bits(status_.lasers));
+    if (status_.armed && status_.arming == arming) failure = write_or_disarm(laser_bits(lit_));
   }
   if (pulse.count > 0) observer_.on_pulse(pulse);
   if (!failure.empty()) observer_.on_change();

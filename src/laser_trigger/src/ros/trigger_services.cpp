@@ -58,7 +58,9 @@ bool TriggerServices::arm(ArmEvent& event) {
   const std::string& caller = event.getCallerName();
   const bool listened = listeners_.contains(caller);
   return scan_cell_common::answer(response, [&] {
-    response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec()});
+    constexpr bool kPulses = true;
+    response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec(),
+                                       kPulses, request.alternate != 0});
     client_ = listened ? caller : "";
     if (listened && !listeners_.contains(caller)) end_of_client();
   });
@@ -92,6 +94,7 @@ void TriggerServices::publish_state() {
   state.pulses = status.pulses;
   state.rate = status.rate;
   state.lasers = status.lasers;
+  state.alternate = status.alternate;
   state.message = status.message;
   state_.publish(state);
 }
@@ -105,6 +108,7 @@ void TriggerServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("arming", now.arming);
   status.add("rate [Hz]", now.rate);
   status.add("lasers", static_cast<int>(now.lasers));
+  status.add("lasers alternate", now.alternate);
   status.add("pulses", now.pulses);
   status.add("missed deadlines", now.missed);
   status.add("not real-time because", generator_->why_not_realtime());

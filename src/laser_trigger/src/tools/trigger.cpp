@@ -26,6 +26,8 @@ CLI::App* add_pulses(CLI::App& app, Order& order, std::vector<int>& lasers) {
   end->require_option(1);
   pulses->add_option("--laser", lasers, "0 or 1, or both: on meanwhile; without, none")
       ->check(CLI::IsMember({0, 1}));
+  pulses->add_flag("--alternate", order.alternate,
+                   "with both lasers: they take turns, pulse by pulse, laser_0 first");
   return pulses;
 }
 

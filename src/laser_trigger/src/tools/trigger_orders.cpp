@@ -34,7 +34,9 @@ std::string laser_names(std::uint8_t lasers) {
 
 /// [s] that it takes
 double duration(const Order& order) {
-  return order.pulses > 0 ? static_cast<double>(order.pulses) / order.rate : order.seconds;
+  if (order.pulses == 0) return order.seconds;
+  const std::uint64_t slow = order.alternate ? PulseGenerator::kSlowStart : 0;
+  return static_cast<double>(order.pulses + slow) / order.rate;
 }
 
 void check(const Order& order) {
@@ -112,8 +114,9 @@ void carry_out(const Order& order, const PortAddress& address) {
   }
   const double longest_on = order.pulses > 0 ? 0 : order.seconds + kMargin;
   const auto begin = Clock::now();
-  generator->arm({order.rate, order.lasers, longest_on, order.rate > 0});
-  std::printf("%s on; Ctrl-C ends it\n", laser_names(order.lasers).c_str());
+  generator->arm({order.rate, order.lasers, longest_on, order.rate > 0, order.alternate});
+  std::printf("%s %s; Ctrl-C ends it\n", laser_names(order.lasers).c_str(),
+              order.alternate ? "in turn" : "on");
   std::fflush(stdout);
   const TriggerStatus ended = wait_for_end(*generator, order);
   tell(ended, std::chrono::duration<double>(Clock::now() - begin).count());

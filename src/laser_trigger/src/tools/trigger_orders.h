@@ -15,6 +15,7 @@ struct Order {
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
   std::uint64_t pulses = 0;  //!< it is over after so many; 0: after `seconds`
   double seconds = 0;        //!< [s]
+  bool alternate = false;    //!< the lasers take turns, pulse by pulse
 };
 
 /// Switches on, waits for the end of it, and says what was done. A guardian process sets the lines

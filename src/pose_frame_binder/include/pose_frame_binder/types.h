@@ -44,25 +44,30 @@ enum class DropReason : std::uint8_t {
   kCorrupt = 8,
   kNeverArrived = 9,
   kCounterSlip = 10,
+  kLaserUncertain = 11,
 };
 
 /// The word for it, such as "shared_pose".
 const char* name(DropReason reason);
+
+/// The camera cannot tell the laser. Value as in PeakProfile.
+constexpr std::uint8_t kLaserUnknown = 255;
 
 /// One pulse that was sent to the camera, host time.
 struct Pulse {
   Nanoseconds time = 0;      //!< of the rising edge
   std::uint32_t arming = 0;  //!< number of the trigger's arming
   std::uint64_t count = 0;   //!< within the arming, from 1
-  std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
+  std::uint8_t lasers = 0;   //!< mask of those that were on with it, bit 0: laser_0
 };
 
 /// What the binder needs to know of a frame.
 struct Frame {
-  std::uint32_t acquisition = 0;  //!< number of the camera's start
-  std::uint64_t counter = 0;      //!< unwrapped
-  Nanoseconds stamp = 0;          //!< of the exposure, host time; late by a constant latency
-  std::string corrupt;            //!< why it cannot be used; empty where it can
+  std::uint32_t acquisition = 0;       //!< number of the camera's start
+  std::uint64_t counter = 0;           //!< unwrapped
+  Nanoseconds stamp = 0;               //!< of the exposure, host time; late by a constant latency
+  std::string corrupt;                 //!< why it cannot be used; empty where it can
+  std::uint8_t laser = kLaserUnknown;  //!< index, where the camera tells it
 };
 
 /// A motion along a line at constant speed (thesis, section 6.1). The first pulse of an arming is
@@ -132,6 +137,7 @@ struct Match {
   double time_to_before = 0;                               //!< [s] NaN: that pose was not used
   double time_to_after = 0;                                //!< [s] NaN: that pose was not used
   double position_error_bound = 0;                         //!< [m]
+  std::uint8_t laser = 0;                                  //!< index of the one that drew the line
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
@@ -159,18 +165,19 @@ struct Decision {
 /// frames = frames_bound + drops with a frame. A pulse has a bound frame, or is named by a drop,
 /// or is missing.
 struct Audit {
-  Method method = Method::kInterpolate;    //!< of the scan
-  std::uint64_t triggers = 0;              //!< pulses sent
-  std::uint64_t triggers_missing = 0;      //!< of them, not known to the binder
-  std::uint64_t triggers_refused = 0;      //!< dropped pulses: repeated or out of order
-  std::uint64_t frames = 0;                //!< received
-  std::uint64_t poses = 0;                 //!< in the log
-  std::uint64_t frames_bound = 0;          //!< with a pose
-  std::uint64_t frames_dropped = 0;        //!< received, without a pose
-  std::uint64_t frames_never_arrived = 0;  //!< pulses without a frame
-  std::uint64_t by_rule[6] = {};           //!< bound frames by Rule
-  double worst_time_to_pose = 0;           //!< [s] from a pulse to the nearest pose used
-  double worst_position_error = 0;         //!< [m] greatest position_error_bound
+  Method method = Method::kInterpolate;      //!< of the scan
+  std::uint64_t triggers = 0;                //!< pulses sent
+  std::uint64_t triggers_missing = 0;        //!< of them, not known to the binder
+  std::uint64_t triggers_refused = 0;        //!< dropped pulses: repeated or out of order
+  std::uint64_t frames = 0;                  //!< received
+  std::uint64_t poses = 0;                   //!< in the log
+  std::uint64_t frames_bound = 0;            //!< with a pose
+  std::uint64_t frames_dropped = 0;          //!< received, without a pose
+  std::uint64_t frames_never_arrived = 0;    //!< pulses without a frame
+  std::uint64_t frames_laser_uncertain = 0;  //!< dropped for that reason
+  std::uint64_t by_rule[6] = {};             //!< bound frames by Rule
+  double worst_time_to_pose = 0;             //!< [s] from a pulse to the nearest pose used
+  double worst_position_error = 0;           //!< [m] greatest position_error_bound
   double latency = 0;  //!< [s] frame's stamp - pulse, as measured; NaN where nothing was bound
   bool latency_doubtful = false;     //!< frames and pulses overhang at opposite ends of the scan
   std::uint64_t slips = 0;           //!< times the counter's offset changed within an acquisition

@@ -88,6 +88,18 @@ bool is_right(const FaultyScan& scan, const Decision& decision) {
          std::abs(decision.match->pose.translation().x() - x) < kExact;
 }
 
+/// Frames whose laser is another than the one that was lit as they were exposed.
+std::size_t count_wrong_lasers(const FaultyScan& scan, const Run& run) {
+  std::size_t wrong = 0;
+  for (const Decision& decision : run.decisions) {
+    if (!decision.match) continue;
+    const std::int64_t truth = scan.frames[decision.frame].pulse;
+    const int lit = truth < 0 ? 0 : scan.pulses[static_cast<std::size_t>(truth)].pulse.lasers;
+    wrong += 1 << decision.match->laser != lit;
+  }
+  return wrong;
+}
+
 /// What of the books does not balance: frames, pulses and what became of them.
 std::size_t count_unaccounted(const FaultyScan& scan, const Run& run) {
   const Audit& audit = run.audit;
@@ -159,7 +171,7 @@ Plain pair_plainly(const FaultyScan& scan) {
 }
 
 void bench_pairings(const char* name, const tecnogamma_camera::CounterRule& rule, unsigned seed) {
-  const FaultyScan scan(kPulses, rule, {}, seed);
+  const FaultyScan scan(kPulses, rule, {}, seed, false);
   const Run run = bind(scan);
   std::size_t wrong = 0, whole = 0;
   for (const Decision& decision : run.decisions) {
@@ -195,6 +207,24 @@ void bench_pairings(const char* name, const tecnogamma_camera::CounterRule& rule
       static_cast<double>(run.memory) / static_cast<double>(scan.frames.size()));
 }
 
+/// With the usual faults, and with all but those after which the latency must be proved anew.
+void bench_alternating(const tecnogamma_camera::CounterRule& rule, double restarts, unsigned seed) {
+  FaultShares shares;
+  shares.restart = restarts;
+  const FaultyScan scan(kPulses, rule, shares, seed, true);
+  const Run run = bind(scan);
+  std::printf(
+      "alternating lasers, %zu pulses, restarts of the camera at %.2f %%: wrong lasers %zu (goal "
+      "0); %llu frames = %llu bound + %llu dropped, of these %llu of an uncertain laser; books out "
+      "by %zu (goal 0)\n",
+      scan.pulses.size(), 100 * restarts, count_wrong_lasers(scan, run),
+      static_cast<unsigned long long>(run.audit.frames),
+      static_cast<unsigned long long>(run.audit.frames_bound),
+      static_cast<unsigned long long>(run.audit.frames_dropped),
+      static_cast<unsigned long long>(run.audit.frames_laser_uncertain),
+      count_unaccounted(scan, run));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -205,6 +235,8 @@ int main(int argc, char** argv) {
     bench_pairings("16-bit counter", tecnogamma_camera::kCounter16, seed);
     bench_pairings("GigE Vision block id", tecnogamma_camera::kGigEVisionBlockId, seed + 1);
     bench_pairings("24-bit counter", tecnogamma_camera::kCounter24, seed + 2);
+    bench_alternating(tecnogamma_camera::kGigEVisionBlockId, FaultShares().restart, seed + 3);
+    bench_alternating(tecnogamma_camera::kGigEVisionBlockId, 0, seed + 4);
     return 0;
   });
 }

@@ -42,20 +42,23 @@ struct WireFrame {
   std::int64_t pulse = -1;
 };
 
-void make_pulses(std::size_t count, const FaultShares& shares, Chance& chance,
+void make_pulses(std::size_t count, const FaultShares& shares, bool alternate, Chance& chance,
                  std::vector<FaultyPulse>& pulses) {
   constexpr std::size_t kArming = 20000;
+  constexpr std::size_t kSlowStart = 4;  // as the trigger has it
   constexpr double kRates[] = {100, 485, 50, 200};
   double time = 0;  // [ns]
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t arming = i / kArming;
     const double period = 1e9 / kRates[arming % std::size(kRates)];
     if (i % kArming == 0) time += 2000 * kMillisecond;
-    time += chance.hit(shares.pulse_missed) ? 2 * period : period;
+    const bool slow = alternate && i % kArming >= 1 && i % kArming <= kSlowStart;
+    time += chance.hit(shares.pulse_missed) || slow ? 2 * period : period;
     FaultyPulse pulse;
     pulse.pulse = {kScanStart + static_cast<Nanoseconds>(time) +
                        chance.late(0.02 * kMillisecond, 0.2 * kMillisecond),
-                   static_cast<std::uint32_t>(arming + 1), i % kArming + 1, 1};
+                   static_cast<std::uint32_t>(arming + 1), i % kArming + 1,
+                   static_cast<std::uint8_t>(alternate && i % 2 == 1 ? 2 : 1)};
     pulse.arrival = pulse.pulse.time + chance.late(kMillisecond, 5 * kMillisecond);
     if (i > 0) pulse.arrival = std::max(pulse.arrival, pulses.back().arrival);
     pulse.lost = chance.hit(shares.event_lost);
@@ -232,9 +235,9 @@ void make_poses(Nanoseconds end, const FaultShares& shares, Chance& chance,
 }  // namespace
 
 FaultyScan::FaultyScan(std::size_t pulse_count, const CounterRule& rule, const FaultShares& shares,
-                       unsigned seed) {
+                       unsigned seed, bool alternate) {
   Chance chance(seed);
-  make_pulses(pulse_count, shares, chance, pulses);
+  make_pulses(pulse_count, shares, alternate, chance, pulses);
   faulty.resize(pulse_count);
   std::vector<WireFrame> wire = Camera(rule, shares, chance).see(pulses, *this);
   disorder(wire, shares.out_of_order, chance, *this);

@@ -61,8 +61,10 @@ struct FaultyScan {
   std::size_t turns = 0;     //!< of the camera's counter
 
   /// @param rule of the camera's counter, unwrapped as the camera's acquisition does
+  /// @param alternate the lasers take turns, and the first pulses of each arming are twice as far
+  /// apart, as the trigger sends them; false: laser_0 alone
   FaultyScan(std::size_t pulse_count, const tecnogamma_camera::CounterRule& rule,
-             const FaultShares& shares, unsigned seed);
+             const FaultShares& shares, unsigned seed, bool alternate);
 };
 
 constexpr Nanoseconds kScanStart = 1'700'000'000'000'000'000;

@@ -11,6 +11,7 @@
 
 #include "frames/frame_log.h"
 #include "matching/frame_matcher.h"
+#include "matching/laser_choice.h"
 #include "matching/pulse_log.h"
 #include "poses/pose_log.h"
 #include "poses/pose_rule.h"
@@ -22,9 +23,10 @@ namespace pose_frame_binder {
 using scan_cell_common::from_seconds;
 
 const char* name(DropReason reason) {
-  static constexpr const char* kNames[] = {
-      "no_trigger", "no_pose_before", "no_pose_after", "pose_gap",      "shared_pose",
-      "repeated",   "out_of_order",   "corrupt",       "never_arrived", "counter_slip"};
+  static constexpr const char* kNames[] = {"no_trigger",   "no_pose_before", "no_pose_after",
+                                           "pose_gap",     "shared_pose",    "repeated",
+                                           "out_of_order", "corrupt",        "never_arrived",
+                                           "counter_slip", "laser_uncertain"};
   const auto index = static_cast<std::size_t>(reason) - 1;
   return index < std::size(kNames) ? kNames[index] : "unknown";
 }
@@ -158,6 +160,7 @@ void Binder::on_drop(const FrameRecord& frame, const std::string& detail) {
   dropped_.push_back(
       {frame.reason, frame.number, frame.frame.counter, pulse.arming, pulse.count, detail});
   decisions_.push_back({frame.number, std::nullopt});
+  counts_.frames_laser_uncertain += frame.reason == DropReason::kLaserUncertain;
   if (frame.pulse) settle(*frame.pulse, Fate::kDropped);
 }
 
@@ -165,6 +168,11 @@ void Binder::bind() {
   for (FrameRecord* frame = frames_->first_undecided();
        frame != nullptr && frame->state == FrameState::kMatched;
        frame = frames_->first_undecided()) {
+    const LaserChoice choice = choose_laser((*pulses_)[*frame->pulse].lasers, frame->frame.laser);
+    if (!choice.doubt.empty()) {
+      frames_->drop(*frame, DropReason::kLaserUncertain, choice.doubt);
+      continue;
+    }
     std::optional<PoseAnswer> answer = rule_->find(*frame->pulse, *pulses_, *poses_);
     if (!answer) return;
     if (!answer->match) {
@@ -172,6 +180,7 @@ void Binder::bind() {
       continue;
     }
     answer->match->pass = pass_of(*frame->pulse);
+    answer->match->laser = choice.laser;
     frames_->set(*frame, FrameState::kBound);
     decisions_.push_back({frame->number, answer->match});
     settle(*frame->pulse, Fate::kBound);
@@ -194,7 +203,7 @@ void Binder::settle(std::size_t pulse, Fate fate) {
 }
 
 bool Binder::latency_doubtful() const {
-  if (fates_.empty() || counts_.frames_bound == 0) return false;
+  if (settled_ == 0) return false;
   const auto without_pulse = [this](std::size_t frame) {
     return std::any_of(dropped_.begin(), dropped_.end(), [frame](const Drop& drop) {
       return drop.frame == frame && drop.reason == DropReason::kNoTrigger;

@@ -153,6 +153,7 @@ void BinderServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& statu
   status.add("frames", audit.frames);
   status.add("frames bound", audit.frames_bound);
   status.add("frames dropped", audit.frames_dropped);
+  status.add("frames of an uncertain laser", audit.frames_laser_uncertain);
   status.add("pulses", audit.triggers);
   status.add("pulses missing", audit.triggers_missing);
   status.add("pulses refused", audit.triggers_refused);

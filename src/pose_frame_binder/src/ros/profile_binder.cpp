@@ -24,13 +24,6 @@ using scan_cell_msgs::TriggerEvent;
 
 namespace {
 
-std::uint8_t laser_of(const PeakProfile& profile, std::uint8_t lasers_on) {
-  if (profile.laser != PeakProfile::LASER_UNKNOWN) return profile.laser;
-  if (lasers_on == TriggerEvent::LASER_0) return 0;
-  if (lasers_on == TriggerEvent::LASER_1) return 1;
-  return PeakProfile::LASER_UNKNOWN;
-}
-
 BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
                                 const std::string& frame) {
   const auto message = boost::make_shared<BoundProfile>();
@@ -38,7 +31,7 @@ BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
   bound.header.stamp = to_ros(match.pulse.time);
   bound.header.frame_id = frame;
   bound.profile = profile;
-  bound.profile.laser = laser_of(profile, match.pulse.lasers);
+  bound.profile.laser = match.laser;
   bound.pose = scan_cell_common::to_ros_pose(match.pose);
   bound.pass = match.pass;
   bound.match.rule = static_cast<std::uint8_t>(match.rule);
@@ -158,7 +151,7 @@ void ProfileBinder::add(const TriggerEvent& event) {
 void ProfileBinder::add(const scan_cell_msgs::PeakProfileConstPtr& profile) {
   const std::size_t number =
       binder_.add_frame({profile->acquisition, profile->frame_counter,
-                         from_ros(profile->header.stamp), find_fault(*profile)});
+                         from_ros(profile->header.stamp), find_fault(*profile), profile->laser});
   waiting_[number] = profile;
 }
 

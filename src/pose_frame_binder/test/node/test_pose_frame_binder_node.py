@@ -125,6 +125,24 @@ class PoseFrameBinderNode(unittest.TestCase):
             self.assertAlmostEqual(bound.pose.position.z, 0.7, 8)
             self.assertAlmostEqual(bound.pose.orientation.z, 0.5 ** 0.5, 8)
 
+    def test_hands_on_the_laser_of_each_pulse_and_drops_a_frame_whose_laser_is_not_certain(self):
+        count = 60
+        data = {'poses': poses(count), 'events': events(count), 'profiles': profiles(count)}
+        for i, (event, profile) in enumerate(zip(data['events'], data['profiles'])):
+            t = (i + min(i, 4)) * PERIOD  # they take turns: the first pulses are twice as far apart
+            event.header.stamp, profile.header.stamp = stamp(t), stamp(t + LATENCY)
+            event.lasers = (TriggerEvent.LASER_0, TriggerEvent.LASER_1)[i % 2]
+        data['profiles'][31].laser = 0
+        answer = self.scan(data, ('poses', 'events', 'profiles'), count)
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn('1 laser_uncertain', answer.message)
+        self.assertEqual([(d.reason, d.trigger_count, d.detail) for d in answer.audit.dropped],
+                         [(DroppedFrame.LASER_UNCERTAIN, 32,
+                           'the camera says laser_0, but laser_1 alone was on with its pulse')])
+        self.assertEqual(len(self.bound), count - 1)
+        for bound in self.bound:
+            self.assertEqual(bound.profile.laser, (bound.match.trigger_count - 1) % 2)
+
     def test_gives_the_same_bytes_whatever_topic_comes_first(self):
         count = 40
         data = {'poses': poses(count), 'events': events(count),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 
 namespace scan_cell_sim {
@@ -36,6 +37,7 @@ struct Exposure {
   double duration = 0.001;                                   //!< [s]
   double gain = 1;                                           //!< factor
   std::uint64_t frame = 0;                                   //!< number that seeds the noise
+  std::array<double, 2> light = {1, 1};  //!< share of `duration` for which each of `lasers` is on
 };
 
 }  // namespace scan_cell_sim

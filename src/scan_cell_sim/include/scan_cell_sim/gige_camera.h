@@ -36,15 +36,15 @@ struct CameraFaults {
 
 /// A GigE Vision camera with Aravis' registers and features (gige/control_server.h), whose sensor's
 /// image is given by a function. It runs freely or, in trigger mode with the source Line0, makes
-/// one frame for each pulse. A frame's device time is the instant of its pulse on the host's clock.
-/// Frames go out at the pace of a real wire, and packets that got lost are sent again on request.
-/// All methods are safe to call from any thread.
+/// one frame for each pulse, rendered once its exposure is over. A frame's device time is the
+/// instant of its pulse on the host's clock. Frames go out at the pace of a real wire, and packets
+/// that got lost are sent again on request. All methods are safe to call from any thread.
 class GigeCamera {
  public:
   /// What to render: at which instant, with which lasers.
   struct Shot {
     scan_cell_common::Nanoseconds time = 0;  //!< host time
-    std::uint8_t lasers = 0;                 //!< mask of those that are on
+    std::uint8_t lasers = 0;                 //!< mask of those that are on at `time`
     double exposure = 0;                     //!< [s]
     double gain = 1;                         //!< factor
     std::uint64_t frame = 0;                 //!< counts from 1, never wraps

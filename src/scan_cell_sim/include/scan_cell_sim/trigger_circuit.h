@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -54,16 +56,29 @@ class TriggerCircuit {
   void observe(const Observer& observer);
   State state() const;  //!< of this moment
 
+  /// For how much of an interval of host time each laser was on, 0 .. 1. All that was sent before
+  /// this call counts, and what comes later is taken to change nothing. The observer may hear of
+  /// pulses in the caller's thread.
+  std::array<double, 2> lit(scan_cell_common::Nanoseconds begin, scan_cell_common::Nanoseconds end);
+
   /// Without power nobody listens on the port, and all lines are low.
   /// @throw scan_cell_common::ConnectionError if another program took the port meanwhile
   void set_power(bool on);
 
  private:
+  /// From then on these lasers are on.
+  struct Change {
+    scan_cell_common::Nanoseconds time = 0;
+    std::uint8_t lasers = 0;
+  };
+
   void listen();
+  void take_all();
   void write(std::uint8_t data, scan_cell_common::Nanoseconds time);
   bool set_lines(std::uint8_t data, scan_cell_common::Nanoseconds time);
 
-  std::mutex power_mutex_;  // of the socket and the thread
+  std::mutex power_mutex_;   // of the socket and the thread
+  std::mutex socket_mutex_;  // held while datagrams are taken, one after the other
   std::optional<scan_cell_common::UdpSocket> socket_;
   const scan_cell_common::Endpoint endpoint_;
   std::mutex observer_mutex_;  // held while the observer is called
@@ -71,6 +86,7 @@ class TriggerCircuit {
   mutable std::mutex mutex_;  // what follows
   State state_;
   scan_cell_common::Nanoseconds on_since_[2] = {0, 0};
+  std::deque<Change> changes_;  // of the last seconds; before them the lasers were off
   std::atomic<bool> ending_{false};
   std::thread thread_;
 };

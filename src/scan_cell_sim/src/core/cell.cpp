@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_sim/cell.h"
 
+#include <algorithm>
+
 #include "scan_cell_common/files/yaml_file.h"
 
 namespace scan_cell_sim {
+
+using scan_cell_common::Nanoseconds;
+
 namespace {
 
 CameraOptions on_the_scanners_sensor(CameraOptions options,
@@ -55,8 +60,14 @@ void Cell::render(const GigeCamera::Shot& shot, const Region& region, std::uint8
   const TrueExposure truth{shot.time, motion_.flange_at(shot.time)};
   Exposure exposure;
   exposure.camera = options_.base_link_in_world * truth.flange * options_.scanner.flange_to_camera;
-  exposure.lasers = shot.lasers;
   exposure.duration = shot.exposure;
+  // An exposure of no length sees what is on.
+  const Nanoseconds length =
+      std::max<Nanoseconds>(scan_cell_common::from_seconds(shot.exposure), 1);
+  exposure.light = circuit_.lit(shot.time, shot.time + length);
+  for (std::size_t laser = 0; laser < exposure.light.size(); ++laser)
+    if (exposure.light[laser] > 0)
+      exposure.lasers = static_cast<std::uint8_t>(exposure.lasers | 1U << laser);
   exposure.gain = shot.gain;
   exposure.frame = shot.frame;
   renderer_.render(*scene(), exposure, region, pixels);

@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -71,9 +72,9 @@ class CircuitDriver {
     write(0b011);
     write(0b010);
   }
+  void write(std::uint8_t data) const { EXPECT_EQ(send(handle_, &data, 1, 0), 1); }
 
  private:
-  void write(std::uint8_t data) const { EXPECT_EQ(send(handle_, &data, 1, 0), 1); }
   int handle_;
 };
 
@@ -131,6 +132,113 @@ TEST(Cell, ThreeHundredPulsesAtAHundredHertzGiveThreeHundredFramesOfTheirPoses) 
   EXPECT_EQ(after.overrun, before.overrun);
   // 1 ms later the line is up to 0.1 px further: the pose is that of the pulse, not a later one.
   EXPECT_LT(worst, 0.05);
+}
+
+/// 0.4 m over the floor, where both lines are 100 px from the middle: laser_0's left, laser_1's
+/// right.
+class Still : public FlangeMotion {
+ public:
+  Eigen::Isometry3d flange_at(Nanoseconds) const override { return Rising(0).flange_at(0); }
+};
+
+constexpr double kExposure = 0.05;  // [s] in which a test can change the lasers
+
+CellOptions cell_of_two_lasers() {
+  CellOptions options = plain_cell();
+  scan_cell_common::LaserPlane other;
+  other.origin = {0.25, 0, 0};
+  other.normal = Eigen::Vector3d(-0.5, 0, -0.25).normalized();
+  other.distance = other.normal.dot(other.origin);
+  options.scanner.lasers.push_back(other);
+  options.optics.exposure = kExposure;
+  options.optics.brightness = 150;
+  options.optics.ambient = 0;
+  return options;
+}
+
+/// Light left and right of the middle in the middle row.
+std::array<double, 2> light_of(const Received& frame) {
+  std::array<double, 2> light = {0, 0};
+  for (int column = 0; column < frame.region.width; ++column) {
+    const std::size_t side = column + frame.region.x < 848 ? 0 : 1;
+    light[side] += frame.pixels[static_cast<std::size_t>(256 * frame.region.width + column)];
+  }
+  return light;
+}
+
+TEST(Cell, ShowsBothLinesByTheirLightWhereTheLasersChangePlacesDuringTheExposure) {
+  World world;
+  world.floor = Floor{};
+  const Still motion;
+  Cell cell(cell_of_two_lasers(), world, motion);
+  Client client;
+  ASSERT_TRUE(client.connected());
+  arv_camera_set_exposure_time(client.get(), kExposure * 1e6, nullptr);
+  client.start(true);
+  const CircuitDriver driver(cell.circuit().port());
+  ASSERT_TRUE(wait_until([&] {  // until the camera takes pulses
+    driver.pulse();
+    return !client.next(0.2).pixels.empty();
+  }));
+  while (!client.next(0.3).pixels.empty()) {
+  }
+  double whole = 0;                               // light of a line that was on all the time
+  for (const double change : {-1.0, 0.3, 0.7}) {  // of the exposure; never
+    driver.write(0b010);
+    driver.write(0b011);
+    const Nanoseconds pulse = host_now();
+    if (change >= 0) {
+      const auto until = pulse + scan_cell_common::from_seconds(change * kExposure);
+      ASSERT_TRUE(wait_until([&] { return host_now() >= until; }));
+      driver.write(0b100);
+    }
+    const Received frame = client.next();
+    ASSERT_FALSE(frame.pixels.empty());
+    const Nanoseconds end = frame.time + scan_cell_common::from_seconds(kExposure);
+    const std::array<double, 2> truth = cell.circuit().lit(frame.time, end);
+    const std::array<double, 2> light = light_of(frame);
+    if (change < 0) {
+      whole = light[0];
+      EXPECT_EQ(light[1], 0);
+      EXPECT_GT(whole, 300);
+    }
+    EXPECT_NEAR(light[0] / whole, truth[0], 0.03) << change;
+    EXPECT_NEAR(light[1] / whole, truth[1], 0.03) << change;
+    if (change >= 0) {  // unless the machine stopped for so long that it came too late
+      EXPECT_NEAR(truth[0] + truth[1], 1, 1e-6);
+      EXPECT_GE(truth[0], change - 1e-3);
+    }
+    driver.write(0b000);
+  }
+}
+
+TEST(Cell, ShowsOneLineWhereTheLasersChangePlacesAfterTheExposure) {
+  World world;
+  world.floor = Floor{};
+  const Still motion;
+  Cell cell(cell_of_two_lasers(), world, motion);
+  Client client;
+  ASSERT_TRUE(client.connected());
+  client.start(true);  // exposures of 1 ms
+  const CircuitDriver driver(cell.circuit().port());
+  ASSERT_TRUE(wait_until([&] {
+    driver.pulse();
+    return !client.next(0.05).pixels.empty();
+  }));
+  while (!client.next(0.2).pixels.empty()) {
+  }
+  for (int i = 0; i < 10; ++i) {
+    const std::uint8_t laser = i % 2 == 0 ? 0b010 : 0b100;
+    driver.write(laser);
+    driver.write(laser | 1);
+    const Nanoseconds after = host_now() + 2'000'000;
+    driver.write(laser);
+    ASSERT_TRUE(wait_until([&] { return host_now() > after; }));
+    driver.write(laser ^ 0b110);
+    const std::array<double, 2> light = light_of(client.next());
+    EXPECT_EQ(light[i % 2 == 0 ? 1 : 0], 0);
+    EXPECT_GT(light[i % 2 == 0 ? 0 : 1], 0);
+  }
 }
 
 TEST(Cell, ShowsAnotherWorldFromTheNextFrameOn) {

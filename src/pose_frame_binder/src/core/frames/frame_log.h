@@ -15,10 +15,11 @@ namespace pose_frame_binder {
 /// What is known of a frame, in the order in which frames pass through it. A frame is never ahead
 /// of one that arrived before it, dropped ones aside.
 enum class FrameState : std::uint8_t {
-  kArrived,  //!< waits for the pulses around its stamp
-  kHeld,     //!< waits for frames that agree on the counter's offset
-  kAgreed,   //!< has a pulse; waits for frames that agree after it
-  kMatched,  //!< its pulse is settled; waits for poses
+  kArrived,   //!< waits for the pulses around its stamp
+  kHeld,      //!< waits for frames that agree on the counter's offset
+  kAgreed,    //!< has a pulse; waits for frames that agree after it
+  kUnproved,  //!< its pulse is settled but for a wrong latency; waits for proof of that
+  kMatched,   //!< its pulse is settled; waits for poses
   kBound,
   kDropped,
 };
@@ -64,7 +65,7 @@ class FrameLog {
   OnDrop on_drop_;
   std::deque<FrameRecord> records_;
   std::size_t first_ = 0;
-  std::array<std::size_t, 6> counts_{};  // of the records by FrameState
+  std::array<std::size_t, 7> counts_{};  // of the records by FrameState
 };
 
 }  // namespace pose_frame_binder

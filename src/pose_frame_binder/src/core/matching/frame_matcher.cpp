@@ -13,6 +13,13 @@ namespace {
 /// Frames held at most until enough of them agree; then they are dropped.
 constexpr std::size_t kMaxHeld = 64;
 
+/// Frames that wait at most for the latency to be proved; then the first of them are dropped.
+constexpr std::size_t kMaxUnproved = 64;
+
+constexpr const char* kUnproved =
+    "it could be of the pulse before or after its own, which was with the other laser: no interval "
+    "between pulses that differs from the others has proved the latency";
+
 std::string milliseconds(Nanoseconds time) {
   constexpr double kPerMillisecond = 1e6;  // [ns]
   return fmt::format("{:.3f} ms", static_cast<double>(time) / kPerMillisecond);
@@ -26,7 +33,8 @@ FrameMatcher::FrameMatcher(const PulseLog& pulses, FrameLog& frames, const Setti
       settings_(settings),
       margin_(static_cast<std::size_t>(settings.frames_to_agree) - 1),
       tolerance_(scan_cell_common::from_seconds(settings.latency_tolerance)),
-      initial_latency_(scan_cell_common::from_seconds(settings.camera_latency)) {}
+      initial_latency_(scan_cell_common::from_seconds(settings.camera_latency)),
+      proof_(pulses, margin_) {}
 
 double FrameMatcher::latency() const {
   return latency_ ? scan_cell_common::to_seconds(*latency_)
@@ -38,7 +46,7 @@ void FrameMatcher::advance() {
     take(frames_[next_++]);
   const bool last = last_pulse_ && *last_pulse_ + 1 == pulses_.size();
   // No frame can come that would confirm them.
-  if (pulses_.ended() && last) confirm(frames_.count(FrameState::kAgreed));
+  if (pulses_.ended() && last) confirm_all();
 }
 
 void FrameMatcher::finish() {
@@ -46,7 +54,7 @@ void FrameMatcher::finish() {
   elect_from_few();
   judge_held(false);
   if (last_judged_disagreed()) drop_unconfirmed("the frames after it do not agree");
-  confirm(frames_.count(FrameState::kAgreed));
+  confirm_all();
 }
 
 void FrameMatcher::take(FrameRecord& record) {
@@ -79,6 +87,8 @@ void FrameMatcher::begin_acquisition(std::uint32_t acquisition) {
   offset_.reset();
   last_counter_.reset();
   gaps_.clear();
+  settle_unproved();
+  proof_.reset();  // its clock began anew
 }
 
 PulseLog::Place FrameMatcher::locate(const Frame& frame) const {
@@ -124,6 +134,10 @@ void FrameMatcher::elect(const Offset& offset, Votes votes) {
     slips_ += offset_->run == offset.run;
     drop_next_ = margin_;
     drop_unconfirmed("before the counter slipped");
+  }
+  if (!proof_.holds() && (!offset_ || *offset_ != offset)) {
+    if (disputed) settle_unproved();
+    proof_.reset();
   }
   offset_ = offset;
   if (!latency_) {
@@ -188,6 +202,8 @@ void FrameMatcher::accept(FrameRecord& record) {
   last_counter_ = counter;
   const PulseLog::Place place = locate(record.frame);
   record.pulse = last_pulse_ = place.pulse;
+  proof_.add(*place.pulse, place.distance);
+  if (proof_.holds()) settle_unproved();
   constexpr Nanoseconds kMemory = 10;  // frames over which the latency is followed
   *latency_ += place.distance / kMemory;
   if (frames_.count(FrameState::kAgreed) == 0) first_agreed_ = record.number;
@@ -201,8 +217,29 @@ void FrameMatcher::accept(FrameRecord& record) {
 }
 
 void FrameMatcher::confirm(std::size_t count) {
-  for (; count > 0; --count)
-    frames_.set(first_agreed(), FrameState::kMatched);
+  for (; count > 0; --count) {
+    FrameRecord& record = first_agreed();
+    const bool certain = proof_.holds() || !pulses_.lasers_vary(pulses_.run(*record.pulse));
+    frames_.set(record, certain ? FrameState::kMatched : FrameState::kUnproved);
+  }
+  while (frames_.count(FrameState::kUnproved) > kMaxUnproved)
+    frames_.drop(first_unproved(), DropReason::kLaserUncertain, kUnproved);
+}
+
+void FrameMatcher::confirm_all() {
+  confirm(frames_.count(FrameState::kAgreed));
+  settle_unproved();
+}
+
+void FrameMatcher::settle_unproved() {
+  while (frames_.count(FrameState::kUnproved) > 0) {
+    FrameRecord& record = first_unproved();
+    if (proof_.holds()) {
+      frames_.set(record, FrameState::kMatched);
+    } else {
+      frames_.drop(record, DropReason::kLaserUncertain, kUnproved);
+    }
+  }
 }
 
 void FrameMatcher::drop_unconfirmed(const std::string& detail) {
@@ -211,10 +248,18 @@ void FrameMatcher::drop_unconfirmed(const std::string& detail) {
 }
 
 FrameRecord& FrameMatcher::first_agreed() {
-  first_agreed_ = std::max(first_agreed_, frames_.first());
-  while (frames_[first_agreed_].state != FrameState::kAgreed)
-    ++first_agreed_;
-  return frames_[first_agreed_];
+  return first_in(FrameState::kAgreed, first_agreed_);
+}
+
+FrameRecord& FrameMatcher::first_unproved() {
+  return first_in(FrameState::kUnproved, first_unproved_);
+}
+
+FrameRecord& FrameMatcher::first_in(FrameState state, std::size_t& first) {
+  first = std::max(first, frames_.first());
+  while (frames_[first].state != state)
+    ++first;
+  return frames_[first];
 }
 
 bool FrameMatcher::last_judged_disagreed() const {

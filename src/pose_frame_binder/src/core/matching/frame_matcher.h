@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frames/frame_log.h"
+#include "matching/latency_proof.h"
 #include "matching/pulse_log.h"
 #include "pose_frame_binder/types.h"
 
@@ -26,6 +27,11 @@ namespace pose_frame_binder {
 /// once that many have followed that agree. The same holds where the camera was started again, and
 /// where the counter does not go on from one arming to the next.
 /// The latency follows the frames that agree.
+///
+/// Where the lasers alternate, a latency that is wrong by a pulse interval would give every frame
+/// the other one. Such frames wait until the latency is proved (LatencyProof), and are dropped if
+/// it is not. It stays proved through slips and armings until the camera is started again, since
+/// its clock goes on.
 class FrameMatcher {
  public:
   /// Takes the frames of `frames` from kArrived to kMatched or kDropped.
@@ -68,8 +74,12 @@ class FrameMatcher {
   void judge(FrameRecord& record, bool disputed);
   void accept(FrameRecord& record);
   void confirm(std::size_t count);
+  void confirm_all();
+  void settle_unproved();
   void drop_unconfirmed(const std::string& detail);
   FrameRecord& first_agreed();
+  FrameRecord& first_unproved();
+  FrameRecord& first_in(FrameState state, std::size_t& first);
   bool last_judged_disagreed() const;
   void refuse(FrameRecord& record, bool disputed);
   void drop(FrameRecord& record, DropReason reason, const std::string& detail);
@@ -85,11 +95,13 @@ class FrameMatcher {
   const Nanoseconds tolerance_;
   const Nanoseconds initial_latency_;
   std::optional<Nanoseconds> latency_;  // measured, from the first election on
+  LatencyProof proof_;
   std::uint64_t slips_ = 0;
 
-  std::size_t next_ = 0;          // number of the first frame in kArrived
-  std::size_t first_held_ = 0;    // of the first in kHeld, where there are such
-  std::size_t first_agreed_ = 0;  // none before it is in kAgreed
+  std::size_t next_ = 0;            // number of the first frame in kArrived
+  std::size_t first_held_ = 0;      // of the first in kHeld, where there are such
+  std::size_t first_agreed_ = 0;    // none before it is in kAgreed
+  std::size_t first_unproved_ = 0;  // none before it is in kUnproved
   std::map<Offset, Votes> votes_;
 
   std::uint32_t acquisition_ = 0;

@@ -19,6 +19,8 @@ void PulseLog::add(const Pulse& pulse) {
     run = goes_on ? last.run : last.run + 1;
   }
   entries_.push_back({pulse, run});
+  if (run == runs_.size()) runs_.push_back({pulse.lasers, false});
+  runs_[run].vary = runs_[run].vary || pulse.lasers != runs_[run].lasers;
 }
 
 std::optional<std::size_t> PulseLog::find(std::uint32_t run, std::int64_t count) const {
@@ -53,8 +55,12 @@ std::size_t PulseLog::first_after(Nanoseconds time) const {
 }
 
 bool PulseLog::settled(Nanoseconds time) const {
+  if (ended_) return true;
   const std::size_t after = first_after(time);
-  return ended_ || (after == 0 ? entries_.size() >= 2 : after < entries_.size());
+  if (after == entries_.size()) return false;
+  const bool nearer_left =
+      after > 0 && time - entries_[after - 1].pulse.time < entries_[after].pulse.time - time;
+  return nearer_left || after + 1 < entries_.size();
 }
 
 PulseLog::Place PulseLog::locate(Nanoseconds time, Nanoseconds tolerance) const {

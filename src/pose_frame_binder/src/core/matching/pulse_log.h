@@ -28,6 +28,8 @@ class PulseLog {
 
   /// The first pulse of a run that has one.
   std::size_t first_of(std::uint32_t run) const;
+  /// Whether pulses of this run were with different lasers, as far as they are known.
+  bool lasers_vary(std::uint32_t run) const { return runs_[run].vary; }
 
   /// The pulse with this count in this run.
   std::optional<std::size_t> find(std::uint32_t run, std::int64_t count) const;
@@ -45,7 +47,8 @@ class PulseLog {
   /// `time`, so that there is never a second one.
   Place locate(Nanoseconds time, Nanoseconds tolerance) const;
 
-  /// Whether locate() would say the same whatever pulses still come.
+  /// Whether locate() would say the same whatever pulses still come, and the pulse after the one
+  /// that it names is known.
   bool settled(Nanoseconds time) const;
 
   std::uint64_t refused() const { return refused_; }
@@ -56,9 +59,15 @@ class PulseLog {
     std::uint32_t run;
   };
 
+  struct Run {
+    std::uint8_t lasers = 0;  // of its first pulse
+    bool vary = false;
+  };
+
   std::size_t first_after(Nanoseconds time) const;
 
   std::vector<Entry> entries_;
+  std::vector<Run> runs_;
   bool ended_ = false;
   std::uint64_t refused_ = 0;
 };

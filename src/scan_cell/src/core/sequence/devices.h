@@ -114,7 +114,7 @@ class SnapshotCamera {
 /// Which lasers burn while the camera is pulsed.
 struct Lighting {
   std::uint8_t lasers = 0;  //!< bit mask, TriggerEvent.LASER_*
-  bool alternate = false;   //!< both lasers of the mask in turns, pulse by pulse
+  bool alternate = false;   //!< both take turns, pulse by pulse, laser_0 first
 };
 
 /// How a trigger circuit left off.

@@ -57,7 +57,7 @@ void RosTrigger::arm(double rate, const Lighting& lighting) {
   ArmTrigger::Request request;
   request.rate = rate;
   request.lasers = lighting.lasers;
-  request.alternate = lighting.alternate;
+  request.alternate = static_cast<unsigned char>(lighting.alternate);
   const auto response = call<ArmTrigger>(parameters_.trigger + "/arm", request, kCallTimeout);
   event_.now();
   const std::lock_guard<std::mutex> lock(mutex_);

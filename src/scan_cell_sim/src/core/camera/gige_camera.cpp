@@ -171,7 +171,7 @@ class GigeCamera::Implementation {
       }
       if (sender.busy()) sender.send(host_now(), server.stream_peer());
       const bool free_run = server.acquires() && !server.in_trigger_mode();
-      wait(server, sender.busy() ? sender.next() : free_run ? next_free : now + kIdle);
+      wait(server, sender.busy() ? sender.next() : free_run ? next_free : exposed(server, now));
     }
     stop(sender);
   }
@@ -202,10 +202,20 @@ class GigeCamera::Implementation {
     }
     if (server.take_software_trigger()) return shot_now();
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (pending_.empty()) return std::nullopt;
+    if (pending_.empty() || now < end_of_exposure(pending_.front(), server)) return std::nullopt;
     const Shot shot = pending_.front();
     pending_.pop_front();
     return shot;
+  }
+
+  static Nanoseconds end_of_exposure(const Shot& shot, const ControlServer& server) {
+    return shot.time + from_seconds(server.exposure());
+  }
+
+  /// When the next pulse's frame is exposed.
+  Nanoseconds exposed(const ControlServer& server, Nanoseconds now) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return pending_.empty() ? now + kIdle : end_of_exposure(pending_.front(), server);
   }
 
   Shot shot_now() {

@@ -42,6 +42,7 @@ struct LaserLineRenderer::Drawing {
   std::uint8_t* pixels;
   Eigen::Isometry3d world_to_camera;
   std::uint64_t seed;
+  double light = 1;  // share of the exposure for which the present fan's laser is on
 };
 
 LaserLineRenderer::LaserLineRenderer(const scan_cell_common::ScannerModel& scanner,
@@ -99,7 +100,7 @@ LaserLineRenderer::Spot LaserLineRenderer::spot(const Drawing& drawing, const Fa
   // Lambert's law, and a fan that spreads its light over a line that grows with the distance.
   spot.peak = optics_.brightness * hit->reflectance * -hit->normal.dot(direction) *
               (kWhiteDistance / hit->distance) * (drawing.exposure.duration / optics_.exposure) *
-              drawing.exposure.gain;
+              drawing.exposure.gain * drawing.light;
   return spot;
 }
 
@@ -155,16 +156,17 @@ void LaserLineRenderer::draw_row(const Drawing& drawing, int row, double column,
 
 void LaserLineRenderer::render(const Scene& scene, const Exposure& exposure, const Region& region,
                                std::uint8_t* pixels) const {
-  const Drawing drawing{scene,
-                        exposure,
-                        region,
-                        pixels,
-                        exposure.camera.inverse(),
-                        scramble(optics_.seed ^ (exposure.frame << 20U))};
+  Drawing drawing{scene,
+                  exposure,
+                  region,
+                  pixels,
+                  exposure.camera.inverse(),
+                  scramble(optics_.seed ^ (exposure.frame << 20U))};
   noise_->fill_dark(drawing.seed, region.width, region.height, pixels);
   ambient_->add(scene, exposure, region, *noise_, drawing.seed, pixels);
   for (std::size_t i = 0; i < fans_.size(); ++i) {
     if ((exposure.lasers >> i & 1U) == 0) continue;
+    drawing.light = exposure.light.at(i);
     const auto [least, most] = reach(fans_[i], region);
     const int rays = static_cast<int>(std::ceil(kRaysPerRow * region.height)) + 1;
     Spot last = spot(drawing, fans_[i], least);

@@ -40,12 +40,16 @@ void TriggerCircuit::set_power(bool on) {
   const std::lock_guard<std::mutex> lock(power_mutex_);
   if (on == thread_.joinable()) return;
   if (on) {
-    socket_ = open_socket(endpoint_);
+    {
+      const std::lock_guard<std::mutex> socket_lock(socket_mutex_);
+      socket_ = open_socket(endpoint_);
+    }
     thread_ = std::thread(&TriggerCircuit::listen, this);
   } else {
     ending_ = true;
     thread_.join();
     ending_ = false;
+    const std::lock_guard<std::mutex> socket_lock(socket_mutex_);
     socket_.reset();
     set_lines(0, host_now());
   }
@@ -71,10 +75,16 @@ TriggerCircuit::State TriggerCircuit::state() const {
 void TriggerCircuit::listen() {
   constexpr double kLook = 0.05;  // [s] between two looks at ending_; chosen
   while (!ending_) {
-    if (!socket_->wait(kLook)) continue;
-    std::uint8_t data[2];
+    if (socket_->wait(kLook)) take_all();
+  }
+}
+
+void TriggerCircuit::take_all() {
+  const std::lock_guard<std::mutex> socket_lock(socket_mutex_);
+  std::uint8_t data[2];
+  while (socket_) {
     const auto datagram = socket_->receive(data, sizeof data);
-    if (!datagram) continue;
+    if (!datagram) return;
     if (datagram->size == 1) {
       write(data[0], datagram->receipt.value_or(host_now()));
     } else {
@@ -82,6 +92,23 @@ void TriggerCircuit::listen() {
       ++state_.refused;
     }
   }
+}
+
+std::array<double, 2> TriggerCircuit::lit(Nanoseconds begin, Nanoseconds end) {
+  take_all();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::array<double, 2> shares = {0, 0};
+  Nanoseconds until = end;
+  for (auto change = changes_.rbegin(); change != changes_.rend() && until > begin; ++change) {
+    const Nanoseconds from = std::max(change->time, begin);
+    if (from >= until) continue;
+    for (std::size_t laser = 0; laser < shares.size(); ++laser) {
+      if ((change->lasers >> laser & 1) != 0)
+        shares[laser] += static_cast<double>(until - from) / static_cast<double>(end - begin);
+    }
+    until = from;
+  }
+  return shares;
 }
 
 void TriggerCircuit::write(std::uint8_t data, Nanoseconds time) {
@@ -109,6 +136,10 @@ bool TriggerCircuit::set_lines(std::uint8_t data, Nanoseconds time) {
           std::max(state_.longest_on[i], scan_cell_common::to_seconds(time - on_since_[i]));
     }
   }
+  if (lasers != state_.lasers) changes_.push_back({time, lasers});
+  constexpr Nanoseconds kKept = 10'000'000'000;  // [ns] more than any exposure; chosen
+  while (changes_.size() > 1 && changes_[1].time < time - kKept)
+    changes_.pop_front();
   state_.lasers = lasers;
   const bool high = (data & kPulseBit) != 0;
   const bool rising = high && !state_.pulse_line;

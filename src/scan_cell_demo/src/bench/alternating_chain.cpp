@@ -1,0 +1,200 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "alternating_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "frame_client.h"
+#include "laser_triangulation/triangulator.h"
+#include "laser_trigger/pulse_generator.h"
+#include "pose_frame_binder/binder.h"
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_sim/cell.h"
+#include "tecnogamma_camera/counter_unwrapper.h"
+#include "tecnogamma_camera/peak_detector.h"
+
+namespace scan_cell_demo {
+namespace {
+
+using laser_trigger::PulseGenerator;
+using scan_cell_common::host_now;
+using scan_cell_common::Nanoseconds;
+using tecnogamma_camera::PeakProfile;
+
+constexpr double kHeight = 0.4;      // [m] of the camera; at 0.5 the planes of both lasers cross
+constexpr double kTolerance = 2e-3;  // [m] peaks are off by tenths of this, a wrong plane by 100 mm
+
+/// The camera looks straight down from its height.
+class Still : public scan_cell_sim::FlangeMotion {
+ public:
+  explicit Still(const Eigen::Isometry3d& flange_to_camera) {
+    Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
+    camera.translation().z() = kHeight;
+    camera.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    flange_ = camera * flange_to_camera.inverse();
+  }
+  Eigen::Isometry3d flange_at(Nanoseconds) const override { return flange_; }
+
+ private:
+  Eigen::Isometry3d flange_;
+};
+
+scan_cell_sim::CellOptions cell_options(const AlternatingScan& scan) {
+  scan_cell_sim::CellOptions options;
+  options.scanner = scan_cell_common::load_scanner_model(scan.config + "/scanner.yaml");
+  options.camera.genicam_file = scan.config + "/gige_camera.xml";
+  options.camera.region.y = (options.scanner.camera.height - scan.rows) / 2;
+  options.camera.region.height = scan.rows;
+  options.trigger_port = 0;
+  return options;
+}
+
+scan_cell_sim::World floor_alone() {
+  scan_cell_sim::World world;
+  world.floor = scan_cell_sim::Floor{};
+  return world;
+}
+
+/// Binds frames to pulses, and makes points of the bound ones.
+class Points {
+ public:
+  Points(const AlternatingScan& scan, const scan_cell_common::ScannerModel& model,
+         const Eigen::Isometry3d& flange, AlternatingResult& result)
+      : flange_(flange), triangulator_(model, {}), binder_(settings(scan)), result_(result) {}
+
+  void add(const laser_trigger::Pulse& pulse) {
+    if (result_.pulses++ == 0) add_pose(pulse.time - kAround);
+    binder_.add_pulse({pulse.time, pulse.arming, pulse.count, pulse.lasers});
+  }
+
+  void add(const Received& frame) {
+    const auto step = unwrapper_.unwrap(frame.block);
+    const std::size_t number = binder_.add_frame({1, step.count, frame.time, frame.fault});
+    ++result_.frames;
+    if (frame.fault.empty()) detector_->detect(frame.image(), waiting_[number]);
+    add_pose(frame.time);
+    last_ = std::max(last_, frame.time);
+    take();
+  }
+
+  void end() {
+    add_pose(last_ + kAround);
+    binder_.end(result_.pulses);
+    take();
+    result_.uncertain = binder_.audit().frames_laser_uncertain;
+  }
+
+ private:
+  static constexpr Nanoseconds kAround = 1'000'000'000;  // [ns] it stands still all the time
+
+  static pose_frame_binder::Settings settings(const AlternatingScan& scan) {
+    pose_frame_binder::Settings settings;
+    settings.camera_latency = scan.camera_latency;
+    settings.max_pose_gap = 10;  // [s] the flange stands still, whatever is lost
+    return settings;
+  }
+
+  void add_pose(Nanoseconds time) { binder_.add_pose({time, flange_}); }
+
+  void take() {
+    for (const pose_frame_binder::Decision& decision : binder_.take_decisions()) {
+      if (decision.match) {
+        ++result_.bound;
+        make_points(waiting_[decision.frame], decision.match->laser, decision.match->pose);
+      }
+      waiting_.erase(decision.frame);
+    }
+  }
+
+  void make_points(const PeakProfile& peaks, std::size_t laser, const Eigen::Isometry3d& flange) {
+    for (const auto& point : triangulate(peaks, laser, flange)) {
+      const double off = std::abs(static_cast<double>(point.z));
+      ++result_.points[laser];
+      result_.wrong += off > kTolerance;
+      result_.worst = std::max(result_.worst, off);
+    }
+    for (const auto& point : triangulate(peaks, 1 - laser, flange))
+      result_.swapped = std::min(result_.swapped, std::abs(static_cast<double>(point.z)));
+  }
+
+  std::vector<laser_triangulation::ScanPoint> triangulate(const PeakProfile& peaks,
+                                                          std::size_t laser,
+                                                          const Eigen::Isometry3d& flange) {
+    std::vector<laser_triangulation::ScanPoint> points;
+    triangulator_.add({laser, static_cast<std::uint32_t>(peaks.first_row), peaks.position.size(),
+                       peaks.position.data(), peaks.width.data(), peaks.intensity.data()},
+                      flange, points);
+    return points;
+  }
+
+  const Eigen::Isometry3d flange_;
+  laser_triangulation::Triangulator triangulator_;
+  pose_frame_binder::Binder binder_;
+  AlternatingResult& result_;
+  tecnogamma_camera::CounterUnwrapper unwrapper_{tecnogamma_camera::kGigEVisionBlockId};
+  std::unique_ptr<tecnogamma_camera::PeakDetector> detector_ =
+      tecnogamma_camera::make_detector("fir_derivative", {});
+  std::map<std::size_t, PeakProfile> waiting_;
+  Nanoseconds last_ = 0;
+};
+
+}  // namespace
+
+AlternatingResult run(const AlternatingScan& scan) {
+  const scan_cell_sim::CellOptions options = cell_options(scan);
+  const Still motion(options.scanner.flange_to_camera);
+  scan_cell_sim::Cell cell(options, floor_alone(), motion);
+  FrameClient camera(options.camera.address);
+  const auto port = laser_trigger::open_port(
+      laser_trigger::PortAddress::loopback("127.0.0.1", cell.circuit().port()));
+  std::mutex mutex;
+  std::vector<laser_trigger::Pulse> pulses;
+  PulseGenerator::Settings settings;
+  settings.keep_alive_timeout = std::numeric_limits<std::int32_t>::max();
+  PulseGenerator trigger(*port, nullptr, settings,
+                         {[&](const laser_trigger::Pulse& pulse) {
+                            const std::lock_guard<std::mutex> lock(mutex);
+                            pulses.push_back(pulse);
+                            if (pulse.count == scan.pulses) trigger.disarm("enough");
+                          },
+                          [] {}});
+  camera.wait_until_it_takes([&] { trigger.arm({50, 0}); }, [&] { trigger.disarm("it does"); });
+  scan_cell_sim::CameraFaults faults;
+  faults.lost_frames = scan.lost_frames;
+  cell.camera().set_faults(faults);
+
+  AlternatingResult result;
+  result.swapped = std::numeric_limits<double>::infinity();
+  Points points(scan, options.scanner, motion.flange_at(0), result);
+  const auto take_pulses = [&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    for (const laser_trigger::Pulse& pulse : pulses)
+      points.add(pulse);
+    pulses.clear();
+  };
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    pulses.clear();  // in the dark
+  }
+  trigger.arm({scan.rate, 3, 0, true, true});
+  constexpr double kSilence = 1;  // [s] after the last pulse
+  for (Nanoseconds heard = host_now();
+       host_now() - heard < scan_cell_common::from_seconds(kSilence);) {
+    const auto frame = camera.next();
+    take_pulses();
+    if (frame) points.add(*frame);
+    if (frame || trigger.status().armed) heard = host_now();
+  }
+  take_pulses();
+  points.end();
+  result.missed = trigger.status().missed;
+  return result;
+}
+
+}  // namespace scan_cell_demo
