@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <pcl/common/common.h>
+#include <pcl/common/point_tests.h>
 
 #include <utility>
 
