@@ -46,7 +46,7 @@ enum class DropReason : std::uint8_t {
   kCounterSlip = 10,
 };
 
-/// The word for it, such as "shared_pose".
+/// Its name, such as "shared_pose".
 const char* name(DropReason reason);
 
 /// One pulse that was sent to the camera, host time.
@@ -57,16 +57,16 @@ struct Pulse {
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
 };
 
-/// What the binder needs to know of a frame.
+/// What the binder needs to know about a frame.
 struct Frame {
   std::uint32_t acquisition = 0;  //!< number of the camera's start
   std::uint64_t counter = 0;      //!< unwrapped
   Nanoseconds stamp = 0;          //!< of the exposure, host time; late by a constant latency
-  std::string corrupt;            //!< why it cannot be used; empty where it can
+  std::string corrupt;            //!< why it cannot be used; empty if it can
 };
 
 /// A motion along a line at constant speed (thesis, section 6.1). The first pulse of the first
-/// arming is at its start, the others follow at a constant frame rate. Nothing of it is measured.
+/// arming is at its start, the others follow at a constant frame rate. None of it is measured.
 struct ConstantSpeed {
   Eigen::Isometry3d start = none();  //!< pose of the flange in the frame of the poses
   Eigen::Isometry3d end = none();    //!< the same at the end
@@ -84,12 +84,12 @@ struct ConstantSpeed {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// What decides which frame gets which pose.
+/// The settings that decide which frame gets which pose.
 struct Settings {
   Method method = Method::kInterpolate;  //!< how a pulse gets its pose
   double max_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
   double pose_settle = 0.02;   //!< [s] how far a pose may come behind a later one
-  double pose_delay = 0;       //!< [s] the poses are stamped so much too late
+  double pose_delay = 0;       //!< [s] the poses are stamped too late by this
   double camera_latency = 0.004;            //!< [s] frame's stamp - pulse, as expected
   double latency_tolerance = 0.02;          //!< [s] at most; never above 0.45 of the pulse interval
   int frames_to_agree = 3;                  //!< that fix the counter's offset

@@ -11,7 +11,7 @@ namespace pose_frame_binder {
 namespace {
 
 /// Frames held at most until enough of them agree; then they are dropped.
-constexpr std::size_t kMaxHeld = 64;
+constexpr std::size_t kMaxHeld = 64;  // chosen
 
 std::string milliseconds(Nanoseconds time) {
   constexpr double kPerMillisecond = 1e6;  // [ns]
@@ -37,7 +37,7 @@ void FrameMatcher::advance() {
   while (next_ < frames_.end() && pulses_.settled(frames_[next_].frame.stamp - expected_latency()))
     take(frames_[next_++]);
   const bool last = last_pulse_ && *last_pulse_ + 1 == pulses_.size();
-  // No frame can come that would confirm them.
+  // No further frame can confirm them.
   if (pulses_.ended() && last) confirm(frames_.count(FrameState::kAgreed));
 }
 
@@ -52,7 +52,7 @@ void FrameMatcher::finish() {
 void FrameMatcher::take(FrameRecord& record) {
   const Frame& frame = record.frame;
   if (frame.acquisition < acquisition_) {
-    drop(record, DropReason::kOutOfOrder, "the camera was started again since");
+    drop(record, DropReason::kOutOfOrder, "the camera has been started again since");
     return;
   }
   if (frame.acquisition > acquisition_) {
@@ -188,7 +188,7 @@ void FrameMatcher::accept(FrameRecord& record) {
   last_counter_ = counter;
   const PulseLog::Place place = locate(record.frame);
   record.pulse = last_pulse_ = place.pulse;
-  constexpr Nanoseconds kMemory = 10;  // frames over which the latency is followed
+  constexpr Nanoseconds kMemory = 10;  // frames over which the latency is tracked; chosen
   *latency_ += place.distance / kMemory;
   if (frames_.count(FrameState::kAgreed) == 0) first_agreed_ = record.number;
   frames_.set(record, FrameState::kAgreed);
@@ -231,7 +231,7 @@ void FrameMatcher::refuse(FrameRecord& record, bool disputed) {
   const PulseLog::Place place = locate(record.frame);
   if (!place.pulse) {
     drop(record, DropReason::kNoTrigger,
-         "no pulse at its stamp less the latency of " + milliseconds(expected_latency()));
+         "no pulse at its stamp minus the latency of " + milliseconds(expected_latency()));
     return;
   }
   if (disputed) {

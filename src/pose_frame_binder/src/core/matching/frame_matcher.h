@@ -19,13 +19,12 @@ namespace pose_frame_binder {
 /// that its counter gives is the one that its stamp gives (stamp - latency, see PulseLog::locate).
 ///
 /// The offset is elected: frames are held until `frames_to_agree` of them vote for the same one.
-/// From the first frame that does not agree there is doubt: it and those that follow are held, and
-/// vote again. Where the old offset is elected, only those that do not agree with it are dropped.
-/// Where another is, the counter has slipped: `frames_to_agree` - 1 frames on either side of the
-/// slip are dropped as well, since a wrong stamp could have made them fit. So a frame is only told
-/// once that many have followed that agree. The same holds where the camera was started again, and
-/// where the counter does not go on from one arming to the next.
-/// The latency follows the frames that agree.
+/// From the first frame that does not agree, frames are held and vote again. If the old offset
+/// wins, only the frames that do not agree with it are dropped. If another one wins, the counter
+/// has slipped: `frames_to_agree` - 1 frames on either side of the slip are dropped as well, since
+/// a wrong stamp could have made them fit. So a frame is confirmed only after that many frames that
+/// agree. The same holds if the camera was started again, and if the counter does not continue from
+/// one arming to the next. The latency tracks the frames that agree.
 class FrameMatcher {
  public:
   /// Takes the frames of `frames` from kArrived to kMatched or kDropped.
@@ -50,7 +49,7 @@ class FrameMatcher {
     bool operator!=(const Offset& other) const { return run != other.run || value != other.value; }
   };
   struct Votes {
-    std::vector<Nanoseconds> distances;  // from the pulse to the stamp less the latency
+    std::vector<Nanoseconds> distances;  // from the pulse to the stamp minus the latency
     std::uint64_t last_counter = 0;
     std::int64_t first_count = 0;
   };
@@ -81,14 +80,14 @@ class FrameMatcher {
   const PulseLog& pulses_;
   FrameLog& frames_;
   const Settings settings_;
-  const std::size_t margin_;  // frames that must agree after one before it is told
+  const std::size_t margin_;  // frames that must agree after one before it is confirmed
   const Nanoseconds tolerance_;
   const Nanoseconds initial_latency_;
   std::optional<Nanoseconds> latency_;  // measured, from the first election on
   std::uint64_t slips_ = 0;
 
   std::size_t next_ = 0;          // number of the first frame in kArrived
-  std::size_t first_held_ = 0;    // of the first in kHeld, where there are such
+  std::size_t first_held_ = 0;    // of the first in kHeld, if there are any
   std::size_t first_agreed_ = 0;  // none before it is in kAgreed
   std::map<Offset, Votes> votes_;
 

@@ -29,11 +29,10 @@ void check_number(const char* name, double value, double most) {
 }  // namespace
 
 void check(const ConstantSpeed& motion) {
-  // Chosen: what no cell does, and what no direction can be told from.
-  constexpr double kMaxSpeed = 100;    // [m/s]
-  constexpr double kMaxRate = 1e5;     // [Hz]
-  constexpr double kMinLength = 1e-4;  // [m]
-  constexpr double kHalfTurn = 1e-6;   // [rad]
+  constexpr double kMaxSpeed = 100;    // [m/s] chosen: no cell is as fast
+  constexpr double kMaxRate = 1e5;     // [Hz] chosen: no camera is as fast
+  constexpr double kMinLength = 1e-4;  // [m] chosen: shorter ones give no direction
+  constexpr double kHalfTurn = 1e-6;  // [rad] chosen: closer to half a turn, neither way is shorter
   check_number("speed", motion.speed, kMaxSpeed);
   check_number("frame_rate", motion.frame_rate, kMaxRate);
   if (!motion.start.matrix().allFinite() || !motion.end.matrix().allFinite()) {
@@ -42,13 +41,14 @@ void check(const ConstantSpeed& motion) {
         "give x, y, z [m] and a unit quaternion qx, qy, qz, qw");
   }
   if (length(motion) < kMinLength) {
-    throw scan_cell_common::InvalidParameter("constant_speed/start, end", "at the same position",
-                                             "give two positions: they give the direction");
+    throw scan_cell_common::InvalidParameter(
+        "constant_speed/start, end", "at the same position",
+        "give two different positions: they define the direction");
   }
   const Eigen::AngleAxisd turn(motion.start.linear().transpose() * motion.end.linear());
   if (M_PI - std::abs(turn.angle()) < kHalfTurn) {
     throw scan_cell_common::InvalidParameter("constant_speed/start, end", "half a turn apart",
-                                             "turn by less: there are two ways to go");
+                                             "turn by less: both directions are equally short");
   }
 }
 
@@ -63,7 +63,7 @@ std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const Pulse
   const Pulse& first = pulses[0];
   if (pulses.run(index) != pulses.run(0)) {
     return refuse(DropReason::kNoPoseBefore,
-                  "the trigger was armed again: when that motion began is not known");
+                  "the trigger was armed again: the start of that motion is not known");
   }
   const double since_start = static_cast<double>(pulse.count - 1) / motion_.frame_rate;
   const double since_first = static_cast<double>(pulse.count - first.count) / motion_.frame_rate;
@@ -75,7 +75,7 @@ std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const Pulse
                     max_off_));
   }
   const double fraction = since_start * motion_.speed / length_;
-  constexpr double kRounding = 1e-9;  // of the fraction, which is of order 1
+  constexpr double kRounding = 1e-9;  // of the fraction, which is of order 1; chosen
   if (fraction > 1 + kRounding) {
     return refuse(DropReason::kNoPoseAfter, "the motion has ended before it");
   }
@@ -85,7 +85,7 @@ std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const Pulse
   Match& match = answer.match.emplace();
   match.rule = Rule::kConstantSpeed;
   match.pulse = pulse;
-  // What moved an object from start to `moved` moves the scanner the other way, seen from it.
+  // Seen from an object that moved from start to `moved`, the scanner moved the other way.
   match.pose = motion_.object_moves ? motion_.start * moved.inverse() * motion_.start : moved;
   match.time_to_before = match.time_to_after = std::numeric_limits<double>::quiet_NaN();
   match.position_error_bound = motion_.speed * std::abs(off);
