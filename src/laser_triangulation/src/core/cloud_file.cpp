@@ -11,12 +11,12 @@ namespace laser_triangulation {
 
 namespace {
 
-/// Some points at a time: the cloud may take most of the memory.
+/// Writes in chunks: the cloud may take most of the memory.
 void write_ply(const ScanCloud& points, double metres_per_unit, std::ostream& file) {
   file << "ply\nformat binary_little_endian 1.0\nelement vertex " << points.size()
        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float intensity\n"
           "property uchar laser\nproperty float width\nend_header\n";
-  constexpr std::size_t kAtOnce = 65536;
+  constexpr std::size_t kAtOnce = 65536;  // points; chosen
   std::string bytes;
   const auto append = [&bytes](const auto& field) {
     bytes.append(reinterpret_cast<const char*>(&field), sizeof(field));
