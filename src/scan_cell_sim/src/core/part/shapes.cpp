@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLongestStep = 0.005;  // [m] a hump reaches further than this (deformation.cpp)
+constexpr double kLongestStep = 0.005;  // [m] chosen: humps reach further (deformation.cpp)
 
 /// Cuts patches of surface into triangles.
 class Tessellator {
@@ -23,7 +23,7 @@ class Tessellator {
       : deformation_(deformation), tolerance_(tolerance) {}
 
   /// Longest edge [m] at a surface of this curvature: a triangle with legs L on a surface of
-  /// curvature c is at most 2 c L^2 / 8 off it.
+  /// curvature c is at most 2 c L^2 / 8 from it.
   double step(double curvature) const {
     return curvature > 0 ? std::min(std::sqrt(4 * tolerance_ / curvature), kLongestStep)
                          : kLongestStep;
@@ -126,7 +126,7 @@ struct Side {
 };
 
 void add_side(const Side& side, Tessellator& tessellator, double tolerance) {
-  // Sections a few millimetres apart tell how fine the side must be cut along and across.
+  // Sections a few millimetres apart decide how finely the side is cut along and across.
   const std::vector<Vector2d> coarse = Moulding().points(kLongestStep, kLongestStep);
   double finest = kLongestStep;
   const auto curvature_at = [&](double fraction) {
@@ -181,7 +181,7 @@ void add(const BoxShape& box, Tessellator& tessellator, double) {
 }  // namespace
 
 Hanger hanger_of(const FrameShape& frame) {
-  // It grows out of the outer wall, below the wall's upper edge.
+  // It starts inside the outer wall, below the wall's upper edge; [m] chosen.
   const double x = frame.size.x() / 2;
   const double y = frame.size.y() / 2;
   return {{x - 0.002, y - 0.045, 0}, {x + 0.010, y - 0.015, 0.007}};
