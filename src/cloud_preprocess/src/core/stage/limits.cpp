@@ -45,7 +45,7 @@ std::string cut(Cloud& cloud, const Limits& limits) {
   }
   const auto removed = cloud.end() - kept;
   cloud.erase(kept, cloud.end());
-  return removed > 0 ? std::to_string(removed) + " outside the limits, " : "";
+  return removed > 0 ? fmt::format("{} outside the limits, ", removed) : "";
 }
 
 }  // namespace cloud_preprocess
