@@ -92,14 +92,14 @@ int run_chain(const std::string& program, const std::string& kind, const Pace& p
     return Sample{chain.usage(), own, static_cast<double>(arrivals.count()),
                   std::chrono::steady_clock::now()};
   });
-  constexpr double kPatience = 5;  // [s] chosen
+  constexpr double kTimeout = 5;  // [s] chosen
   scan_cell_msgs::FinishBinding::Request binding;
   binding.triggers = pace.frames();
-  binding.timeout = ros::Duration(kPatience);
+  binding.timeout = ros::Duration(kTimeout);
   const auto audit = call<scan_cell_msgs::FinishBinding>("/binder/finish", binding).audit;
   scan_cell_msgs::FinishCloud::Request cloud;
   cloud.profiles = audit.frames_bound;
-  cloud.timeout = ros::Duration(kPatience);
+  cloud.timeout = ros::Duration(kTimeout);
   cloud.partial = true;
   const auto answer = call<scan_cell_msgs::FinishCloud>("/triangulation/finish", cloud);
   if (!answer.file.empty()) std::filesystem::remove(answer.file);  // the cloud, too large to answer
