@@ -165,7 +165,7 @@ class LaserTriggerNode(unittest.TestCase):
         self.arm_and_wait(0)
         answer = self.arm(rate=100, lasers=3)
         self.assertFalse(answer.success)
-        self.assertIn('armed already', answer.message)
+        self.assertIn('already armed', answer.message)
         self.disarm()
 
     def test_4_disarms_with_a_reason_without_keep_alive(self):

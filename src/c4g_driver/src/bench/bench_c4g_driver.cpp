@@ -1,8 +1,10 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The driver's own delay: from the kernel's stamp of a datagram until its pose is published on
-// /tf, 500 times a second, beside a loop that only receives and publishes.
+// The driver's own delay, from the kernel's stamp of a datagram until its pose is published on /tf,
+// 500 times a second, compared with a loop that only receives and publishes.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -18,8 +20,9 @@ using scan_cell_common::ChildProcess;
 
 namespace {
 
+constexpr double kMicroseconds = 1e-3;  // in a nanosecond
+
 void print(const char* what, const Durations& delays, double yardstick) {
-  constexpr double kMicroseconds = 1e-3;
   const double most = kMicroseconds * static_cast<double>(delays.quantile(0.99));
   std::printf("  %-28s %6.0f %6.0f %6.0f us", what,
               kMicroseconds * static_cast<double>(delays.quantile(0.5)), most,
@@ -32,11 +35,11 @@ int measure(const std::string& program, double seconds) {
   const DelayRuns runs(program);
   const BareRun bare = runs.bare(seconds);
   const Durations driver = runs.driver(seconds, 0);
-  const double yardstick = 1e-3 * static_cast<double>(bare.delays.quantile(0.99));
+  const double yardstick = kMicroseconds * static_cast<double>(bare.delays.quantile(0.99));
   print("receive and publish", bare.delays, 0);
   print("driver", driver, yardstick);
   try {
-    constexpr int kPriority = 50;
+    constexpr int kPriority = 50;  // SCHED_FIFO; chosen
     print("driver, realtime_priority 50", runs.driver(seconds, kPriority), yardstick);
   } catch (const scan_cell_common::InvalidParameter& refused) {
     std::printf("  driver, realtime_priority 50: not measured: %s\n", refused.what());
@@ -47,9 +50,9 @@ int measure(const std::string& program, double seconds) {
   return 0;
 }
 
-/// Without and with every processor busy, each in a process of its own.
+/// Without and with every processor busy, each in its own process.
 int measure_all(const std::string& program, double seconds) {
-  const std::string port = std::to_string(scan_cell_common::free_port());
+  const std::string port = fmt::format("{}", scan_cell_common::free_port());
   setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
   setenv("ROS_IP", "127.0.0.1", 1);
   const ChildProcess master({"rosmaster", "--core", "-p", port}, true);
@@ -66,7 +69,7 @@ int measure_all(const std::string& program, double seconds) {
         "99.9 %% within\n",
         busy, processors, before[0]);
     std::fflush(stdout);
-    ChildProcess run({program, "--run", "measure", "--seconds", std::to_string(seconds)});
+    ChildProcess run({program, "--run", "measure", "--seconds", fmt::format("{}", seconds)});
     if (const int code = run.wait(); code != 0) return code;
   }
   return 0;

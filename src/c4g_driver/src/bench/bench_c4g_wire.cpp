@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Position stream and commands over a bad wire, counted against what the controller truly did.
+/// Position stream and commands over a bad wire, compared with what the controller really did.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
@@ -23,40 +23,42 @@ void count(const char* what, std::uint64_t value, const char* goal) {
 }
 
 bool stream(const std::shared_ptr<const RobotModel>& robot, double seconds) {
-  constexpr double kPeriod = 0.002;
+  constexpr double kPeriod = 0.002;     // [s] the shortest of the controller
+  constexpr double kMicrosecond = 1e6;  // in a second
   const StreamTrial trial = run_stream_trial(robot, kPeriod, seconds, bad_wire());
   const SequenceCounts& wire = trial.link.stream;
   std::printf(
       "position stream of 500 a second for %.0f s and %d motions; lost, repeated, overtaken: 30 %% "
-      "each, both ways\n",
+      "each, in both directions\n",
       trial.duration, trial.motions);
   count("sent", wire.received - wire.repeated + wire.lost, "");
   count("lost on the way", wire.lost, "");
   count("came again", wire.repeated, "");
   count("came after a later one", wire.reordered, "");
-  count("poses handed on", trial.handed_on, "");
-  count("of these wrong (not where the flange truly was)", trial.wrong, "goal 0");
+  count("poses delivered", trial.handed_on, "");
+  count("of these wrong (not the flange's true pose)", trial.wrong, "goal 0");
   count("stale (older than one before)", trial.stale, "goal 0");
   count("repeated", trial.repeated, "goal 0");
   count("stamped no later than the one before", trial.backward, "goal 0");
   count("times the link was lost", trial.link.losses, "");
   std::printf("  stamp after the true instant [us]: median %.1f, p1 %.1f, p99 %.1f\n",
-              1e6 * percentile(trial.late_by, 0.5), 1e6 * percentile(trial.late_by, 0.01),
-              1e6 * percentile(trial.late_by, 0.99));
+              kMicrosecond * percentile(trial.late_by, 0.5),
+              kMicrosecond * percentile(trial.late_by, 0.01),
+              kMicrosecond * percentile(trial.late_by, 0.99));
   return trial.handed_on > 0 && trial.wrong + trial.stale + trial.repeated + trial.backward == 0;
 }
 
 bool commands(const std::shared_ptr<const RobotModel>& robot, int number) {
   scan_cell_sim::ControllerFaults faults;
-  faults.to_client.lost = faults.from_client.lost = 0.3;
+  faults.to_client.lost = faults.from_client.lost = 0.3;  // chosen
   const CommandTrial trial = run_command_trial(robot, number, faults);
   std::printf("%d commands, 30 %% lost each way, in %.0f s\n", number, trial.duration);
-  count("said to be done, and done once", trial.done, "");
+  count("reported as done, and done once", trial.done, "");
   count("refused with a reason, and not done", trial.refused, "");
-  count("link lost over it, and said so", trial.unanswered, "");
+  count("link lost meanwhile, and reported", trial.unanswered, "");
   count("done twice or more", trial.done_twice, "goal 0");
-  count("said to be done, and not done", trial.lost, "goal 0");
-  count("said to be refused, and done", trial.done_in_secret, "goal 0");
+  count("reported as done, and not done", trial.lost, "goal 0");
+  count("reported as refused, and done", trial.done_in_secret, "goal 0");
   return trial.done > 0 && trial.done_twice + trial.lost + trial.done_in_secret == 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <actionlib/client/simple_action_client.h>
 #include <arpa/inet.h>
+#include <fmt/format.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/MoveAction.h>
 #include <scan_cell_msgs/SetLinearSpeed.h>
@@ -31,8 +32,10 @@ using scan_cell_common::Refused;
 
 namespace {
 
-constexpr double kRate = 500;                // [Hz]
-constexpr std::size_t kBytesOfAState = 480;  // as the emulated controller sends it
+constexpr double kRate = 500;                // [Hz] the highest of the controller
+constexpr std::size_t kBytesOfAState = 480;  // [bytes] as the emulated controller sends it
+constexpr double kPatience = 30;             // [s] chosen
+constexpr std::uint32_t kQueue = 100;        // messages; chosen
 
 void join_master(const std::string& name) {
   ros::M_string no_remappings;
@@ -41,15 +44,16 @@ void join_master(const std::string& name) {
 
 template <class Condition>
 void wait_until(const std::string& what, const Condition& met) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(30);
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (!met()) {
-    if (ros::WallTime::now() > deadline) throw Refused(what, "not there after 30 s", "see above");
+    if (ros::WallTime::now() > deadline)
+      throw Refused(what, "not there after 30 s", "see the messages above");
     ros::WallDuration(0.01).sleep();
   }
 }
 
 std::string free_udp_port() {
-  return std::to_string(scan_cell_common::free_port());
+  return fmt::format("{}", scan_cell_common::free_port());
 }
 
 DriverParameters parameters(const std::string& port, int priority) {
@@ -65,11 +69,11 @@ void ignore(const boost::shared_ptr<const Message>&) {}
 
 /// Along y, slowly enough for the motion to outlast the measurement.
 void start_motion() {
-  constexpr double kWay = 0.35, kSpeed = 0.02;  // [m], [m/s]
+  constexpr double kWay = 0.35, kSpeed = 0.02;  // [m], [m/s] chosen
   scan_cell_msgs::SetLinearSpeed speed;
   speed.request.speed = kSpeed;
   if (!ros::service::call("driver/set_linear_speed", speed) || !speed.response.success)
-    throw Refused("linear speed", speed.response.message, "see there");
+    throw Refused("linear speed", speed.response.message, "see the message");
   actionlib::SimpleActionClient<scan_cell_msgs::MoveAction> move("driver/move", false);
   wait_until("move action", [&] { return move.isServerConnected(); });
   scan_cell_msgs::MoveGoal goal;
@@ -90,8 +94,8 @@ DelayRuns::DelayRuns(const std::string& program) : program_(program) {
 
 BareRun DelayRuns::bare(double seconds) const {
   ros::NodeHandle node;
-  auto transforms = node.advertise<tf2_msgs::TFMessage>("/tf", 100);
-  auto joints = node.advertise<sensor_msgs::JointState>("joint_states", 100);
+  auto transforms = node.advertise<tf2_msgs::TFMessage>("/tf", kQueue);
+  auto joints = node.advertise<sensor_msgs::JointState>("joint_states", kQueue);
   auto transform = transform_message("base_link", "tool0");
   auto joint = joint_message({"joint_1", "joint_2", "joint_3", "joint_4", "joint_5", "joint_6"});
   const std::string port = free_udp_port();
@@ -100,14 +104,15 @@ BareRun DelayRuns::bare(double seconds) const {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   wait_until("listener", [&] { return transforms.getNumSubscribers() > 0; });
+  constexpr double kWait = 0.1;  // [s] chosen
   PeerSocket socket("0.0.0.0", "127.0.0.1", static_cast<std::uint16_t>(std::stoi(port)),
                     kMaxDatagramBytes);
-  wait_until("source", [&] { return socket.send("hello") && socket.receive(0.1); });
+  wait_until("source", [&] { return socket.send("hello") && socket.receive(kWait); });
   BareRun run;
   const std::uint64_t before = allocations_of_this_thread();
   const Nanoseconds end = host_now() + scan_cell_common::from_seconds(seconds);
   while (host_now() < end) {
-    const auto received = socket.receive(0.1);
+    const auto received = socket.receive(kWait);
     if (!received) continue;
     joint.header.stamp = transform.transforms.front().header.stamp =
         scan_cell_common::to_ros(received->time);
@@ -132,7 +137,8 @@ Durations DelayRuns::driver(double seconds, int priority) const {
   const DriverNode node(ros::NodeHandle(), private_node, parameters(port, priority));
   wait_until("controller", [&] { return node.client().link().up; });
   start_motion();
-  wait_until("stream", [&] { return node.client().link().stream.received > 250; });
+  constexpr std::uint64_t kSettled = 250;  // states: half a second; chosen
+  wait_until("stream", [&] { return node.client().link().stream.received > kSettled; });
   const Durations before = node.client().link().hand_on;
   ros::WallDuration(seconds).sleep();
   return node.client().link().hand_on.since(before);
@@ -149,12 +155,13 @@ int send_to_whoever_asks(std::uint16_t port) {
   sockaddr_in client{};
   socklen_t size = sizeof client;
   recvfrom(opened, bytes.data(), bytes.size(), 0, reinterpret_cast<sockaddr*>(&client), &size);
+  constexpr long kSecond = 1'000'000'000;  // [ns]
   timespec next{};
   clock_gettime(CLOCK_MONOTONIC, &next);
   while (true) {
-    next.tv_nsec += static_cast<long>(1e9 / kRate);
-    if (next.tv_nsec >= 1'000'000'000) {
-      next.tv_nsec -= 1'000'000'000;
+    next.tv_nsec += static_cast<long>(kSecond / kRate);
+    if (next.tv_nsec >= kSecond) {
+      next.tv_nsec -= kSecond;
       ++next.tv_sec;
     }
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr);
@@ -165,8 +172,8 @@ int send_to_whoever_asks(std::uint16_t port) {
 int listen() {
   join_master("listener");
   ros::NodeHandle node;
-  const auto transforms = node.subscribe("/tf", 100, &ignore<tf2_msgs::TFMessage>);
-  const auto joints = node.subscribe("joint_states", 100, &ignore<sensor_msgs::JointState>);
+  const auto transforms = node.subscribe("/tf", kQueue, &ignore<tf2_msgs::TFMessage>);
+  const auto joints = node.subscribe("joint_states", kQueue, &ignore<sensor_msgs::JointState>);
   ros::spin();
   return 0;
 }

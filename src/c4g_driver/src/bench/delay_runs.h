@@ -11,10 +11,10 @@ namespace c4g_driver {
 
 struct BareRun {
   Durations delays;
-  double allocations = 0;  //!< a pose
+  double allocations = 0;  //!< per pose
 };
 
-/// Runs in this process, with somebody in another that listens to /tf and joint_states.
+/// Runs in this process, with another one that listens to /tf and joint_states.
 class DelayRuns {
  public:
   /// @param program of the bench
@@ -23,9 +23,9 @@ class DelayRuns {
   /// A loop that receives datagrams as long as a state's and publishes the same messages each time.
   BareRun bare(double seconds) const;
 
-  /// The driver's node with the emulated controller in a process of its own, in a slow motion.
+  /// The driver's node with the emulated controller in its own process, in a slow motion.
   /// @return time from the kernel's stamp of a datagram until its pose was published
-  /// @param priority real-time priority of its receiving thread; 0: the usual scheduling
+  /// @param priority real-time priority of its receiving thread; 0: normal scheduling
   /// @throw scan_cell_common::Refused if it does not move
   /// @throw scan_cell_common::InvalidParameter if the priority is not allowed here
   Durations driver(double seconds, int priority) const;
@@ -34,7 +34,7 @@ class DelayRuns {
   std::string program_;
 };
 
-/// Sends 500 datagrams a second to whoever sent one, until this process is ended.
+/// Sends 500 datagrams a second to the first peer that sends one, until this process is ended.
 int send_to_whoever_asks(std::uint16_t port);
 
 /// Listens to what the driver publishes.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wire_trials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <mutex>
@@ -20,6 +22,9 @@ using scan_cell_common::Refused;
 using scan_cell_sim::Controller;
 using SteadyClock = std::chrono::steady_clock;
 
+constexpr double kPatience = 30;     // [s] chosen
+constexpr double kFaultShare = 0.3;  // of the datagrams; chosen
+
 double seconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();
 }
@@ -28,19 +33,19 @@ ClientOptions options_for(const Controller& controller,
                           const std::shared_ptr<const RobotModel>& robot) {
   ClientOptions options;
   options.port = controller.port();
-  options.link_timeout = 2;  // patience for a busy machine
-  options.tries = 400;       // a retry each 5 ms
+  options.link_timeout = 2;  // [s] chosen, for a busy machine
+  options.tries = 400;       // a retry every 5 ms
   options.robot = robot;
   options.limits.operation = Operation::kAutomatic;
   return options;
 }
 
 void wait_for_link(const Client& client) {
-  constexpr double kPatience = 30;
   const auto start = SteadyClock::now();
   while (!client.link().up) {
     if (seconds_since(start) > kPatience)
-      throw ConnectionError("emulated controller", client.link().message, "see its wire's faults");
+      throw ConnectionError("emulated controller", client.link().message,
+                            "check the faults of its wire");
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
@@ -52,13 +57,14 @@ Eigen::Isometry3d looking_down(double y) {
   return pose;
 }
 
-/// Judges each pose that is handed on by where the flange truly was.
+/// Compares each delivered pose with the flange's true pose.
 class StreamJudge {
  public:
   explicit StreamJudge(const Controller& controller) : controller_(controller) {}
 
   void operator()(const MeasuredState& state) {
-    constexpr double kPosition = 3e-6, kAngle = 2e-5;  // the wire's rounding, a microsecond of way
+    // The wire's rounding, and a microsecond of motion.
+    constexpr double kPosition = 3e-6, kAngle = 2e-5;  // [m], [rad]
     const Nanoseconds instant = controller_.host_time(state.robot.controller_time / 1000);
     const Eigen::Isometry3d truth = controller_.flange_at(instant);
     const Eigen::Isometry3d& flange = state.robot.flange;
@@ -70,7 +76,7 @@ class StreamJudge {
     trial_.repeated += state.robot.controller_time == newest_;
     trial_.stale += state.robot.controller_time < newest_;
     trial_.backward += state.time <= last_stamp_;
-    trial_.late_by.push_back(static_cast<double>(state.time - instant) * 1e-9);
+    trial_.late_by.push_back(scan_cell_common::to_seconds(state.time - instant));
     newest_ = std::max(newest_, state.robot.controller_time);
     last_stamp_ = state.time;
   }
@@ -90,14 +96,15 @@ class StreamJudge {
   Nanoseconds last_stamp_ = 0;
 };
 
-/// Commands whose effects can be told apart: the number is in what each asks for.
+/// Commands with distinguishable effects: each contains its number.
 class Commands {
  public:
   explicit Commands(Client& client) : client_(client) {}
 
   void carry_out(int number) {
-    const std::string text = std::to_string(number);
-    switch (std::uniform_int_distribution<int>(0, 49)(random_)) {
+    constexpr int kKinds = 50;  // 1 motion, 2 + 2 commands to refuse, 45 to carry out; chosen
+    const std::string text = fmt::format("{}", number);
+    switch (std::uniform_int_distribution<int>(0, kKinds - 1)(random_)) {
       case 0:
         move(number);
         return;
@@ -107,14 +114,14 @@ class Commands {
         return;
       case 3:
       case 4:
-        client_.set_parameter("weather", text);  // there is none
+        client_.set_parameter("weather", text);  // it does not exist
         return;
       default:
         client_.set_parameter("user_frame", "[" + text + ", 0, 0, 0, 0, 0]");
     }
   }
 
-  /// The number of a command in a datagram; none in one that the client sends by itself.
+  /// The number of a command in a datagram; none in datagrams that the client sends on its own.
   static std::optional<int> number_in(const std::string& datagram) {
     const auto request = nlohmann::json::parse(datagram);
     const std::string command = request["cmd"];
@@ -126,7 +133,6 @@ class Commands {
 
  private:
   void move(int number) {
-    constexpr double kPatience = 30;
     client_.move_to_pose(looking_down(right_ ? 0 : 0.01), number);
     right_ = !right_;
     const Goal goal = client_.wait_for_goal(kPatience);
@@ -169,13 +175,12 @@ void judge(Answer answer, int done, CommandTrial& trial) {
 scan_cell_sim::ControllerFaults bad_wire() {
   scan_cell_sim::ControllerFaults faults;
   for (auto* const wire : {&faults.to_client, &faults.from_client})
-    wire->lost = wire->repeated = wire->delayed = 0.3;
+    wire->lost = wire->repeated = wire->delayed = kFaultShare;
   return faults;
 }
 
 StreamTrial run_stream_trial(const std::shared_ptr<const RobotModel>& robot, double period,
                              double seconds, const scan_cell_sim::ControllerFaults& faults) {
-  constexpr double kPatience = 30;
   scan_cell_sim::ControllerOptions options;
   options.port = 0;
   options.stream_period = period;

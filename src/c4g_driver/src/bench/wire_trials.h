@@ -8,19 +8,19 @@
 #include "c4g_driver/client.h"
 #include "scan_cell_sim/controller/controller.h"
 
-/// The client against the emulated controller over a bad wire, on real sockets, counted against
-/// what the controller truly did. For tests and benchmarks.
+/// The client against the emulated controller over a bad wire, on real sockets, compared with what
+/// the controller really did. For tests and benchmarks.
 namespace c4g_driver {
 
-/// Both ways: 30 % lost, 30 % twice, 30 % overtaken.
+/// In both directions: 30 % lost, 30 % repeated, 30 % overtaken.
 scan_cell_sim::ControllerFaults bad_wire();
 
-/// What was handed on of a position stream.
+/// What was delivered of a position stream.
 struct StreamTrial {
   std::uint64_t handed_on = 0;
   std::uint64_t wrong = 0;      //!< not where the flange was at that instant of the controller
-  std::uint64_t repeated = 0;   //!< of an instant that was handed on before
-  std::uint64_t stale = 0;      //!< of an instant before one that was handed on
+  std::uint64_t repeated = 0;   //!< of an instant that was delivered before
+  std::uint64_t stale = 0;      //!< of an instant before one that was delivered
   std::uint64_t backward = 0;   //!< stamped no later than the one before
   std::vector<double> late_by;  //!< [s] stamp minus true instant, ascending
   LinkReport link;
@@ -35,12 +35,12 @@ StreamTrial run_stream_trial(const std::shared_ptr<const RobotModel>& robot, dou
 
 /// What became of commands, by the client's answers and by what the controller did.
 struct CommandTrial {
-  std::uint64_t done = 0;        //!< said to be done, and done once
+  std::uint64_t done = 0;        //!< reported as done, and done once
   std::uint64_t refused = 0;     //!< with a reason, and not done
-  std::uint64_t unanswered = 0;  //!< the link was lost over it, with a reason; done once or never
+  std::uint64_t unanswered = 0;  //!< the link was lost meanwhile, with a reason; done once or never
   std::uint64_t done_twice = 0;  //!< or more
-  std::uint64_t lost = 0;        //!< said to be done, and not done
-  std::uint64_t done_in_secret = 0;  //!< said to be refused, and done
+  std::uint64_t lost = 0;        //!< reported as done, and not done
+  std::uint64_t done_in_secret = 0;  //!< reported as refused, and done
   double duration = 0;               //!< [s]
 };
 

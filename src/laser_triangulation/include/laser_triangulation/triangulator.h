@@ -31,7 +31,7 @@ struct ScanPoint {
 static_assert(sizeof(ScanPoint) == 24);
 
 /// The peaks of one frame, one a row from first_row downwards; NaN where a row has none. The arrays
-/// have `rows` elements and stay the caller's.
+/// have `rows` elements and are owned by the caller.
 struct ProfileView {
   std::size_t laser = 0;             //!< index into scan_cell_common::ScannerModel::lasers
   std::uint32_t first_row = 0;       //!< [px] sensor row of element 0
@@ -42,7 +42,7 @@ struct ProfileView {
   std::uint8_t pass = 0;             //!< of the scan, from 0
 };
 
-/// Which peaks become points. A width or intensity of NaN is within no limits but infinite ones.
+/// Which peaks become points. A width or intensity of NaN passes only infinite limits.
 struct PeakLimits {
   double min_width = 0;                                            //!< [px]
   double max_width = std::numeric_limits<double>::infinity();      //!< [px]
@@ -60,10 +60,10 @@ struct PeakCounts {
   std::uint64_t profiles = 0;           //!< taken
   std::uint64_t points = 0;             //!< made
   std::uint64_t rows_without_peak = 0;  //!< NaN in the profile
-  std::uint64_t outside_sensor = 0;  //!< or where the lens model cannot be undone, or no such laser
-  std::uint64_t by_width = 0;        //!< outside of the limits
-  std::uint64_t by_intensity = 0;    //!< outside of the limits
-  std::uint64_t by_range = 0;        //!< outside of the limits
+  std::uint64_t outside_sensor = 0;     //!< or the lens model cannot be inverted, or no such laser
+  std::uint64_t by_width = 0;           //!< outside of the limits
+  std::uint64_t by_intensity = 0;       //!< outside of the limits
+  std::uint64_t by_range = 0;           //!< outside of the limits
 
   /// Peaks that became no point.
   std::uint64_t rejected() const { return outside_sensor + by_width + by_intensity + by_range; }

@@ -1,6 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Points a second on one core, beside the plain way with cv::undistortPoints in the same run.
+// Points a second on one core, compared with the plain way with cv::undistortPoints in the same
+// run.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
@@ -16,7 +17,7 @@ using namespace laser_triangulation;  // NOLINT
 
 namespace {
 
-constexpr std::size_t kRows = 1710;
+constexpr std::size_t kRows = 1710;  // [px] of the LUPA3000
 
 scan_cell_common::ScannerModel scanner() {
   scan_cell_common::ScannerModel model;
@@ -36,7 +37,7 @@ scan_cell_common::ScannerModel scanner() {
   return model;
 }
 
-constexpr std::size_t kProfiles = 100;
+constexpr std::size_t kProfiles = 100;  // chosen
 
 /// Lines that bend and jump as on a moulding, and travel over the sensor from profile to profile.
 std::vector<std::vector<float>> lines() {
@@ -79,7 +80,7 @@ void plain_way(const scan_cell_common::ScannerModel& model, const std::vector<fl
   }
 }
 
-/// Million points a second, of the fastest pass over all profiles.
+/// Million points a second in the fastest pass over all profiles.
 class Rate {
  public:
   explicit Rate(std::function<void(std::size_t)> profile) : profile_(std::move(profile)) {}
@@ -123,7 +124,7 @@ int bench() {
   Rate ours(triangulate);
   Rate plain([&](std::size_t i) { triangulate_plainly(i, kOpenCvsOwn); });
   Rate undistorted([&](std::size_t i) { undistort(model.camera, position[i], kOpenCvsOwn, rays); });
-  constexpr int kPasses = 100;  // in turns, so that what else runs disturbs all alike
+  constexpr int kPasses = 100;  // in turns, so that other load affects all alike; chosen
   for (int i = 0; i < kPasses; ++i) {
     for (Rate* rate : {&ours, &plain, &undistorted})
       rate->pass();
@@ -138,7 +139,7 @@ int bench() {
       apart = std::max(apart, static_cast<double>((point - plain_points[k]).norm()));
     }
   }
-  constexpr double kMicrometre = 1e6;
+  constexpr double kMicrometre = 1e6;  // in a metre
   std::printf(
       "triangulation, one core: %.1f million points/s (goal 20); the plain way with "
       "cv::undistortPoints: %.1f, ratio %.1f (goal 10); cv::undistortPoints alone: %.1f; largest "

@@ -11,7 +11,7 @@ namespace laser_triangulation {
 
 namespace {
 
-/// Some points at a time: the cloud may take most of the memory.
+/// Writes in chunks: the cloud may take most of the memory.
 void write_ply(const ScanCloud& points, double metres_per_unit, std::ostream& file) {
   file << "ply\nformat binary_little_endian 1.0\nelement vertex " << points.size()
        << "\nproperty float x\nproperty float y\nproperty float z\nproperty float intensity\n"

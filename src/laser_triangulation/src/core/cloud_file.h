@@ -14,8 +14,8 @@ namespace laser_triangulation {
 /// @throw scan_cell_common::FileError if it cannot be written or the ending is not .ply
 void save_ply(const std::string& path, const ScanCloud& points, double metres_per_unit = 1);
 
-/// What save_ply() would refuse, before there is anything to save.
-/// @throw scan_cell_common::FileError if the ending is not .ply, or the folder is not there
+/// Throws what save_ply() would throw for this path, before there is anything to save.
+/// @throw scan_cell_common::FileError if the ending is not .ply, or the folder does not exist
 void check_ply_output(const std::string& path);
 
 }  // namespace laser_triangulation

@@ -14,9 +14,9 @@
 namespace laser_triangulation {
 namespace {
 
-constexpr double kAllowed = 1e-9;
+constexpr double kAllowed = 1e-9;  // of x/z and y/z: 0.5 nm at 0.5 m; chosen
 
-/// Places in a cell, 0 .. 1: those of the cubic's exact values, and those where it is furthest off.
+/// Positions in a cell, 0 .. 1: where the cubic is exact, and where its error is largest.
 const Eigen::Array4d kNodes = 0.5 - 0.5 * (Eigen::Array4d(1, 3, 5, 7) * M_PI / 8).cos();
 const Eigen::Array<double, 5, 1> kBetween =
     0.5 - 0.5 * (Eigen::Array<double, 5, 1>(0, 1, 2, 3, 4) * M_PI / 4).cos();
@@ -49,7 +49,7 @@ RayTable::RayTable(const scan_cell_common::CameraIntrinsics& camera) {
   const auto usable = [](const Cell& cell) { return cell.c0.allFinite(); };
   if (std::none_of(cells_.begin(), cells_.end(), usable)) {
     throw scan_cell_common::UnusableInput("scanner model: camera distortion",
-                                          "cannot be undone anywhere on the sensor",
+                                          "cannot be inverted anywhere on the sensor",
                                           "calibrate the camera again");
   }
 }
@@ -71,9 +71,9 @@ void RayTable::find(std::size_t first_row, const float* columns, std::size_t cou
 
 /// @return how far the cubics are off
 double RayTable::choose_width(const scan_cell_common::CameraIntrinsics& camera) {
-  constexpr double kWidest = 16;  // [px]
-  constexpr double kNarrowest = 4;
-  constexpr int kRows = 32;  // between two that are looked at: distortion changes slowly
+  constexpr double kWidest = 16;    // [px] chosen
+  constexpr double kNarrowest = 4;  // [px] chosen
+  constexpr int kRows = 32;         // [px] between two that are checked: distortion changes slowly
   for (width_ = kWidest;; width_ /= 2) {
     per_column_ = 1 / width_;
     cells_in_row_ = static_cast<std::size_t>(camera.width * per_column_) + 1;
@@ -101,8 +101,8 @@ void RayTable::fill(const scan_cell_common::CameraIntrinsics& camera, int row, C
   }
 }
 
-/// The largest error between the nodes. Where a cell is off by more than is allowed, as where the
-/// lens model is about to fold over, it becomes NaN.
+/// The largest error between the nodes. A cell with an error above kAllowed, as where the lens
+/// model is about to fold over, becomes NaN.
 double RayTable::measure(const scan_cell_common::CameraIntrinsics& camera, int row,
                          Cell* cells) const {
   double worst = 0;
@@ -112,7 +112,7 @@ double RayTable::measure(const scan_cell_common::CameraIntrinsics& camera, int r
     double error = 0;
     for (const double s : kBetween) {
       solve(camera, row, (static_cast<double>(i) + s) * width_ - kHalfPixel, exact);
-      error = std::fmax(error, (cell.at(s) - exact).norm());  // passes over NaN
+      error = std::fmax(error, (cell.at(s) - exact).norm());  // ignores NaN
     }
     if (error > kAllowed) cell.c0.setConstant(std::numeric_limits<double>::quiet_NaN());
     worst = std::max(worst, error);

@@ -9,8 +9,8 @@
 
 namespace laser_triangulation {
 
-/// The points of a scan, in blocks: growing never copies what is there, as a vector would, and
-/// takes no more memory than the points do.
+/// The points of a scan, in blocks: unlike a vector, it grows without copying, and takes no more
+/// memory than the points.
 class ScanCloud {
  public:
   /// Appends points at the end.
@@ -26,7 +26,7 @@ class ScanCloud {
   void copy(std::size_t first, std::uint8_t* bytes) const;
 
  private:
-  static constexpr std::size_t kBlock = 65536;  // points
+  static constexpr std::size_t kBlock = 65536;  // points; chosen
 
   std::vector<std::vector<ScanPoint>> blocks_;  // all full but the last
   std::size_t size_ = 0;

@@ -16,7 +16,7 @@ namespace {
 using scan_cell_common::Also;
 using scan_cell_common::ParameterTable;
 
-constexpr float kHalfPixel = 0.5F;
+constexpr float kHalfPixel = 0.5F;  // [px]
 
 const scan_cell_common::ScannerModel& checked(const scan_cell_common::ScannerModel& model) {
   check(model);
@@ -29,7 +29,7 @@ const PeakLimits& checked(const PeakLimits& limits) {
   return limits;
 }
 
-/// A least and a most, with the names that they had before.
+/// A minimum and a maximum, with their former names.
 void describe_pair(ParameterTable& table, const std::string& name, double& min, double& max,
                    const ParameterTable::Range& range, const std::string& meaning) {
   table.add("min_" + name, min, range, meaning);
@@ -38,7 +38,7 @@ void describe_pair(ParameterTable& table, const std::string& name, double& min, 
   table.renamed("most_" + name, "max_" + name);
   if (min <= max) return;
   table.refuse("min_" + name, fmt::format("{:g}", min),
-               fmt::format("give a least that is not above max_{}, {:g}", name, max));
+               fmt::format("give at most max_{}, {:g}", name, max));
 }
 
 /// Whether a peak lies on the sensor and within the limits. Written without branches, for vectors.
@@ -104,8 +104,7 @@ void count_rejected(const PeakFilter& filter, const ProfileView& profile, std::s
   }
 }
 
-/// Rows that are worked on together, a field after the other: the compiler turns such loops into
-/// vector instructions.
+/// Rows that are processed together, one field after the other: the compiler vectorises such loops.
 struct Block {
   static constexpr std::size_t kRows = RayTable::kMaxRows;
 
@@ -144,7 +143,7 @@ struct Block {
     }
   }
 
-  /// @return behind the last point written to `point` and further
+  /// @return one past the last point written
   ScanPoint* keep(const PeakFilter& filter, const RayToPoint& to_point, const ProfileView& profile,
                   std::size_t first, PeakCounts& counts, ScanPoint* point) const {
     const auto laser = static_cast<std::uint8_t>(profile.laser);

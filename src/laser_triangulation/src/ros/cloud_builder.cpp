@@ -32,7 +32,7 @@ PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
 }
 
 Eigen::Isometry3d pose_of(const BoundProfile& bound, const std::string& name) {
-  constexpr const char* kCure = "check the node that bound it";
+  constexpr const char* kCure = "check the node that bound the profile";
   const geometry_msgs::Point& p = bound.pose.position;
   if (!std::isfinite(p.x + p.y + p.z))
     throw UnusableInput(name, "its position is not finite", kCure);
@@ -49,15 +49,17 @@ CloudBuilder::CloudBuilder(const scan_cell_common::ScannerModel& model, const Pe
 
 void CloudBuilder::add(const BoundProfile& bound) {
   const scan_cell_msgs::PeakProfile& profile = bound.profile;
-  const std::string name = "profile of frame " + std::to_string(profile.frame_counter);
+  const std::string name = fmt::format("profile of frame {}", profile.frame_counter);
   const std::size_t rows = profile.position.size();
   if (profile.width.size() != rows || profile.intensity.size() != rows) {
     throw UnusableInput(name, "arrays of different lengths", "check the camera node");
   }
   if (profile.laser >= points_of_laser_.size()) {
-    throw UnusableInput(name, "laser " + std::to_string(profile.laser),
-                        "the scanner model has " + std::to_string(points_of_laser_.size()) +
-                            "; scan with one laser at a time, or say which it is");
+    throw UnusableInput(
+        name, fmt::format("laser {}", profile.laser),
+        fmt::format("the scanner model has {}; scan with one laser at a time, or set "
+                    "the profile's laser",
+                    points_of_laser_.size()));
   }
   if (!triangulator_.has_laser(profile.laser)) {
     const std::string laser = scan_cell_common::laser_name(profile.laser);
@@ -73,9 +75,8 @@ void CloudBuilder::add(const BoundProfile& bound) {
                         "the scan is in " + header_.frame_id + "; bind it in one frame");
   }
   if (points_.size() + rows > max_points_) {
-    throw scan_cell_common::Refused("cloud",
-                                    "full with " + std::to_string(points_.size()) + " points",
-                                    "raise max_points, or scan for less time");
+    throw scan_cell_common::Refused("cloud", fmt::format("full with {} points", points_.size()),
+                                    "raise max_points, or make the scan shorter");
   }
   const auto begin = std::chrono::steady_clock::now();
   header_ = bound.header;

@@ -20,8 +20,8 @@ class CloudBuilder {
   CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
                std::size_t max_points);
 
-  /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame make no
-  /// sense; nothing was added
+  /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame are
+  /// invalid; nothing is added
   /// @throw scan_cell_common::Refused if the points do not fit
   void add(const scan_cell_msgs::BoundProfile& profile);
 

@@ -14,8 +14,8 @@ struct Parameters {
   double publish_rate = 50;             //!< [Hz]
   std::size_t max_points = 50'000'000;  //!< of a scan (24 bytes each)
 
-  /// The default leaves room below the 1e9 bytes above which roscpp breaks off a connection, for
-  /// what an action's result holds besides.
+  /// The default stays below the 1e9 bytes at which roscpp closes a connection, with room for the
+  /// rest of an action's result.
   std::size_t max_message_points = 40'000'000;
   std::string cloud_folder = ".";
 };

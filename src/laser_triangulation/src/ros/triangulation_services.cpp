@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "triangulation_services.h"
 
+#include <fmt/format.h>
+
 #include <boost/make_shared.hpp>
 #include <cctype>
 #include <chrono>
@@ -17,13 +19,13 @@ using scan_cell_msgs::StartScan;
 
 namespace {
 
-/// Another for each scan, whatever its id holds.
+/// Different for each scan, with only safe characters of its id.
 std::string file_name(std::string scan_id, const ros::Time& stamp) {
   for (char& letter : scan_id) {
     const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-';
     if (!plain) letter = '_';
   }
-  return scan_id + "_" + std::to_string(stamp.toNSec()) + ".ply";
+  return fmt::format("{}_{}.ply", scan_id, stamp.toNSec());
 }
 
 }  // namespace
@@ -34,10 +36,12 @@ TriangulationServices::TriangulationServices(ros::NodeHandle node, ros::NodeHand
       model_(scan_cell_common::load_scanner_model(parameters.scanner)),
       diagnostics_(node, private_node, private_node.getNamespace()) {
   Triangulator(model_, parameters.limits);  // refuses limits that contradict each other
-  cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("cloud", 100);
-  whole_cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("whole_cloud", 1, true);
 
-  constexpr std::uint32_t kUnbounded = 0;  // what arrived is never thrown away unseen
+  constexpr std::uint32_t kUnbounded = 0;     // messages: no data are discarded unread
+  constexpr double kDiagnosticsPeriod = 0.2;  // [s] chosen
+  constexpr std::uint32_t kClouds = 100;      // messages, for a slow viewer; chosen
+  cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("cloud", kClouds);
+  whole_cloud_ = private_node.advertise<sensor_msgs::PointCloud2>("whole_cloud", 1, true);
   ros::NodeHandle data = node;
   data.setCallbackQueue(&data_queue_);
   profiles_ = data.subscribe("bound_profiles", kUnbounded, &TriangulationServices::on_profile, this,
@@ -51,7 +55,7 @@ TriangulationServices::TriangulationServices(ros::NodeHandle node, ros::NodeHand
   finish_ = private_node.advertiseService("finish", &TriangulationServices::finish, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("triangulation", this, &TriangulationServices::diagnose);
-  diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
+  diagnostics_timer_ = node.createTimer(ros::Duration(kDiagnosticsPeriod),
                                         [this](const ros::TimerEvent&) { diagnostics_.update(); });
   data_spinner_.start();
 }
@@ -82,7 +86,7 @@ bool TriangulationServices::start(StartScan::Request& request, StartScan::Respon
   const std::lock_guard<std::mutex> lock(mutex_);
   response.success = !finishing_;
   if (finishing_) {
-    response.message = "scan " + scan_id_ + " is being finished; wait for its cloud";
+    response.message = "scan " + scan_id_ + " is not finished yet; wait for its cloud";
     return true;
   }
   scan_ = std::make_unique<CloudBuilder>(model_, parameters_.limits, parameters_.max_points);
@@ -110,10 +114,9 @@ void TriangulationServices::wait_for(std::uint64_t profiles, double timeout,
 std::string TriangulationServices::find_fault(std::uint64_t profiles) const {
   if (!failure_.empty()) return failure_;
   if (scan_->profiles() < profiles) {
-    return "only " + std::to_string(scan_->profiles()) + " of " + std::to_string(profiles) +
-           " bound profiles arrived";
+    return fmt::format("only {} of {} bound profiles arrived", scan_->profiles(), profiles);
   }
-  return scan_->points().empty() ? "no point: " + scan_->summary() : "";
+  return scan_->points().empty() ? "no points: " + scan_->summary() : "";
 }
 
 void TriangulationServices::give_cloud(FinishCloud::Response& response) const {
@@ -131,8 +134,8 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
   std::unique_lock<std::mutex> lock(mutex_);
   if (!scan_ || finishing_) {
     response.success = false;
-    response.message = scan_ ? "scan " + scan_id_ + " is being finished; wait for its cloud"
-                             : "no scan is under way; call start first";
+    response.message = scan_ ? "scan " + scan_id_ + " is not finished yet; wait for its cloud"
+                             : "no scan is running; call start first";
     return true;
   }
   wait_for(request.profiles, request.timeout.toSec(), lock);

@@ -19,8 +19,8 @@
 
 namespace laser_triangulation {
 
-/// The triangulation's topics and services. Profiles are taken by a thread of their own, so that
-/// they come in while ~finish waits for them.
+/// The triangulation's topics and services. Profiles are received in their own thread, so that
+/// they arrive while ~finish waits for them.
 class TriangulationServices {
  public:
   /// @param node its queue serves no topic with data
@@ -47,7 +47,7 @@ class TriangulationServices {
   std::condition_variable news_;
   std::unique_ptr<CloudBuilder> scan_;  // none between scans
   std::string scan_id_;
-  std::string failure_;        // why the scan's cloud cannot be whole
+  std::string failure_;        // why the scan's cloud is incomplete
   std::size_t published_ = 0;  // points on ~cloud
   bool finishing_ = false;
   std::uint64_t ignored_ = 0;

@@ -28,7 +28,7 @@ struct Options {
 
 void triangulate(const Options& options) {
   using scan_cell_msgs::BoundProfile;
-  constexpr std::size_t kMaxPoints = 500'000'000;
+  constexpr std::size_t kMaxPoints = 500'000'000;  // 12 GB; chosen
   laser_triangulation::check_ply_output(options.output);
   const double unit = scan_cell_common::metres_per(options.units);
   laser_triangulation::CloudBuilder builder(scan_cell_common::load_scanner_model(options.scanner),
@@ -42,8 +42,8 @@ void triangulate(const Options& options) {
     }
   });
   if (builder.points().empty()) {
-    throw scan_cell_common::UnusableInput(options.bag, "no point (" + builder.summary() + ")",
-                                          "is " + options.topic + " the topic of bound profiles?");
+    throw scan_cell_common::UnusableInput(options.bag, "no points (" + builder.summary() + ")",
+                                          "check that " + options.topic + " has bound profiles");
   }
   laser_triangulation::save_ply(options.output, builder.points(), unit);
   std::cout << builder.summary() << '\n';

@@ -41,7 +41,7 @@ struct TriggerStatus {
   std::string failure;       //!< why the lines could not be written low then
 };
 
-/// Pulses the camera at a steady rate with the lasers on, and sees to it that they go off.
+/// Pulses the camera at a steady rate with the lasers on, and makes sure that they go off.
 ///
 /// Deadlines are absolute and on the monotonic clock. A pulse that would come later than half a
 /// period is left out and counted as missed, so two pulses are never closer than half a period.
@@ -80,31 +80,31 @@ class PulseGenerator {
     bool pulses = true;       //!< false: the lasers alone; the rate is not used
     bool alternate = false;   //!< both lasers take turns, pulse by pulse
   };
-  /// Hears of pulses and changes, in the pulse thread.
+  /// Called for pulses and changes.
   struct Observer {
     std::function<void(const Pulse&)> on_pulse;  //!< called by the pulse thread
     std::function<void()> on_change;             //!< after arming and disarming, by any thread
   };
 
-  /// @param guardian none only in tests that do not kill the process
+  /// @param guardian nullptr only in tests that do not kill the process
   PulseGenerator(TriggerPort& port, Guardian* guardian, const Settings& settings,
                  const Observer& observer);
   ~PulseGenerator();
 
   /// @return its number
-  /// @throw scan_cell_common::Refused if it is armed already, or the rate or the lasers make no
-  /// sense
+  /// @throw scan_cell_common::Refused if it is already armed, or the rate or the lasers are
+  /// invalid
   /// @throw scan_cell_common::ConnectionError if circuit or guardian cannot be reached
   std::uint32_t arm(const Arming& arming);
 
-  /// Lines low, then this.
+  /// Sets the lines low.
   /// @return state of the arming that ended; arming 0 if there was none
   TriggerStatus disarm(const std::string& reason);
 
-  void keep_alive();             //!< somebody watches: the lasers may stay on
+  void keep_alive();             //!< the client is alive: the lasers may stay on
   TriggerStatus status() const;  //!< of this moment
 
-  /// Why the pulses come from a thread with the usual scheduling; empty: it is a real-time one.
+  /// Why the pulse thread has normal scheduling; empty: it has real-time scheduling.
   const std::string& why_not_realtime() const { return why_not_realtime_; }
 
  private:

@@ -15,16 +15,16 @@ class ParameterTable;
 namespace laser_trigger {
 
 /// Bits of the trigger circuit's data register.
-constexpr std::uint8_t kCameraPulse = 1;
-constexpr std::uint8_t kLaser0 = 2;  //!< laser_0
-constexpr std::uint8_t kLaser1 = 4;  //!< laser_1
+constexpr std::uint8_t kCameraPulse = 1;  //!< the camera's line
+constexpr std::uint8_t kLaser0 = 2;       //!< laser_0
+constexpr std::uint8_t kLaser1 = 4;       //!< laser_1
 
 /// The register's laser bits for a mask as in TriggerEvent (bit 0: laser_0, bit 1: laser_1).
 constexpr std::uint8_t laser_bits(std::uint8_t lasers) {
   return static_cast<std::uint8_t>(lasers << 1);
 }
 
-/// There is no such port, or it is not of the kind expected.
+/// There is no such port, or it is of another kind.
 class NoDevice : public scan_cell_common::ConnectionError {
  public:
   using ConnectionError::ConnectionError;

@@ -1,9 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The pulses of the loopback port as their receiver sees them, by the kernel's time of receipt: how
-// late behind their deadlines, how far apart, and how true the stamps of their events are. Beside a
-// plain thread with absolute clock_nanosleep deadlines of the same rate and scheduling, in the same
-// seconds; with the usual and with real-time scheduling, on an idle and on a loaded machine.
+// The pulses of the loopback port as received, by the kernel's time of receipt: their delay after
+// the deadline, their period, and the error of the stamps of their events. Compared with a plain
+// thread with absolute clock_nanosleep deadlines of the same rate and scheduling, at the same time;
+// with normal and real-time scheduling, on an idle and on a loaded machine.
 #include <fmt/format.h>
 #include <pthread.h>
 
@@ -26,15 +26,16 @@ using namespace laser_trigger;  // NOLINT
 namespace {
 
 constexpr double kMicrosecond = 1e3;  // [ns]
-constexpr double kGoal = 50;          // [us] that a stamp may be off
-constexpr int kPriority = 80;
+constexpr double kSecond = 1e9;       // [ns]
+constexpr double kGoal = 50;          // [us] largest error of a stamp; chosen
+constexpr int kPriority = 80;         // SCHED_FIFO; chosen
 
 struct Options {
   double rate = 500;    //!< [Hz]
   double seconds = 10;  //!< of each of the four runs
 };
 
-/// Keeps every processor busy, and one more thread waiting for it.
+/// Keeps every processor busy, with one more thread waiting.
 class Load {
  public:
   Load() {
@@ -60,11 +61,11 @@ class Load {
   std::vector<std::thread> threads_;
 };
 
-/// The plainest way to wake up at a steady rate: how late it wakes up.
+/// The simplest way to wake up at a steady rate; measures how late it wakes up.
 class PlainThread {
  public:
   PlainThread(double rate, int priority)
-      : period_(static_cast<std::int64_t>(1e9 / rate)), thread_([this] { run(); }) {
+      : period_(static_cast<std::int64_t>(kSecond / rate)), thread_([this] { run(); }) {
     sched_param parameters{};
     parameters.sched_priority = priority;
     if (priority > 0) pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &parameters);
@@ -87,7 +88,7 @@ class PlainThread {
       clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
       const std::int64_t late = now() - deadline;
       late_.add(static_cast<double>(late) / kMicrosecond);
-      deadline += late / period_ * period_;  // as the trigger does: it leaves out what it missed
+      deadline += late / period_ * period_;  // like the trigger, skips what it missed
     }
   }
 
@@ -98,10 +99,10 @@ class PlainThread {
 };
 
 struct Measured {
-  Distribution late;     // edge at the receiver, behind its deadline
-  Distribution period;   // error of the distance of two edges
-  Distribution stamp;    // size of the error of an event's stamp
-  Distribution plain;    // of the yardstick: behind its deadline
+  Distribution late;     // edge at the receiver, after its deadline
+  Distribution period;   // error of the time between two edges
+  Distribution stamp;    // absolute error of an event's stamp
+  Distribution plain;    // of the yardstick: after its deadline
   TriggerStatus status;  // at the end
 };
 
@@ -110,9 +111,9 @@ Measured compare(const std::vector<Pulse>& pulses, const std::vector<std::int64_
   if (pulses.size() != edges.size())
     throw scan_cell_common::Refused(
         "the wire", fmt::format("{} edges of {} pulses", edges.size(), pulses.size()),
-        "run it again on a machine that is less busy");
+        "run it again on a less busy machine");
   Measured measured;
-  const double period = 1e9 / rate;
+  const double period = kSecond / rate;
   for (std::size_t i = 0; i < pulses.size(); ++i) {
     const auto error = static_cast<double>(edges[i] - pulses[i].time);
     measured.stamp.add(std::abs(error) / kMicrosecond);
@@ -145,7 +146,8 @@ Measured measure(const Options& options, int priority, TriggerPort& port, Guardi
   std::this_thread::sleep_for(std::chrono::duration<double>(options.seconds));
   const TriggerStatus ended = generator.disarm("measured");
   Distribution yardstick = plain.stop();
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the listener looks now and then
+  constexpr std::chrono::milliseconds kListener(200);  // until it has read the last edge; chosen
+  std::this_thread::sleep_for(kListener);
   const std::vector<std::int64_t> edges = listener.stop();
   const std::lock_guard<std::mutex> lock(mutex);
   Measured measured = compare(pulses, edges, options.rate);
@@ -168,15 +170,16 @@ void report(const Measured& measured) {
 
 void run(const Options& options, Guardian& guardian) {
   EdgeListener listener;
-  guardian.watch(listener.address(), 10);
+  constexpr double kHangTimeout = 10;  // [s] chosen
+  guardian.watch(listener.address(), kHangTimeout);
   const std::unique_ptr<TriggerPort> port = open_port(listener.address());
-  std::printf("%g pulses/s for %g s each, goal: stamps true to %.0f us\n", options.rate,
+  std::printf("%g pulses/s for %g s each, goal: stamps accurate to %.0f us\n", options.rate,
               options.seconds, kGoal);
   for (const bool loaded : {false, true}) {
     const auto load = loaded ? std::make_unique<Load>() : nullptr;
     for (const int priority : {0, kPriority}) {
       std::printf("%s machine, %s scheduling\n", loaded ? "loaded" : "idle",
-                  priority == 0 ? "usual" : "SCHED_FIFO");
+                  priority == 0 ? "normal" : "SCHED_FIFO");
       try {
         report(measure(options, priority, *port, guardian, listener));
       } catch (const scan_cell_common::Refused& error) {
@@ -191,7 +194,7 @@ void run(const Options& options, Guardian& guardian) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Pulse timing and the truth of the stamps, on the loopback port");
+  CLI::App app("Pulse timing and accuracy of the stamps, on the loopback port");
   app.add_option("--rate", options.rate, "pulses a second");
   app.add_option("--seconds", options.seconds, "of each run");
   return scan_cell_common::tool_main("bench_laser_trigger", app, argc, argv, [&] {

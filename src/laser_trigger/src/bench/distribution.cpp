@@ -10,7 +10,7 @@ namespace laser_trigger {
 namespace {
 
 std::string bar(double share) {
-  constexpr double kWidth = 30;
+  constexpr double kWidth = 30;  // characters; chosen
   return std::string(static_cast<std::size_t>(std::ceil(share * kWidth)), '#');
 }
 
@@ -38,12 +38,12 @@ void print_quantiles(const std::string& name, const Distribution& values) {
 void print_histogram(const std::string& name, const Distribution& values,
                      const std::string& yardstick_name, const Distribution& yardstick) {
   std::printf("  %15s  %-38s %s\n", "late [us]", name.c_str(), yardstick_name.c_str());
-  constexpr double kFirst = 4, kLast = 8192;
+  constexpr double kFirst = 4, kLast = 8192;  // [us] chosen
   for (double low = 0, high = kFirst; low < kLast; low = high, high *= 2) {
     const double top = high >= kLast ? INFINITY : high;
     const double mine = values.share_above(low) - values.share_above(top);
     const double other = yardstick.share_above(low) - yardstick.share_above(top);
-    const double below = low == 0 ? 1 : 0;  // at or below zero counts in the first
+    const double below = low == 0 ? 1 : 0;  // values up to zero are in the first class
     const double share = mine + below * (1 - values.share_above(0));
     const double other_share = other + below * (1 - yardstick.share_above(0));
     if (share == 0 && other_share == 0) continue;

@@ -14,7 +14,7 @@ class Distribution {
   bool empty() const { return values_.empty(); }
   std::size_t size() const { return values_.size(); }
 
-  /// @param share 0 .. 1 of the values are not above the result; 1: the greatest
+  /// @param share of the values that are not above the result, 0 .. 1; 1: the greatest
   double quantile(double share) const;
   double share_above(double microseconds) const;
 
@@ -25,7 +25,7 @@ class Distribution {
 /// One line: p50, p99, p99.9 and the greatest.
 void print_quantiles(const std::string& name, const Distribution& values);
 
-/// Two beside one another: what share of each falls between the edges of an octave.
+/// Two side by side: the share of each in every octave.
 void print_histogram(const std::string& name, const Distribution& values,
                      const std::string& yardstick_name, const Distribution& yardstick);
 

@@ -27,7 +27,7 @@ std::vector<Nanoseconds> EdgeListener::stop() {
 }
 
 void EdgeListener::listen() {
-  constexpr std::chrono::milliseconds kLook(50);  // the kernel keeps 100 ms of 1000 bytes a second
+  constexpr std::chrono::milliseconds kLook(50);  // [ms] chosen: the kernel buffers 100 ms
   while (!ending_) {
     std::this_thread::sleep_for(kLook);
     while (take()) {

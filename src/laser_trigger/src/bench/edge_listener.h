@@ -11,8 +11,8 @@
 
 namespace laser_trigger {
 
-/// A trigger circuit on a UDP port of its own that knows when the kernel received each rising edge
-/// of the camera's line. It looks only now and then, so that it does not disturb what it measures.
+/// A trigger circuit on its own UDP port that records when the kernel received each rising edge of
+/// the camera's line. It reads only from time to time, so that it does not disturb the measurement.
 class EdgeListener {
  public:
   EdgeListener() = default;
@@ -22,7 +22,7 @@ class EdgeListener {
 
   PortAddress address() const { return circuit_.address(); }
 
-  /// Listens from here on, in a thread of its own.
+  /// Listens from now on, in its own thread.
   void start();
 
   /// Ends listening.

@@ -35,12 +35,12 @@ struct Message {
   double hang_timeout = 0;
 };
 
-/// What the guardian answers to Watch: an error's text, or an empty one.
+/// The guardian's answer to Watch: the text of an error, or empty.
 struct Answer {
   char error[256] = "";
 };
 
-/// The life of the guardian process.
+/// The guardian process.
 class Watch {
  public:
   Watch(int socket, int parent) : socket_(socket), parent_(parent) {}
@@ -70,7 +70,7 @@ class Watch {
     try {
       open_port(message.address);
       address_ = message.address;
-      constexpr double kMilliseconds = 1e3;
+      constexpr double kMilliseconds = 1e3;  // in a second
       timeout_ = static_cast<int>(std::ceil(message.hang_timeout * kMilliseconds));
     } catch (const std::exception& error) {
       std::strncpy(answer.error, error.what(), sizeof(answer.error) - 1);
@@ -78,14 +78,16 @@ class Watch {
     send(socket_, &answer, sizeof(answer), MSG_NOSIGNAL);
   }
 
-  /// Tries for a minute: the kernel may still be taking the dead process apart.
+  /// Tries for a minute: the kernel may still be cleaning up after the dead process.
   void set_low() const {
-    for (int attempt = 0; attempt < 600; ++attempt) {
+    constexpr int kAttempts = 600;                    // a minute; chosen
+    constexpr std::chrono::milliseconds kPause(100);  // [ms] chosen
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
       try {
         open_port(*address_)->write(0);
         return;
       } catch (const std::exception&) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        std::this_thread::sleep_for(kPause);
       }
     }
   }
@@ -97,7 +99,7 @@ class Watch {
   std::optional<PortAddress> address_;
 };
 
-/// The same file under a number that detach() leaves alone: a node may be started without streams.
+/// The same file under a number that detach() keeps: a node may be started without streams.
 int above_streams(int file) {
   if (file < 0) return file;
   const int moved = fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -105,7 +107,7 @@ int above_streams(int file) {
   return moved;
 }
 
-/// Leaves terminal, process group and all that was inherited.
+/// Leaves the terminal and the process group, and closes everything inherited.
 void detach(int keep_a, int keep_b) {
   setsid();
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP})
@@ -128,11 +130,12 @@ Guardian::Guardian() {
   const int parent = above_streams(pidfd_open(getpid(), 0));
   if (parent < 0 || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     throw scan_cell_common::ConnectionError("guardian", std::strerror(errno),
-                                            "close programs that hold many files");
+                                            "close programs that have many files open");
   }
   process_ = fork();
   if (process_ < 0) {
-    throw scan_cell_common::ConnectionError("guardian", std::strerror(errno), "end some processes");
+    throw scan_cell_common::ConnectionError("guardian", std::strerror(errno),
+                                            "end other processes");
   }
   if (process_ == 0) {
     const int end = above_streams(ends[1]);
@@ -146,7 +149,7 @@ Guardian::Guardian() {
 }
 
 void Guardian::send(const void* message, std::size_t size) const {
-  // Never waits: a guardian that does not read is as good as none.
+  // Never waits: a guardian that does not read cannot guard.
   const ssize_t sent = ::send(socket_.number(), message, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent == static_cast<ssize_t>(size)) return;
   throw scan_cell_common::ConnectionError(
@@ -169,7 +172,8 @@ void Guardian::watch(const PortAddress& address, double hang_timeout) {
                                             "does not answer", "start this program again");
   }
   if (answer.error[0] != 0) {
-    throw scan_cell_common::ConnectionError("guardian process", answer.error, "see there");
+    throw scan_cell_common::ConnectionError("guardian process", answer.error,
+                                            "see the reason before this");
   }
 }
 

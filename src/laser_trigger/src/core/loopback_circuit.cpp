@@ -10,7 +10,7 @@ LoopbackCircuit::LoopbackCircuit(const std::string& host, std::uint16_t port)
     : host_(host),
       socket_(scan_cell_common::Endpoint::parse("address of the trigger circuit", host, port),
               "trigger circuit",
-              "stop the simulator or whatever holds the port, or give another address") {}
+              "stop the simulator or the program that holds the port, or give another address") {}
 
 std::optional<LoopbackCircuit::Write> LoopbackCircuit::take(double timeout) {
   if (!socket_.wait(timeout)) return {};
@@ -21,8 +21,7 @@ std::optional<LoopbackCircuit::Write> LoopbackCircuit::take(double timeout) {
     ++refused_;
     return {};
   }
-  if (!datagram->receipt)
-    throw ConnectionError("the kernel", "gives no receive time stamps", "use Linux");
+  if (!datagram->receipt) throw ConnectionError("kernel", "no receive time stamps", "use Linux");
   return Write{data[0], *datagram->receipt};
 }
 

@@ -11,8 +11,8 @@
 
 namespace laser_trigger {
 
-/// The other end of a LoopbackPort, in the place of the simulator's circuit: hears what the
-/// register is set to. Not safe for use from several threads.
+/// The other end of a LoopbackPort, in place of the simulator's circuit: receives the register's
+/// values. Not safe for use from several threads.
 class LoopbackCircuit {
  public:
   struct Write {
@@ -21,14 +21,14 @@ class LoopbackCircuit {
   };
 
   /// @param port 0: any free one
-  /// @throw scan_cell_common::InvalidParameter if `host` is no IPv4 address
-  /// @throw scan_cell_common::ConnectionError if the address cannot be had, such as a taken port
+  /// @throw scan_cell_common::InvalidParameter if `host` is not an IPv4 address
+  /// @throw scan_cell_common::ConnectionError if the address cannot be used, such as a taken port
   LoopbackCircuit(const std::string& host, std::uint16_t port);
 
   PortAddress address() const { return PortAddress::loopback(host_, socket_.local().port); }
 
-  /// The next write, if one comes within `timeout` [s]. Datagrams that are not one byte are counted
-  /// and change nothing.
+  /// The next write, if one arrives within `timeout` [s]. Datagrams that are not one byte are
+  /// counted and ignored.
   std::optional<Write> take(double timeout = 0);
 
   std::uint64_t refused() const { return refused_; }  //!< datagrams that were not one byte

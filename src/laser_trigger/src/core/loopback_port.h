@@ -11,7 +11,7 @@ namespace laser_trigger {
 class LoopbackPort : public TriggerPort {
  public:
   /// @param host IPv4 address
-  /// @throw scan_cell_common::InvalidParameter if it is none
+  /// @throw scan_cell_common::InvalidParameter if it is not one
   LoopbackPort(const std::string& host, std::uint16_t port);
   void write(std::uint8_t data) override;
 

@@ -25,7 +25,7 @@ namespace {
     case EBUSY:
     case EAGAIN:
       throw DeviceBusy(device, "held by another program",
-                       "stop the other program, or unload the printer driver (rmmod lp)");
+                       "stop that program, or unload the printer driver (rmmod lp)");
     case ENOTTY:
     case EINVAL:
       throw NoDevice(device, "not a parallel port",
@@ -54,8 +54,8 @@ ParallelPort::~ParallelPort() {
 
 void ParallelPort::claim(double timeout) {
   if (claimed_) return;
-  // The kernel waits for the port without an end, so a thread of its own does the waiting; where it
-  // is given up it keeps a duplicate of the descriptor and goes with the process.
+  // The kernel waits for the port forever, so a separate thread does the waiting; if it is
+  // abandoned, it keeps a duplicate of the descriptor until the process ends.
   const int descriptor = dup(descriptor_.number());
   auto claimed = std::make_shared<std::promise<int>>();
   std::future<int> answer = claimed->get_future();

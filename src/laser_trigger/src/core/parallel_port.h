@@ -8,8 +8,8 @@
 namespace laser_trigger {
 
 /// A PC's parallel port through Linux' ppdev. The claim is taken at the first write and held, so no
-/// other program can change the lines meanwhile; the kernel lets it go when the process dies, in
-/// whatever way. It does not clear the data register then: that is the guardian's task.
+/// other program can change the lines meanwhile; the kernel releases it when the process dies for
+/// any reason. It does not clear the data register then: that is the guardian's task.
 class ParallelPort : public TriggerPort {
  public:
   /// @throw NoDevice, NoPermission

@@ -23,7 +23,7 @@ using scan_cell_common::Refused;
 using std::chrono::duration_cast;
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds kLook{20'000'000};  // [ns] between two looks at the conditions; chosen
+constexpr nanoseconds kLook{20'000'000};  // [ns] between two checks of the conditions; chosen
 constexpr nanoseconds kGuardianPeriod{50'000'000};  // [ns] between two signs of life; chosen
 constexpr nanoseconds kIdlePeriod{1'000'000'000};   // [ns] between two writes of zero; chosen
 
@@ -130,14 +130,13 @@ std::string PulseGenerator::write_low() noexcept {
   try {
     port_.write(0);
   } catch (const std::exception& error) {
-    failure = error.what();  // a circuit that cannot be reached is written to again every second
+    failure = error.what();  // an unreachable circuit is written to again every second
   }
-  // Whatever became of the write: a guardian that still expects signs of life kills a node that
-  // has none to give.
+  // Even if the write failed: otherwise the guardian would expect signs of life and kill the node.
   try {
     if (guardian_ != nullptr) guardian_->alive(false);
   } catch (const std::exception&) {
-    // Without its guardian nothing is armed again, and at arming the error is said.
+    // Without its guardian nothing can be armed again; arm() reports the error.
   }
   return failure;
 }
@@ -153,7 +152,7 @@ TriggerStatus PulseGenerator::status() const {
 }
 
 void PulseGenerator::run() {
-  prctl(PR_SET_TIMERSLACK, 1);  // or the kernel may wake it 50 us late, to save power
+  prctl(PR_SET_TIMERSLACK, 1);  // [ns] or the kernel may wake it 50 us late, to save power
   while (true) {
     {
       std::unique_lock<std::mutex> lock(mutex_);
@@ -274,7 +273,7 @@ void PulseGenerator::send_pulse(Clock::time_point deadline, std::uint32_t arming
     const Nanoseconds after = host_now();
     edge_ = Clock::now();
     if (failure.empty()) {
-      // Where a write is held up it is behind the edge, as the call returns.
+      // A delay of the write comes after the edge, as the call returns.
       shortest_write_ = std::clamp<Nanoseconds>(after - before, 0, shortest_write_);
       pulse = {before + shortest_write_ / 2, status_.arming, ++status_.pulses, lit_, late};
       status_.latest = std::max(status_.latest, scan_cell_common::to_seconds(late));

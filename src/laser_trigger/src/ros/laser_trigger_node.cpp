@@ -20,17 +20,18 @@ void serve(laser_trigger::Guardian& guardian) {
   try {
     port->write(0);
   } catch (const NoDevice& error) {
-    // A simulator that is not there yet has no lasers on; a parallel port must be there.
+    // A simulator that is not running yet has no lasers on; a parallel port must exist.
     if (parameters.port.kind == PortAddress::Kind::kParallel) throw;
     ROS_WARN("%s", error.what());
   }
   TriggerServices services(node, parameters, *port, guardian);
   scan_cell_common::take_over_shutdown();  // so that the lines go low before ROS is gone
-  constexpr int kThreads = 2;  // the keep-alive is heard while a service call is under way
+  constexpr int kThreads = 2;              // so that a service call does not block the keep-alive
+  constexpr double kLook = 0.02;           // [s] between two checks for a shutdown; chosen
   ros::AsyncSpinner spinner(kThreads);
   spinner.start();
   while (!scan_cell_common::shutdown_requested() && ros::ok())
-    ros::WallDuration(0.02).sleep();
+    ros::WallDuration(kLook).sleep();
   services.shut_down("the trigger node was stopped");
   spinner.stop();
 }

@@ -16,9 +16,11 @@ using scan_cell_msgs::DisarmTrigger;
 TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& parameters,
                                  TriggerPort& port, Guardian& guardian)
     : listeners_([this](const std::string& gone) { on_listener_gone(gone); }) {
-  constexpr std::uint32_t kEvents = 100000;  // kept for a slow listener: 100 s at 1 kHz; chosen
+  constexpr std::uint32_t kEvents = 100000;   // for a slow subscriber: 100 s at 1 kHz; chosen
+  constexpr std::uint32_t kStates = 10;       // for a slow subscriber; chosen
+  constexpr double kDiagnosticsPeriod = 0.2;  // [s] chosen
   events_ = node.advertise<scan_cell_msgs::TriggerEvent>("events", kEvents);
-  state_ = listeners_.advertise<scan_cell_msgs::TriggerState>(node, "state", 10, true);
+  state_ = listeners_.advertise<scan_cell_msgs::TriggerState>(node, "state", kStates, true);
   generator_ = std::make_unique<PulseGenerator>(
       port, &guardian, parameters.pulses,
       PulseGenerator::Observer{[this](const Pulse& pulse) { on_pulse(pulse); },
@@ -30,7 +32,7 @@ TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& paramet
   disarm_ = node.advertiseService("disarm", &TriggerServices::disarm, this);
   diagnostics_.setHardwareID(parameters.port.name());
   diagnostics_.add("trigger", this, &TriggerServices::diagnose);
-  diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
+  diagnostics_timer_ = node.createTimer(ros::Duration(kDiagnosticsPeriod),
                                         [this](const ros::TimerEvent&) { diagnostics_.update(); });
   publish_state();
   if (parameters.pulses.realtime_priority > 0 && !generator_->why_not_realtime().empty())
@@ -112,7 +114,8 @@ void TriggerServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("pulses", now.pulses);
   status.add("missed deadlines", now.missed);
   status.add("not real-time because", generator_->why_not_realtime());
-  status.add("latest pulse [ms]", now.latest * 1e3);
+  constexpr double kMilliseconds = 1e3;  // in a second
+  status.add("latest pulse [ms]", now.latest * kMilliseconds);
   status.add("disarmed because", now.message);
 }
 

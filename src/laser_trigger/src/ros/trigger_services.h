@@ -24,7 +24,7 @@ class TriggerServices {
   TriggerServices(ros::NodeHandle node, const Parameters& parameters, TriggerPort& port,
                   Guardian& guardian);
 
-  /// Ends what is under way: the lines are low when this returns.
+  /// Ends the current arming: the lines are low when this returns.
   void shut_down(const std::string& reason);
 
  private:
@@ -45,7 +45,7 @@ class TriggerServices {
   ros::Publisher state_;
   std::mutex state_mutex_;   // the state published last is the latest
   std::mutex client_mutex_;  // of the client, and while it is armed
-  std::string client_;       // the listener that armed it; empty: none did
+  std::string client_;       // the subscriber that armed it; empty: none
   std::unique_ptr<PulseGenerator> generator_;
   ros::Subscriber keep_alive_;
   ros::ServiceServer arm_;

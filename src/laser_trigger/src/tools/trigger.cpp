@@ -50,8 +50,7 @@ std::uint8_t mask_of(const std::vector<int>& lasers) {
 
 }  // namespace
 
-/// Exits 0 when it was done, 2 when the order made no sense or a signal ended it early, 1
-/// otherwise.
+/// Exits 0 on success, 2 if the order is invalid or a signal ended it early, 1 otherwise.
 int main(int argc, char** argv) {
   PortAddress port = PortAddress::parallel(PortAddress().device);
   scan_cell_common::ParameterOptions typed;
@@ -60,7 +59,7 @@ int main(int argc, char** argv) {
   double watched = 0;
   CLI::App app(
       "Pulses the camera and switches the lasers on and off. However it ends, the lines are low "
-      "then. The node laser_trigger must not run meanwhile.");
+      "afterwards. The node laser_trigger must not run at the same time.");
   app.require_subcommand(1);
   typed.add(app, port);
   CLI::App* const pulses = add_pulses(app, order, lasers);

@@ -42,13 +42,14 @@ double duration(const Order& order) {
 void check(const Order& order) {
   const double seconds = duration(order);
   if (seconds > 0 && seconds <= kLongestOn) return;  // refuses NaN too
-  throw Refused("duration", fmt::format("{:g} s", seconds),
-                fmt::format("give one above 0 and up to {} s", static_cast<int>(kLongestOn)));
+  throw Refused(
+      "duration", fmt::format("{:g} s", seconds),
+      fmt::format("give a duration above 0 and up to {} s", static_cast<int>(kLongestOn)));
 }
 
 /// Keeps it armed until it is over, a signal comes, or it disarmed itself.
 TriggerStatus wait_for_end(PulseGenerator& generator, const Order& order) {
-  constexpr auto kGlance = std::chrono::milliseconds(20);  // chosen
+  constexpr auto kGlance = std::chrono::milliseconds(20);  // [ms] chosen
   const auto begin = Clock::now();
   const auto end = begin + std::chrono::duration_cast<Clock::duration>(
                                std::chrono::duration<double>(duration(order)));
@@ -69,11 +70,12 @@ TriggerStatus wait_for_end(PulseGenerator& generator, const Order& order) {
 
 /// @throw scan_cell_common::Error unless it was done and the lines are low
 void tell(const TriggerStatus& ended, double seconds) {
+  constexpr double kMilliseconds = 1e3;  // in a second
   char said[200];
   if (ended.rate > 0) {
     std::snprintf(said, sizeof said,
                   "%" PRIu64 " pulses in %.3f s, %" PRIu64 " left out, the latest %.3f ms late",
-                  ended.pulses, seconds, ended.missed, ended.latest * 1e3);
+                  ended.pulses, seconds, ended.missed, ended.latest * kMilliseconds);
   } else {
     std::snprintf(said, sizeof said, "off after %.3f s", seconds);
   }
@@ -95,7 +97,7 @@ void tell(const TriggerStatus& ended, double seconds) {
 
 void carry_out(const Order& order, const PortAddress& address) {
   constexpr double kHangTimeout = 2;  // [s] chosen
-  constexpr double kMargin = 1;       // [s] of the pulse thread's own limit; chosen
+  constexpr double kMargin = 1;       // [s] added for the pulse thread's own limit; chosen
   check(order);
   Guardian guardian;  // before there are threads
   guardian.watch(address, kHangTimeout);

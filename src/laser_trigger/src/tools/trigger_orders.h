@@ -4,23 +4,23 @@
 
 #include "laser_trigger/pulse_generator.h"
 
-/// What the program trigger does; each ends early where a signal asks for it.
+/// What the program trigger does; a signal ends each early.
 namespace laser_trigger {
 
-/// The longest that anything is switched on [s], as the node has it.
+/// The longest on-time of anything.
 constexpr double kLongestOn = 300;  //!< [s] as the node's longest_on
 
 struct Order {
   double rate = 0;           //!< [Hz] 0: no pulses
   std::uint8_t lasers = 0;   //!< mask, bit 0: laser_0
-  std::uint64_t pulses = 0;  //!< it is over after so many; 0: after `seconds`
+  std::uint64_t pulses = 0;  //!< after which it ends; 0: after `seconds`
   double seconds = 0;        //!< [s]
   bool alternate = false;    //!< the lasers take turns, pulse by pulse
 };
 
 /// Switches on, waits for the end of it, and says what was done. A guardian process sets the lines
 /// low should this one die.
-/// @throw scan_cell_common::Refused if the order makes no sense, or a signal ended it early
+/// @throw scan_cell_common::Refused if the order is invalid, or a signal ended it early
 /// @throw scan_cell_common::ConnectionError if port or guardian cannot be reached, or were lost
 void carry_out(const Order& order, const PortAddress& address);
 

@@ -35,7 +35,7 @@ class Display {
 
  private:
   static void print(Nanoseconds time, const std::string& what) {
-    constexpr Nanoseconds kSecond = 1'000'000'000;
+    constexpr Nanoseconds kSecond = 1'000'000'000;  // [ns]
     std::printf("%" PRId64 ".%09" PRId64 "  %s\n", time / kSecond, time % kSecond, what.c_str());
     std::fflush(stdout);
   }

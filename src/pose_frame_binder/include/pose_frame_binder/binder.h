@@ -19,7 +19,7 @@ struct FrameRecord;
 
 /// Binds the frames of one scan to the poses at their pulses.
 ///
-/// Poses, pulses and frames may come in any order relative to each other: what is decided does not
+/// Poses, pulses and frames may arrive in any order relative to each other: the decisions do not
 /// depend on it. Not safe for use from several threads at once.
 class Binder {
  public:
@@ -46,15 +46,14 @@ class Binder {
   /// No more pulses will come.
   void end_pulses();
 
-  /// Nothing more will come: all that is left is decided.
-  /// @param triggers pulses that were sent, where that is known: the audit says how many of them
-  /// are missing
+  /// No more data will come: decides everything that is left.
+  /// @param triggers pulses that were sent, if known: the audit says how many of them are missing
   void end(std::uint64_t triggers = 0);
 
-  /// What was decided since the last call. Matches come in the order of the frames.
+  /// Decisions since the last call. Matches come in the order of the frames.
   std::vector<Decision> take_decisions();
 
-  /// Whether every one of `triggers` pulses is there and bound or named by a dropped frame.
+  /// Whether each of `triggers` pulses has arrived and is bound or named by a dropped frame.
   bool whole(std::uint64_t triggers) const;
 
   /// Grows with each pulse and with each frame that may be of one; of frames that no pulse exposed,
@@ -64,11 +63,11 @@ class Binder {
   std::uint64_t pulses() const;                     //!< known so far
   const PoseLog& poses() const { return *poses_; }  //!< measured so far
 
-  /// Of what has been decided; complete after end().
+  /// Covers what has been decided; complete after end().
   Audit audit() const;
 
-  /// The same without what takes a walk through all frames and pulses: the list of drops, the
-  /// frames that never arrived and latency_doubtful. For the diagnostics of a scan under way.
+  /// The same without what needs a pass over all frames and pulses: the list of drops, the frames
+  /// that never arrived and latency_doubtful. For the diagnostics of a running scan.
   Audit counts() const;
 
  private:
@@ -92,7 +91,7 @@ class Binder {
   std::vector<Fate> fates_;            // of the pulses
   std::uint64_t settled_ = 0;          // pulses whose fate is known
   std::vector<Decision> decisions_;
-  std::uint64_t triggers_ = 0;  // pulses sent, as end() was told
+  std::uint64_t triggers_ = 0;  // pulses sent, from end()
   Audit counts_;                // of the frames bound
   std::vector<Drop> dropped_;
 };

@@ -47,7 +47,7 @@ enum class DropReason : std::uint8_t {
   kLaserUncertain = 11,
 };
 
-/// The word for it, such as "shared_pose".
+/// Its name, such as "shared_pose".
 const char* name(DropReason reason);
 
 /// The camera cannot tell the laser. Value as in PeakProfile.
@@ -61,7 +61,7 @@ struct Pulse {
   std::uint8_t lasers = 0;   //!< mask of those that were on with it, bit 0: laser_0
 };
 
-/// What the binder needs to know of a frame.
+/// What the binder needs to know about a frame.
 struct Frame {
   std::uint32_t acquisition = 0;       //!< number of the camera's start
   std::uint64_t counter = 0;           //!< unwrapped
@@ -102,7 +102,7 @@ struct Settings {
   Method method = Method::kInterpolate;  //!< how a pulse gets its pose
   double max_pose_gap = 0.05;  //!< [s] between the poses around a pulse (to the pose: first pose)
   double pose_settle = 0.02;   //!< [s] how far a pose may come behind a later one
-  double pose_delay = 0;       //!< [s] the poses are stamped so much too late
+  double pose_delay = 0;       //!< [s] the poses are stamped too late by this
   double camera_latency = 0.004;            //!< [s] frame's stamp - pulse, as expected
   double latency_tolerance = 0.02;          //!< [s] at most; never above 0.45 of the pulse interval
   int frames_to_agree = 3;                  //!< that fix the counter's offset

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "arrivals.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scan_cell_common/errors/errors.h"
@@ -9,7 +11,7 @@
 namespace pose_frame_binder {
 
 bool Arrivals::wait(std::uint64_t count) const {
-  constexpr double kPatience = 2;  // [s]
+  constexpr double kPatience = 2;  // [s] chosen
   std::uint64_t before = count_;
   ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (count_ < count && ros::WallTime::now() < deadline) {
@@ -30,9 +32,8 @@ Latency latency_of(const std::vector<Instant>& sent, const std::vector<Arrivals:
       ++arrival;
     if (arrival == arrivals.end()) {
       throw scan_cell_common::Refused(
-          "the running chain",
-          "only " + std::to_string(i) + " of " + std::to_string(sent.size()) + " profiles came out",
-          "see whether the machine is too busy");
+          "the running chain", fmt::format("only {} of {} profiles came out", i, sent.size()),
+          "check whether the machine is too busy");
     }
     latencies.push_back(std::chrono::duration<double>(arrival->time - sent[i]).count());
   }

@@ -14,7 +14,7 @@
 
 namespace pose_frame_binder {
 
-/// When how much of what is counted (points, profiles) had come, on a thread of its own.
+/// Counts what arrives (points, profiles) and when, in its own thread.
 class Arrivals {
  public:
   struct Arrival {
@@ -25,7 +25,7 @@ class Arrivals {
   template <class Message, class Count>
   void subscribe(ros::NodeHandle node, const std::string& topic, const Count& count_in) {
     using Pointer = boost::shared_ptr<const Message>;
-    constexpr std::uint32_t kUnbounded = 0;
+    constexpr std::uint32_t kUnbounded = 0;  // messages
     node.setCallbackQueue(&queue_);
     const boost::function<void(const Pointer&)> on_message = [this,
                                                               count_in](const Pointer& message) {
@@ -40,12 +40,12 @@ class Arrivals {
 
   bool subscribed() const { return subscriber_.getNumPublishers() > 0; }
 
-  /// @return whether that many came before nothing had come for two seconds
+  /// @return whether that many arrived without a pause of two seconds
   bool wait(std::uint64_t count) const;
 
   std::uint64_t count() const { return count_; }
   double cpu() const { return cpu_; }                       ///< [s] of its thread so far
-  const std::vector<Arrival>& all() const { return all_; }  ///< to be read when all came
+  const std::vector<Arrival>& all() const { return all_; }  ///< read it when all have arrived
 
  private:
   ros::CallbackQueue queue_;
@@ -56,13 +56,13 @@ class Arrivals {
   ros::AsyncSpinner spinner_{1, &queue_};
 };
 
-/// [s] from the sending of a profile to the arrival of the last that is counted in it.
+/// [s] from sending a profile to the arrival of its last point or profile.
 struct Latency {
   double median = 0, p99 = 0, worst = 0, last = 0;
 };
 
-/// @param per_profile of what is counted
-/// @throw scan_cell_common::Refused if not all came
+/// @param per_profile counted things per profile
+/// @throw scan_cell_common::Refused if not all arrived
 Latency latency_of(const std::vector<Instant>& sent, const std::vector<Arrivals::Arrival>& arrivals,
                    std::uint64_t per_profile);
 

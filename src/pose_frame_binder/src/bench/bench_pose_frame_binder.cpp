@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrong pairings in a million frames with faults, beside those of plainer ways on the same frames.
+// Wrong pairings in a million frames with faults, compared with simpler methods on the same frames.
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
@@ -18,8 +18,8 @@ using namespace pose_frame_binder;  // NOLINT
 
 namespace {
 
-constexpr std::size_t kPulses = 1'000'000;
-constexpr std::size_t kPosesAllowed = 10'000'000;
+constexpr std::size_t kPulses = 1'000'000;         // chosen
+constexpr std::size_t kPosesAllowed = 10'000'000;  // chosen: more than the scan has
 
 std::size_t memory_used() {
   const struct mallinfo2 info = mallinfo2();
@@ -79,7 +79,7 @@ Run bind(const FaultyScan& scan) {
 }
 
 bool is_right(const FaultyScan& scan, const Decision& decision) {
-  constexpr double kExact = 1e-6;  // [m], at 1 m/s
+  constexpr double kExact = 1e-6;  // [m] at 1 m/s: a microsecond; chosen
   const std::int64_t truth = scan.frames[decision.frame].pulse;
   if (truth < 0) return false;
   const Pulse& pulse = scan.pulses[static_cast<std::size_t>(truth)].pulse;
@@ -134,8 +134,8 @@ struct Plain {
   std::size_t by_stamp = 0;
 };
 
-/// Pulses by the counter's distance from the first frame of each acquisition and arming, whose
-/// pulse is given; and the pulse next to stamp - 4 ms. Neither takes a frame twice.
+/// By counter: the distance from the first frame of each acquisition and arming, whose pulse is
+/// given. By stamp: the pulse nearest to stamp - 4 ms. Neither takes a frame twice.
 Plain pair_plainly(const FaultyScan& scan) {
   Plain wrong;
   std::pair<std::uint32_t, std::uint32_t> part{0, 0};
@@ -156,7 +156,7 @@ Plain pair_plainly(const FaultyScan& scan) {
       last_counter = counter;
       wrong.by_counter += counter - offset != faulty.pulse;
     }
-    constexpr Nanoseconds kLatency = 4'000'000;
+    constexpr Nanoseconds kLatency = 4'000'000;  // [ns] as the scan's, without its drift
     const Nanoseconds instant = frame.stamp - kLatency;
     const auto after = std::lower_bound(
         scan.pulses.begin(), scan.pulses.end(), instant,

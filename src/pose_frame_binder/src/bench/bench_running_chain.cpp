@@ -1,7 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Profiles through binder and triangulation as they run, under a ROS master of its own: as nodelets
-// in one process and as nodes; beside two nodes in their place that only hand the profiles on.
+// Profiles through the running binder and triangulation, under their own ROS master: as nodelets in
+// one process and as nodes; compared with two nodes that only pass the profiles on.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -17,9 +19,9 @@ using scan_cell_common::ChildProcess;
 
 namespace {
 
-/// Each run in a process of its own, so that its memory is its own.
+/// Each run has its own process, so that its memory can be measured.
 int run_all(const std::string& program, const Pace& pace) {
-  const std::string port = std::to_string(scan_cell_common::free_port());
+  const std::string port = fmt::format("{}", scan_cell_common::free_port());
   setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
   setenv("ROS_IP", "127.0.0.1", 1);
   const ChildProcess master({"rosmaster", "--core", "-p", port}, true);
@@ -29,8 +31,9 @@ int run_all(const std::string& program, const Pace& pace) {
               pace.rate, pace.rows, pace.seconds, std::thread::hardware_concurrency(), load[0]);
   std::fflush(stdout);
   for (const char* kind : {"nodelets", "nodes", "relays"}) {
-    ChildProcess run({program, "--run", kind, "--seconds", std::to_string(pace.seconds), "--rate",
-                      std::to_string(pace.rate), "--rows", std::to_string(pace.rows)});
+    ChildProcess run({program, "--run", kind, "--seconds", fmt::format("{}", pace.seconds),
+                      "--rate", fmt::format("{}", pace.rate), "--rows",
+                      fmt::format("{}", pace.rows)});
     if (const int code = run.wait(); code != 0) return code;
   }
   return 0;

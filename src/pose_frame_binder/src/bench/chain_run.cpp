@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chain_run.h"
 
+#include <fmt/format.h>
 #include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/FinishCloud.h>
 #include <scan_cell_msgs/PeakProfile.h>
@@ -23,11 +24,11 @@ using scan_cell_common::usage_of;
 
 namespace {
 
-constexpr double kMilliseconds = 1e3;
+constexpr double kMilliseconds = 1e3;  // [ms] in a second
 constexpr double kPercent = 100;
-constexpr double kPointSize = 24e-6;  // [MB]
+constexpr double kPointSize = 24e-6;  // [MB] of a ScanPoint
 
-/// What the processes take, and of it what sends and counts.
+/// Usage of the processes, and the part of it that sends and counts.
 struct Sample {
   Usage usage;
   double own_cpu = 0;  // [s]
@@ -35,7 +36,7 @@ struct Sample {
   Instant time;
 };
 
-/// Feeds all frames; samples at a sixth of the time and at the end.
+/// Feeds all frames; samples after a sixth of the time and at the end.
 template <class Take>
 std::pair<Sample, Sample> feed(ProfileFeeder& feeder, const Pace& pace, const Take& take) {
   feeder.start();
@@ -45,7 +46,7 @@ std::pair<Sample, Sample> feed(ProfileFeeder& feeder, const Pace& pace, const Ta
   while (!feeder.done() && ros::WallTime::now() < deadline)
     ros::WallDuration(0.001).sleep();
   if (!feeder.done())
-    throw scan_cell_common::Refused("feeder", "far too slow", "end other programs");
+    throw scan_cell_common::Refused("feeder", "far too slow", "stop other programs");
   return {early, take()};
 }
 
@@ -91,13 +92,14 @@ int run_chain(const std::string& program, const std::string& kind, const Pace& p
     return Sample{chain.usage(), own, static_cast<double>(arrivals.count()),
                   std::chrono::steady_clock::now()};
   });
+  constexpr double kTimeout = 5;  // [s] chosen
   scan_cell_msgs::FinishBinding::Request binding;
   binding.triggers = pace.frames();
-  binding.timeout = ros::Duration(5);
+  binding.timeout = ros::Duration(kTimeout);
   const auto audit = call<scan_cell_msgs::FinishBinding>("/binder/finish", binding).audit;
   scan_cell_msgs::FinishCloud::Request cloud;
   cloud.profiles = audit.frames_bound;
-  cloud.timeout = ros::Duration(5);
+  cloud.timeout = ros::Duration(kTimeout);
   cloud.partial = true;
   const auto answer = call<scan_cell_msgs::FinishCloud>("/triangulation/finish", cloud);
   if (!answer.file.empty()) std::filesystem::remove(answer.file);  // the cloud, too large to answer
@@ -142,9 +144,9 @@ int run_relays(const std::string& program, const Pace& pace) {
 }
 
 int relay(const std::string& from, const std::string& to) {
-  join_master("relay" + std::to_string(getpid()));
+  join_master(fmt::format("relay{}", getpid()));
   ros::NodeHandle node;
-  constexpr std::uint32_t kUnbounded = 0;
+  constexpr std::uint32_t kUnbounded = 0;  // messages
   const ros::Publisher publisher = node.advertise<scan_cell_msgs::PeakProfile>(to, kUnbounded);
   const boost::function<void(const scan_cell_msgs::PeakProfileConstPtr&)> hand_on =
       [&publisher](const scan_cell_msgs::PeakProfileConstPtr& profile) {

@@ -8,16 +8,16 @@
 
 namespace pose_frame_binder {
 
-/// Feeds binder and triangulation and prints what came of it.
-/// @param program path of this program; the nodes lie beside it
+/// Feeds binder and triangulation and prints the result.
+/// @param program path of this program; the nodes are beside it
 /// @param kind "nodelets": in this process; "nodes": each in its own
 /// @return exit code
 int run_chain(const std::string& program, const std::string& kind, const Pace& pace);
 
-/// The yardstick: the same profiles through two nodes that hand them on.
+/// The yardstick: the same profiles through two nodes that pass them on.
 int run_relays(const std::string& program, const Pace& pace);
 
-/// Such a node, until it is ended.
+/// Runs such a node until it is stopped.
 int relay(const std::string& from, const std::string& to);
 
 }  // namespace pose_frame_binder

@@ -24,7 +24,7 @@ class Chance {
     return least + (most - least) * static_cast<double>(random_() >> 11) * 0x1p-53;
   }
   std::uint64_t bits() { return random_(); }
-  /// Never early, with a tail: what an interrupt or a network adds to a time.
+  /// Never early, with a tail, like the delay of an interrupt or a network.
   Nanoseconds late(double mean, double most) {
     return static_cast<Nanoseconds>(std::min(-mean * std::log(1 - uniform(0, 1)), most));
   }
@@ -37,7 +37,7 @@ class Chance {
 struct WireFrame {
   std::uint64_t raw_counter = 0;
   Nanoseconds stamp = 0;
-  bool told_restart = false;  //!< the connection was lost and found again before it
+  bool told_restart = false;  //!< the camera reconnected before it
   bool corrupt = false;
   std::int64_t pulse = -1;
 };
@@ -83,8 +83,8 @@ class Camera {
         scan.faulty[i] = true;
         intact = 0;
       }
-      // Two slips that cancel out, without frames between them, leave nothing to be seen.
-      constexpr std::size_t kApart = 8;
+      // Two slips that cancel out, without frames between them, cannot be detected.
+      constexpr std::size_t kApart = 8;  // frames; chosen
       const bool may_slip = intact >= kApart;
       if (may_slip && chance_.hit(shares_.pulse_not_taken)) {
         intact = 0;
@@ -98,7 +98,8 @@ class Camera {
         scan.faulty[i] = true;
       }
       expose(pulses[i].pulse.time, static_cast<std::int64_t>(i), scan);
-      if (chance_.hit(shares_.burst_lost)) burst = 50;
+      constexpr std::size_t kBurst = 50;  // frames; chosen
+      if (chance_.hit(shares_.burst_lost)) burst = kBurst;
       const bool lost = burst > 0 || chance_.hit(shares_.frame_lost);
       if (burst > 0) --burst;
       const bool spoilt = spoil(wire_.back());
@@ -110,7 +111,7 @@ class Camera {
 
  private:
   void restart() {
-    // Some start near their end, so that a counter of 24 bits wraps in a million frames too.
+    // Some start near the end, so that a 24 bit counter also wraps within a million frames.
     const std::uint64_t period = rule_.last - rule_.first + 1;
     const std::uint64_t before_end = 1 + static_cast<std::uint64_t>(chance_.uniform(0, 300));
     counter_ = chance_.hit(0.5) ? rule_.first : rule_.first + period - before_end;
@@ -138,7 +139,7 @@ class Camera {
         frame.raw_counter = rule_.first + chance_.bits() % period;
       return true;
     }
-    // One of both is wrong: where counter and stamp are wrong together nobody can tell.
+    // Only one of them is wrong: nobody can detect counter and stamp wrong together.
     if (chance_.hit(shares_.wrong_counter)) {
       const auto by = static_cast<std::uint64_t>(chance_.uniform(1, 100));
       frame.raw_counter = rule_.first + (frame.raw_counter - rule_.first + by) % period;

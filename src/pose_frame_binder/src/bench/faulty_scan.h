@@ -23,26 +23,26 @@ struct FaultyPulse {
   bool lost = false;  //!< its event never arrives
 };
 
-/// The flange moves along x at 1 m/s: a pose tells by its x when it was measured.
+/// The flange moves along x at 1 m/s: the x of a pose is the time at which it was measured.
 struct FaultyPose {
   Nanoseconds time = 0;
   Nanoseconds arrival = 0;
   bool finite = true;
 };
 
-/// What goes wrong and how often: shares of the frames, pulses or poses.
+/// Faults as shares of the frames, pulses or poses; chosen.
 struct FaultShares {
   double frame_lost = 0.06;
   double burst_lost = 0.0002;  //!< 50 frames in a row
   double repeated = 0.045;
-  double out_of_order = 0.02;  //!< up to three frames too early: those between come late
+  double out_of_order = 0.02;  //!< up to three frames too early: those in between come late
   double corrupt = 0.05;
   double garbled_counter = 0.02;   //!< of the corrupt frames
-  double pulse_not_taken = 0.004;  //!< the camera's counter goes on without a gap
+  double pulse_not_taken = 0.004;  //!< the camera's counter continues without a gap
   double frame_invented = 0.001;   //!< a frame without a pulse, which the counter counts
   double wrong_counter = 0.003;
   double wrong_stamp = 0.006;   //!< by up to 50 ms
-  double restart = 0.0005;      //!< of the camera; half of them are told, half show in the counter
+  double restart = 0.0005;      //!< of the camera; half are reported, half show in the counter
   double pulse_missed = 0.002;  //!< the trigger leaves out a beat
   double event_lost = 0.0005;
   double pose_lost = 0.05;
@@ -51,8 +51,8 @@ struct FaultShares {
   double pose_unusable = 0.001;
 };
 
-/// What the trigger, the camera and the robot send, in the order of arrival each, and what is
-/// known of it. Every 20000 pulses the trigger is armed again, at 50, 100, 200 or 485 Hz.
+/// What the trigger, the camera and the robot send, each in the order of arrival, and the truth
+/// about it. Every 20000 pulses the trigger is armed again, at 50, 100, 200 or 485 Hz.
 struct FaultyScan {
   std::vector<FaultyPulse> pulses;  //!< all that were sent, in the order of time
   std::vector<FaultyFrame> frames;
@@ -67,6 +67,6 @@ struct FaultyScan {
              const FaultShares& shares, unsigned seed, bool alternate);
 };
 
-constexpr Nanoseconds kScanStart = 1'700'000'000'000'000'000;
+constexpr Nanoseconds kScanStart = 1'700'000'000'000'000'000;  //!< [ns] in 2023; chosen
 
 }  // namespace pose_frame_binder

@@ -15,17 +15,17 @@
 namespace pose_frame_binder {
 namespace {
 
-constexpr double kLatency = 0.004;      // [s] of the frames after their pulses
-constexpr double kPosesBefore = 0.5;    // [s] before the first pulse
-constexpr std::size_t kLines = 100;     // different ones, in turn
-constexpr std::uint32_t kQueue = 2000;  // messages: four seconds of frames
+constexpr double kLatency = 0.004;      // [s] of the frames after their pulses; chosen
+constexpr double kPosesBefore = 0.5;    // [s] before the first pulse; chosen
+constexpr std::size_t kLines = 100;     // different ones, in turn; chosen
+constexpr std::uint32_t kQueue = 2000;  // messages: four seconds of frames; chosen
 
 std::chrono::nanoseconds nanoseconds(double seconds) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::duration<double>(seconds));
 }
 
-/// Lines that bend and jump as on a moulding, and travel over the sensor.
+/// Lines [px] that bend and jump as on a moulding, and travel over the sensor.
 std::vector<std::vector<float>> lines(std::size_t rows) {
   std::vector<std::vector<float>> positions(kLines, std::vector<float>(rows));
   for (std::size_t line = 0; line < kLines; ++line) {
@@ -94,7 +94,7 @@ void ProfileFeeder::feed() {
 }
 
 void ProfileFeeder::send_pose(double time) {
-  constexpr double kSpeed = 0.1;  // [m/s]
+  constexpr double kSpeed = 0.1;  // [m/s] chosen
   const auto message = boost::make_shared<tf2_msgs::TFMessage>();
   geometry_msgs::TransformStamped& transform = message->transforms.emplace_back();
   transform.header.stamp = begin_ + ros::Duration(time);
@@ -116,7 +116,7 @@ void ProfileFeeder::send_event(std::uint64_t number) {
 }
 
 void ProfileFeeder::send_profile(std::uint64_t number) {
-  constexpr float kWidth = 5, kIntensity = 100;
+  constexpr float kWidth = 5, kIntensity = 100;  // [px], [grey value] chosen
   const auto message = boost::make_shared<scan_cell_msgs::PeakProfile>();
   message->header.stamp =
       begin_ + ros::Duration(static_cast<double>(number) / pace_.rate + kLatency);

@@ -24,21 +24,21 @@ struct Pace {
   std::uint64_t frames() const { return static_cast<std::uint64_t>(seconds * rate); }
 };
 
-/// Plays camera, trigger and robot in real time: /profiles, /trigger_events and /tf, each message
-/// at its instant, on a thread of its own. Poses go on until it is destroyed.
+/// Plays camera, trigger and robot in real time, in its own thread: /profiles, /trigger_events and
+/// /tf, each message at its time. Poses continue until it is destroyed.
 class ProfileFeeder {
  public:
   ProfileFeeder(ros::NodeHandle node, const Pace& pace);
   ~ProfileFeeder();
 
   void start();
-  bool profiles_heard() const;  ///< somebody subscribes to them
+  bool profiles_heard() const;  ///< they have a subscriber
   bool all_heard() const;
   bool done() const { return done_; }  ///< the last frame was sent
 
-  /// When each profile was handed to ROS; to be read when done.
+  /// When each profile was published; read it when done.
   const std::vector<Instant>& sent() const { return sent_; }
-  double seconds_late() const { return late_; }  ///< the worst; to be read when done
+  double seconds_late() const { return late_; }  ///< the worst; read it when done
   double cpu() const { return cpu_; }            ///< [s] of its thread so far
 
  private:

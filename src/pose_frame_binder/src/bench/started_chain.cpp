@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "started_chain.h"
 
+#include <fmt/format.h>
 #include <scan_cell_msgs/StartScan.h>
 #include <unistd.h>
 
@@ -44,7 +45,7 @@ void join_master(const std::string& name) {
 
 StartedChain::StartedChain(const std::string& program, bool nodelets) {
   const std::string file =
-      std::filesystem::temp_directory_path() / ("chain_" + std::to_string(getpid()) + ".yaml");
+      std::filesystem::temp_directory_path() / fmt::format("chain_{}.yaml", getpid());
   scan_cell_common::save_scanner_model(file, scanner());
   ros::param::set("/binder/fixed_frame", "base_link");
   ros::param::set("/triangulation/scanner", file);
@@ -57,7 +58,7 @@ StartedChain::StartedChain(const std::string& program, bool nodelets) {
   scan.scan_id = "bench";
   for (const char* name : {"/binder/start", "/triangulation/start"}) {
     const auto answer = call<scan_cell_msgs::StartScan>(name, scan);
-    if (!answer.success) throw scan_cell_common::Refused(name, answer.message, "see there");
+    if (!answer.success) throw scan_cell_common::Refused(name, answer.message, "see the message");
   }
   std::filesystem::remove(file);
 }
@@ -77,7 +78,7 @@ void StartedChain::load_nodelets() {
   const bool loaded = loader_->load("/binder", "pose_frame_binder/Binder", {}, {}) &&
                       loader_->load("/triangulation", "laser_triangulation/Triangulation",
                                     {{"bound_profiles", "/binder/bound_profiles"}}, {});
-  if (!loaded) throw scan_cell_common::Refused("nodelets", "not loaded", "see above");
+  if (!loaded) throw scan_cell_common::Refused("nodelets", "not loaded", "see the errors above");
 }
 
 void StartedChain::start_nodes(const std::filesystem::path& folder) {

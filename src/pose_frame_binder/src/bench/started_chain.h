@@ -15,16 +15,18 @@
 
 namespace pose_frame_binder {
 
-/// Begins as a ROS node, under the master of the bench.
+constexpr double kPatience = 30;  //!< [s] chosen
+
+/// Starts this process as a ROS node, under the master of the bench.
 void join_master(const std::string& name);
 
 /// @throw scan_cell_common::Refused after half a minute
 template <class Condition>
 void wait_until(const std::string& what, const Condition& met) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(30);
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (!met()) {
     if (ros::WallTime::now() > deadline)
-      throw scan_cell_common::Refused(what, "not there after 30 s", "see what the nodes say");
+      throw scan_cell_common::Refused(what, "not there after 30 s", "see the nodes' messages");
     ros::WallDuration(0.01).sleep();
   }
 }
@@ -33,9 +35,9 @@ void wait_until(const std::string& what, const Condition& met) {
 template <class Service>
 typename Service::Response call(const std::string& name, typename Service::Request request) {
   typename Service::Response response;
-  if (!ros::service::waitForService(name, ros::Duration(30)) ||
+  if (!ros::service::waitForService(name, ros::Duration(kPatience)) ||
       !ros::service::call(name, request, response)) {
-    throw scan_cell_common::Refused("service " + name, "no answer", "see what the nodes say");
+    throw scan_cell_common::Refused("service " + name, "no answer", "see the nodes' messages");
   }
   return response;
 }
@@ -43,7 +45,7 @@ typename Service::Response call(const std::string& name, typename Service::Reque
 /// Binder and triangulation with a scan under way, in this process or each in its own.
 class StartedChain {
  public:
-  /// @param program path of the bench: the nodes lie beside it
+  /// @param program path of the bench: the nodes are beside it
   /// @throw scan_cell_common::Refused if one does not start
   StartedChain(const std::string& program, bool nodelets);
 

@@ -191,7 +191,7 @@ void Binder::bind() {
 void Binder::count(const Match& match) {
   ++counts_.frames_bound;
   ++counts_.by_rule[static_cast<int>(match.rule)];
-  // The nearest pose that was used; fmin passes over the one that was not.
+  // The nearest pose that was used; fmin skips the one that was not.
   counts_.worst_time_to_pose =
       std::max(counts_.worst_time_to_pose, std::fmin(match.time_to_before, match.time_to_after));
   counts_.worst_position_error = std::max(counts_.worst_position_error, match.position_error_bound);

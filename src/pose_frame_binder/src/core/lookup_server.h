@@ -12,9 +12,9 @@
 namespace pose_frame_binder {
 
 struct LookupLimits {
-  int max_clients = 4;         //!< at a time; further ones are told so and hung up
+  int max_clients = 4;         //!< at a time; further ones get an error and are disconnected
   std::size_t max_bytes = 64;  //!< of a line
-  double idle_time = 60;       //!< [s] without a byte, after which a client is hung up
+  double idle_time = 60;       //!< [s] without a byte, after which a client is disconnected
 };
 
 /// Answers lines over TCP: a line in, a line out. A line ends with LF, CR LF or a zero byte.

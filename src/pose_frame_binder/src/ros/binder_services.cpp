@@ -20,8 +20,9 @@ BinderServices::BinderServices(ros::NodeHandle node, ros::NodeHandle private_nod
       static_transforms_(node),
       lookup_(parameters.lookup),
       diagnostics_(node, private_node, private_node.getNamespace()) {
-  constexpr std::uint32_t kBound = 20000;
-  constexpr std::uint32_t kUnbounded = 0;  // what arrived is never thrown away unseen
+  constexpr std::uint32_t kBound = 20000;     // messages, as max_pending_frames; chosen
+  constexpr std::uint32_t kUnbounded = 0;     // messages: no data are discarded unread
+  constexpr double kDiagnosticsPeriod = 0.2;  // [s] chosen
   bound_ = private_node.advertise<scan_cell_msgs::BoundProfile>("bound_profiles", kBound);
   audit_ = private_node.advertise<scan_cell_msgs::BindingAudit>("audit", 1, true);
 
@@ -47,7 +48,7 @@ BinderServices::BinderServices(ros::NodeHandle node, ros::NodeHandle private_nod
   finish_ = private_node.advertiseService("finish", &BinderServices::finish, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("binding", this, &BinderServices::diagnose);
-  diagnostics_timer_ = node.createTimer(ros::Duration(0.2),
+  diagnostics_timer_ = node.createTimer(ros::Duration(kDiagnosticsPeriod),
                                         [this](const ros::TimerEvent&) { diagnostics_.update(); });
   data_spinner_.start();
 }
@@ -80,7 +81,7 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
         parameters_.frames.fixed, parameters_.frames.base, parameters_.transform_timeout);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (finishing_) {
-      throw scan_cell_common::Refused("scan " + scan_id_, "being finished", "wait for its audit");
+      throw scan_cell_common::Refused("scan " + scan_id_, "not finished yet", "wait for its audit");
     }
     scan_ =
         std::make_unique<ProfileBinder>(parameters_.settings, parameters_.frames, fixed_to_base);
@@ -111,8 +112,8 @@ void BinderServices::wait_for_all(std::unique_lock<std::mutex>& lock, std::uint6
     return binder.whole(triggers) || !failure_.empty() || !ros::ok();
   };
   finishing_ = true;
-  // Poses keep coming as long as the robot is there, and frames as long as a camera runs free; they
-  // do not tell that the others will.
+  // Poses arrive as long as the robot is there, and frames as long as a camera runs free; they do
+  // not mean that pulses will arrive.
   std::uint64_t most = 0;
   do {
     most = std::max(most, scan_->binder().progress());
@@ -125,8 +126,8 @@ bool BinderServices::finish(FinishBinding::Request& request, FinishBinding::Resp
   std::unique_lock<std::mutex> lock(mutex_);
   if (!scan_ || finishing_) {
     response.success = false;
-    response.message = scan_ ? "scan " + scan_id_ + " is being finished; wait for its audit"
-                             : "no scan is under way; call start first";
+    response.message = scan_ ? "scan " + scan_id_ + " is not finished yet; wait for its audit"
+                             : "no scan is running; call start first";
     return true;
   }
   wait_for_all(lock, request.triggers, request.timeout.toSec());

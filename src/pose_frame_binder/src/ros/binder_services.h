@@ -22,7 +22,7 @@
 
 namespace pose_frame_binder {
 
-/// The binder's topics and services. Data are taken by a thread of their own, so that they come in
+/// The binder's topics and services. Data are received in their own thread, so that they arrive
 /// while ~finish waits for them.
 class BinderServices {
  public:
@@ -52,7 +52,7 @@ class BinderServices {
   std::unique_ptr<ProfileBinder> scan_;  // none between scans
   FrameLookup lookup_;
   std::string scan_id_;
-  std::string failure_;  // why the scan under way cannot be bound to its end
+  std::string failure_;  // why the current scan cannot be bound completely
   bool finishing_ = false;
   std::atomic<std::uint64_t> profiles_ignored_{0};  // since the last start
   Audit last_audit_;

@@ -25,7 +25,7 @@ class FrameLookup {
   /// @throw scan_cell_common::ConnectionError if the port cannot be opened
   explicit FrameLookup(const LookupParameters& parameters);
 
-  /// A scan begins: nothing is known until it is finished.
+  /// A scan begins: lookups find nothing until it is finished.
   void start();
   void add(const scan_cell_msgs::BoundProfile& bound);
   void finish();
@@ -36,7 +36,7 @@ class FrameLookup {
 
   std::mutex mutex_;
   PoseTable finished_;
-  std::unique_ptr<LookupServer> server_;  // last: ends before what it asks
+  std::unique_ptr<LookupServer> server_;  // last: ends before what it uses
 };
 
 }  // namespace pose_frame_binder

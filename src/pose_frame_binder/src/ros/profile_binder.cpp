@@ -44,7 +44,7 @@ BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
   return message;
 }
 
-/// NaN where the quaternion is not of unit length: one of zeros would become the identity.
+/// NaN if the quaternion is not of unit length: one of zeros would become the identity.
 Eigen::Isometry3d pose_of(const geometry_msgs::Transform& transform) {
   if (scan_cell_common::is_unit(from_ros(transform.rotation))) return from_ros(transform);
   Eigen::Isometry3d none;
@@ -68,10 +68,11 @@ void describe(scan_cell_common::ParameterTable& table, Frames& frames) {
 
 void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion) {
   constexpr double kFarthest = 100;  // [m] chosen: beyond any cell
+  constexpr int kNumbers = 7;        // of a pose
   const auto add = [&table](const std::string& name, Eigen::Isometry3d& pose) {
     std::vector<double> numbers;
     table.add(name, numbers, {-kFarthest, kFarthest, "m"},
-              "`constant_speed`: x y z qx qy qz qw in the fixed frame", 7);
+              "`constant_speed`: x y z qx qy qz qw in the fixed frame", kNumbers);
     if (!numbers.empty()) pose = pose_from(table.full_name(name), numbers);
   };
   add("start", motion.start);
@@ -86,13 +87,13 @@ void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion) {
 }
 
 std::string find_fault(const PeakProfile& profile) {
-  if (profile.packets_lost > 0) return std::to_string(profile.packets_lost) + " packets missing";
+  if (profile.packets_lost > 0) return fmt::format("{} packets missing", profile.packets_lost);
   if (profile.width.size() != profile.position.size() ||
       profile.intensity.size() != profile.position.size()) {
     return "arrays of different lengths";
   }
   if (profile.header.stamp.isZero()) return "no stamp";
-  constexpr std::uint64_t kMaxCounter = std::uint64_t{1} << 62;
+  constexpr std::uint64_t kMaxCounter = std::uint64_t{1} << 62;  // chosen: no sum overflows
   if (profile.frame_counter > kMaxCounter) return "impossible frame counter";
   return "";
 }

@@ -16,7 +16,7 @@
 
 namespace pose_frame_binder {
 
-/// Names and places of the frames between which poses are.
+/// Names of the frames of the poses.
 struct Frames {
   std::string fixed = "world";
   std::string base = "base_link";
@@ -48,8 +48,8 @@ class ProfileBinder {
   Binder& binder() { return binder_; }
   const Binder& binder() const { return binder_; }
 
-  /// What was bound since the last call, in the order of the frames: shared, for publishing without
-  /// a copy.
+  /// Profiles bound since the last call, in the order of the frames; shared, to publish without a
+  /// copy.
   std::vector<scan_cell_msgs::BoundProfileConstPtr> take();
 
  private:
@@ -66,10 +66,10 @@ class ProfileBinder {
 void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion);
 
 /// A pose from x, y, z [m], qx, qy, qz, qw, as parameters give it.
-/// @throw scan_cell_common::InvalidParameter naming `name` if it is none
+/// @throw scan_cell_common::InvalidParameter naming `name` if it is not a pose
 Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& numbers);
 
-/// Why a profile cannot be used; empty where it can.
+/// Why a profile cannot be used; empty if it can.
 std::string find_fault(const scan_cell_msgs::PeakProfile& profile);
 
 /// @param stamp end of the scan

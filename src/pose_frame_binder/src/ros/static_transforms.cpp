@@ -10,7 +10,7 @@
 namespace pose_frame_binder {
 
 StaticTransforms::StaticTransforms(ros::NodeHandle node) {
-  constexpr std::uint32_t kMessages = 100;  // each publisher latches one
+  constexpr std::uint32_t kMessages = 100;  // each publisher latches one; chosen
   subscriber_ = node.subscribe("/tf_static", kMessages, &StaticTransforms::on_transforms, this);
 }
 
@@ -23,10 +23,11 @@ void StaticTransforms::on_transforms(const tf2_msgs::TFMessage& message) {
 Eigen::Isometry3d StaticTransforms::look_up(const std::string& parent, const std::string& child,
                                             double timeout) const {
   if (parent == child) return Eigen::Isometry3d::Identity();
+  constexpr double kLook = 0.01;  // [s] between two checks; chosen
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
   while (!buffer_.canTransform(parent, child, ros::Time(0)) && ros::WallTime::now() < deadline &&
          ros::ok()) {
-    ros::WallDuration(0.01).sleep();
+    ros::WallDuration(kLook).sleep();
   }
   try {
     return scan_cell_common::from_ros(
@@ -34,7 +35,7 @@ Eigen::Isometry3d StaticTransforms::look_up(const std::string& parent, const std
   } catch (const tf2::TransformException& error) {
     throw scan_cell_common::Refused(
         "static transform from " + parent + " to " + child, error.what(),
-        "publish it on /tf_static: does the launch file load the calibration?");
+        "publish it on /tf_static; check that the launch file loads the calibration");
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace pose_frame_binder {
 
-/// What stands still, from /tf_static.
+/// The static transforms, from /tf_static.
 class StaticTransforms {
  public:
   explicit StaticTransforms(ros::NodeHandle node);

@@ -20,7 +20,7 @@ struct BagTopics {
 /// @throw scan_cell_common::FileError if it cannot be opened
 void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mode);
 
-/// Gives all that the bag holds to the binder, as one scan.
+/// Feeds the whole bag to the binder, as one scan.
 /// @param after_each called after each message
 /// @throw scan_cell_common::FileError where the bag is damaged
 void feed(const rosbag::Bag& bag, const BagTopics& topics, ProfileBinder& scan,

@@ -53,7 +53,7 @@ Eigen::Isometry3d fixed_to_base(const rosbag::Bag& bag, const Options& options) 
   }
 }
 
-/// Names the output: it is written while another bag is read.
+/// Names the output in errors, since another bag is open at the same time.
 template <class Message>
 void write(rosbag::Bag& output, const std::string& topic, const ros::Time& time,
            const Message& message) {
@@ -67,13 +67,13 @@ void write_bound(pose_frame_binder::ProfileBinder& scan, rosbag::Bag& output, ro
   }
 }
 
-/// Binds all that the bag holds, as one scan.
+/// Binds the whole bag as one scan.
 pose_frame_binder::Audit bind(const Options& options, rosbag::Bag& output) {
   rosbag::Bag bag;
   pose_frame_binder::open(bag, options.bag, rosbag::bagmode::Read);
   pose_frame_binder::ProfileBinder scan(options.settings, options.frames,
                                         fixed_to_base(bag, options));
-  ros::Time last(1);  // bags know no time of zero
+  ros::Time last(1);  // a bag cannot hold a time of zero
   pose_frame_binder::feed(bag, options.topics, scan, [&] { write_bound(scan, output, last); });
   const pose_frame_binder::Audit audit = scan.binder().audit();
   if (audit.frames_bound == 0) {
@@ -113,7 +113,7 @@ void declare(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs
       ->capture_default_str();
   app.add_option("--poses", options.topics.poses, "topic of the robot's transforms")
       ->capture_default_str();
-  app.add_option("--static-transforms", options.static_transforms, "topic of what stands still")
+  app.add_option("--static-transforms", options.static_transforms, "topic of the static transforms")
       ->capture_default_str();
   options.typed.add(app, options.frames);
   options.typed.add(app, options.settings,

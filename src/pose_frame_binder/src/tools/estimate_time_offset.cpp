@@ -28,7 +28,7 @@ struct Options {
   scan_cell_common::ParameterOptions typed;
 };
 
-/// Points in the frame of the flange, poses in that of the base: what stands still does not matter.
+/// Points in the frame of the flange, poses in that of the base: static transforms do not matter.
 UnboundScan read(const std::string& path, const Options& options) {
   rosbag::Bag bag;
   open(bag, path, rosbag::bagmode::Read);
@@ -60,7 +60,7 @@ UnboundScan read(const std::string& path, const Options& options) {
 void run(const Options& options) {
   const TimeOffset found = estimate_time_offset(read(options.forward, options),
                                                 read(options.backward, options), options.offset);
-  constexpr double kMilliseconds = 1e3, kMicrometres = 1e6;
+  constexpr double kMilliseconds = 1e3, kMicrometres = 1e6;  // in a second, in a metre
   std::printf(
       "pose_delay: %.4f ms, standard deviation %.4f ms (from the posterior %.4f, from the "
       "residuals "

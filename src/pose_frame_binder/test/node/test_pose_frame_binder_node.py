@@ -298,7 +298,7 @@ class PoseFrameBinderNode(unittest.TestCase):
     def test_refuses_to_finish_what_was_not_started(self):
         answer = self.finish(0, rospy.Duration(0.1))
         self.assertFalse(answer.success)
-        self.assertIn('no scan is under way', answer.message)
+        self.assertIn('no scan is running', answer.message)
 
     def test_refuses_to_start_without_the_static_transform_and_names_it(self):
         answer = rospy.ServiceProxy('/lost_binder/start', StartScan)('scan')

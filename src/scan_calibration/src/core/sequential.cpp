@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sequential.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <opencv2/calib3d.hpp>
@@ -126,7 +128,7 @@ SequentialCalibration calibrate_sequentially(
   for (std::size_t i = 0; i < observations.views.size(); ++i)
     views.push_back(board_view(observations, i));
   if (views.size() < 3) {
-    throw scan_cell_common::UnusableInput("views of the session", std::to_string(views.size()),
+    throw scan_cell_common::UnusableInput("views of the session", fmt::format("{}", views.size()),
                                           "give at least three");
   }
   const ScannerState state = calibrate_in_sequence(views, surface, observations, known);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/ros/cloud_messages.h"
 
+#include <fmt/format.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <algorithm>
@@ -30,9 +31,8 @@ void check_data(const sensor_msgs::PointCloud2& message) {
   const std::size_t points = std::size_t{message.width} * message.height;
   if (message.data.size() != points * message.point_step) {
     throw UnusableInput("cloud message: data",
-                        std::to_string(message.data.size()) + " bytes for " +
-                            std::to_string(points) + " points of " +
-                            std::to_string(message.point_step),
+                        fmt::format("{} bytes for {} points of {}", message.data.size(), points,
+                                    message.point_step),
                         "send whole points without padding between rows");
   }
   if (message.is_bigendian) {

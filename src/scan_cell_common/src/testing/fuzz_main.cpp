@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -95,7 +96,7 @@ void fuzz_and_tell(const FuzzTarget& target, const Options& options) {
 
 void save_seeds(const FuzzTarget& target, const std::string& folder) {
   for (std::size_t i = 0; i < target.seeds.size(); ++i)
-    save_text(folder + "/" + target.name + "_" + std::to_string(i), target.seeds[i]);
+    save_text(fmt::format("{}/{}_{}", folder, target.name, i), target.seeds[i]);
 }
 
 void add_options(CLI::App& app, Options& options, const std::vector<FuzzTarget>& targets) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/testing/fuzzing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -170,8 +172,7 @@ FuzzCount fuzz(const FuzzTarget& target, std::uint64_t seed, std::uint64_t runs)
     try {
       fuzz_once(target, fuzz_input(target, seed, run), count);
     } catch (const FuzzFault& fault) {
-      throw FuzzFault(target.name + ", seed " + std::to_string(seed) + ", run " +
-                      std::to_string(run) + ": " + fault.what());
+      throw FuzzFault(fmt::format("{}, seed {}, run {}: {}", target.name, seed, run, fault.what()));
     }
   }
   return count;

@@ -12,10 +12,9 @@
 
 namespace scan_cell_sim {
 
-/// What the simulated cell consists of, and where it listens.
+/// What the simulated cell consists of, and its addresses.
 struct CellOptions {
   scan_cell_common::ScannerModel scanner;  //!< as it truly is
-  /// Where the robot truly stands.
   Eigen::Isometry3d base_link_in_world =
       Eigen::Isometry3d::Identity();          //!< where the robot truly stands
   Optics optics;                              //!< how bright the lines are
@@ -25,7 +24,7 @@ struct CellOptions {
 };
 
 /// The scanner on the robot's flange in its world: each pulse of the trigger circuit makes the
-/// camera show what is lit at the robot's true pose at that instant. All methods are safe to call
+/// camera render the world from the robot's true pose at that instant. All methods are safe to call
 /// from any thread.
 class Cell {
  public:
@@ -44,11 +43,11 @@ class Cell {
 
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   };
-  /// Hears of each frame that is sent.
+  /// Called with each frame that is sent.
   using Observer = std::function<void(const TrueExposure&)>;
 
-  /// Who hears of each frame before it is sent, in the camera's thread; none if empty. When this
-  /// returns, the observer before is not called any more.
+  /// Sets the observer that is called before each frame is sent, in the camera's thread; none if
+  /// empty. When this returns, the previous observer is no longer called.
   void observe(const Observer& observer);
 
   /// The next frame shows this world.

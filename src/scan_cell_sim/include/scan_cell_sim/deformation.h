@@ -8,9 +8,10 @@
 
 namespace scan_cell_sim {
 
-/// Gaussian hump across one direction: what a floppy sheet or a blow does to a part.
+/// Gaussian hump across one direction, as on a floppy sheet or after a blow.
 struct Bulge {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    //!< [m] its place along `towards` is nothing
+  Eigen::Vector3d centre =
+      Eigen::Vector3d::Zero();  //!< [m] its position along `towards` does not matter
   Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  //!< unit vector, material moves along it
   double radius = 0.03;                                //!< [m] standard deviation of the hump
   double height = 0;                                   //!< [m] at the centre
@@ -41,7 +42,7 @@ class Deformation {
   using Term = std::variant<Bulge, Bend, FiledEdge>;  //!< one displacement
 
   void add(const Term& term) { terms_.push_back(term); }  //!< displacements add up
-  bool empty() const { return terms_.empty(); }           //!< whether it changes nothing
+  bool empty() const { return terms_.empty(); }           //!< no displacement
 
   /// Where a point [m] of the undeformed part went.
   Eigen::Vector3d apply(const Eigen::Vector3d& point) const;

@@ -19,11 +19,12 @@ struct Region {
 /// How light becomes grey values.
 struct Optics {
   double stripe_sigma = 2.2;  //!< [px] Gaussian cross-section of the line on the sensor
-  /// [grey value] peak on a white surface 0.5 m from the projector, met head on, at `exposure`
+  /// [grey value] peak on a white surface 0.5 m from the projector, at normal incidence, at
+  /// `exposure`
   double brightness = 300;
-  double exposure = 0.001;  //!< [s] that `brightness` is meant for
+  double exposure = 0.001;  //!< [s] to which `brightness` refers
   double background = 6;    //!< [grey value] dark level and stray light
-  /// [grey value] of a white surface in the light of the room, at `exposure`
+  /// [grey value] of a white surface in ambient light, at `exposure`
   double ambient = 4;
   double read_noise = 1.2;   //!< [grey value] standard deviation
   double shot_noise = 0.35;  //!< standard deviation over the root of the stripe's grey value

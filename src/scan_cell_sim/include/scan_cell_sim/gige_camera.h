@@ -21,17 +21,17 @@ struct CameraOptions {
   int sensor_width = 1696;                //!< [px]
   int sensor_height = 1710;               //!< [px]
   Region region = {336, 599, 1024, 512};  //!< at power-up
-  double min_period = 0.002;  //!< [s] of the sensor: a pulse sooner after the last one is lost
+  double min_period = 0.002;  //!< [s] of the sensor: an earlier pulse after the last one is lost
   double wire_rate = 125e6;   //!< [bytes/s] Gigabit Ethernet
   int max_pending = 200;      //!< frames kept for sending; a pulse beyond them is lost
 };
 
-/// What goes wrong on purpose.
+/// Injected faults.
 struct CameraFaults {
   double lost_frames = 0;        //!< share of the pulses whose frame never leaves the camera
-  double lost_packets = 0;       //!< share of the packets that never arrive, however often sent
-  double packets_lost_once = 0;  //!< share that arrives only when asked for again
-  unsigned seed = 1;             //!< another one loses other frames and packets
+  double lost_packets = 0;       //!< share of the packets that never arrive, even if sent again
+  double packets_lost_once = 0;  //!< share that arrives only on a second request
+  unsigned seed = 1;             //!< decides which frames and packets are lost
 };
 
 /// A GigE Vision camera with Aravis' registers and features (gige/control_server.h), whose sensor's
@@ -41,13 +41,13 @@ struct CameraFaults {
 /// that got lost are sent again on request. All methods are safe to call from any thread.
 class GigeCamera {
  public:
-  /// What to render: at which instant, with which lasers.
+  /// What to render: the instant and the lasers.
   struct Shot {
     scan_cell_common::Nanoseconds time = 0;  //!< host time
     std::uint8_t lasers = 0;                 //!< mask of those that are on at `time`
     double exposure = 0;                     //!< [s]
     double gain = 1;                         //!< factor
-    std::uint64_t frame = 0;                 //!< counts from 1, never wraps
+    std::uint64_t frame = 0;                 //!< from 1, never wraps
   };
   /// Draws a frame: region.width x region.height grey values, row by row.
   using Render = std::function<void(const Shot&, const Region&, std::uint8_t* pixels)>;
@@ -62,7 +62,7 @@ class GigeCamera {
     std::uint64_t frames = 0;           //!< sent, free-running ones included
   };
 
-  /// Serves at once.
+  /// Starts to serve at once.
   /// @param lasers_now bit mask of the lasers that are on, for frames without a pulse
   /// @throw scan_cell_common::InvalidParameter if the region does not fit the sensor
   /// @throw scan_cell_common::FileError if the GenICam file cannot be read
@@ -74,7 +74,7 @@ class GigeCamera {
   GigeCamera& operator=(const GigeCamera&) = delete;
 
   void pulse(const TriggerCircuit::Pulse& pulse);  //!< of the trigger circuit
-  void set_faults(const CameraFaults& faults);     //!< they replace the earlier ones
+  void set_faults(const CameraFaults& faults);     //!< they replace the previous ones
 
   /// Without power it does not answer; powered up again it has forgotten its settings.
   /// @throw scan_cell_common::ConnectionError if the address cannot be served

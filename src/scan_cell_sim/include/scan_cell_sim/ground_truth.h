@@ -22,10 +22,10 @@ struct CloudError {
 /// @throw scan_cell_common::UnusableInput if there is no point, one is not finite, or no surface
 CloudError compare(const Scene& truth, const std::vector<Eigen::Vector3d>& points);
 
-/// Points evenly spread over what can be seen of the surfaces from straight above, each moved along
-/// the surface's normal by Gaussian noise. The same seed gives the same points.
+/// Points evenly spread over the surfaces visible from straight above, each moved along the
+/// surface's normal by Gaussian noise. The same seed gives the same points.
 /// @param noise [m] standard deviation, not below 0
-/// @throw scan_cell_common::InvalidParameter if the count or the noise makes no sense
+/// @throw scan_cell_common::InvalidParameter if the count is 0 or the noise is negative
 std::vector<Eigen::Vector3d> sample(const Scene& scene, std::size_t count, std::uint64_t seed,
                                     double noise);
 

@@ -16,9 +16,9 @@ class AmbientLight;
 class SensorNoise;
 
 /// Renders the laser lines as the camera sees them: each fan of light is followed from its
-/// projector to the first surface, and what is lit there is drawn where the lens puts it, if
-/// nothing stands between it and the camera. In each image row a line is centred on its exact
-/// sub-pixel column. What the light of the room adds is drawn below. The same frame number gives
+/// projector to the first surface, and the lit point is drawn where the lens projects it, if
+/// nothing is between it and the camera. In each image row a line is centred on its exact
+/// sub-pixel column. Ambient light is added below the lines. The same frame number gives
 /// the same image. Safe to use from several threads at once.
 class LaserLineRenderer {
  public:

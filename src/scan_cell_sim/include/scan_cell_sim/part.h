@@ -10,7 +10,7 @@
 namespace scan_cell_sim {
 
 /// A part in the world, known exactly. Its own coordinates are those of the undeformed shape; a
-/// point of its material goes to pose * (scale * deformation(point)).
+/// point of its material moves to pose * (scale * deformation(point)).
 struct Part {
   std::string name;                                        //!< in its world
   Shape shape;                                             //!< undeformed

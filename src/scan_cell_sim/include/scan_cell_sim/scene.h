@@ -12,12 +12,12 @@
 
 namespace scan_cell_sim {
 
-/// The surfaces of a world, to shoot rays at. Never changes; all methods may be called from several
+/// The surfaces of a world, for casting rays. Immutable; all methods may be called from several
 /// threads at once.
 class Scene {
  public:
-  /// How far a triangle may be off the true surface [m].
-  static constexpr double kTolerance = 4e-6;  //!< chosen
+  /// Largest distance of a triangle from the true surface.
+  static constexpr double kTolerance = 4e-6;  //!< [m] chosen
 
   /// Where a ray meets a surface.
   struct Hit {
@@ -31,7 +31,7 @@ class Scene {
   /// @throw scan_cell_common::UnusableInput if a part's deformation folds it
   explicit Scene(const World& world);
 
-  /// A scene of one part alone, without the floor.
+  /// A scene of only one part, without the floor.
   /// @throw scan_cell_common::UnusableInput as above, or if there is no such part
   Scene(const World& world, const std::string& part);
 
@@ -43,7 +43,7 @@ class Scene {
   std::optional<Hit> first_hit(const Eigen::Vector3d& origin,
                                const Eigen::Vector3d& direction) const;
 
-  /// The calibration board, where there is one.
+  /// The calibration board, if there is one.
   const std::optional<Checkerboard>& board() const;
 
   /// Whether the surface that was hit is the calibration board's.
@@ -52,7 +52,7 @@ class Scene {
   /// Whether nothing stands between two points, the first of which lies on a surface.
   bool sees(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& eye) const;
 
-  /// Distance [m] from a point to the nearest surface; infinite where there is none.
+  /// Distance [m] from a point to the nearest surface; infinite if there is none.
   double distance_to_surface(const Eigen::Vector3d& point) const;
 
   /// The triangles that rays meet, in world.

@@ -19,7 +19,7 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  //!< indices of vertices
 };
 
-/// A sheet that was put into a frame's opening and bulges.
+/// A bulging sheet in a frame's opening.
 struct Sheet {
   double height = 0.003;  //!< [m] of its border over the frame's underside
   double bulge = 0;       //!< [m] of its middle over its border
@@ -29,7 +29,7 @@ struct Sheet {
 /// z = 0, with a hanger outside its +x side near the +y corner, which no half turn maps to itself.
 struct FrameShape {
   Eigen::Vector2d size = {0.200, 0.150};  //!< [m] outside
-  std::optional<Sheet> sheet;             //!< in its opening; none: there is none
+  std::optional<Sheet> sheet;             //!< in its opening, if any
 };
 
 /// Box, centred in x and y on its own origin, standing on z = 0.
@@ -54,8 +54,8 @@ struct Hanger {
 };
 Hanger hanger_of(const FrameShape& frame);  //!< of an undeformed frame
 
-/// Surface of the undeformed shape, cut so finely that no flat triangle is more than `tolerance`
-/// [m] off the surface, also after `deformation` was applied to its vertices.
+/// Surface of the undeformed shape, fine enough that no flat triangle is more than `tolerance` [m]
+/// from the surface, even after `deformation` is applied to its vertices.
 Mesh tessellate(const Shape& shape, const Deformation& deformation, double tolerance);
 
 }  // namespace scan_cell_sim

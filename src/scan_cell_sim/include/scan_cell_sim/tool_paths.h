@@ -14,11 +14,11 @@ namespace scan_cell_sim {
 using ToolPath = std::vector<Eigen::Isometry3d>;
 
 /// A tool path as it would be taught on a frame: once around the crest of its moulding and back to
-/// where it began, with the corners; x of each pose points along the path.
+/// the start, including the corners; x of each pose points along the path.
 /// @param spacing [m] on the undeformed part, above 0; the sides are cut evenly, no finer than
 /// needed
-/// @throw scan_cell_common::UnusableInput if the part is no frame
-/// @throw scan_cell_common::InvalidParameter if the spacing makes no sense
+/// @throw scan_cell_common::UnusableInput if the part is not a frame
+/// @throw scan_cell_common::InvalidParameter if the spacing is too small or NaN
 ToolPath crest_path(const Part& frame, double spacing);
 
 /// true_image() of each pose.

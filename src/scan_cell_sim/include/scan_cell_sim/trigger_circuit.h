@@ -16,10 +16,10 @@
 
 namespace scan_cell_sim {
 
-/// Emulates the circuit behind the parallel port: whoever drives it sends the port's data register,
-/// one byte a write, as a UDP datagram. Bit 0 is the camera's pulse, bits 1 and 2 are laser_0 and
-/// laser_1; the circuit keeps its state until the next write. It runs in a thread of its own while
-/// it has power, which it has from construction on. All methods are safe to call from any thread.
+/// Emulates the circuit at the parallel port: each write to the port's data register is a UDP
+/// datagram of one byte. Bit 0 is the camera's pulse, bits 1 and 2 are laser_0 and
+/// laser_1; the circuit keeps its state until the next write. It runs in its own thread while
+/// it has power, which it has from the start. All methods are safe to call from any thread.
 class TriggerCircuit {
  public:
   /// A rising edge of the camera's line.
@@ -38,11 +38,11 @@ class TriggerCircuit {
     double longest_on[2] = {0, 0};  //!< [s] of each laser, the present one included
   };
 
-  using Observer = std::function<void(const Pulse&)>;  //!< hears of each pulse
+  using Observer = std::function<void(const Pulse&)>;  //!< called with each pulse
 
   /// @param port 0: any free one, see port()
-  /// @throw scan_cell_common::InvalidParameter if the address is no IPv4 address
-  /// @throw scan_cell_common::ConnectionError if it cannot be listened on
+  /// @throw scan_cell_common::InvalidParameter if the address is not an IPv4 address
+  /// @throw scan_cell_common::ConnectionError if the port cannot be opened
   TriggerCircuit(const std::string& address, std::uint16_t port);
   ~TriggerCircuit();
 
@@ -51,8 +51,8 @@ class TriggerCircuit {
 
   std::uint16_t port() const { return endpoint_.port; }  //!< it listens on
 
-  /// Who hears of each pulse, in the circuit's thread; none if empty. When this returns, the
-  /// observer before is not called any more.
+  /// Sets the observer of the pulses, called in the circuit's thread; none if empty. When this
+  /// returns, the previous observer is no longer called.
   void observe(const Observer& observer);
   State state() const;  //!< of this moment
 

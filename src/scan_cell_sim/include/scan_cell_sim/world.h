@@ -18,11 +18,11 @@ struct Floor {
   double reflectance = 0.5;           //!< 0 .. 1, diffuse
 };
 
-/// All that stands in the cell. Its frame is `world`, z up.
+/// Everything in the cell. Its frame is `world`, z up.
 struct World {
-  std::optional<Floor> floor;         //!< none: there is no floor
-  std::optional<Checkerboard> board;  //!< none: there is no board
-  std::vector<Part> parts;            //!< with names of their own
+  std::optional<Floor> floor;         //!< if there is one
+  std::optional<Checkerboard> board;  //!< if there is one
+  std::vector<Part> parts;            //!< each with its own name
 
   /// @throw scan_cell_common::UnusableInput if no part has this name
   const Part& part(const std::string& name) const;
@@ -30,7 +30,7 @@ struct World {
 
 /// Reads a world file (docs/scan_cell_sim.md).
 /// @throw scan_cell_common::FileError if it is missing or not YAML
-/// @throw scan_cell_common::UnusableInput naming the entry that is missing or makes no sense
+/// @throw scan_cell_common::UnusableInput naming the entry that is missing or invalid
 World load_world(const std::string& path);
 
 }  // namespace scan_cell_sim

@@ -15,9 +15,9 @@ namespace {
 
 using namespace scan_cell_sim;
 
-constexpr int kFrames = 300;
+constexpr int kFrames = 300;  // chosen
 
-/// Median-free and plain: seconds a call.
+/// Mean time of a call [s].
 template <class Call>
 double seconds(int calls, const Call& call) {
   const auto begin = std::chrono::steady_clock::now();
@@ -71,13 +71,13 @@ void time_lines(const LaserLineRenderer& renderer, const std::string& world) {
   }
 }
 
-/// Whole images of a board in the light of the room; the first one makes ready for the others.
+/// Full images of a board in ambient light; the first one prepares the rays for the others.
 void time_images(const LaserLineRenderer& renderer, const std::string& world) {
-  constexpr int kImages = 10;
+  constexpr int kImages = 10;  // chosen
   const Scene scene(load_world(world));
   Buffer buffer(Region{0, 0, 1696, 1710});
   Exposure exposure = from_above();
-  exposure.duration = 0.03;
+  exposure.duration = 0.03;  // [s] chosen
   const auto render = [&](int frame) {
     exposure.frame = static_cast<std::uint64_t>(frame);
     renderer.render(scene, exposure, buffer.region, buffer.pixels.data());

@@ -62,7 +62,8 @@ ControllerFaults controller_faults(const scan_cell_msgs::SetFaults::Request& req
 }
 
 void check(const scan_cell_msgs::SetFaults::Request& faults) {
-  constexpr double kMaxDrift = 0.1, kLongestRestart = 3600;  // [s] chosen
+  constexpr double kMaxDrift = 0.1;         // of the host's rate; chosen
+  constexpr double kLongestRestart = 3600;  // [s] chosen
   check_share("camera_lost_frames", faults.camera_lost_frames);
   check_share("camera_lost_packets", faults.camera_lost_packets);
   check_share("robot_lost_packets", faults.robot_lost_packets);
@@ -93,7 +94,7 @@ geometry_msgs::PoseStamped to_message(const Eigen::Isometry3d& flange, const ros
 }
 
 visualization_msgs::Marker marker(const Part& part, int id) {
-  constexpr double kTolerance = 1e-4;  // [m] enough to look at; chosen
+  constexpr double kTolerance = 1e-4;  // [m] fine enough for a display; chosen
   visualization_msgs::Marker result;
   result.header.frame_id = "world";
   result.header.stamp = ros::Time::now();

@@ -12,7 +12,7 @@
 
 namespace scan_cell_sim {
 
-/// The simulated hardware, and what tests may do to it and see of it over ROS.
+/// The simulated hardware, and its control and observation over ROS, for tests.
 class SimulatorServices {
  public:
   /// @throw as Controller, Cell, load_world() and load_scanner_model()

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The emulated robot controller alone, for people who want to try the driver without a camera.
+/// The emulated robot controller alone, for trying the driver without a camera.
 #include <poll.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace {
 using scan_cell_sim::ControllerOptions;
 using scan_cell_sim::Panel;
 
-/// SIGINT and SIGTERM as something to read, in whatever thread.
+/// SIGINT and SIGTERM as a descriptor to read, for all threads.
 int ending_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -31,7 +31,7 @@ int ending_signals() {
   return signalfd(-1, &signals, SFD_CLOEXEC);
 }
 
-/// Carries out what is typed until a signal ends the program; the end of the input does not.
+/// Carries out typed lines until a signal ends the program; the end of the input does not end it.
 void attend(Panel& panel, int signals) {
   std::string typed;
   pollfd sources[] = {{signals, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
@@ -49,7 +49,7 @@ void attend(Panel& panel, int signals) {
   }
 }
 
-/// roslaunch adds names for ROS (__name:=...), which mean nothing here.
+/// Removes the names that roslaunch adds for ROS (__name:=...).
 std::vector<char*> without_ros_names(int argc, char** argv) {
   std::vector<char*> rest(argv, argv + argc);
   rest.erase(std::remove_if(rest.begin(), rest.end(),
@@ -95,9 +95,11 @@ void add_options(CLI::App& app, ControllerOptions& options, Typed& typed) {
 }
 
 int serve(ControllerOptions options, const Typed& typed) {
-  options.stream_period = typed.stream_period * 1e-3;
+  constexpr double kMillisecond = 1e-3;  // [s]
+  constexpr double kMillimetre = 1e-3;   // [m]
+  options.stream_period = typed.stream_period * kMillisecond;
   options.mode = scan_cell_sim::controller_mode_of(typed.mode);
-  options.noise.position = typed.position_noise * 1e-3;
+  options.noise.position = typed.position_noise * kMillimetre;
   options.noise.orientation = typed.orientation_noise * M_PI / 180;
   options.faults.seed = options.noise.seed;
   const int signals = ending_signals();  // before the controller's thread begins

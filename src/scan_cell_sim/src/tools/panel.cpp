@@ -16,16 +16,16 @@ using scan_cell_common::InvalidParameter;
 
 const char* const kHelp =
     "e_stop                press the emergency stop\n"
-    "release               release it: the alarm stands, the drives are off\n"
+    "release               release it: the alarm stays active, the drives stay off\n"
     "reset                 reset the alarms\n"
     "drives on | off       in mode programming: the enabling device\n"
     "mode NAME             programming, automatic or remote; another one switches the drives off\n"
-    "fail TEXT             an alarm that ends the motion under way, with this text\n"
-    "restart MS            switched off for so long, and on again\n"
-    "fault NAME VALUE [to_client | from_client]   as the option --NAME; both ways where not said\n"
+    "fail TEXT             an alarm that ends the current motion, with this text\n"
+    "restart MS            switched off for this long, and on again\n"
+    "fault NAME VALUE [to_client | from_client]   as the option --NAME; both ways if not given\n"
     "link up | down        plug the cable in, pull it\n"
     "well                  no faults\n"
-    "state                 where the robot is, and how it is";
+    "state                 position and state of the robot";
 
 double number(const std::string& text) {
   std::istringstream stream(text);
@@ -61,10 +61,10 @@ bool one_of(const std::string& word, const char* yes, const char* no) {
 }  // namespace
 
 void set_fault(WireFaults& faults, const std::string& name, double value) {
-  constexpr double kMilliseconds = 1e-3;
+  constexpr double kMillisecond = 1e-3;  // [s]
   for (const WireFault& fault : kWireFaults) {
     if (name != fault.name) continue;
-    faults.*fault.value = fault.time ? value * kMilliseconds : value;
+    faults.*fault.value = fault.time ? value * kMillisecond : value;
     return;
   }
   throw InvalidParameter("fault", "'" + name + "'", "see the options in --help");
@@ -85,7 +85,7 @@ std::string Panel::carry_out(const std::string& line) {
 }
 
 std::string Panel::perform(Words words) {
-  constexpr double kMilliseconds = 1e-3;
+  constexpr double kMillisecond = 1e-3;  // [s]
   const std::string what = words[0];
   if (what != "fail") refuse_more_words(words);
   words.resize(4);  // what is left out is empty
@@ -102,7 +102,7 @@ std::string Panel::perform(Words words) {
   } else if (what == "fail") {
     controller_.fail_motion(words[1].empty() ? "failed" : words[1]);
   } else if (what == "restart") {
-    controller_.restart(number(words[1]) * kMilliseconds);
+    controller_.restart(number(words[1]) * kMillisecond);
   } else if (what == "state") {
     return tell();
   } else if (what == "fault" || what == "link" || what == "well") {

@@ -13,14 +13,14 @@ namespace scan_cell_sim {
 /// @throw scan_cell_common::InvalidParameter if there is none of this name
 void set_fault(WireFaults& faults, const std::string& name, double value);
 
-/// What somebody at the controller's panel and at its cable does, as lines of text.
+/// Operates the controller's panel and its cable by lines of text.
 class Panel {
  public:
   /// @param faults the controller's at the start
   Panel(Controller& controller, const ControllerFaults& faults)
       : controller_(controller), faults_(faults) {}
 
-  /// Carries out one line and says how it went, or what can be said where it makes no sense.
+  /// Carries out one line and returns the result, or the help for an unknown command.
   std::string carry_out(const std::string& line);
 
  private:

@@ -61,17 +61,17 @@ struct CameraSettings {
 
 /// A camera as it describes itself.
 struct CameraDescription {
-  std::string id;          //!< by which it can be opened again
-  std::string vendor;      //!< as the camera tells it
-  std::string model;       //!< as the camera tells it
-  std::string serial;      //!< as the camera tells it
+  std::string id;          //!< to open it again
+  std::string vendor;      //!< as the camera reports it
+  std::string model;       //!< as the camera reports it
+  std::string serial;      //!< as the camera reports it
   std::string transport;   //!< GigE Vision, USB3 Vision ...
   int sensor_columns = 0;  //!< [px]
   int sensor_rows = 0;     //!< [px]
   Region region;           //!< as read back, never 0
   int grey_bits = 8;       //!< of a grey value
-  double exposure = 0;     //!< [s] 0 where the camera does not tell
-  int packet_size = 0;     //!< [bytes] of the stream; 0 where it has no packets
+  double exposure = 0;     //!< [s] 0: the camera does not report it
+  int packet_size = 0;     //!< [bytes] of the stream; 0: no packets
   CounterRule counter{};   //!< of its frame counter
 };
 
@@ -81,15 +81,15 @@ struct StreamStatistics {
   std::uint64_t failures = 0;         //!< frames received with packets missing
   std::uint64_t underruns = 0;        //!< frames for which no buffer was free: lost
   std::uint64_t missing_packets = 0;  //!< packets that never came
-  std::uint64_t resent_packets = 0;   //!< packets that came when asked for again
+  std::uint64_t resent_packets = 0;   //!< packets that came on a second request
 };
 
-/// The counter of a frame whose number was lost with its packets.
+/// The counter of a frame that lost its number with its packets.
 constexpr std::uint64_t kNoFrameNumber = UINT64_MAX;
 
-/// One frame. The pixels are the camera's: they are valid until the next grab(),
-/// stop() or the camera's end. Where packets are missing there are none, since some would be of an
-/// earlier frame; image then tells only their place.
+/// One frame. The camera owns the pixels: they are valid until the next grab(), stop() or the
+/// camera's destruction. A frame with missing packets has no pixels, since some would belong to an
+/// earlier frame; its image then gives only the region.
 struct Frame {
   std::uint64_t counter = kNoFrameNumber;  //!< raw, as the camera counts
   Nanoseconds device_time = 0;             //!< [ns] camera's clock at the exposure; 0: not known
@@ -97,11 +97,11 @@ struct Frame {
   std::uint32_t packets_lost = 0;          //!< packets missing from it
   GreyImage image;                         //!< without pixels where packets are missing
 
-  Nanoseconds time = 0;    //!< [ns] of the exposure on the host's clock, where known already; or 0
-  bool restarted = false;  //!< the counter and the clock begin anew with this frame
-  const PeakProfile* peaks = nullptr;  //!< that the camera found itself, valid as the pixels are
-  std::uint32_t impossible_peaks = 0;  //!< of `peaks`, left out: no place on the sensor
-  std::string fault;                   //!< why nothing of it can be used; empty: it can
+  Nanoseconds time = 0;    //!< [ns] of the exposure on the host's clock, if already known; or 0
+  bool restarted = false;  //!< the counter and the clock start again with this frame
+  const PeakProfile* peaks = nullptr;  //!< found by the camera, valid as long as the pixels
+  std::uint32_t impossible_peaks = 0;  //!< left out of `peaks`: not on the sensor
+  std::string fault;                   //!< why the frame cannot be used; empty: it can
 };
 
 /// The camera will never send a frame again: its recording has ended.
@@ -110,10 +110,10 @@ class StreamEnded : public scan_cell_common::Error {
   using Error::Error;
 };
 
-/// A camera that is open. It is in STOP until start(), and parameters are written only then, but
-/// for the exposure. Not safe for use from several threads at once.
+/// An open camera. It is in STOP until start(). Parameters are written only in STOP, except the
+/// exposure. Not safe for use from several threads at once.
 ///
-/// Every method throws scan_cell_common::ConnectionError where the camera is lost.
+/// Every method throws scan_cell_common::ConnectionError if the camera is lost.
 class Camera {
  public:
   virtual ~Camera() = default;
@@ -122,10 +122,10 @@ class Camera {
 
   /// @throw scan_cell_common::Refused while running
   /// @throw scan_cell_common::InvalidParameter naming the setting and the camera's range
-  /// @throw MissingFeature for a setting that the camera does not have
+  /// @throw MissingFeature for a setting the camera does not have
   virtual void configure(const CameraSettings& settings) = 0;
 
-  /// Safe while running: the next frames are exposed so. [s]
+  /// Safe while running; takes effect with the next frames. [s]
   /// @throw as configure
   virtual void set_exposure(double exposure) = 0;
 
@@ -133,7 +133,7 @@ class Camera {
   /// @throw MissingFeature if the camera cannot be triggered so
   virtual void start(Trigger trigger) = 0;
 
-  /// Stopping what is stopped does nothing.
+  /// Does nothing if the camera is stopped.
   virtual void stop() = 0;
 
   /// The next frame, or none within the timeout.
@@ -145,7 +145,7 @@ class Camera {
 
   virtual StreamStatistics statistics() = 0;  //!< since it was opened
 
-  /// The value of one of its GenICam features; none where it does not have it.
+  /// The value of a GenICam feature; none if the camera does not have it.
   virtual std::optional<std::int64_t> feature(const std::string& /*name*/) { return std::nullopt; }
 
   /// @throw scan_cell_common::ConnectionError if the camera is known to be lost. Never waits.

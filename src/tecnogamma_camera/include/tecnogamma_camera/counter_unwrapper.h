@@ -27,7 +27,7 @@ struct CounterStep {
     kGap,       //!< `lost` frames before it never came
     kRepeated,  //!< the same frame once more
     kBackward,  //!< an earlier frame: late, or the device was restarted. Nothing is guessed
-    kInvalid    //!< not a value of this counter
+    kInvalid    //!< outside this counter's range
   };
 
   Kind kind;                //!< how it follows
@@ -36,8 +36,8 @@ struct CounterStep {
 };
 
 /// Turns a counter that wraps into one that does not. A step of up to half the counter's range is
-/// forward, of more is backward. A step backward leaves the unwrapper where it was; call reset() if
-/// the device was restarted.
+/// forward, a larger one is backward. A step backward does not change the unwrapper; call reset()
+/// if the device was restarted.
 class CounterUnwrapper {
  public:
   /// @param rule the values that the counter runs through

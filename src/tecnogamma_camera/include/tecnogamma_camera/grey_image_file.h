@@ -11,7 +11,7 @@ namespace tecnogamma_camera {
 
 /// An image of 8 or 16 bit grey pixels. Grey that was saved as colour, its channels all the same,
 /// becomes grey.
-/// @throw scan_cell_common::FileError if it is missing, no image, or cut off
+/// @throw scan_cell_common::FileError if it is missing, not an image, or truncated
 /// @throw scan_cell_common::UnusableInput if its pixels are of another kind
 cv::Mat load_grey_image(const std::string& path);
 

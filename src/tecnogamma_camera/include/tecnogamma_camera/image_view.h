@@ -10,7 +10,7 @@ namespace tecnogamma_camera {
 /// A grey image that someone else owns: the pixels of a region of the sensor, row by row.
 template <class Pixel>
 struct ImageView {
-  const Pixel* pixels = nullptr;  //!< stay the caller's
+  const Pixel* pixels = nullptr;  //!< owned by the caller
   int columns = 0;                //!< [px]
   int rows = 0;                   //!< [px]
   std::ptrdiff_t stride = 0;      //!< [pixels] from one row to the next
@@ -24,8 +24,8 @@ struct ImageView {
 using ImageView8 = ImageView<std::uint8_t>;    //!< 8 bits a pixel
 using ImageView16 = ImageView<std::uint16_t>;  //!< up to 16 bits a pixel
 
-/// An ImageView8 or an ImageView16: which, tells `bits`. Grey values are 0 .. 2^bits - 1, in the
-/// host's byte order, whatever the way they came over the wire.
+/// An ImageView8 or an ImageView16, depending on `bits`. Grey values are 0 .. 2^bits - 1, in the
+/// host's byte order regardless of the order on the wire.
 struct GreyImage : ImageView<void> {
   int bits = 8;  //!< of a grey value: 8, or 9 .. 16 in 16 bit pixels
 

@@ -14,32 +14,32 @@
 
 namespace tecnogamma_camera {
 
-/// One frame that a smart camera packed into what it sent.
+/// One frame from a smart camera's payload.
 struct DecodedFrame {
   std::uint64_t counter = kNoFrameNumber;  //!< raw, as the camera counts
   std::optional<std::uint32_t> ticks;      //!< of the camera's clock at the exposure, raw
-  std::uint32_t packets_lost = 0;          //!< as the camera tells; then neither peaks nor pixels
+  std::uint32_t packets_lost = 0;          //!< as the camera reports; then neither peaks nor pixels
   std::uint32_t impossible_peaks = 0;      //!< left out of `peaks`
   bool has_peaks = false;                  //!< false: an image
   PeakProfile peaks;                       //!< where it has them
-  ImageView8 image;                  //!< its place; with pixels where the payload holds an image
-  std::vector<std::uint8_t> pixels;  //!< of `image`, where they do not lie in the payload
+  ImageView8 image;                  //!< its region; with pixels if the payload holds an image
+  std::vector<std::uint8_t> pixels;  //!< of `image`, if they are not in the payload
 };
 
-/// Gives the value of a feature of the camera, where it has it.
+/// Returns the value of a camera feature, if the camera has it.
 using FeatureReader = std::function<std::optional<std::int64_t>(const std::string&)>;
 
-/// Reads what a smart camera sends in place of an image.
+/// Reads what a smart camera sends instead of an image.
 class PayloadDecoder {
  public:
   virtual ~PayloadDecoder() = default;
 
-  /// Reads from the camera how it will send. To be called before decode(), at each start.
-  /// @throw scan_cell_common::InvalidParameter naming a setting that it does not tell
+  /// Reads the payload's settings from the camera. Call it at each start, before decode().
+  /// @throw scan_cell_common::InvalidParameter naming a setting the camera does not report
   /// @throw scan_cell_common::UnusableInput if it sends what cannot be read
   virtual void adapt(const FeatureReader& feature) = 0;
 
-  /// Corrects what a description says of the sensor and of the counter.
+  /// Corrects the sensor and the counter in a description.
   virtual void describe(CameraDescription& camera) const = 0;
 
   /// [ns] of a tick of the camera's clock; 0: not known

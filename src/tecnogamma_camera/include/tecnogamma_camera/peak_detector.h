@@ -22,8 +22,8 @@ enum class Choice {
   kLast        //!< the rightmost
 };
 
-/// A trigger level that is found in each frame.
-constexpr int kAutomaticLevel = -1;
+/// A trigger level that is determined in each frame.
+constexpr int kAutomaticLevel = -1;  //!< chosen: not a grey value
 
 /// How a detector finds the laser's spot in a row.
 struct DetectorSettings {

@@ -7,7 +7,7 @@
 
 namespace tecnogamma_camera {
 
-/// Stands in a row without a peak.
+/// The value of a row without a peak.
 constexpr float kNoPeak = std::numeric_limits<float>::quiet_NaN();
 
 /// The laser line of one frame: one element a row in each array, from sensor row first_row

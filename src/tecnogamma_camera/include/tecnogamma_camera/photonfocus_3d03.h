@@ -13,10 +13,11 @@ struct Photonfocus3D03Peak {
   int height = 0;      //!< highest 4 bits of the brightest pixel
 };
 
-/// What the four rows of 3D data say of one column.
+/// Decodes the four rows of 3D data of one column.
 constexpr Photonfocus3D03Peak decode_photonfocus_peak(std::uint8_t row0, std::uint8_t row1,
                                                       std::uint8_t row2, std::uint8_t row3) {
-  return {static_cast<float>(row0 << 8 | row1) / 64.F, row2 & 0x3F, row3 >> 4};
+  constexpr float kPerPixel = 64;  // [1/px] 6 of 16 bits are below the pixel; MAN052, as above
+  return {static_cast<float>(row0 << 8 | row1) / kPerPixel, row2 & 0x3F, row3 >> 4};
 }
 
 /// Where the camera's scan area is, and its mode.
@@ -33,13 +34,13 @@ struct Photonfocus3D03Settings {
 
 /// Reads the frames of a Photonfocus MV1-D2048-3D03 with one peak. In 3Donly each of the combined
 /// frames has five rows: the 2D line, and four of 3D data. In 2D&3D the scan area comes before
-/// them. What fills a combined frame that was cut short is left out.
+/// them. The filler of a combined frame that was cut short is left out.
 ///
 /// The camera finds one peak a column, this suite has one peak a row: the sensor is taken as turned
 /// by a quarter. Column u of the turned sensor is the sensor's row u, row v is its column
 /// sensor_columns - 1 - v (turned, not mirrored, so that a pinhole model still fits); images are
-/// turned alike. Intensity is the middle of the range of grey values that the height tells.
-/// Made from the manual, never tried on the camera.
+/// turned alike. Intensity is the middle of the range of grey values given by the height.
+/// Written from the manual, never tested on the camera.
 class Photonfocus3D03Decoder : public PayloadDecoder {
  public:
   /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range
@@ -47,7 +48,7 @@ class Photonfocus3D03Decoder : public PayloadDecoder {
 
   void adapt(const FeatureReader& feature) override;
   void describe(CameraDescription& camera) const override;
-  double tick() const override { return 1000; }  // 1 us
+  double tick() const override { return 1000; }  // [ns] as of the 3D05 and 3D06
   std::size_t decode(const ImageView8& payload, std::vector<DecodedFrame>& frames) const override;
 
  private:
@@ -56,7 +57,7 @@ class Photonfocus3D03Decoder : public PayloadDecoder {
   int first_row_of(const ImageView8& payload) const;
 
   Photonfocus3D03Settings asked_;
-  Photonfocus3D03Settings settings_;  // with what the camera told
+  Photonfocus3D03Settings settings_;  // with the values read from the camera
 };
 
 }  // namespace tecnogamma_camera

@@ -18,11 +18,11 @@ class Recording {
  public:
   virtual ~Recording() = default;
 
-  /// Of the camera that was recorded, as far as that is known.
+  /// The recorded camera, as far as it is known.
   virtual CameraDescription describe() = 0;
 
   /// The next frame; none at the end. Its pixels are valid until the next call; host_time is 0: it
-  /// is received when it is played. One that cannot be read has a fault.
+  /// is set when the frame is played. A frame that cannot be read has a fault.
   virtual std::optional<Frame> next() = 0;
 
   /// Goes back to the first frame.
@@ -38,17 +38,17 @@ using RecordingKinds = std::map<std::string, OpenRecording>;
 
 /// How a recording is played.
 struct PlaybackOptions {
-  double speed = 1;   //!< times as fast as recorded; 0: as fast as the frames are taken
-  bool loop = false;  //!< from the end back to the beginning, as a camera that was restarted
+  double speed = 1;   //!< factor of the recorded speed; 0: as fast as frames are grabbed
+  bool loop = false;  //!< starts again at the end, like a camera that was restarted
 };
 
-/// Plays a recording as if it were a camera. Each start begins at the first frame, and both
-/// triggers play alike: the pulses are those that were recorded. The frames come at the settings'
-/// rate where it is given, else at their own times, pauses shortened to a second. The region can be
-/// cut down. What was recorded cannot be exposed anew: exposure and gain are missing features.
+/// Plays a recording as a camera. Each start begins at the first frame, and both triggers play the
+/// same: the recorded pulses. Frames come at the rate in the settings, or at their recorded times
+/// with pauses shortened to a second. The region can be made smaller. Exposure and gain are missing
+/// features, since recorded frames cannot be exposed again.
 class RecordedCamera : public Camera {
  public:
-  /// @param is_payload the frames are no images: they cannot be cut
+  /// @param is_payload the frames are not images: they cannot be cut
   /// @throw scan_cell_common::InvalidParameter naming the option that is out of range
   RecordedCamera(std::unique_ptr<Recording> recording, const PlaybackOptions& options,
                  bool is_payload);

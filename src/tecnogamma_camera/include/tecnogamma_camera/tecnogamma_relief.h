@@ -6,7 +6,7 @@
 
 namespace tecnogamma_camera {
 
-/// What a Tecnogamma camera tells of a frame (thesis, section 3.2, TCamFrameInfo).
+/// What a Tecnogamma camera reports about a frame (thesis, section 3.2, TCamFrameInfo).
 struct TecnogammaFrameInfo {
   std::uint32_t time_counter = 0;   //!< in units of payload_tick
   std::uint16_t frame_counter = 0;  //!< wraps 65535 to 0
@@ -14,7 +14,7 @@ struct TecnogammaFrameInfo {
   std::uint8_t kernels = 0;         //!< of the region
   std::uint16_t first_row = 0;      //!< of the region
   std::uint16_t last_row = 0;       //!< of the region, included
-  std::uint8_t decimation = 0;      //!< of live images alone: every n-th pixel
+  std::uint8_t decimation = 0;      //!< of live images only: every n-th pixel
   std::uint32_t packets_lost = 0;   //!< above 0: the frame has no peaks
   std::uint32_t offset = 0;         //!< [bytes] of the payload in the memory that follows
   std::uint32_t size = 0;           //!< [bytes] of the payload
@@ -38,8 +38,8 @@ struct TecnogammaSettings {
 /// * centre of gravity: the same, and 32 bits of the centre's column in 1/65536 px
 /// * live: one byte a pixel of the region
 ///
-/// Columns count from the region's first; which of the three it is follows from the payload's size.
-/// Peaks have no intensity (NaN): the camera does not send it. Never tried on the camera.
+/// Columns count from the region's first. The size of the payload tells the three apart. Peaks have
+/// no intensity (NaN): the camera does not send it. Never tested on the camera.
 class TecnogammaDecoder : public PayloadDecoder {
  public:
   /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range
@@ -47,10 +47,10 @@ class TecnogammaDecoder : public PayloadDecoder {
 
   void adapt(const FeatureReader&) override {}
   void describe(CameraDescription& camera) const override;
-  double tick() const override { return settings_.tick * 1e9; }
+  double tick() const override { return settings_.tick * 1e9; }  // [s] to [ns]
   std::size_t decode(const ImageView8& payload, std::vector<DecodedFrame>& frames) const override;
 
-  static constexpr std::size_t kInfoSize = 32;  //!< [bytes]
+  static constexpr std::size_t kInfoSize = 32;  //!< [bytes] chosen, as the packing
 
   /// @param bytes at least kInfoSize
   static TecnogammaFrameInfo read_info(const std::uint8_t* bytes);

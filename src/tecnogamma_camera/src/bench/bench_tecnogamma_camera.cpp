@@ -42,16 +42,16 @@ cv::Mat line_image(int columns, int rows) {
   return image;
 }
 
-/// Time [s] that this thread had a processor for: what else the machine does is not counted.
+/// Processor time [s] of this thread: other load on the machine is not counted.
 double processor_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Median times of calls [s] that take turns, so that the machine's pace is the same for all.
+/// Median times [s] of calls that take turns, so that all see the same machine load.
 std::vector<double> median_times(const std::vector<std::function<void()>>& calls) {
-  constexpr int kRounds = 101;
+  constexpr int kRounds = 101;  // odd: one of them is the median; chosen
   std::vector<std::vector<double>> times(calls.size());
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < calls.size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<double> median_times(const std::vector<std::function<void()>>& calls
   return medians;
 }
 
-/// The plain pass: what a frame costs that is only read.
+/// The plain pass: the cost of only reading a frame.
 [[gnu::noinline]] std::uint32_t sum_of_bytes(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t sum = 0;
   for (std::size_t i = 0; i < size; ++i)

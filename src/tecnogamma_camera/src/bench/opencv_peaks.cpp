@@ -13,18 +13,19 @@
 namespace tecnogamma_camera {
 namespace {
 
-constexpr int kHalfWindow = 7;
+constexpr int kHalfWindow = 7;  // [px] chosen
 
-/// Mean and scatter of the row, as the automatic level is usually had.
+/// The usual automatic level, from mean and scatter of the row.
 double level_of(const cv::Mat& row, int trigger_level) {
   if (trigger_level != kAutomaticLevel) return trigger_level;
   cv::Scalar mean, deviation;
   cv::meanStdDev(row, mean, deviation);
-  return mean[0] + 4 * deviation[0];
+  constexpr double kDeviations = 4;  // chosen
+  return mean[0] + kDeviations * deviation[0];
 }
 
-/// threshold, and the middle of the box about all that is lit: it cannot tell spots from one
-/// another, for which OpenCV's functions take many times longer.
+/// threshold, and the middle of the box around all lit pixels: it cannot separate spots, for which
+/// OpenCV's functions take many times longer.
 float threshold_row(const cv::Mat& row, double level) {
   cv::Mat lit;
   cv::threshold(row, lit, level, 255, cv::THRESH_BINARY);
@@ -51,8 +52,8 @@ float center_of_gravity_of_row(const cv::Mat& row, double level) {
 /// Derivative of the smoothed row, and its zero between maximum and minimum.
 float fir_derivative_of_row(const cv::Mat& row, double level) {
   static const cv::Mat kernel = [] {
-    constexpr int kReach = 5;
-    constexpr float kVariance = 1.5F * 1.5F;
+    constexpr int kReach = 5;                 // [px] chosen
+    constexpr float kVariance = 1.5F * 1.5F;  // [px^2] of the line in the bench's image
     cv::Mat taps(1, 2 * kReach + 1, CV_32F);
     for (int i = -kReach; i <= kReach; ++i) {
       const auto offset = static_cast<float>(i);

@@ -14,11 +14,11 @@
 namespace tecnogamma_camera {
 namespace {
 
-constexpr int kColumns = 256;
-constexpr double kMiddle = 128;
-constexpr int kPhases = 20;
-constexpr int kRowsOfPhase = 500;
-constexpr double kHeight = 120;  // [grey value]
+constexpr int kColumns = 256;      // [px] chosen, as what follows
+constexpr double kMiddle = 128;    // [px]
+constexpr int kPhases = 20;        // of a pixel
+constexpr int kRowsOfPhase = 500;  // [px]
+constexpr double kHeight = 120;    // [grey value]
 
 /// Integral of the stripe's profile, height 1, up to a column.
 double integral(double column, double sigma) {
@@ -29,8 +29,8 @@ double position_of(int row) {
   return kMiddle + static_cast<double>(row % kPhases) / kPhases;
 }
 
-/// A stripe a row, over all sub-pixel phases, in white noise on a background that it never takes
-/// below zero.
+/// One stripe per row, over all sub-pixel phases, in white noise on a background high enough that
+/// no pixel falls below zero.
 std::vector<std::uint8_t> stripes(double sigma, double noise) {
   std::mt19937 engine(1);
   std::normal_distribution<double> light(10 + 3 * noise, noise);
@@ -97,7 +97,8 @@ double cramer_rao_bound(double position, double sigma, double height, double noi
   const auto profile = [&](double column) {
     return std::exp(-0.5 * std::pow((column - position) / sigma, 2));
   };
-  const int reach = static_cast<int>(std::ceil(8 * sigma)) + 1;
+  constexpr double kReach = 8;  // sigmas; beyond, the profile is below 1e-13
+  const int reach = static_cast<int>(std::ceil(kReach * sigma)) + 1;
   const int middle = static_cast<int>(std::lround(position));
   double information = 0;
   for (int column = middle - reach; column <= middle + reach; ++column)

@@ -12,7 +12,7 @@ constexpr const char* kImage = "image";
 constexpr const char* kTecnogamma = "tecnogamma_relief";
 constexpr const char* kPhotonfocus = "photonfocus_3d03";
 
-/// None for images.
+/// nullptr for images.
 std::unique_ptr<PayloadDecoder> make_decoder(const PayloadOptions& options) {
   if (options.format == kImage) return nullptr;
   if (options.format == kTecnogamma) return std::make_unique<TecnogammaDecoder>(options.tecnogamma);

@@ -13,7 +13,7 @@
 
 namespace tecnogamma_camera {
 
-/// What the frames of a camera hold, and how that is read.
+/// What the frames of a camera hold, and how to read it.
 struct PayloadOptions {
   std::string format = "image";         //!< one of payload_names()
   TecnogammaSettings tecnogamma;        //!< of the format tecnogamma_relief
@@ -23,15 +23,15 @@ struct PayloadOptions {
 /// "image", "tecnogamma_relief", "photonfocus_3d03".
 const std::vector<std::string>& payload_names();
 
-/// What open_camera() needs beside the camera's name.
+/// What open_camera() needs besides the camera's name.
 struct CameraOptions {
   AravisOptions stream;      //!< of a GenICam camera
   PlaybackOptions playback;  //!< of a recording
   PayloadOptions payload;    //!< what the frames hold
 };
 
-/// Opens a camera by its name: "folder:PATH" and whatever `kinds` has are recordings, all else is a
-/// GenICam camera (open_aravis_camera).
+/// Opens a camera by its name: "folder:PATH" and the kinds in `kinds` are recordings, anything else
+/// is a GenICam camera (open_aravis_camera).
 /// @throw scan_cell_common::Error as open_aravis_camera() and the recording's opener;
 /// InvalidParameter if there is no such payload or a setting is out of range
 std::unique_ptr<Camera> open_camera(const std::string& name, const CameraOptions& options,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bag_recording.h"
 
+#include <fmt/format.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <scan_cell_msgs/PeakProfile.h>
@@ -20,8 +21,7 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 std::string to_text(const Region& region) {
-  return std::to_string(region.width) + " x " + std::to_string(region.height) + " at " +
-         std::to_string(region.x) + ", " + std::to_string(region.y);
+  return fmt::format("{} x {} at {}, {}", region.width, region.height, region.x, region.y);
 }
 
 /// The topic `name` in the namespace of another.
@@ -29,7 +29,7 @@ std::string beside(const std::string& topic, const std::string& name) {
   return topic.substr(0, topic.rfind('/') + 1) + name;
 }
 
-/// Of a pixel; 0: it is not grey.
+/// Bytes of a pixel; 0: it is not grey.
 int bytes_of(const sensor_msgs::Image& image) {
   namespace encodings = sensor_msgs::image_encodings;
   if (image.encoding == encodings::MONO8 || image.encoding == encodings::TYPE_8UC1) return 1;
@@ -37,7 +37,7 @@ int bytes_of(const sensor_msgs::Image& image) {
   return 0;
 }
 
-/// What a profile tells of the image of its stamp.
+/// What a profile says about the image with the same stamp.
 struct Number {
   std::uint32_t acquisition;
   std::uint64_t counter;
@@ -69,7 +69,7 @@ class BagRecording : public Recording {
     try {
       return read_next();
     } catch (const std::exception& error) {
-      throw StreamEnded(path_, "damaged after " + std::to_string(count_) + " images",
+      throw StreamEnded(path_, fmt::format("damaged after {} images", count_),
                         std::string("record it again, or try rosbag reindex: ") + error.what());
     }
   }
@@ -107,7 +107,7 @@ class BagRecording : public Recording {
         take_place(*info);
       } else {
         throw UnusableInput(
-            path_, message.getTopic() + " is of another definition of " + message.getDataType(),
+            path_, message.getTopic() + " has another definition of " + message.getDataType(),
             "convert it with rosbag fix");
       }
     }
@@ -131,7 +131,8 @@ class BagRecording : public Recording {
   void read_first_image() {
     if (at_ == images_->end()) throw UnusableInput(path_, "no images on " + topic_, "record some");
     const auto image = at_->instantiate<sensor_msgs::Image>();
-    if (!image) throw UnusableInput(path_, "images of another definition", "record them anew");
+    if (!image)
+      throw UnusableInput(path_, "images with another message definition", "record them again");
     description_.grey_bits = bytes_of(*image) == 2 ? 16 : 8;
     Region& region = description_.region;
     if (region.width == 0) region.width = static_cast<int>(image->width);
@@ -179,26 +180,26 @@ class BagRecording : public Recording {
 
   /// Why image_ cannot be used; empty where it can.
   std::string find_fault() const {
-    if (!image_) return path_ + ": an image of another definition; record it anew";
+    if (!image_) return path_ + ": an image with another message definition; record it again";
     if (bytes_of(*image_) == 0)
       return path_ + ": encoding '" + image_->encoding + "'; record grey (mono8, mono16)";
     if (8 * bytes_of(*image_) != description_.grey_bits)
-      return path_ + ": encoding '" + image_->encoding + "', unlike the first image's";
+      return path_ + ": encoding '" + image_->encoding + "', unlike the first image";
     if (bytes_of(*image_) == 2 && image_->is_bigendian != 0)
       return path_ + ": big-endian pixels; record them little-endian";
     const Region& region = description_.region;
     if (static_cast<int>(image_->width) != region.width ||
         static_cast<int>(image_->height) != region.height || region.width < 1 ||
         region.height < 1) {
-      return path_ + ": an image of " + std::to_string(image_->width) + " x " +
-             std::to_string(image_->height) + " pixels; the region is " + to_text(region);
+      return fmt::format("{}: an image of {} x {} pixels; the region is {}", path_, image_->width,
+                         image_->height, to_text(region));
     }
     const std::size_t needed = static_cast<std::size_t>(image_->step) * image_->height;
     const std::size_t bytes = static_cast<std::size_t>(bytes_of(*image_));
     if (image_->step < image_->width * bytes || image_->step % bytes != 0 ||
         image_->data.size() < needed) {
-      return path_ + ": an image of " + std::to_string(image_->data.size()) +
-             " bytes; its steps make " + std::to_string(needed);
+      return fmt::format("{}: an image of {} bytes; step and height need {}", path_,
+                         image_->data.size(), needed);
     }
     return "";
   }

@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
         nodelet::Loader loader(false);
         if (!loader.load(ros::this_node::getName(), "tecnogamma_camera/Camera",
                          ros::names::getRemappings(), {})) {
-          throw std::runtime_error("the camera could not be set up; the reason stands above");
+          throw std::runtime_error("the camera could not be set up; see the error above");
         }
         ros::spin();
       });

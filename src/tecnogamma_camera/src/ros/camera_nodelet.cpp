@@ -32,7 +32,7 @@ void set_region(CameraConfig& config, const Region& region) {
 void check_word(const char* name, std::uint8_t value, std::uint8_t most) {
   if (value <= most) return;
   throw scan_cell_common::InvalidParameter(name, fmt::format("{}", value),
-                                           "give one of SetAcquisition's");
+                                           "give a constant of SetAcquisition");
 }
 
 }  // namespace
@@ -47,17 +47,18 @@ void CameraNodelet::start() {
       parameters_.acquisition,
       [this] { return open_camera(parameters_.camera, parameters_.source, recordings()); }, *this);
   start_reconfigure();
-  // A start may wait for the camera: the diagnostics, on the other queue, go on.
+  // A start may wait for the camera; the diagnostics continue on the other queue.
   set_acquisition_ = getMTPrivateNodeHandle().advertiseService(
       "set_acquisition", &CameraNodelet::set_acquisition, this);
-  diagnostics_timer_ = getNodeHandle().createWallTimer(ros::WallDuration(1),
+  constexpr double kDiagnosticsPeriod = 1;  // [s] chosen
+  diagnostics_timer_ = getNodeHandle().createWallTimer(ros::WallDuration(kDiagnosticsPeriod),
                                                        &CameraNodelet::publish_diagnostics, this);
 }
 
 void CameraNodelet::advertise() {
   ros::NodeHandle node = getPrivateNodeHandle();
-  constexpr int kProfileQueue = 1000;
-  constexpr int kImageQueue = 10;
+  constexpr int kProfileQueue = 1000;  // messages: two seconds at 500 Hz; chosen
+  constexpr int kImageQueue = 10;      // messages; chosen
   profiles_ = node.advertise<scan_cell_msgs::PeakProfile>("profiles", kProfileQueue);
   images_ = node.advertise<sensor_msgs::Image>("image_raw", kImageQueue);
   camera_infos_ = node.advertise<sensor_msgs::CameraInfo>("camera_info", kImageQueue);
@@ -91,7 +92,7 @@ void CameraNodelet::on_connected(const CameraDescription& camera) {
   if (!fault.empty()) NODELET_ERROR("%s", fault.c_str());
   const int greatest = (1 << camera.grey_bits) - 1;
   if (parameters_.detection.trigger_level >= greatest) {
-    NODELET_ERROR("trigger_level: %d; grey values go to %d, so no row will have a peak",
+    NODELET_ERROR("trigger_level: %d; grey values end at %d: no row will have a peak",
                   parameters_.detection.trigger_level, greatest);
   }
 }
@@ -172,12 +173,12 @@ std::uint32_t CameraNodelet::set_and_show(AcquisitionMode mode, Trigger trigger,
     show(acquisition_->state().settings);
     return acquisition;
   } catch (const scan_cell_common::Error&) {
-    show(acquisition_->state().settings);  // they may have been taken before the start failed
+    show(acquisition_->state().settings);  // they may have been applied before the start failed
     throw;
   }
 }
 
-/// To those who tune it through dynamic_reconfigure.
+/// Shows the settings in dynamic_reconfigure.
 void CameraNodelet::show(const CameraSettings& settings) {
   config_.exposure = settings.exposure.value_or(0);
   set_region(config_, settings.region);
@@ -203,8 +204,9 @@ void CameraNodelet::change_exposure(CameraConfig& config) {
   if (config.exposure == config_.exposure) return;
   try {
     if (config.exposure == 0) {
-      throw scan_cell_common::Refused("exposure", "0 s: the camera's own was overwritten",
-                                      "give one above 0, or restart camera and node");
+      throw scan_cell_common::Refused("exposure",
+                                      "0 s: the camera's own exposure has been overwritten",
+                                      "give a value above 0, or restart the camera and the node");
     }
     acquisition_->set_exposure(config.exposure);
   } catch (const scan_cell_common::Error& error) {

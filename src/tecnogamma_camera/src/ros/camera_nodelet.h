@@ -62,7 +62,8 @@ class CameraNodelet : public scan_cell_common::Nodelet, public AcquisitionListen
   std::unique_ptr<dynamic_reconfigure::Server<CameraConfig>> reconfigure_;
   CameraConfig config_;
 
-  std::unique_ptr<Acquisition> acquisition_;  // its thread uses all of the above: ends first
+  std::unique_ptr<Acquisition>
+      acquisition_;  // last: its thread uses all of the above, and ends first
 };
 
 }  // namespace tecnogamma_camera

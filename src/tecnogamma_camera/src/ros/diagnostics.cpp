@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "diagnostics.h"
 
+#include <fmt/format.h>
+
 namespace tecnogamma_camera {
 namespace {
 
@@ -24,7 +26,7 @@ const char* to_text(Trigger trigger) {
   return trigger == Trigger::kFreeRun ? "free run" : "external trigger";
 }
 
-/// Frames that are missing or damaged, whatever the reason.
+/// Frames that are missing or damaged, for any reason.
 std::uint64_t damage(const AcquisitionState& state) {
   return state.frames.incomplete + state.frames.lost + state.frames.unusable;
 }
@@ -48,8 +50,8 @@ void write_diagnostics(const AcquisitionState& before, const AcquisitionState& n
                        diagnostic_updater::DiagnosticStatusWrapper& status) {
   summarise(before, now, fault, status);
   status.add("camera", now.camera.id);
-  status.add("sensor [px]", std::to_string(now.camera.sensor_columns) + " x " +
-                                std::to_string(now.camera.sensor_rows));
+  status.add("sensor [px]",
+             fmt::format("{} x {}", now.camera.sensor_columns, now.camera.sensor_rows));
   status.add("mode", to_text(now.mode));
   status.add("trigger", to_text(now.trigger));
   status.add("acquisition", now.acquisition);

@@ -8,9 +8,9 @@
 
 namespace tecnogamma_camera {
 
-/// ERROR: not connected, or the scanner model is not of this camera. WARN: stopped by a loss, or
+/// ERROR: not connected, or the scanner model is for another camera. WARN: stopped by a loss, or
 /// frames were lost since `before`.
-/// @param fault of the scanner model; empty where there is none
+/// @param fault of the scanner model; empty: none
 void write_diagnostics(const AcquisitionState& before, const AcquisitionState& now,
                        const std::string& fault,
                        diagnostic_updater::DiagnosticStatusWrapper& status);

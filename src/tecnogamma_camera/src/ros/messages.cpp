@@ -53,8 +53,8 @@ sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::st
 
 CameraChange from_message(const scan_cell_msgs::CameraSettings& settings) {
   using scan_cell_common::InvalidParameter;
-  constexpr double kMaxExposure = 10;           // [s] as the parameter's
-  constexpr std::uint32_t kMaxPixels = 65'535;  // as the parameters'
+  constexpr double kMaxExposure = 10;           // [s] as the parameter exposure
+  constexpr std::uint32_t kMaxPixels = 65'535;  // [px] as the parameters of the region
   if (!(settings.exposure >= 0 && settings.exposure <= kMaxExposure)) {
     throw InvalidParameter("exposure", fmt::format("{} s", settings.exposure),
                            fmt::format("give 0 .. {} s", kMaxExposure));
@@ -93,9 +93,8 @@ std::string find_fault(const scan_cell_common::ScannerModel& model,
   if (model.camera.width == camera.sensor_columns && model.camera.height == camera.sensor_rows)
     return "";
   return fmt::format(
-      "scanner_model: of a sensor of {} x {} pixels, this camera has {} x {} pixels; load the "
-      "model "
-      "of this camera",
+      "scanner_model: for a sensor of {} x {} pixels, this camera has {} x {}; load the model of "
+      "this camera",
       model.camera.width, model.camera.height, camera.sensor_columns, camera.sensor_rows);
 }
 

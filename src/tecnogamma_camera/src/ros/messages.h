@@ -28,10 +28,10 @@ CameraChange from_message(const scan_cell_msgs::CameraSettings& settings);
 /// @param exposure [s]
 scan_cell_msgs::CameraSettings to_message(double exposure, const Region& region);
 
-/// Tells where on the sensor the frame's image lies.
+/// Sets where on the sensor the frame's image lies.
 void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info);
 
-/// Why a scanner model cannot be of this camera; empty where it can.
+/// Why a scanner model does not fit this camera; empty if it does.
 std::string find_fault(const scan_cell_common::ScannerModel& model,
                        const CameraDescription& camera);
 

@@ -93,7 +93,7 @@ class Menu {
   void grab(const Use& use) {
     camera().start(tecnogamma_camera::Trigger::kFreeRun);
     const StopAtEnd stop{camera()};
-    constexpr int kTries = 5;
+    constexpr int kTries = 5;  // of a second each; chosen
     for (int i = 0; i < kTries; ++i) {
       const auto frame = camera().grab(std::chrono::seconds(1));
       if (!frame || frame->packets_lost > 0) continue;
@@ -102,7 +102,7 @@ class Menu {
       }
       return use(*frame);
     }
-    throw scan_cell_common::ConnectionError("camera", "no whole frame in five seconds",
+    throw scan_cell_common::ConnectionError("camera", "no complete frame in five seconds",
                                             "check its rate and the network");
   }
 
@@ -119,7 +119,8 @@ class Menu {
                            static_cast<std::size_t>(image.stride * image.bytes_per_pixel()));
       constexpr const char* kPath = "image.png";
       if (!cv::imwrite(kPath, pixels)) {
-        throw scan_cell_common::FileError(kPath, "cannot be written", "start where you may write");
+        throw scan_cell_common::FileError(kPath, "cannot be written",
+                                          "run this in a folder you can write to");
       }
       std::cout << "frame " << frame.counter << " at " << frame.device_time
                 << " ns: " << image.columns << " x " << image.rows << " pixels in " << kPath

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -24,8 +26,8 @@ void extract(const std::string& image_path, const std::string& output_path,
   const GreyImage view = tecnogamma_camera::grey_view(image);
   if (settings.trigger_level > view.greatest_grey_value()) {
     throw scan_cell_common::InvalidParameter(
-        "trigger_level", std::to_string(settings.trigger_level),
-        "grey values of this image go to " + std::to_string(view.greatest_grey_value()));
+        "trigger_level", fmt::format("{}", settings.trigger_level),
+        fmt::format("grey values of this image end at {}", view.greatest_grey_value()));
   }
   PeakProfile profile;
   detector->detect(view, profile);

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <condition_variable>
 #include <cstdio>
@@ -26,7 +28,7 @@ struct Options {
   tecnogamma_camera::AcquisitionParameters acquisition;
 };
 
-/// Writes what the acquisition delivers, until there is enough of it or something is wrong.
+/// Writes the frames of the acquisition until there are enough of them or something fails.
 class Writer : public tecnogamma_camera::AcquisitionListener {
  public:
   explicit Writer(const Options& options) : recorder_(options.output), wanted_(options.frames) {}
@@ -55,17 +57,17 @@ class Writer : public tecnogamma_camera::AcquisitionListener {
     std::fprintf(stderr, "%s\n", reason.c_str());
   }
 
-  /// Until there are frames enough, the camera is lost, or the user ends it.
+  /// Until there are enough frames, the camera is lost, or the user ends it.
   void wait(const tecnogamma_camera::Acquisition& acquisition) {
     std::unique_lock<std::mutex> lock(mutex_);
-    constexpr std::chrono::milliseconds kLook(100);
+    constexpr std::chrono::milliseconds kLook(100);  // [ms] chosen
     while (!done_ && !scan_cell_common::CatchInterrupts::interrupted()) {
       changed_.wait_for(lock, kLook);
       const auto state = acquisition.state();
       if (done_ || state.times_lost == 0) continue;
       done_ = true;
       failure_ = std::make_exception_ptr(scan_cell_common::ConnectionError(
-          "camera", "lost after " + std::to_string(recorder_.frames()) + " frames, which are kept",
+          "camera", fmt::format("lost after {} frames, which are kept", recorder_.frames()),
           state.message));
     }
     done_ = true;

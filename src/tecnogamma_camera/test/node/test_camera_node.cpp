@@ -264,7 +264,8 @@ TEST_F(CameraNode, RefusesSettingsByFieldValueAndCureAndKeepsWhatItHad) {
   };
   refused(std::nan(""), 256, "exposure: nan s; give 0 .. 10 s");
   refused(11, 256, "exposure: 11 s; give 0 .. 10 s");
-  refused(0, 256, "exposure: 0 s: the camera's own was overwritten; give one above 0");
+  refused(0, 256,
+          "exposure: 0 s: the camera's own exposure has been overwritten; give a value above 0");
   refused(0.004, 70'000, "region_width: 70000 px; give 0 .. 65535 px");
   refused(0.004, 4096, "region: 4096 x 64 at 64, 32; the sensor has 2048 x 2048 pixels");
   refused(1e-9, 128, "exposure: 1e-09 s; this camera takes");  // the region was written already

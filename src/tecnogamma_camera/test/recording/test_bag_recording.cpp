@@ -176,7 +176,7 @@ TEST_F(BagRecording, RefusesBagsThatCannotBeUsedAndSaysWhy) {
   EXPECT_TRUE(holds(refusal(), "holds no images"));
   write("/camera/image_raw", image(0));
   write("/camera/profiles", std_msgs::UInt8());
-  EXPECT_TRUE(holds(refusal(), "/camera/profiles is of another definition")) << refusal();
+  EXPECT_TRUE(holds(refusal(), "/camera/profiles has another definition")) << refusal();
   fs::resize_file(path_, fs::file_size(path_) / 2);
   EXPECT_TRUE(holds(refusal(), path_)) << refusal();
   fs::resize_file(path_, 3);

@@ -44,7 +44,7 @@ std::string cut(TracedCloud& cloud, const Limits& limits) {
                                           "widen them: the cloud has " + bounds_text(points));
   }
   const std::size_t removed = cloud.keep_if([&](std::size_t i) { return within(points[i]); });
-  return removed > 0 ? std::to_string(removed) + " outside the limits, " : "";
+  return removed > 0 ? fmt::format("{} outside the limits, ", removed) : "";
 }
 
 }  // namespace cloud_preprocess

@@ -12,8 +12,8 @@
 
 namespace pose_frame_binder {
 
-/// What is known of a frame, in the order in which frames pass through it. A frame is never ahead
-/// of one that arrived before it, dropped ones aside.
+/// What is known of a frame, in the order in which frames pass through the states. A frame never
+/// overtakes one that arrived before it, unless that was dropped.
 enum class FrameState : std::uint8_t {
   kArrived,   //!< waits for the pulses around its stamp
   kHeld,      //!< waits for frames that agree on the counter's offset
@@ -24,7 +24,7 @@ enum class FrameState : std::uint8_t {
   kDropped,
 };
 
-/// All that the binder knows of one frame.
+/// What the binder knows of one frame.
 struct FrameRecord {
   std::size_t number = 0;  //!< 0, 1, ... in the order of arrival
   Frame frame;
@@ -34,10 +34,10 @@ struct FrameRecord {
   DropReason reason = DropReason::kNoTrigger;  //!< where it is dropped
 };
 
-/// The frames of a scan, from the first that is not decided yet.
+/// The frames of a scan, from the first undecided one.
 class FrameLog {
  public:
-  /// Told of each frame that is dropped.
+  /// Called with each frame that is dropped.
   using OnDrop = std::function<void(const FrameRecord& frame, const std::string& detail)>;
 
   explicit FrameLog(OnDrop on_drop) : on_drop_(std::move(on_drop)) {}
@@ -58,7 +58,7 @@ class FrameLog {
   void set(FrameRecord& frame, FrameState state);
   void drop(FrameRecord& frame, DropReason reason, const std::string& detail);
 
-  /// The first frame that is not decided, having forgotten those before it; null if there is none.
+  /// Forgets the decided frames at the front and returns the first undecided one; null if none.
   FrameRecord* first_undecided();
 
  private:

@@ -11,7 +11,7 @@ namespace pose_frame_binder {
 namespace {
 
 /// Frames held at most until enough of them agree; then they are dropped.
-constexpr std::size_t kMaxHeld = 64;
+constexpr std::size_t kMaxHeld = 64;  // chosen
 
 /// Frames that wait at most for the latency to be proved; then the first of them are dropped.
 constexpr std::size_t kMaxUnproved = 64;
@@ -60,7 +60,7 @@ void FrameMatcher::finish() {
 void FrameMatcher::take(FrameRecord& record) {
   const Frame& frame = record.frame;
   if (frame.acquisition < acquisition_) {
-    drop(record, DropReason::kOutOfOrder, "the camera was started again since");
+    drop(record, DropReason::kOutOfOrder, "the camera has been started again since");
     return;
   }
   if (frame.acquisition > acquisition_) {
@@ -276,7 +276,7 @@ void FrameMatcher::refuse(FrameRecord& record, bool disputed) {
   const PulseLog::Place place = locate(record.frame);
   if (!place.pulse) {
     drop(record, DropReason::kNoTrigger,
-         "no pulse at its stamp less the latency of " + milliseconds(expected_latency()));
+         "no pulse at its stamp minus the latency of " + milliseconds(expected_latency()));
     return;
   }
   if (disputed) {

@@ -56,7 +56,7 @@ class FrameMatcher {
     bool operator!=(const Offset& other) const { return run != other.run || value != other.value; }
   };
   struct Votes {
-    std::vector<Nanoseconds> distances;  // from the pulse to the stamp less the latency
+    std::vector<Nanoseconds> distances;  // from the pulse to the stamp minus the latency
     std::uint64_t last_counter = 0;
     std::int64_t first_count = 0;
   };
@@ -91,7 +91,7 @@ class FrameMatcher {
   const PulseLog& pulses_;
   FrameLog& frames_;
   const Settings settings_;
-  const std::size_t margin_;  // frames that must agree after one before it is told
+  const std::size_t margin_;  // frames that must agree after one before it is confirmed
   const Nanoseconds tolerance_;
   const Nanoseconds initial_latency_;
   std::optional<Nanoseconds> latency_;  // measured, from the first election on

@@ -70,7 +70,8 @@ PulseLog::Place PulseLog::locate(Nanoseconds time, Nanoseconds tolerance) const 
   const std::size_t right = std::min(after, entries_.size() - 1);
   const std::size_t left = right == 0 ? 0 : right - 1;
   const Nanoseconds interval = entries_[right].pulse.time - entries_[left].pulse.time;
-  if (interval > 0) tolerance = std::min(tolerance, interval * 45 / 100);
+  constexpr Nanoseconds kMaxPercent = 45;  // of the interval: never a second pulse; chosen
+  if (interval > 0) tolerance = std::min(tolerance, interval * kMaxPercent / 100);
 
   const Nanoseconds from_left = time - entries_[left].pulse.time;
   const Nanoseconds from_right = time - entries_[right].pulse.time;

@@ -12,7 +12,7 @@ namespace pose_frame_binder {
 /// All pulses of a scan, in the order of time.
 class PulseLog {
  public:
-  /// A pulse that is there already, or earlier than the last, is dropped and counted.
+  /// A repeated pulse, or one earlier than the last, is dropped and counted.
   void add(const Pulse& pulse);
 
   /// No more pulses will come.
@@ -34,7 +34,7 @@ class PulseLog {
   /// The pulse with this count in this run.
   std::optional<std::size_t> find(std::uint32_t run, std::int64_t count) const;
 
-  /// The count of the last pulse of this run; 0 where it has none.
+  /// The count of the last pulse of this run; 0 if it has none.
   std::uint64_t last_count(std::uint32_t run) const;
 
   /// Which pulse happened at an instant.

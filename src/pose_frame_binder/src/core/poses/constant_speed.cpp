@@ -29,11 +29,10 @@ void check_number(const char* name, double value, double most) {
 }  // namespace
 
 void check(const ConstantSpeed& motion) {
-  // Chosen: what no cell does, and what no direction can be told from.
-  constexpr double kMaxSpeed = 100;    // [m/s]
-  constexpr double kMaxRate = 1e5;     // [Hz]
-  constexpr double kMinLength = 1e-4;  // [m]
-  constexpr double kHalfTurn = 1e-6;   // [rad]
+  constexpr double kMaxSpeed = 100;    // [m/s] chosen: no cell is as fast
+  constexpr double kMaxRate = 1e5;     // [Hz] chosen: no camera is as fast
+  constexpr double kMinLength = 1e-4;  // [m] chosen: shorter ones give no direction
+  constexpr double kHalfTurn = 1e-6;  // [rad] chosen: closer to half a turn, neither way is shorter
   check_number("speed", motion.speed, kMaxSpeed);
   check_number("frame_rate", motion.frame_rate, kMaxRate);
   if (!motion.start.matrix().allFinite() || !motion.end.matrix().allFinite()) {
@@ -42,13 +41,14 @@ void check(const ConstantSpeed& motion) {
         "give x, y, z [m] and a unit quaternion qx, qy, qz, qw");
   }
   if (length(motion) < kMinLength) {
-    throw scan_cell_common::InvalidParameter("constant_speed/start, end", "at the same position",
-                                             "give two positions: they give the direction");
+    throw scan_cell_common::InvalidParameter(
+        "constant_speed/start, end", "at the same position",
+        "give two different positions: they define the direction");
   }
   const Eigen::AngleAxisd turn(motion.start.linear().transpose() * motion.end.linear());
   if (M_PI - std::abs(turn.angle()) < kHalfTurn) {
     throw scan_cell_common::InvalidParameter("constant_speed/start, end", "half a turn apart",
-                                             "turn by less: there are two ways to go");
+                                             "turn by less: both directions are equally short");
   }
 }
 

@@ -11,8 +11,8 @@ namespace pose_frame_binder {
 
 using scan_cell_common::to_seconds;
 
-/// How far the flange was from `used` at the pulse: from there to the point between the poses, and
-/// that point's own error; without a pose on the other side, what it can have gone.
+/// How far the flange was from `used` at the pulse: the distance to the interpolated point, plus
+/// that point's own error; without a pose on the other side, the furthest it can have moved.
 double FirstPoseRule::position_error(std::size_t used, Nanoseconds time,
                                      const PoseLog& poses) const {
   const bool before = poses[used].time <= time;
@@ -44,7 +44,7 @@ PoseAnswer FirstPoseRule::take(std::size_t used, Rule rule, const Pulse& pulse,
 }
 
 /// Thesis, section 6.2, on the merged time line. T: the poses from this pulse to the next. Two or
-/// more: several poses on one frame, the first of T keeps it. Otherwise the frame belongs to the
+/// more: several poses for one frame, the first of T keeps it. Otherwise the frame belongs to the
 /// last pose at or before it, together with the other frames up to the next pose, of which the
 /// first keeps it.
 std::optional<PoseAnswer> FirstPoseRule::find(std::size_t index, const PulseLog& pulses,
@@ -63,12 +63,12 @@ std::optional<PoseAnswer> FirstPoseRule::find(std::size_t index, const PulseLog&
   }
   const bool same_time = first < poses.size() && poses[first].time == pulse.time;
   if (first == 0 && !same_time) {
-    return refuse(DropReason::kNoPoseBefore, "no pose was measured up to the pulse");
+    return refuse(DropReason::kNoPoseBefore, "no pose was measured before the pulse");
   }
   const std::size_t held = same_time ? first : first - 1;
   if (index > 0 && pulses[index - 1].time >= poses[held].time) {
     return refuse(DropReason::kSharedPose,
-                  fmt::format("an earlier pulse keeps the pose of {} ns", poses[held].time));
+                  fmt::format("an earlier pulse has the pose at {} ns", poses[held].time));
   }
   const bool shared = held + 1 == poses.size() ? !last : next_pulse < poses[held + 1].time;
   return take(held, shared ? Rule::kFramesSharePose : Rule::kOneToOne, pulse, poses);

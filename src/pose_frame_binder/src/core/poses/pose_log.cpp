@@ -28,7 +28,7 @@ void PoseLog::add(const TimedPose& pose) {
   }
   if (poses_.size() >= max_) {
     throw scan_cell_common::Refused("pose log", fmt::format("full with {} poses", max_),
-                                    "raise max_poses, or scan for less time");
+                                    "raise max_poses, or make the scan shorter");
   }
   poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(place), pose);
 }

@@ -8,15 +8,15 @@
 
 namespace pose_frame_binder {
 
-/// All poses of a scan, sorted by time. What is at or before settled() does not change any more, so
-/// what is decided from it does not depend on what comes later.
+/// All poses of a scan, sorted by time. Poses that are settled() do not change any more, so
+/// decisions based on them do not depend on later poses.
 class PoseLog {
  public:
   /// @param settle how far a pose may come behind a later one [ns]
   PoseLog(Nanoseconds settle, std::size_t max_poses);
 
-  /// A pose with a time that is there already, that is not finite, or that comes too late, is
-  /// dropped and counted.
+  /// A pose that is not finite, comes too late, or has the time of another one is dropped and
+  /// counted.
   /// @throw scan_cell_common::Refused if the log is full
   void add(const TimedPose& pose);
 
@@ -41,7 +41,7 @@ class PoseLog {
   Nanoseconds settle_;
   std::size_t max_;
   bool ended_ = false;
-  std::deque<TimedPose> poses_;  // a vector would stand still for copying all when it grows
+  std::deque<TimedPose> poses_;  // a vector would pause to copy all when it grows
   std::uint64_t repeated_ = 0;
   std::uint64_t late_ = 0;
   std::uint64_t unusable_ = 0;

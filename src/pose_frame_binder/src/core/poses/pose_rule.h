@@ -12,7 +12,7 @@
 
 namespace pose_frame_binder {
 
-/// What a rule says about one pulse: a match, or why there is none.
+/// The answer of a rule for one pulse: a match, or why there is none.
 struct PoseAnswer {
   std::optional<Match> match;
   DropReason reason = DropReason::kPoseGap;
@@ -30,7 +30,7 @@ class PoseRule {
   virtual void start_run(const std::optional<ConstantSpeed>&) {}
 
   /// @param pulse index in the log
-  /// @return none while poses or pulses that still may come could change the answer
+  /// @return none while later poses or pulses could change the answer
   virtual std::optional<PoseAnswer> find(std::size_t pulse, const PulseLog& pulses,
                                          const PoseLog& poses) const = 0;
 };

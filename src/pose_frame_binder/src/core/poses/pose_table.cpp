@@ -12,9 +12,9 @@
 namespace pose_frame_binder {
 
 std::array<double, 6> to_document_units(const Eigen::Isometry3d& pose) {
-  constexpr double kMillimetres = 1000;
-  constexpr double kDegrees = 180 / M_PI;
-  constexpr double kUpright = 1e-9;  // of cos(ry), below which rx and rz are about one axis
+  constexpr double kMillimetres = 1000;    // in a metre
+  constexpr double kDegrees = 180 / M_PI;  // in a radian
+  constexpr double kUpright = 1e-9;        // cos(ry) below which rx and rz have one axis; chosen
   const Eigen::Matrix3d r = pose.linear();
   const double cosine = std::hypot(r(0, 0), r(1, 0));
   const double ry = std::atan2(-r(2, 0), cosine);
@@ -38,10 +38,10 @@ void PoseTable::seal() {
 std::string PoseTable::answer(std::string_view line) const {
   constexpr std::string_view kBlanks = " \t\r";
   const std::size_t begin = std::min(line.find_first_not_of(kBlanks), line.size());
-  const std::size_t end = line.find_last_not_of(kBlanks) + 1;  // 0 where there are only blanks
+  const std::size_t end = line.find_last_not_of(kBlanks) + 1;  // 0 if there are only blanks
   const std::optional<std::uint64_t> number =
       scan_cell_common::parse_count(line.substr(begin, end > begin ? end - begin : 0));
-  if (!number) return "ERROR '" + scan_cell_common::excerpt(line) + "' is no frame number";
+  if (!number) return "ERROR '" + scan_cell_common::excerpt(line) + "' is not a frame number";
   const auto before = [](const Entry& entry, std::uint64_t n) { return entry.frame_counter < n; };
   const auto found = std::lower_bound(entries_.begin(), entries_.end(), *number, before);
   if (found == entries_.end() || found->frame_counter != *number) return "NONE";

@@ -24,7 +24,7 @@ class PoseTable {
   void seal();
 
   /// The answer to one line, without its end: `x,y,z,rx,ry,rz` of the frame with this number;
-  /// `NONE` where no frame with this number is bound; `ERROR reason` where the line is no number,
+  /// `NONE` if no frame with this number is bound; `ERROR reason` if the line is not a number,
   /// or the camera was restarted and more than one frame has this number.
   std::string answer(std::string_view line) const;
 

@@ -10,12 +10,11 @@
 namespace pose_frame_binder {
 namespace {
 
-/// 1.4826 x the median of the residuals of pairs on slopes, or on flats: the standard deviation,
-/// were there no outliers.
+/// The standard deviation of the residuals of pairs on slopes, or on flats, from their median.
 double robust_deviation(const std::vector<OffsetPair>& pairs, bool on_relief,
                         const Eigen::Vector3d& solution) {
-  constexpr double kOfMedian = 1.4826;
-  constexpr double kLeast = 1e-6;  // [m]
+  constexpr double kOfMedian = 1.4826;  // normal noise: deviation over median absolute value
+  constexpr double kLeast = 1e-6;       // [m] chosen
   std::vector<double> sizes;
   for (const OffsetPair& pair : pairs)
     if (pair.on_relief == on_relief)
@@ -32,8 +31,8 @@ struct Equations {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
-/// Normals that scatter tell the delay from a shift where the surface does not: the information
-/// that comes of their noise is taken away (errors in variables).
+/// Scattered normals seem to separate the delay from a shift even where the surface does not: the
+/// information due to their noise is subtracted (errors in variables).
 double deviation_of_delay(const Equations& all, const Eigen::Matrix3d& prior) {
   Eigen::Matrix3d measured = all.information - prior;
   const double speed = std::sqrt(measured(0, 0) / (measured(1, 1) + measured(2, 2)));
@@ -46,9 +45,9 @@ double deviation_of_delay(const Equations& all, const Eigen::Matrix3d& prior) {
   return std::sqrt(information.inverse()(0, 0)) / speed;
 }
 
-/// How much the delay would change were one block of the scene left out, over all blocks
-/// (jackknife): pairs of a block share their patches' and their poses' errors. These reach from
-/// block to block: of blocks one, two and three times as long, those count that say most.
+/// How much the delay changes if one block of the scene is left out, over all blocks (jackknife):
+/// pairs of a block share the errors of their patches and poses. These errors also reach across
+/// blocks: the largest result of blocks one, two and three times as long counts.
 double jackknife(const Equations& all, const std::map<int, Equations>& blocks) {
   double most = 0;
   for (const int length : {1, 2, 3}) {
@@ -72,16 +71,15 @@ double jackknife(const Equations& all, const std::map<int, Equations>& blocks) {
 }  // namespace
 
 OffsetFit fit_offset(const std::vector<OffsetPair>& pairs) {
-  constexpr int kSteps = 20;
-  constexpr double kTukey = 4.685;
-  constexpr double kAlmostNothing =
-      1e-6;                        // known of the delay, so that there is an inverse [1/s^2]
-  constexpr double kShift = 1e-3;  // [m] how far off across the motion is to be expected
+  constexpr int kSteps = 20;               // chosen
+  constexpr double kTukey = 4.685;         // standard deviations: 95 % efficient for normal noise
+  constexpr double kAlmostNothing = 1e-6;  // [1/s^2] about the delay: makes an inverse; chosen
+  constexpr double kShift = 1e-3;          // [m] expected offset across the motion; chosen
   const Eigen::Matrix3d prior =
       Eigen::Vector3d(kAlmostNothing, 1 / (kShift * kShift), 1 / (kShift * kShift)).asDiagonal();
   OffsetFit fit;
   for (int step = 0; step < kSteps; ++step) {
-    // Apart, or the many flats would make outliers of all slopes while the delay is still far off.
+    // Separate, or the many flats would turn all slopes into outliers while the delay is far off.
     const double of_flats = robust_deviation(pairs, false, fit.solution);
     const double of_slopes = std::max(of_flats, robust_deviation(pairs, true, fit.solution));
     Equations all;

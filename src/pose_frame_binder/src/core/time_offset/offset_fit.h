@@ -7,7 +7,7 @@
 
 namespace pose_frame_binder {
 
-/// residual + slope . (delay, two shifts across the motion) = 0 where the two scans agree.
+/// residual + slope . (delay, two shifts across the motion) = 0 if the two scans agree.
 struct OffsetPair {
   Eigen::Vector3d slope;        //!< [m/s], two cosines
   Eigen::Matrix3d slope_noise;  //!< its covariance

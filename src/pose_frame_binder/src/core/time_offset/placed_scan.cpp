@@ -26,7 +26,7 @@ std::optional<Eigen::Isometry3d> pose_at(const std::vector<TimedPose>& poses, Na
 PlacedScan::PlacedScan(const UnboundScan& scan, double delay, std::size_t most,
                        const TimeOffsetSettings& settings)
     : max_distance_(settings.max_distance) {
-  constexpr double kAround = 0.02;  // [s] over which the velocity is taken
+  constexpr double kAround = 0.02;  // [s] before and after, for the velocity; chosen
   std::size_t all = 0;
   for (const UnboundScan::Line& line : scan.lines)
     all += line.points.size();
@@ -62,10 +62,10 @@ double PlacedScan::distance(const Eigen::Vector3d& place) const {
 }
 
 std::optional<PlacedScan::Patch> PlacedScan::patch_at(const Eigen::Vector3d& place) const {
-  constexpr std::size_t kPoints = 12;
-  constexpr double kIndependent = 3;  // of them: those of one line share the error of its pose
-  constexpr double kFlat = 0.1;       // thickness over width, of a plane
-  constexpr double kInside = 1.0;     // distance from the middle over width
+  constexpr std::size_t kPoints = 12;  // chosen
+  constexpr double kIndependent = 3;   // of them: points of a line share its pose's error; chosen
+  constexpr double kFlat = 0.1;        // thickness over width of a plane; chosen
+  constexpr double kInside = 1.0;      // distance from the middle over width; chosen
   std::array<Tree::Index, kPoints> indices;
   std::array<double, kPoints> squares;
   if (tree_->nearest(place.data(), kPoints, indices.data(), squares.data()) < kPoints ||

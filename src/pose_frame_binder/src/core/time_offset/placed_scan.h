@@ -10,8 +10,8 @@
 
 namespace pose_frame_binder {
 
-/// The points of a scan with the poses taken so much later than the pulses, and how they move with
-/// that delay.
+/// The points of a scan, with the poses taken `delay` later than the pulses, and how they move with
+/// the delay.
 class PlacedScan {
  public:
   struct Point {
@@ -27,16 +27,16 @@ class PlacedScan {
     Eigen::Vector3d velocity;
   };
 
-  /// @param most points; of more than that, some are left out evenly
+  /// @param most points; if there are more, an even selection is kept
   PlacedScan(const UnboundScan& scan, double delay, std::size_t most,
              const TimeOffsetSettings& settings);
-  PlacedScan(const PlacedScan&) = delete;  // the tree knows where it is
+  PlacedScan(const PlacedScan&) = delete;  // the tree refers to the points
   PlacedScan& operator=(const PlacedScan&) = delete;
 
   const std::vector<Point>& points() const { return points_; }
   Eigen::Vector3d mean_velocity() const;
 
-  /// Where nothing lies near, or what lies there is no plane or only on one side: none.
+  /// None if nothing is near, or the points there are not a plane or lie on one side only.
   std::optional<Patch> patch_at(const Eigen::Vector3d& place) const;
 
   /// To the nearest point [m].

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "time_offset/time_offset.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,8 +18,8 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kMaxPoints = 60'000;  // of a scan, in its tree
-constexpr std::size_t kMaxAsked = 5'000;    // of a scan, looked for in the other
+constexpr std::size_t kMaxPoints = 60'000;  // of a scan, in its tree; chosen
+constexpr std::size_t kMaxAsked = 5'000;    // of a scan, looked for in the other; chosen
 
 /// The motion's direction, and two across it.
 struct Axes {
@@ -36,7 +38,7 @@ Axes axes_of(const Eigen::Vector3d& velocity) {
 /// @param sign +1 where `asked` is the scan that goes back: the shifts are its
 void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, const Axes& axes,
              const TimeOffsetSettings& settings, std::vector<OffsetPair>& pairs) {
-  constexpr double kBlock = 0.01;  // [m]
+  constexpr double kBlock = 0.01;  // [m] chosen
   const std::size_t stride = asked.points().size() / kMaxAsked + 1;
   for (std::size_t i = 0; i < asked.points().size(); i += stride) {
     const PlacedScan::Point& point = asked.points()[i];
@@ -46,7 +48,7 @@ void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, cons
     OffsetPair pair;
     pair.residual = normal.dot(point.place - patch->middle);
     pair.on_relief = std::abs(normal.dot(axes.along)) >= settings.min_relief;
-    // Flat patches say nothing but their noise about the delay.
+    // Flat patches contribute only noise to the delay.
     Eigen::Matrix3d of_normal;
     of_normal.row(0) = (pair.on_relief ? 1 : 0) * (point.velocity - patch->velocity).transpose();
     of_normal.row(1) = sign * axes.first.transpose();
@@ -61,7 +63,7 @@ void pair_up(const PlacedScan& asked, const PlacedScan& there, double sign, cons
 std::vector<OffsetPair> pair_up(const PlacedScan& forward, const PlacedScan& backward,
                                 const Axes& axes, const TimeOffsetSettings& settings) {
   std::vector<OffsetPair> pairs;
-  // Both ways round: what a curved surface is off its patches' planes cancels out.
+  // In both directions: the distance of a curved surface from its patches' planes cancels out.
   pair_up(backward, forward, 1, axes, settings, pairs);
   pair_up(forward, backward, -1, axes, settings, pairs);
   return pairs;
@@ -74,13 +76,13 @@ double root_mean_square(const std::vector<OffsetPair>& pairs) {
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(pairs.size(), 1)));
 }
 
-/// The delay at which the points of the one scan lie nearest to those of the other, to about a
-/// millimetre: they are carried along at their velocities.
+/// The delay at which the points of one scan are nearest to those of the other, to about a
+/// millimetre: they move with their velocities.
 double search(const PlacedScan& forward, const PlacedScan& backward,
               const TimeOffsetSettings& settings) {
-  constexpr double kStep = 1e-3;  // [m]
-  constexpr double kMaxSteps = 200;
-  constexpr std::size_t kAsked = 1500;
+  constexpr double kStep = 1e-3;        // [m] chosen
+  constexpr double kMaxSteps = 200;     // to either side; chosen
+  constexpr std::size_t kAsked = 1500;  // points; chosen
   const double speed = (forward.mean_velocity() - backward.mean_velocity()).norm();
   const double steps = std::min(kMaxSteps, std::ceil(settings.max_delay * speed / kStep));
   const std::size_t stride = backward.points().size() / kAsked + 1;
@@ -102,49 +104,48 @@ double search(const PlacedScan& forward, const PlacedScan& backward,
 }
 
 void check_scan(const PlacedScan& scan, const char* name) {
-  constexpr std::size_t kLeast = 1000;
+  constexpr std::size_t kLeast = 1000;  // points; chosen
   if (scan.points().size() >= kLeast) return;
-  throw UnusableInput(std::string("the scan ") + name,
-                      std::to_string(scan.points().size()) + " points with poses",
+  throw UnusableInput(fmt::format("the scan {}", name),
+                      fmt::format("{} points with poses", scan.points().size()),
                       "check its profiles, pulses and poses");
 }
 
 Axes check_directions(const PlacedScan& forward, const PlacedScan& backward) {
   const Eigen::Vector3d there = forward.mean_velocity(), back = backward.mean_velocity();
-  constexpr double kMinSpeed = 1e-3;  // [m/s]
-  constexpr double kOpposite = -0.9;  // cosine
+  constexpr double kMinSpeed = 1e-3;  // [m/s] chosen
+  constexpr double kOpposite = -0.9;  // cosine; chosen
   if (there.norm() > kMinSpeed && back.norm() > kMinSpeed &&
       there.normalized().dot(back.normalized()) < kOpposite) {
     return axes_of(there - back);
   }
   throw UnusableInput("the two scans", "not in opposite directions",
-                      "scan the scene there and back, the flange turned the same way");
+                      "scan the scene there and back with the same orientation of the flange");
 }
 
 void check_overlap(const std::vector<OffsetPair>& pairs) {
-  constexpr std::size_t kLeast = 500;
+  constexpr std::size_t kLeast = 500;  // points; chosen
   if (pairs.size() >= kLeast) return;
-  throw UnusableInput("the two scans", std::to_string(pairs.size()) + " points in common",
+  throw UnusableInput("the two scans", fmt::format("{} points in common", pairs.size()),
                       "scan the same scene twice");
 }
 
 void check_relief(const TimeOffset& offset, const std::vector<OffsetPair>& pairs,
                   const TimeOffsetSettings& settings) {
-  constexpr std::size_t kMinPairs = 200;
-  constexpr std::size_t kMinBlocks = 4;
+  constexpr std::size_t kMinPairs = 200;  // chosen
+  constexpr std::size_t kMinBlocks = 4;   // chosen
   std::map<int, int> blocks;
   for (const OffsetPair& pair : pairs)
     if (pair.on_relief) ++blocks[pair.block];
   const char* const cure =
       "put something with slopes along the motion there, such as a box on its edge or a pipe";
   if (offset.on_relief < kMinPairs || blocks.size() < kMinBlocks) {
-    throw UnusableInput("relief along the motion",
-                        std::to_string(offset.on_relief) + " of " + std::to_string(offset.pairs) +
-                            " points lie on slopes",
-                        cure);
+    throw UnusableInput(
+        "relief along the motion",
+        fmt::format("{} of {} points lie on slopes", offset.on_relief, offset.pairs), cure);
   }
   if (!(offset.uncertainty <= settings.max_uncertainty)) {
-    throw UnusableInput("time offset", "uncertain by " + std::to_string(offset.uncertainty) + " s",
+    throw UnusableInput("time offset", fmt::format("uncertain by {:.3g} s", offset.uncertainty),
                         cure);
   }
 }
@@ -162,8 +163,8 @@ TimeOffset estimate_time_offset(const UnboundScan& forward, const UnboundScan& b
   offset.apart_before = root_mean_square(pair_up(there, back, axes, settings));
   offset.pose_delay = search(there, back, settings);
 
-  constexpr int kMaxSteps = 25;
-  constexpr double kConverged = 0.03;  // of the uncertainty
+  constexpr int kMaxSteps = 25;        // chosen
+  constexpr double kConverged = 0.03;  // of the uncertainty; chosen
   OffsetFit fit;
   for (int step = 0; step < kMaxSteps; ++step) {
     const std::vector<OffsetPair> pairs =
@@ -185,7 +186,7 @@ TimeOffset estimate_time_offset(const UnboundScan& forward, const UnboundScan& b
   if (std::abs(fit.solution[0]) > offset.uncertainty ||
       std::abs(offset.pose_delay) > settings.max_delay) {
     throw UnusableInput("time offset",
-                        "not settled near " + std::to_string(offset.pose_delay) + " s",
+                        fmt::format("did not converge near {:.6g} s", offset.pose_delay),
                         "check that both scans show the same scene, or raise max_delay");
   }
   return offset;

@@ -17,7 +17,7 @@ constexpr int kMaxCorners = 200;  // along a side, chosen
 int corners(const YamlEntry& entry) {
   const int count = entry.as<int>();
   if (count < kMinCorners || count > kMaxCorners) {
-    entry.refuse(std::to_string(count),
+    entry.refuse(fmt::format("{}", count),
                  fmt::format("give {} to {} inner corners: one less than squares", kMinCorners,
                              kMaxCorners));
   }

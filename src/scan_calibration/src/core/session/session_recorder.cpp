@@ -68,7 +68,7 @@ void SessionRecorder::add(const Eigen::Isometry3d& base_to_flange, const cv::Mat
                           const std::vector<RecordedLine>& lines) {
   if (lines.size() != head_.lasers.size()) {
     throw scan_cell_common::UnusableInput(
-        "lines of a view", std::to_string(lines.size()),
+        "lines of a view", fmt::format("{}", lines.size()),
         fmt::format("give one per laser, {} in all, empty where not taken", head_.lasers.size()));
   }
   if (lines.size() > 1 && std::any_of(lines.begin(), lines.end(), [](const RecordedLine& line) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/clock/clock_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +25,8 @@ Nanoseconds floor_of(Nanoseconds time, Nanoseconds width) {
 
 ClockMap::ClockMap(Nanoseconds window) : window_(window) {
   if (window <= 0) {
-    throw InvalidParameter("clock map window", std::to_string(window) + " ns", "give one above 0");
+    throw InvalidParameter("clock map window", fmt::format("{} ns", window),
+                           "give a window above 0");
   }
 }
 

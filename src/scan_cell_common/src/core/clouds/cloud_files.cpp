@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/clouds/cloud_files.h"
 
+#include <fmt/format.h>
 #include <pcl/conversions.h>
 
 #include <algorithm>
@@ -40,7 +41,8 @@ bool has_profiles(const CloudFormat& format) {
   }
   for (const double step : {format.column_step, format.profile_step}) {
     if (std::isfinite(step)) continue;
-    throw InvalidParameter("column_step, profile_step", std::to_string(step), "give numbers");
+    throw InvalidParameter("column_step, profile_step", fmt::format("{}", step),
+                           "give finite numbers");
   }
   return columns;
 }
@@ -109,8 +111,8 @@ LoadedCloud load_cloud_file(const std::string& path, const CloudFormat& format) 
     loaded.cloud = parse_ply(bytes, path);
     const std::size_t faces = faces_of_ply(bytes);
     if (faces > 0) {
-      loaded.notes.push_back("its " + std::to_string(faces) + " faces are left out: its vertices " +
-                             "are taken for the points");
+      loaded.notes.push_back(
+          fmt::format("its {} faces are left out: its vertices are taken for the points", faces));
     }
   }
   finish(path, format, loaded);

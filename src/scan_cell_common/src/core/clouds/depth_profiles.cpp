@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,9 +55,9 @@ LoadedCloud parse_depth_profiles(std::string_view bytes, const std::string& sour
       loaded.cloud.points.emplace_back(to_float(x), to_float(y), to_float(z));
     }
   }
-  loaded.notes.push_back(std::to_string(profiles) + " profiles of " + std::to_string(columns) +
-                         " columns, " + std::to_string(empty) + " of their " +
-                         std::to_string(profiles * columns) + " values are no measurement");
+  loaded.notes.push_back(
+      fmt::format("{} profiles of {} columns, {} of their {} values are no measurement", profiles,
+                  columns, empty, profiles * columns));
   loaded.cloud.width = static_cast<std::uint32_t>(loaded.cloud.points.size());
   loaded.cloud.height = 1;
   return loaded;

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <array>
 #include <limits>
 
@@ -104,10 +106,10 @@ pcl::PolygonMesh parse_stl(std::string_view bytes, const std::string& source) {
     if (bytes.size() == wanted) return parse_binary_stl(bytes);
     const bool is_text = bytes.find('\0') == std::string_view::npos;
     if (!is_text) {
-      throw FileError(source,
-                      "no STL file, or truncated: " + std::to_string(bytes.size()) + " of " +
-                          std::to_string(wanted) + " bytes are there",
-                      "export the part again");
+      throw FileError(
+          source,
+          fmt::format("no STL file, or truncated: {} of {} bytes are there", bytes.size(), wanted),
+          "export the part again");
     }
   }
   LineReader lines(text, source);
@@ -127,7 +129,7 @@ pcl::PolygonMesh parse_obj(std::string_view bytes, const std::string& source) {
       vertices.points.push_back(vertex_of(words, lines.where()));
     } else if (words[0] == "f") {
       if (words.size() < 4) {
-        throw FileError(lines.where(), "a face of " + std::to_string(words.size() - 1) + " corners",
+        throw FileError(lines.where(), fmt::format("a face of {} corners", words.size() - 1),
                         "give at least three");
       }
       polygons.emplace_back();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clouds/meshes.h"
 
+#include <fmt/format.h>
 #include <pcl/conversions.h>
 
 #include <Eigen/Geometry>
@@ -104,10 +105,9 @@ void check_corners(const std::vector<pcl::Vertices>& polygons, std::size_t verti
   for (const pcl::Vertices& polygon : polygons) {
     for (const pcl::index_t corner : polygon.vertices) {
       if (static_cast<std::size_t>(corner) < vertices) continue;
-      throw FileError(source,
-                      "a face of vertex " + std::to_string(std::int64_t{corner} + first) + " of " +
-                          std::to_string(vertices),
-                      "export the part again");
+      throw FileError(
+          source, fmt::format("a face of vertex {} of {}", std::int64_t{corner} + first, vertices),
+          "export the part again");
     }
   }
 }
@@ -124,7 +124,7 @@ pcl::PolygonMesh triangulated(const pcl::PolygonMesh& mesh, const std::string& s
       continue;
     }
     if (corners > kMaxCorners) {
-      throw FileError(source, "a face of " + std::to_string(corners) + " corners",
+      throw FileError(source, fmt::format("a face of {} corners", corners),
                       "export the part as triangles");
     }
     Ears(polygon, vertices).cut(result.polygons);

@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <lzf.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ std::uint64_t count_of(std::string_view word, std::uint64_t most, const std::str
   const std::optional<std::uint64_t> count = parse_count(word);
   if (count && *count <= most) return *count;
   throw FileError(where, "'" + excerpt(word) + "'",
-                  "give a whole number up to " + std::to_string(most));
+                  fmt::format("give a whole number up to {}", most));
 }
 
 void set_fields(Header& header, const Words& words, const std::string& where) {
@@ -62,8 +63,7 @@ void set_fields(Header& header, const Words& words, const std::string& where) {
   }
   if (header.fields.size() != words.size() - 1) {
     throw FileError(where,
-                    std::to_string(words.size() - 1) + " values for " +
-                        std::to_string(header.fields.size()) + " fields",
+                    fmt::format("{} values for {} fields", words.size() - 1, header.fields.size()),
                     "correct the header");
   }
   constexpr std::uint64_t kMaxSize = 8;
@@ -115,8 +115,7 @@ std::uint64_t points_of(const Header& header, const std::string& source) {
   const std::uint64_t points = header.width * header.height;
   if (!header.points || *header.points == points) return points;
   throw FileError(source,
-                  std::to_string(*header.points) + " points in " + std::to_string(header.width) +
-                      " x " + std::to_string(header.height),
+                  fmt::format("{} points in {} x {}", *header.points, header.width, header.height),
                   "correct WIDTH, HEIGHT and POINTS");
 }
 
@@ -143,8 +142,8 @@ Layout layout_of(const Header& header, const std::string& source) {
 [[noreturn]] void refuse_truncated(const std::string& source, std::uint64_t points,
                                    std::size_t bytes) {
   throw FileError(source,
-                  "truncated: its header promises " + std::to_string(points) + " points, it has " +
-                      std::to_string(bytes) + " bytes for them",
+                  fmt::format("truncated: its header promises {} points, it has {} bytes for them",
+                              points, bytes),
                   "write the file again");
 }
 
@@ -164,15 +163,13 @@ void read_ascii(LineReader& lines, const Layout& layout, std::uint64_t points,
   };
   for (std::uint64_t i = 0; i < points; ++i) {
     if (!lines.next_filled()) {
-      throw FileError(
-          source,
-          "truncated: " + std::to_string(i) + " of " + std::to_string(points) + " points are there",
-          "write the file again");
+      throw FileError(source, fmt::format("truncated: {} of {} points are there", i, points),
+                      "write the file again");
     }
     const Words& words = lines.words();
     if (words.size() != layout.words) {
-      throw FileError(lines.where(), std::to_string(words.size()) + " values",
-                      "give " + std::to_string(layout.words) + ", as the header says");
+      throw FileError(lines.where(), fmt::format("{} values", words.size()),
+                      fmt::format("give {}, as the header says", layout.words));
     }
     cloud.points.emplace_back(number(words[layout.xyz[0].word]), number(words[layout.xyz[1].word]),
                               number(words[layout.xyz[2].word]));
@@ -194,7 +191,7 @@ void read_binary(std::string_view bytes, const Layout& layout, std::uint64_t poi
   }
   const std::string_view rest = bytes.substr(points * layout.size);
   if (rest.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos) {
-    throw FileError(source, std::to_string(rest.size()) + " bytes more than its header promises",
+    throw FileError(source, fmt::format("{} bytes more than its header promises", rest.size()),
                     "write the file again");
   }
 }

@@ -2,25 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clouds/ply_body.h"
 
+#include <fmt/format.h>
+
 #include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 
 void refuse_truncated(const std::string& source, const PlyElement& element, std::uint64_t read) {
   throw FileError(source,
-                  "truncated: " + std::to_string(read) + " of " + std::to_string(element.count) +
-                      " of its element '" + excerpt(element.name) + "' are there",
+                  fmt::format("truncated: {} of {} of its element '{}' are there", read,
+                              element.count, excerpt(element.name)),
                   "write the file again");
 }
 
 void check_count(const PlyElement& element, std::size_t min_size, std::size_t left,
                  const std::string& source) {
   if (element.count <= left / min_size) return;
-  throw FileError(source,
-                  "truncated: its header promises " + std::to_string(element.count) +
-                      " of the element '" + excerpt(element.name) + "', it has " +
-                      std::to_string(left) + " bytes for them",
-                  "write the file again");
+  throw FileError(
+      source,
+      fmt::format("truncated: its header promises {} of the element '{}', it has {} bytes for "
+                  "them",
+                  element.count, excerpt(element.name), left),
+      "write the file again");
 }
 
 float AsciiPlyBody::number(Value value, const PlyProperty&) const {
@@ -64,8 +67,9 @@ void AsciiPlyBody::split(const PlyElement& element) {
 }
 
 void AsciiPlyBody::refuse_row(const PlyElement& element) const {
-  throw FileError(lines_.where(), std::to_string(lines_.words().size()) + " values",
-                  "give as many as the header names for each '" + excerpt(element.name) + "'");
+  throw FileError(
+      lines_.where(), fmt::format("{} values", lines_.words().size()),
+      fmt::format("give as many as the header names for each '{}'", excerpt(element.name)));
 }
 
 void BinaryPlyBody::list(Value value, const PlyProperty& property,
@@ -81,7 +85,7 @@ void BinaryPlyBody::end() const {
   if (bytes_.find_first_not_of(std::string_view("\0 \t\r\n", 5), at_) == std::string_view::npos)
     return;
   throw FileError(source_,
-                  std::to_string(bytes_.size() - at_) + " bytes more than its header promises",
+                  fmt::format("{} bytes more than its header promises", bytes_.size() - at_),
                   "write the file again");
 }
 

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -101,7 +103,7 @@ Cloud read_cloud(const PlyHeader& header, Body& body, const std::string& source)
 pcl::index_t checked_corner(std::uint64_t corner, const std::string& source) {
   if (corner <= static_cast<std::uint64_t>(std::numeric_limits<pcl::index_t>::max()))
     return static_cast<pcl::index_t>(corner);
-  throw FileError(source, "a face of vertex " + std::to_string(corner), "export the part again");
+  throw FileError(source, fmt::format("a face of vertex {}", corner), "export the part again");
 }
 
 template <class Body>
@@ -116,7 +118,7 @@ pcl::PolygonMesh read_mesh(const PlyHeader& header, Body& body, const std::strin
     }
     body.list(values[*at], face.properties[*at], corners);
     if (corners.size() < 3) {
-      throw FileError(source, "a face of " + std::to_string(corners.size()) + " corners",
+      throw FileError(source, fmt::format("a face of {} corners", corners.size()),
                       "give at least three");
     }
     polygons.emplace_back();

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -92,7 +94,7 @@ std::optional<Columns> columns_of(const Words& header) {
 }
 
 [[noreturn]] void refuse_profiles(const TableReader& table) {
-  table.refuse(std::to_string(table.fields().size()) + " columns and no header",
+  table.refuse(fmt::format("{} columns and no header", table.fields().size()),
                "name x, y and z in a header, or of depth profiles give the steps (--column-step, "
                "--profile-step)");
 }
@@ -117,12 +119,12 @@ Columns find_columns(const TableReader& table, bool& is_header) {
     if (columns) return *columns;
   }
   if (first.size() < 3) {
-    table.refuse(std::to_string(first.size()) + " columns", "give x, y and z in each line");
+    table.refuse(fmt::format("{} columns", first.size()), "give x, y and z in each line");
   }
   if (first.size() > kMaxUnnamed) refuse_profiles(table);
   Columns columns;
   for (std::size_t i = 3; i < first.size(); ++i)
-    columns.others.push_back(std::to_string(i + 1));
+    columns.others.push_back(fmt::format("{}", i + 1));
   return columns;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/errors/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -83,7 +85,7 @@ bool LineReader::next_filled() {
 }
 
 std::string LineReader::where() const {
-  return source_ + ", line " + std::to_string(line_);
+  return fmt::format("{}, line {}", source_, line_);
 }
 
 }  // namespace scan_cell_common

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/files/csv_reader.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "scan_cell_common/errors/errors.h"
@@ -43,8 +45,7 @@ bool CsvReader::next() {
 
 void CsvReader::expect_fields(std::size_t count) const {
   if (fields_.size() == count) return;
-  refuse(std::to_string(fields_.size()) + " values",
-         "give " + std::to_string(count) + ", as in the header");
+  refuse(fmt::format("{} values", fields_.size()), fmt::format("give {}, as in the header", count));
 }
 
 double CsvReader::number(std::size_t column) const {
@@ -67,7 +68,7 @@ Eigen::Isometry3d CsvReader::pose(std::size_t column) const {
            kGiveUnitQuaternion + std::string(angles ? ": this looks like angles in degrees" : ""));
   }
   if (result.translation().norm() > kReach) {
-    refuse("position " + std::to_string(result.translation().norm()) + " m away",
+    refuse(fmt::format("position {:.6g} m away", result.translation().norm()),
            "give metres: this looks like millimetres");
   }
   result.linear() = rotation.normalized().toRotationMatrix();
@@ -75,7 +76,7 @@ Eigen::Isometry3d CsvReader::pose(std::size_t column) const {
 }
 
 void CsvReader::refuse(const std::string& value, const std::string& cure) const {
-  throw UnusableInput(source_ + ": line " + std::to_string(line_), value, cure);
+  throw UnusableInput(fmt::format("{}: line {}", source_, line_), value, cure);
 }
 
 }  // namespace scan_cell_common

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/table_reader.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "scan_cell_common/errors/errors.h"
@@ -88,8 +90,8 @@ void TableReader::split(std::string_view line, std::vector<std::string_view>& fi
 
 void TableReader::expect_columns() const {
   if (fields_.size() == columns_) return;
-  refuse(std::to_string(fields_.size()) + " columns",
-         "give " + std::to_string(columns_) + ", as in the first line");
+  refuse(fmt::format("{} columns", fields_.size()),
+         fmt::format("give {}, as in the first line", columns_));
 }
 
 double TableReader::number(std::size_t column) const {
@@ -98,12 +100,12 @@ double TableReader::number(std::size_t column) const {
   const std::optional<double> value = parse_number(field);
   if (value) return *value;
   const bool decimal_comma = field.find(',') != std::string_view::npos;
-  refuse("'" + excerpt(field) + "' in column " + std::to_string(column + 1),
+  refuse(fmt::format("'{}' in column {}", excerpt(field), column + 1),
          decimal_comma ? "write numbers with a decimal point" : "give a number");
 }
 
 void TableReader::refuse(const std::string& value, const std::string& cure) const {
-  throw FileError(source_ + ", line " + std::to_string(line_), value, cure);
+  throw FileError(fmt::format("{}, line {}", source_, line_), value, cure);
 }
 
 }  // namespace scan_cell_common

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/files/yaml_file.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -62,7 +64,7 @@ YamlEntry YamlEntry::operator[](const std::string& key) const {
 std::vector<double> YamlEntry::numbers(std::size_t count) const {
   const auto values = as<std::vector<double>>();
   if (values.size() != count) {
-    refuse(std::to_string(values.size()) + " numbers", "give " + std::to_string(count));
+    refuse(fmt::format("{} numbers", values.size()), fmt::format("give {}", count));
   }
   for (const double value : values) {
     if (!std::isfinite(value)) refuse("not finite", "give numbers");
@@ -83,7 +85,7 @@ std::vector<YamlEntry> YamlEntry::elements() const {
   if (!node_.IsSequence()) refuse("no list", "give a list");
   std::vector<YamlEntry> result;
   for (std::size_t i = 0; i < node_.size(); ++i) {
-    result.emplace_back(node_[i], file_, name_ + "[" + std::to_string(i) + "]");
+    result.emplace_back(node_[i], file_, fmt::format("{}[{}]", name_, i));
   }
   return result;
 }

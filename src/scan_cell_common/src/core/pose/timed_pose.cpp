@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/pose/timed_pose.h"
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "scan_cell_common/errors/errors.h"
@@ -20,9 +22,8 @@ Eigen::Isometry3d interpolate(const Eigen::Isometry3d& from, const Eigen::Isomet
 
 Eigen::Isometry3d interpolate(const TimedPose& before, const TimedPose& after, Nanoseconds time) {
   if (time < before.time || time > after.time) {
-    throw Refused("pose at " + std::to_string(time) + " ns",
-                  "measured from " + std::to_string(before.time) + " to " +
-                      std::to_string(after.time) + " ns",
+    throw Refused(fmt::format("pose at {} ns", time),
+                  fmt::format("measured from {} to {} ns", before.time, after.time),
                   "ask for a time between measured poses");
   }
   if (before.time == after.time) return before.pose;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/scanner/scanner_model.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
 
@@ -17,16 +19,16 @@ void refuse(const std::string& entry, const std::string& value, const std::strin
 void check(const CameraIntrinsics& camera) {
   constexpr int kMost = 16384;  // pixels a side
   if (camera.width < 1 || camera.height < 1 || camera.width > kMost || camera.height > kMost) {
-    refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
+    refuse("camera size", fmt::format("{} x {}", camera.width, camera.height),
            "give the sensor's columns and rows");
   }
   constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;
   if (std::int64_t{camera.width} * camera.height > kMaxPixels) {
-    refuse("camera size", std::to_string(camera.width) + " x " + std::to_string(camera.height),
+    refuse("camera size", fmt::format("{} x {}", camera.width, camera.height),
            "no camera has more than 64 million pixels: check it");
   }
   if (!(camera.fx > 0) || !(camera.fy > 0) || !std::isfinite(camera.fx + camera.fy)) {
-    refuse("camera fx, fy", std::to_string(camera.fx) + ", " + std::to_string(camera.fy),
+    refuse("camera fx, fy", fmt::format("{:g}, {:g}", camera.fx, camera.fy),
            "give focal lengths in pixels, above 0");
   }
   if (!std::isfinite(camera.cx + camera.cy) || !camera.distortion.allFinite()) {
@@ -38,16 +40,16 @@ void check(const LaserPlane& laser, const std::string& name) {
   constexpr double kUnit = 1e-6;
   constexpr double kInPlane = 1e-3;
   if (!laser.normal.allFinite() || std::abs(laser.normal.norm() - 1) > kUnit) {
-    refuse(name + " plane normal", "length " + std::to_string(laser.normal.norm()),
+    refuse(name + " plane normal", fmt::format("length {:.9g}", laser.normal.norm()),
            "give a unit normal");
   }
   if (!(std::abs(laser.normal.dot(laser.origin) - laser.distance) < kInPlane)) {
     refuse(name + " origin",
-           std::to_string(laser.normal.dot(laser.origin) - laser.distance) + " m off its plane",
+           fmt::format("{:.3g} m off its plane", laser.normal.dot(laser.origin) - laser.distance),
            "give a point of the plane");
   }
   if (std::abs(laser.distance) < kInPlane) {
-    refuse(name + " plane distance", std::to_string(laser.distance) + " m",
+    refuse(name + " plane distance", fmt::format("{:.3g} m", laser.distance),
            "a plane through the camera's centre shows no depth: calibrate the laser again");
   }
 }
@@ -107,7 +109,7 @@ Eigen::Vector2d CameraIntrinsics::project(const Eigen::Vector3d& point) const {
 }
 
 std::string laser_name(std::size_t index) {
-  return "laser_" + std::to_string(index);
+  return fmt::format("laser_{}", index);
 }
 
 std::size_t laser_index(const std::string& name) {

@@ -13,13 +13,13 @@
 namespace scan_cell_sim {
 
 /// Emulator of a robot controller that serves C4G (c4g_protocol.md) over UDP, with a Comau
-/// Smart5 SiX. It runs in a thread of its own from construction to destruction, and knows where the
-/// flange truly was at every instant. All methods are safe to call from any thread.
+/// Smart5 SiX. It runs in its own thread from construction to destruction, and knows the true pose
+/// of the flange at every instant. All methods are safe to call from any thread.
 class Controller : public FlangeMotion {
  public:
-  /// Stands in the start posture: flange at (0.80, 0, 0.60) m in base_link, looking straight down
+  /// Starts in the start posture: flange at (0.80, 0, 0.60) m in base_link, looking straight down
   /// with its x along the base's x.
-  /// @throw scan_cell_common::InvalidParameter if the address is no IPv4 address, or the stream
+  /// @throw scan_cell_common::InvalidParameter if the address is not an IPv4 address, or the stream
   /// period or a fault is out of range
   /// @throw scan_cell_common::ConnectionError if the port is taken
   explicit Controller(const ControllerOptions& options);
@@ -30,36 +30,36 @@ class Controller : public FlangeMotion {
 
   std::uint16_t port() const;  //!< it listens on
 
-  /// True pose of tool0 in base_link at an instant of the host's clock. Instants to come get where
-  /// the motion under way would lead.
+  /// True pose of tool0 in base_link at an instant of the host's clock. Future instants follow
+  /// the current motion.
   Eigen::Isometry3d flange_at(scan_cell_common::Nanoseconds host) const override;
 
-  /// The truth of this moment.
+  /// The true state now.
   MotionState state() const;
   std::uint64_t motions_begun() const;  //!< since its start
 
   /// The instant on the host's clock at which the controller's showed `t` [us], since its start.
   scan_cell_common::Nanoseconds host_time(std::int64_t t) const;
 
-  /// They replace those before.
+  /// They replace the previous ones.
   /// @throw scan_cell_common::InvalidParameter
   void set_faults(const ControllerFaults& faults);
 
-  /// Switched off and on again: for `dark` seconds it neither hears nor speaks. The robot brakes,
-  /// the session is lost, settings and alarms are as at the start, the clock begins anew. The mode
-  /// selector and the emergency stop stay where they are; somebody switches the drives on.
+  /// Switched off and on again: for `dark` seconds it neither receives nor sends. The robot brakes,
+  /// the session is lost, settings and alarms are reset, the clock restarts. The mode selector and
+  /// the emergency stop keep their positions; somebody switches the drives on.
   /// @throw scan_cell_common::InvalidParameter if `dark` is negative
   void restart(double dark);
 
   // What somebody at the controller's panel does. After an emergency stop or an alarm: release the
-  // button, reset the alarms, switch the drives on. The motion does not come back.
+  // button, reset the alarms, switch the drives on. The motion does not resume.
 
   void press_e_stop();    //!< the robot brakes, the drives go off
-  void release_e_stop();  //!< nothing moves by it
+  void release_e_stop();  //!< moves nothing
   /// Another mode switches the drives off.
   void select(ControllerMode mode);
   /// In mode programming, drives are on as long as somebody holds the enabling device.
-  /// @throw ControllerRefusal while the emergency stop is pressed or an alarm stands
+  /// @throw ControllerRefusal while the emergency stop is pressed or an alarm is active
   void switch_drives(bool on);
   /// @throw ControllerRefusal while the emergency stop is pressed
   void reset_alarms();

@@ -12,30 +12,30 @@
 
 namespace scan_cell_sim {
 
-/// What goes wrong between the controller and its client.
+/// Faults between the controller and its client.
 struct ControllerFaults {
   WireFaults to_client;    //!< of the controller's datagrams
   WireFaults from_client;  //!< of the client's
   double clock_drift = 0;  //!< the controller's clock runs 1 + drift times as fast as the host's
-  unsigned seed = 1;       //!< another one draws other datagrams
+  unsigned seed = 1;       //!< decides which datagrams are affected
 
   /// @throw scan_cell_common::InvalidParameter
   void check() const;
 };
 
-/// How badly the controller measures.
+/// The controller's measurement noise.
 struct MeasurementNoise {
   double position = 0;     //!< [m] standard deviation, each axis
   double orientation = 0;  //!< [rad] standard deviation, about each axis
   unsigned seed = 1;       //!< the same seed gives the same noise
 };
 
-/// A request that the controller took up: once, however often its datagram came.
+/// A request that the controller processed: reported once, even if its datagram came repeatedly.
 struct TakenUp {
   std::uint64_t session = 0;                   //!< of the client
   std::uint64_t seq = 0;                       //!< of the request
   std::string datagram;                        //!< its text
-  std::optional<ControllerErrorCode> refused;  //!< why nothing was done; none: it was done
+  std::optional<ControllerErrorCode> refused;  //!< why it was not done; none: it was done
 };
 
 /// A simulated controller, as it starts.
@@ -46,7 +46,7 @@ struct ControllerOptions {
   MeasurementNoise noise;                         //!< of the reported positions
   ControllerMode mode = ControllerMode::kRemote;  //!< at the start, with the drives on
   ControllerFaults faults;                        //!< at the start
-  /// Sees every request that is taken up, in the controller's own thread; may be none.
+  /// Called with every processed request, in the controller's thread; may be empty.
   std::function<void(const TakenUp&)> witness;
 };
 

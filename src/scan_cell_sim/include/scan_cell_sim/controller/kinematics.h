@@ -22,20 +22,20 @@ struct JointLimits {
 
 const JointLimits& joint_limits();  //!< of the Smart5 SiX
 
-/// Empty where all axes are within their ranges, else a text such as
+/// Empty if all axes are within their ranges, else a text such as
 /// "J3 5 deg is outside -170 .. 0".
 std::string outside_limits(const Joints& joints);
 
 /// Pose of the flange (tool0) in base_link.
 Eigen::Isometry3d flange_of(const Joints& joints);
 
-/// All postures that bring the flange there, up to eight, in closed form: none where it is out of
-/// reach. Ranges are not regarded.
-/// @param near each axis is by full turns as near to it as its range allows; it also decides what
-/// a singular posture leaves open
+/// All postures that bring the flange there, up to eight, in closed form; none if it is out of
+/// reach. Ignores the ranges of the axes.
+/// @param near each axis gets the full turns that bring it nearest to this within its range; it
+/// also decides what a singular posture leaves undetermined
 std::vector<Joints> postures_of(const Eigen::Isometry3d& flange, const Joints& near);
 
-/// The nearest of them; none where the flange is out of reach.
+/// The nearest of them; none if the flange is out of reach.
 std::optional<Joints> joints_of(const Eigen::Isometry3d& flange, const Joints& near);
 
 /// How far this arm is from its three singular postures; each changes its sign where the arm passes

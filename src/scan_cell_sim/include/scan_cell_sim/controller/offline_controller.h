@@ -20,10 +20,11 @@ class OfflineController {
   OfflineController();
   ~OfflineController();
 
-  /// The answer to a datagram; none where it cannot be told what was asked.
+  /// The answer to a datagram; none if the request is unreadable.
   std::optional<std::string> answer(const std::string& request, Nanoseconds now);
 
-  /// The next datagram of the stream, with the state of this instant; none while the robot stands.
+  /// The next datagram of the stream, with the state of this instant; none while the robot stands
+  /// still.
   std::optional<std::string> stream(Nanoseconds now);
 
   MotionState state(Nanoseconds now) const;  //!< true values

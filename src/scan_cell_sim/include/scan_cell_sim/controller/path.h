@@ -11,7 +11,7 @@
 
 namespace scan_cell_sim {
 
-/// Where the robot goes, without when: `way` runs from 0 to 1.
+/// The robot's path without its timing: `way` runs from 0 to 1.
 class Path {
  public:
   virtual ~Path() = default;
@@ -52,7 +52,7 @@ PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
 /// second.
 double flange_travel(const Path& path);
 
-/// Joints for a pose that is far away: of the postures within the ranges the nearest to `near`.
+/// Joints for a distant pose: of the postures within the ranges, the nearest to `near`.
 /// @throw ControllerRefusal if it is out of reach or outside the ranges
 Joints reach(const Eigen::Isometry3d& flange, const Joints& near);
 

@@ -16,11 +16,11 @@ enum class ControllerMode { kProgramming, kAutomatic, kRemote };
 ControllerMode controller_mode_of(const std::string& name);
 const char* name_of(ControllerMode mode);  //!< as the protocol writes it
 
-/// Whether the controller would move, and why not: mode selector, drives, emergency stop, alarms.
+/// Whether the controller can move, and why not: mode selector, drives, emergency stop, alarms.
 /// Nothing here moves or stops a robot. Not safe for use from several threads.
 class Readiness {
  public:
-  /// Who wants something: somebody at the controller's panel, or a client on the network.
+  /// Who asks: somebody at the controller's panel, or a client on the network.
   enum class Source { kPanel, kClient };
 
   ControllerMode mode() const { return mode_; }                     //!< where the selector stands
@@ -39,7 +39,7 @@ class Readiness {
   void restart();
 
   void press_e_stop();  //!< the drives go off
-  /// The alarm stands and the drives stay off.
+  /// The alarm stays active and the drives stay off.
   void release_e_stop() { e_stop_ = false; }
 
   /// Drives go off, and nothing moves until the alarm is reset.
@@ -49,7 +49,7 @@ class Readiness {
   void reset_alarms(Source source);
 
   /// Off is always granted.
-  /// @throw ControllerRefusal while something forbids the drives, or if a client must not
+  /// @throw ControllerRefusal while the drives must stay off, or if a client must not
   void switch_drives(bool on, Source source);
 
  private:

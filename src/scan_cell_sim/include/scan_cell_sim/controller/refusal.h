@@ -29,7 +29,7 @@ enum class ControllerErrorCode {
   kOutOfTurn = 18,
 };
 
-/// What the controller complains of: why a motion did not arrive, or an alarm.
+/// Why a motion did not arrive, or an alarm.
 struct Complaint {
   ControllerErrorCode code;  //!< of c4g_protocol.md
   std::string text;          //!< for a person

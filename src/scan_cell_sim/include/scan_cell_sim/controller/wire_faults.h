@@ -7,22 +7,22 @@
 
 namespace scan_cell_sim {
 
-/// What happens to the datagrams of one direction, each by its own draw and in any mix.
+/// Faults of the datagrams in one direction, drawn independently and in any combination.
 struct WireFaults {
   double lost = 0;         //!< probability
-  double repeated = 0;     //!< probability; the copy has a fate of its own
-  double delayed = 0;      //!< probability; what is delayed is overtaken by what comes after it
+  double repeated = 0;     //!< probability; the copy has its own faults
+  double delayed = 0;      //!< probability; later datagrams overtake a delayed one
   double delay = 0.01;     //!< [s]
-  double jitter = 0;       //!< [s] each is later by an evenly drawn time up to this
+  double jitter = 0;       //!< [s] each is delayed by a uniform random time up to this
   double held = 0;         //!< probability that it, and all after it, is held for a while ...
-  double hold = 0.05;      //!< [s] ... and they come all at once then
+  double hold = 0.05;      //!< [s] ... after which they come all at once
   double flipped = 0;      //!< probability that one to three of its bits change
   double truncated = 0;    //!< probability that its end is missing
   bool link_down = false;  //!< nothing passes
-  double silence = 0;      //!< [s] nothing passes for so long after these faults were set
+  double silence = 0;      //!< [s] nothing passes for this long after the faults were set
 };
 
-/// One number of WireFaults, for those who read them from somewhere.
+/// One number of WireFaults, for code that reads them from outside.
 struct WireFault {
   const char* name;           //!< as parameters call it
   double WireFaults::*value;  //!< the member
@@ -34,7 +34,7 @@ struct WireFault {
 /// Every number of WireFaults.
 extern const std::array<WireFault, 10> kWireFaults;
 
-/// @throw scan_cell_common::InvalidParameter naming prefix + name of the first that makes no sense
+/// @throw scan_cell_common::InvalidParameter naming prefix + name of the first one out of range
 void check(const WireFaults& faults, const std::string& prefix);
 
 }  // namespace scan_cell_sim

@@ -16,16 +16,20 @@ namespace {
 using scan_cell_common::Nanoseconds;
 using Bytes = std::vector<std::uint8_t>;
 
+constexpr double kMicrosecond = 1e-6;  // [s]
+
 // Bootstrap registers (GigE Vision 1.2, section 28)
 constexpr std::uint32_t kVendor = 0x0048, kModel = 0x0068, kDiscoveryEnd = 0x00f8;
 constexpr std::uint32_t kCapabilities = 0x0934, kHeartbeat = 0x0938, kPrivilege = 0x0a00;
 constexpr std::uint32_t kStreamPort = 0x0d00, kPacketSize = 0x0d04, kStreamAddress = 0x0d18;
-constexpr std::uint32_t kCanResend = 4, kCanWriteMemory = 2;
-constexpr std::uint32_t kFireTestPacket = 1U << 31U;
+constexpr std::uint32_t kCanResend = 4, kCanWriteMemory = 2;  // bits of kCapabilities
+constexpr std::uint32_t kFireTestPacket = 1U << 31U;          // bit of kPacketSize
+// Status codes (GVCP)
 
 constexpr std::uint32_t kSuccess = 0, kNotImplemented = 0x8001, kInvalidParameter = 0x8002,
                         kInvalidAddress = 0x8003, kAccessDenied = 0x8006;
 
+// GVCP
 enum CommandCode : std::uint32_t {
   kDiscovery = 0x0002,
   kResend = 0x0040,
@@ -57,7 +61,7 @@ struct ControlServer::Command {
 scan_cell_common::UdpSocket camera_socket(const std::string& address, std::uint16_t port,
                                           bool shared) {
   return {Endpoint::parse("camera address", address, port), "camera",
-          "stop the other camera or simulator on this address, or give another one", shared};
+          "stop the other camera or simulator on this address, or give another address", shared};
 }
 
 ControlServer::ControlServer(const std::string& address, const std::string& serial,
@@ -97,7 +101,7 @@ void ControlServer::serve(Nanoseconds now,
       answer(command, datagram->from, on_resend);
     }
   }
-  constexpr Nanoseconds kMillisecond = 1'000'000;
+  constexpr Nanoseconds kMillisecond = 1'000'000;  // [ns]
   if (controller_ && now - heard_ > get(kHeartbeat) * kMillisecond) release();
 }
 
@@ -110,7 +114,7 @@ void ControlServer::answer(const Command& command, const Endpoint& peer,
       return acknowledge(command, kSuccess, data, peer);
     }
     case kResend:
-      if (command.words() < 3) return;  // is never answered
+      if (command.words() < 3) return;  // never answered
       return on_resend({static_cast<std::uint16_t>(command.word(0)), command.word(1) & 0xffffffU,
                         command.word(2) & 0xffffffU});
     case kReadRegister:
@@ -206,7 +210,7 @@ void ControlServer::after_write(const Endpoint& peer) {
   if ((get(kPacketSize) & kFireTestPacket) != 0) fire_test_packet();
 }
 
-/// A datagram as long as stream packets would be: the client sees whether the network passes it.
+/// A datagram of the size of stream packets: the client sees whether the network passes it.
 void ControlServer::fire_test_packet() {
   set_register(kPacketSize, get(kPacketSize) & ~kFireTestPacket);
   constexpr std::uint32_t kHeaders = 20 + 8, kLongest = 9000;  // [bytes] IP and UDP; jumbo
@@ -259,17 +263,18 @@ Region ControlServer::region() const {
 }
 
 double ControlServer::exposure() const {
-  return get(ARV_FAKE_CAMERA_REGISTER_EXPOSURE_TIME_US) * 1e-6;
+  return get(ARV_FAKE_CAMERA_REGISTER_EXPOSURE_TIME_US) * kMicrosecond;
 }
 
 double ControlServer::gain() const {
-  constexpr double kTenthsOfDecibel = 10, kAmplitude = 20;
+  constexpr double kTenthsOfDecibel = 10, kAmplitude = 20;  // in a decibel; decibels in a decade
   return std::pow(10, get(ARV_FAKE_CAMERA_REGISTER_GAIN_RAW) / kTenthsOfDecibel / kAmplitude);
 }
 
 double ControlServer::period() const {
   constexpr std::uint32_t kShortest = 1000;  // [us] chosen
-  return std::max(get(ARV_FAKE_CAMERA_REGISTER_ACQUISITION_FRAME_PERIOD_US), kShortest) * 1e-6;
+  return std::max(get(ARV_FAKE_CAMERA_REGISTER_ACQUISITION_FRAME_PERIOD_US), kShortest) *
+         kMicrosecond;
 }
 
 bool ControlServer::take_software_trigger() {

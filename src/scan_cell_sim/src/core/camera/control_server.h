@@ -48,12 +48,12 @@ class ControlServer {
   ControlServer(const ControlServer&) = delete;
   ControlServer& operator=(const ControlServer&) = delete;
 
-  /// Answers all that waits. A client that was silent for longer than its heartbeat allows loses
-  /// control, and acquisition stops.
+  /// Answers all waiting commands. A client that was silent for longer than its heartbeat timeout
+  /// loses control, and acquisition stops.
   void serve(scan_cell_common::Nanoseconds now,
              const std::function<void(const ResendRequest&)>& on_resend);
 
-  /// To wait on for commands.
+  /// Descriptors to wait on for commands.
   std::array<int, 2> handles() const { return {unicast_.number(), broadcast_.number()}; }
 
   void set_register(std::uint32_t address, std::uint32_t value);
@@ -84,7 +84,7 @@ class ControlServer {
   void acknowledge(const Command& command, std::uint32_t status,
                    const std::vector<std::uint8_t>& data, const Endpoint& peer);
   void send(const std::vector<std::uint8_t>& packet, const Endpoint& peer) const {
-    unicast_.send(packet.data(), packet.size(), peer);  // what the network does not take is lost
+    unicast_.send(packet.data(), packet.size(), peer);  // what the network refuses is lost
   }
   void after_write(const Endpoint& peer);
   void fire_test_packet();

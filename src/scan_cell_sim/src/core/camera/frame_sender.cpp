@@ -11,11 +11,10 @@ namespace {
 
 using scan_cell_common::Nanoseconds;
 
-constexpr std::size_t kKept = 16;      // frames to send again from; chosen
-constexpr std::size_t kBurst = 16384;  // [bytes] sent at once: the client's buffer holds it
-constexpr Nanoseconds kCatchUp =
-    500'000;  // [ns] how late a burst may be and still count as in time
-constexpr std::size_t kMaxRequests = 256;  // chosen
+constexpr std::size_t kKept = 16;          // frames to send again from; chosen
+constexpr std::size_t kBurst = 16384;      // [bytes] sent at once: fits the client's buffer; chosen
+constexpr Nanoseconds kCatchUp = 500'000;  // [ns] of delay that later bursts make up for; chosen
+constexpr std::size_t kMaxRequests = 256;  // waiting at a time; chosen
 
 }  // namespace
 

@@ -10,15 +10,15 @@
 
 namespace scan_cell_sim::gige {
 
-/// Packets that never reach the client, the same ones for the same seed.
+/// Packets that do not reach the client; the same ones for the same seed.
 struct PacketFaults {
-  double lost = 0;       //!< share that is lost however often it is sent
+  double lost = 0;       //!< share that is lost even if sent again
   double lost_once = 0;  //!< share that is lost the first time
   std::uint64_t seed = 1;
 };
 
-/// Sends frames packet by packet, no faster than a wire would take them, and keeps the last ones to
-/// send packets of them again. To be used from one thread.
+/// Sends frames packet by packet, no faster than a wire could, and keeps the last ones to send
+/// their packets again. To be used from one thread.
 class FrameSender {
  public:
   /// @param rate [bytes/s] of the wire
@@ -27,15 +27,15 @@ class FrameSender {
 
   bool busy() const { return next_packet_.has_value() || !requests_.empty(); }
 
-  /// Room for the next frame's pixels: those of a frame that is kept no longer.
+  /// Memory for the next frame's pixels, from a frame that is no longer kept.
   std::vector<std::uint8_t> spare_pixels();
 
-  /// Begins to send a frame; the one before must have gone.
+  /// Begins to send a frame; the previous one must be finished.
   void begin(Frame frame, std::uint32_t packet_size, const PacketFaults& faults);
   void request(const ControlServer::ResendRequest& request);
   void abort();
 
-  /// Sends what the wire takes now.
+  /// Sends as much as the wire takes now.
   void send(scan_cell_common::Nanoseconds now, const Endpoint& peer);
 
   /// When the wire is free for more.

@@ -30,12 +30,12 @@ using scan_cell_common::host_now;
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::Nanoseconds;
 
-/// The counter starts where Aravis' own fake camera's does: it wraps soon, as in every long scan.
-constexpr std::uint16_t kFirstBlock = 65400;  // chosen: it wraps soon
+/// The counter starts where that of Aravis' own fake camera does, so that it wraps soon.
+constexpr std::uint16_t kFirstBlock = 65400;  // as in Aravis
 
-/// 16 bits, and 0 is no number.
+/// 16 bits without 0.
 std::uint16_t block_of(std::uint64_t frame) {
-  constexpr std::uint64_t kBlocks = 65535;  // GVSP: 0 is left out
+  constexpr std::uint64_t kBlocks = 65535;  // GVSP: 16 bits without 0
   return static_cast<std::uint16_t>((kFirstBlock + frame - 2) % kBlocks + 1);
 }
 
@@ -49,7 +49,7 @@ void check(const CameraOptions& options) {
   }
   if (!(options.wire_rate > 0)) {
     throw InvalidParameter("camera wire rate", fmt::format("{:g} bytes/s", options.wire_rate),
-                           "give more than 0");
+                           "give a rate above 0");
   }
   if (!std::ifstream(options.genicam_file)) {
     throw scan_cell_common::FileError(options.genicam_file, "cannot be read",
@@ -61,7 +61,7 @@ void power_up(ControlServer& server, const CameraOptions& options) {
   const auto set = [&server](std::uint32_t address, int value) {
     server.set_register(address, static_cast<std::uint32_t>(value));
   };
-  constexpr int kExposure = 1000;  // [us]
+  constexpr int kExposure = 1000;  // [us] chosen
   set(ARV_FAKE_CAMERA_REGISTER_SENSOR_WIDTH, options.sensor_width);
   set(ARV_FAKE_CAMERA_REGISTER_SENSOR_HEIGHT, options.sensor_height);
   set(ARV_FAKE_CAMERA_REGISTER_WIDTH, options.region.width);
@@ -89,7 +89,7 @@ class Bell {
 
 }  // namespace
 
-/// Pulses come in any thread; the camera's own thread answers its client, renders and sends.
+/// Pulses arrive in any thread; the camera's own thread answers its client, renders and sends.
 class GigeCamera::Implementation {
  public:
   Implementation(const CameraOptions& options, Render render,
@@ -260,7 +260,7 @@ class GigeCamera::Implementation {
     const auto [unicast, broadcast] = server.handles();
     std::array<pollfd, 3> events = {
         {{unicast, POLLIN, 0}, {broadcast, POLLIN, 0}, {bell_.handle(), POLLIN, 0}}};
-    constexpr Nanoseconds kSecond = 1'000'000'000;
+    constexpr Nanoseconds kSecond = 1'000'000'000;  // [ns]
     const Nanoseconds left = std::clamp<Nanoseconds>(until - host_now(), 0, kIdle);
     const timespec timeout = {left / kSecond, left % kSecond};
     ppoll(events.data(), events.size(), &timeout, nullptr);

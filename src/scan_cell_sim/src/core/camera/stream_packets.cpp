@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kOverhead = 20 + 8 + 8;                   // [bytes] of IP, UDP and GVSP
 constexpr std::uint32_t kMinPayload = 64;                         // [bytes] chosen
-constexpr std::uint32_t kResent = 0x0100;                         // status
+constexpr std::uint32_t kResent = 0x0100;                         // GVSP status
 constexpr std::uint32_t kLeader = 1, kTrailer = 2, kPayload = 3;  // GVSP packet formats
 constexpr std::uint32_t kImage = 1;                               // GVSP payload type
 constexpr std::uint32_t kMono8 = 0x01080001;                      // GenICam PFNC

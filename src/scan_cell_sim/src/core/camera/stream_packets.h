@@ -12,7 +12,7 @@ namespace scan_cell_sim::gige {
 
 /// A frame as it goes over the wire.
 struct Frame {
-  std::uint16_t block = 0;  //!< number; 0 is none
+  std::uint16_t block = 0;  //!< number; 0: none
   scan_cell_common::Nanoseconds time = 0;
   Region region;
   std::vector<std::uint8_t> pixels;  //!< Mono8
@@ -27,7 +27,7 @@ class StreamPackets {
   std::uint32_t count(const Frame& frame) const;
 
   /// The UDP payload of packet 0 .. count - 1.
-  /// @param again it was asked for again
+  /// @param again sent again on request
   void write(const Frame& frame, std::uint32_t packet, bool again,
              std::vector<std::uint8_t>& bytes) const;
 

@@ -16,7 +16,7 @@ struct Controller::Implementation : ControllerLoop {
 
 Joints Controller::start_posture() {
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
-  flange.translation() << 0.80, 0, 0.60;
+  flange.translation() << 0.80, 0, 0.60;  // [m] chosen
   flange.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
   static const Joints posture = reach(flange, Joints::Zero());
   return posture;

@@ -19,10 +19,11 @@ using scan_cell_common::host_now;
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::Nanoseconds;
 
-constexpr std::size_t kMaxBytes = 1400;  // c4g_protocol.md
+constexpr std::size_t kMaxBytes = 1400;  // [bytes] of a datagram; c4g_protocol.md
 
 void check_stream_period(double period) {
-  if (period >= 0.002 && period <= 0.010) return;
+  constexpr double kShortest = 0.002, kLongest = 0.010;  // [s] as the parameter stream_period
+  if (period >= kShortest && period <= kLongest) return;
   throw InvalidParameter("stream period", fmt::format("{} s", period),
                          "give one from 0.002 to 0.010 s");
 }
@@ -30,7 +31,7 @@ void check_stream_period(double period) {
 }  // namespace
 
 void ControllerFaults::check() const {
-  constexpr double kMaxDrift = 0.5;  // chosen
+  constexpr double kMaxDrift = 0.5;  // of the host's rate; chosen
   scan_cell_sim::check(to_client, "to_client/");
   scan_cell_sim::check(from_client, "from_client/");
   if (std::abs(clock_drift) <= kMaxDrift) return;
@@ -40,7 +41,7 @@ void ControllerFaults::check() const {
 ControllerLoop::ControllerLoop(const ControllerOptions& options, const Joints& start)
     : options_(options),
       socket_(Endpoint::parse("controller address", options.address, options.port), "controller",
-              "end the program that uses the port, or choose another one"),
+              "stop the program that uses the port, or give another port"),
       motion_(start),
       clock_(host_now()),
       server_(make_server()),
@@ -89,7 +90,7 @@ void ControllerLoop::restart(double dark) {
   dark_until_ = now + from_seconds(dark);
 }
 
-/// Begins anew where a restart is over.
+/// Starts again when a restart is over.
 bool ControllerLoop::is_on(Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!dark_until_) return true;

@@ -15,7 +15,7 @@
 
 namespace scan_cell_sim {
 
-/// The controller's thread: takes requests from its socket and streams states, both through wires
+/// The controller's thread: receives requests on its socket and streams states, both through wires
 /// with faults. All public methods are safe to call from any thread.
 class ControllerLoop {
  public:

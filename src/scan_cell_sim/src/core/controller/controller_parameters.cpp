@@ -15,8 +15,8 @@ using Code = ControllerErrorCode;
 using scan_cell_common::Nanoseconds;
 
 constexpr double kPercent = 0.01;
-constexpr double kMillimetre = 1e-3;
-constexpr double kDegree = M_PI / 180;
+constexpr double kMillimetre = 1e-3;    // [m]
+constexpr double kDegree = M_PI / 180;  // [rad]
 
 /// A setting of motions that is a number.
 struct NumberSetting {
@@ -46,9 +46,9 @@ const std::array<WordSetting, 2> kWords = {
     {{"motion_type", "joint", [](MotionSettings& s) -> bool& { return s.in_joints; }},
      {"interpolation", "euler", [](MotionSettings& s) -> bool& { return s.line.euler; }}}};
 
-/// A default as a person would write it.
+/// A default without rounding errors, as a person would write it.
 double without_rounding(double value) {
-  constexpr double kSteps = 1e9;
+  constexpr double kSteps = 1e9;  // in a unit; chosen
   return std::round(value * kSteps) / kSteps;
 }
 

@@ -16,11 +16,11 @@ class ControllerParameters {
   /// @param stream_period [s]
   ControllerParameters(MotionControl& motion, double stream_period);
 
-  /// What was set reads back as it was set, to the last digit.
+  /// A value that was set reads back exactly.
   /// @throw ControllerRefusal if there is no such parameter
   const nlohmann::json& get(const std::string& name) const;
 
-  /// @throw ControllerRefusal if there is none, it is read-only, or the value makes no sense
+  /// @throw ControllerRefusal if there is none, it is read-only, or the value is invalid
   void set(const std::string& name, const nlohmann::json& value, scan_cell_common::Nanoseconds now);
 
   double stream_period() const { return stream_period_; }  //!< [s]

@@ -16,7 +16,7 @@ using nlohmann::json;
 using Code = ControllerErrorCode;
 using scan_cell_common::Nanoseconds;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 1;                            // c4g_protocol.md
 constexpr Nanoseconds kClientSilence = 1'000'000'000;  // [ns] c4g_protocol.md
 constexpr Nanoseconds kStreamTail = 200'000'000;       // [ns] c4g_protocol.md
 
@@ -36,7 +36,7 @@ std::string command_of(const json& request) {
   return text(entry(request, "cmd"), "cmd");
 }
 
-/// @param what may repeat what a client sent: it is cut so that any answer fits into a datagram
+/// @param what may quote a client: it is cut so that every answer fits into a datagram
 json error_json(Code code, std::string what) {
   constexpr std::size_t kLongest = 80;  // characters; c4g_protocol.md
   what.resize(std::min(what.size(), kLongest));
@@ -102,7 +102,7 @@ json ProtocolServer::reply(const json& request, const Datagram& datagram, Nanose
   if (seq == last_seq_ && !last_answer_.empty()) return last_answer_;
   if (seq <= last_seq_) {
     throw ControllerRefusal(Code::kStraggler,
-                            fmt::format("request {} comes after {}", seq, last_seq_));
+                            fmt::format("request {} came after {}", seq, last_seq_));
   }
   if (seq - last_seq_ > 1) {
     throw ControllerRefusal(
@@ -141,7 +141,7 @@ void ProtocolServer::open(const json& request, std::uint64_t session, std::uint6
   if (!opens) throw ControllerRefusal(Code::kSession, "this session is not open");
   const auto latest = latest_sessions_.find(from);
   if (latest != latest_sessions_.end() && session <= latest->second) {
-    throw ControllerRefusal(Code::kSession, "not a newer session than the client's last one");
+    throw ControllerRefusal(Code::kSession, "the session is not newer than the client's last one");
   }
   if (seq != 1) throw ControllerRefusal(Code::kOutOfTurn, "the seq of OPEN is 1");
   motion_.forget(now);
@@ -182,7 +182,7 @@ json ProtocolServer::perform(const json& request, Nanoseconds now) {
     motion_.forget(now);
     client_.reset();
   } else if (command == "OPEN") {
-    if (last_seq_ != 1) throw ControllerRefusal(Code::kOutOfTurn, "this session is open already");
+    if (last_seq_ != 1) throw ControllerRefusal(Code::kOutOfTurn, "this session is already open");
   } else if (command != "GET_STATIC_POSE") {
     throw ControllerRefusal(Code::kUnknownCommand, "unknown command " + command);
   }

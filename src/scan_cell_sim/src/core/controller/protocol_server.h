@@ -25,17 +25,18 @@ class ProtocolServer {
   using Nanoseconds = scan_cell_common::Nanoseconds;
   using Peer = scan_cell_common::Endpoint;
 
-  /// @param options of which it takes stream period, noise and witness
+  /// @param options stream period, noise and witness are used
   ProtocolServer(MotionControl& motion, const DriftingClock& clock,
                  const ControllerOptions& options);
 
-  /// The answer to a datagram; none where it cannot be told what was asked.
+  /// The answer to a datagram; none if the request is unreadable.
   std::optional<std::string> answer(const Datagram& request, Nanoseconds now);
 
   /// Ends the session of a client that went silent.
   void watch(Nanoseconds now);
 
-  /// The next datagram of the stream, with the state of this instant; none while the robot stands.
+  /// The next datagram of the stream, with the state of this instant; none while the robot stands
+  /// still.
   std::optional<std::string> stream(Nanoseconds now);
 
   const std::optional<Peer>& client() const { return client_; }

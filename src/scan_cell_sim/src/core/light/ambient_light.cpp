@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kCell = 8;             // [px] side of the squares whose corners are looked at first
-constexpr double kPixelBlur = 0.65;  // [px] standard deviation of what lens and pixel gather
+constexpr int kCell = 8;             // [px] side of squares whose corners are checked first; chosen
+constexpr double kPixelBlur = 0.65;  // [px] standard deviation, of lens and pixel; chosen
 
 using Hit = std::optional<Scene::Hit>;
 using Hits = std::vector<Hit>;
@@ -51,7 +51,7 @@ struct AmbientLight::Rays {
   std::vector<Vector2d> directions;
 };
 
-/// How white what each pixel sees is, in one frame.
+/// The reflectance that each pixel sees in one frame.
 class AmbientLight::Picture {
  public:
   Picture(const Scene& scene, const Eigen::Isometry3d& camera, const Rays& rays)
@@ -64,7 +64,7 @@ class AmbientLight::Picture {
     forward_ = in_board.linear().col(2);
   }
 
-  /// What the corners of a row of cells meet, from left to right.
+  /// What the corners of a row of cells hit, from left to right.
   Hits look_along(int row) const {
     Hits hits;
     for (int column = 0; column < rays_.region.width + kCell; column += kCell)
@@ -73,7 +73,7 @@ class AmbientLight::Picture {
   }
 
   /// The reflectances of a cell, row by row.
-  /// @param corners what is met at its upper left, upper right, lower left and lower right
+  /// @param corners what its upper left, upper right, lower left and lower right corners hit
   std::array<float, kCell * kCell> cell(int row, int column,
                                         const std::array<Hit, 4>& corners) const {
     const bool flat = std::all_of(corners.begin(), corners.end(), [&corners](const Hit& hit) {
@@ -91,9 +91,9 @@ class AmbientLight::Picture {
   }
 
  private:
-  static constexpr double kFlat = 1 - 1e-9;  // cosine between normals of one plane
+  static constexpr double kFlat = 1 - 1e-9;  // cosine between normals of one plane; chosen
 
-  /// What the ray of a pixel meets; none where the lens model ends.
+  /// What the ray of a pixel hits; none where the lens model ends.
   Hit look(int row, int column) const {
     const Vector2d& ray = rays_.at(row, column);
     if (!ray.allFinite()) return std::nullopt;
@@ -126,7 +126,7 @@ class AmbientLight::Picture {
     return blur.allFinite() ? scene_.board()->reflectance(point, blur) : 0;
   }
 
-  /// A pixel's place on the board serves its neighbours, too.
+  /// Shares the places on the board between neighbouring pixels.
   std::array<float, kCell * kCell> cell_on_board(int row, int column) const {
     constexpr int kSide = kCell + 1;
     std::array<Vector2d, kSide * kSide> points;

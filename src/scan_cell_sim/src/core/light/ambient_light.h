@@ -13,13 +13,13 @@
 
 namespace scan_cell_sim {
 
-/// The picture that the light of the room gives, which is what shows a calibration board: an even
-/// light from all sides, so a surface is as bright as it is white. In exposures so short that a
-/// white surface would gain less than kMinLevel nothing is added: scans are not slowed down by
-/// what nobody sees. Safe to use from several threads at once.
+/// The image in ambient light, which makes a calibration board visible: uniform light from all
+/// sides, so that brightness is proportional to reflectance. In exposures so short that a white
+/// surface would gain less than kMinLevel, nothing is added, so that scans are not slowed down by
+/// invisible light. Safe to use from several threads at once.
 class AmbientLight {
  public:
-  static constexpr double kMinLevel = 20;  //!< [grey value]
+  static constexpr double kMinLevel = 20;  //!< [grey value] chosen
 
   AmbientLight(const scan_cell_common::CameraIntrinsics& camera, const Optics& optics);
   ~AmbientLight();

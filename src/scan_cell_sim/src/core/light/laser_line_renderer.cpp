@@ -16,11 +16,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kWhiteDistance = 0.5;  // [m] where Optics::brightness is meant
+constexpr double kWhiteDistance = 0.5;  // [m] of Optics::brightness
 constexpr double kMaxTangent = 1;       // a fan opens +-45 degrees; chosen
-constexpr double kRaysPerRow = 2;       // further rays are added where the surface is steep
-constexpr double kJump = 0.0006;        // [m] neighbours this close are on one surface
-constexpr int kDeepest = 7;             // a gap that stays when cut into 2^7 is a jump
+constexpr double kRaysPerRow = 2;       // more are added where the surface is steep; chosen
+constexpr double kJump = 0.0006;        // [m] neighbours this close are on one surface; chosen
+constexpr int kDeepest = 7;             // a gap left after halving this often is a jump; chosen
 
 }  // namespace
 
@@ -53,9 +53,10 @@ LaserLineRenderer::LaserLineRenderer(const scan_cell_common::ScannerModel& scann
       ambient_(std::make_shared<AmbientLight>(scanner.camera, optics)) {
   for (std::size_t i = 0; i < scanner_.lasers.size(); ++i) {
     const scan_cell_common::LaserPlane& laser = scanner_.laser(i);
-    // The fan's middle meets the camera's axis, or runs along it where that is in the plane.
+    // The fan's middle crosses the camera's axis, or is parallel to it if the axis is in the plane.
+    constexpr double kParallel = 1e-9;  // sine; chosen
     const double slope = laser.normal.z();
-    const Vector3d target = std::abs(slope) > 1e-9
+    const Vector3d target = std::abs(slope) > kParallel
                                 ? Vector3d(Vector3d::UnitZ() * (laser.distance / slope))
                                 : Vector3d(laser.origin + Vector3d::UnitZ());
     const Vector3d way = target - laser.origin;
@@ -65,14 +66,16 @@ LaserLineRenderer::LaserLineRenderer(const scan_cell_common::ScannerModel& scann
 }
 
 std::pair<double, double> LaserLineRenderer::reach(const Fan& fan, const Region& region) const {
-  // Rays through the corners of the region, undistorted well enough by a margin, at near and far.
-  constexpr double kMargin = 1.15;  // chosen
+  // Rays through the corners of the region, near and far; a margin stands in for the distortion.
+  constexpr double kMargin = 1.15;                             // chosen
+  constexpr std::array kDepths = {0.2, 0.35, 0.5, 0.75, 1.2};  // [m] chosen
+  constexpr double kAhead = 1e-3;  // [m] not behind the projector; chosen
   double least = kMaxTangent, most = -kMaxTangent;
   for (const int row : {region.y, region.y + region.height}) {
     const double slope = (row - scanner_.camera.cy) / scanner_.camera.fy * kMargin;
-    for (const double depth : {0.2, 0.35, 0.5, 0.75, 1.2}) {
+    for (const double depth : kDepths) {
       const Vector3d way = Vector3d(0, slope * depth, depth) - fan.origin;
-      const double tangent = way.dot(fan.across) / std::max(way.dot(fan.axis), 1e-3);
+      const double tangent = way.dot(fan.across) / std::max(way.dot(fan.axis), kAhead);
       least = std::min(least, tangent);
       most = std::max(most, tangent);
     }
@@ -97,7 +100,7 @@ LaserLineRenderer::Spot LaserLineRenderer::spot(const Drawing& drawing, const Fa
   if (in_camera.z() <= 0 || !faces_camera || !drawing.scene.sees(hit->point, eye)) return spot;
   spot.seen = true;
   spot.pixel = scanner_.camera.project(in_camera);
-  // Lambert's law, and a fan that spreads its light over a line that grows with the distance.
+  // Lambert's law, and a fan whose line grows with the distance.
   spot.peak = optics_.brightness * hit->reflectance * -hit->normal.dot(direction) *
               (kWhiteDistance / hit->distance) * (drawing.exposure.duration / optics_.exposure) *
               drawing.exposure.gain * drawing.light;
@@ -124,7 +127,7 @@ void LaserLineRenderer::draw(const Drawing& drawing, const Spot& from, const Spo
   const double rows = lower.pixel.y() - upper.pixel.y();
   if (!(rows > 0)) return;
   const double slope = (lower.pixel.x() - upper.pixel.x()) / rows;
-  // A line that slants is as wide as ever across itself, so it is wider along the row.
+  // A slanting line keeps its width across itself, so it is wider along the row.
   constexpr double kMaxWidening = 4;  // chosen
   const double sigma = optics_.stripe_sigma * std::min(std::sqrt(1 + slope * slope), kMaxWidening);
   const Region& region = drawing.region;
@@ -138,7 +141,7 @@ void LaserLineRenderer::draw(const Drawing& drawing, const Spot& from, const Spo
 
 void LaserLineRenderer::draw_row(const Drawing& drawing, int row, double column, double sigma,
                                  double peak) const {
-  constexpr double kReach = 4.5;  // sigmas; beyond, a saturated line is below one grey value
+  constexpr double kReach = 4.5;  // sigmas; chosen: a saturated line is below one grey value there
   const int begin = std::max(0, static_cast<int>(std::ceil(column - kReach * sigma)));
   const int end =
       std::min(drawing.region.width - 1, static_cast<int>(std::floor(column + kReach * sigma)));

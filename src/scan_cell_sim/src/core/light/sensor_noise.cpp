@@ -10,7 +10,7 @@
 namespace scan_cell_sim {
 namespace {
 
-constexpr std::size_t kSamples = 1U << 18U;  // kept twice: a row may begin at any of them
+constexpr std::size_t kSamples = 1U << 18U;  // stored twice: a row may begin anywhere; chosen
 
 std::size_t place(std::uint64_t seed, int row, std::uint64_t kind) {
   return scramble(seed + 2 * static_cast<std::uint64_t>(row) + kind) % kSamples;

@@ -8,7 +8,7 @@
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kFar = 5;  // standard deviations beyond which a blurred edge is not seen
+constexpr double kFar = 5;  // standard deviations beyond which a blurred edge is invisible; chosen
 
 /// An edge from -1 to 1 at 0, blurred.
 double edge(double x, double blur) {

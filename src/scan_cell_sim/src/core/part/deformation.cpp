@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Beyond this many radii a hump counts as flat: exp(-5^2 / 2) = 4e-6.
+/// Beyond this many radii a hump is regarded as flat: exp(-5^2 / 2) = 4e-6.
 constexpr double kReach = 5;  // radii; chosen
 
 /// How far material moves along `towards`, and the derivative of it.
@@ -100,8 +100,8 @@ Vector3d Deformation::invert(const Vector3d& deformed) const {
     point -= jacobian(point).partialPivLu().solve(error);
   }
   throw scan_cell_common::UnusableInput("deformation",
-                                        fmt::format("({:g} {:g} {:g}) m comes from no point of the "
-                                                    "undeformed part",
+                                        fmt::format("({:g} {:g} {:g}) m is not a point of the "
+                                                    "deformed part",
                                                     deformed.x(), deformed.y(), deformed.z()),
                                         "deform less, or give a point near the part");
 }

@@ -17,6 +17,7 @@ struct Corner {
   double radius;  // [m] of its rounding
 };
 
+// Chosen.
 constexpr std::array<Corner, 10> kCorners = {{{0.000, 0.000, 0},
                                               {0.000, 0.009, 0.0025},
                                               {0.004, 0.009, 0.0012},

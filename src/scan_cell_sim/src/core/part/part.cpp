@@ -40,8 +40,8 @@ Mesh Part::mesh(double tolerance) const {
 Eigen::Isometry3d true_image(const Part& reference, const Part& object,
                              const Eigen::Isometry3d& pose) {
   if (reference.shape.index() != object.shape.index()) {
-    throw UnusableInput("parts " + reference.name + " and " + object.name, "of different shapes",
-                        "a path goes from a part to a changed part of the same shape");
+    throw UnusableInput("parts " + reference.name + " and " + object.name, "different shapes",
+                        "give two parts of the same shape");
   }
   const Vector3d point = reference.to_part(pose.translation());
   const Matrix3d to_reference = reference.pose.linear() * reference.deformation.jacobian(point);

@@ -30,7 +30,7 @@ struct Side {
 };
 
 void add_side(const Side& side, Tessellator& tessellator, double tolerance) {
-  // Sections a few millimetres apart tell how fine the side must be cut along and across.
+  // Sections a few millimetres apart decide how finely the side is cut along and across.
   const std::vector<Vector2d> coarse = Moulding().points(kLongestStep, kLongestStep);
   double finest = kLongestStep;
   const auto curvature_at = [&](double fraction) {
@@ -89,7 +89,7 @@ void add(const ElbowShape& elbow, Tessellator& tessellator, double) {
 }  // namespace
 
 Hanger hanger_of(const FrameShape& frame) {
-  // It grows out of the outer wall, below the wall's upper edge.
+  // It starts inside the outer wall, below the wall's upper edge; [m] chosen.
   const double x = frame.size.x() / 2;
   const double y = frame.size.y() / 2;
   return {{x - 0.002, y - 0.045, 0}, {x + 0.010, y - 0.015, 0.007}};

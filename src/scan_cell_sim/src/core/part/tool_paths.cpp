@@ -59,7 +59,7 @@ Isometry3d parse(const std::string& file, std::size_t number, const std::string&
 ToolPath crest_path(const Part& frame, double spacing) {
   const auto* const shape = std::get_if<FrameShape>(&frame.shape);
   if (shape == nullptr) {
-    throw UnusableInput("part " + frame.name, "no frame", "the crest path is of a frame");
+    throw UnusableInput("part " + frame.name, "not a frame", "give a part of the shape frame");
   }
   constexpr double kLeast = 1e-4;  // [m] chosen
   if (!(spacing >= kLeast)) {
@@ -110,7 +110,7 @@ ToolPath load_tool_path(const std::string& path) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (!line.empty()) poses.push_back(parse(path, number, line));
   }
-  if (poses.empty()) throw UnusableInput(path, "no pose", "give at least one");
+  if (poses.empty()) throw UnusableInput(path, "no poses", "give at least one");
   return poses;
 }
 

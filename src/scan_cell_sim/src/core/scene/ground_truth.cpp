@@ -24,7 +24,7 @@ struct Triangle {
   Vector3d area_normal() const { return (b - a).cross(c - a) / 2; }
 };
 
-/// Triangles that face upwards, steep ones left out: from above nothing of them is seen.
+/// Triangles that face upwards, without steep ones, which are not visible from above.
 std::vector<Triangle> upper_triangles(const Scene& scene) {
   constexpr double kSteepest = 0.05;  // cosine to the vertical; chosen
   std::vector<Triangle> result;
@@ -62,7 +62,7 @@ Vector3d point_in(const Triangle& triangle, std::mt19937_64& random) {
 }  // namespace
 
 CloudError compare(const Scene& truth, const std::vector<Vector3d>& points) {
-  if (points.empty()) throw UnusableInput("cloud", "no point", "give a cloud with points");
+  if (points.empty()) throw UnusableInput("cloud", "no points", "give a cloud with points");
   CloudError error;
   double squares = 0;
   for (const Vector3d& point : points) {
@@ -96,7 +96,7 @@ std::vector<Vector3d> sample(const Scene& scene, std::size_t count, std::uint64_
     area_up_to.push_back(area += triangle.area_normal().norm());
   if (triangles.empty()) throw UnusableInput("world", "no surface", "give a world with parts");
 
-  constexpr double kSky = 100;  // [m] above everything; chosen
+  constexpr double kSky = 100;  // [m] chosen: above everything
   std::mt19937_64 random(seed);
   std::vector<Vector3d> points;
   points.reserve(count);

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Rays that leave a surface begin this far from it [m]: single precision would see the surface
+/// Rays that leave a surface begin this far from it: in single precision they could hit the surface
 /// itself.
 constexpr float kClearance = 1e-4F;  // [m] chosen
 
@@ -143,7 +143,7 @@ std::optional<Scene::Hit> Scene::first_hit(const Vector3d& origin,
   rtcIntersect1(implementation_->scene, &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
-  // Embree tells the triangle; the point is where the ray meets its plane in double precision.
+  // Embree finds the triangle; the point is where the ray meets its plane in double precision.
   const auto [a, b, c] = implementation_->corners(ray.hit.geomID, ray.hit.primID);
   Hit hit;
   hit.normal = (b - a).cross(c - a).normalized();
@@ -154,7 +154,7 @@ std::optional<Scene::Hit> Scene::first_hit(const Vector3d& origin,
   hit.surface = ray.hit.geomID;
   hit.reflectance = implementation_->reflectances[hit.surface];
   if (is_on_board(hit)) {
-    constexpr double kSharp = 1e-5;  // [m] chosen
+    constexpr double kSharp = 1e-5;  // [m] blur; chosen
     const Vector3d on_board = board()->pose.inverse() * hit.point;
     hit.reflectance = board()->reflectance(on_board.head<2>(), {kSharp, kSharp});
   }
@@ -176,7 +176,7 @@ bool Scene::sees(const Vector3d& surface_point, const Vector3d& eye) const {
   const double distance = way.norm();
   RTCRay ray = make_ray(surface_point, way / distance, kClearance, static_cast<float>(distance));
   rtcOccluded1(implementation_->scene, &context, &ray);
-  return ray.tfar >= 0;  // Embree sets it to -infinity where something stands in the way
+  return ray.tfar >= 0;  // Embree sets it to -infinity if something is in the way
 }
 
 double Scene::distance_to_surface(const Vector3d& point) const {
@@ -199,7 +199,7 @@ double Scene::distance_to_surface(const Vector3d& point) const {
     const double distance = (s.point - nearest_on_triangle(s.point, a, b, c)).norm();
     if (distance >= s.best) return false;
     s.best = distance;
-    constexpr double kSinglePrecision = 1e-6;  // [m] triangles at the same distance are looked at
+    constexpr double kSinglePrecision = 1e-6;  // [m] checks triangles at the same distance; chosen
     arguments->query->radius = static_cast<float>(distance + kSinglePrecision);
     return true;
   };

@@ -6,7 +6,7 @@
 
 namespace scan_cell_sim {
 
-/// Scrambles a number (SplitMix64, Steele et al. 2014): neighbours give unrelated numbers.
+/// Scrambles a number (SplitMix64, Steele et al. 2014): neighbouring numbers give unrelated ones.
 inline std::uint64_t scramble(std::uint64_t number) {
   number += 0x9E3779B97F4A7C15U;
   number = (number ^ (number >> 30U)) * 0xBF58476D1CE4E5B9U;

@@ -45,9 +45,9 @@ Eigen::Matrix<double, N, 1> lengths(const YamlEntry& entry, double least) {
   return value;
 }
 
-constexpr double kMinRadius = 0.001;  // [m] chosen, as what follows
-constexpr double kMaxRadius = 1;      // [m]
-constexpr double kMaxShift = 0.05;    // [m]
+constexpr double kMinRadius = 0.001;  // [m] chosen
+constexpr double kMaxRadius = 1;      // [m] chosen
+constexpr double kMaxShift = 0.05;    // [m] chosen
 
 Bulge read_bulge(const YamlEntry& entry) {
   entry.refuse_unknown({"kind", "centre", "towards", "radius", "height"});
@@ -71,7 +71,8 @@ FiledEdge read_filed_edge(const YamlEntry& entry) {
   FiledEdge edge{entry["from"].vector<3>(), entry["to"].vector<3>(), direction(entry["towards"]),
                  number(entry["radius"], kMinRadius, kMaxRadius),
                  number(entry["depth"], 0, kMaxShift)};
-  if (!((edge.to - edge.from).norm() > 0)) entry["to"].refuse("the same as from", "give a stretch");
+  if (!((edge.to - edge.from).norm() > 0))
+    entry["to"].refuse("the same as from", "give another point");
   return edge;
 }
 
@@ -84,7 +85,7 @@ Deformation::Term read_term(const YamlEntry& entry) {
 }
 
 FrameShape read_frame(const YamlEntry& entry) {
-  constexpr double kMinOutside = 0.1;  // [m] the hanger and an opening fit
+  constexpr double kMinOutside = 0.1;  // [m] chosen: hanger and opening fit
   FrameShape frame;
   if (entry.has("size")) frame.size = lengths<2>(entry["size"], kMinOutside);
   if (!entry.has("sheet")) return frame;
@@ -134,7 +135,8 @@ Part read_part(const YamlEntry& entry) {
   part.name = entry["name"].as<std::string>();
   part.shape = read_shape(entry);
   if (entry.has("pose")) part.pose = entry["pose"].pose();
-  read(entry, "scale", part.scale, 0.1, 10);
+  constexpr double kMinScale = 0.1, kMaxScale = 10;  // chosen
+  read(entry, "scale", part.scale, kMinScale, kMaxScale);
   read(entry, "reflectance", part.reflectance, 0, 1);
   if (entry.has("deformations")) {
     for (const YamlEntry& term : entry["deformations"].elements()) {
@@ -147,15 +149,18 @@ Part read_part(const YamlEntry& entry) {
 Floor read_floor(const YamlEntry& entry) {
   entry.refuse_unknown({"height", "size", "reflectance"});
   Floor floor;
-  read(entry, "height", floor.height, -2, 2);
-  if (entry.has("size")) floor.size = lengths<2>(entry["size"], 0.01);
+  constexpr double kMaxHeight = 2, kMinSize = 0.01;  // [m] chosen
+  read(entry, "height", floor.height, -kMaxHeight, kMaxHeight);
+  if (entry.has("size")) floor.size = lengths<2>(entry["size"], kMinSize);
   read(entry, "reflectance", floor.reflectance, 0, 1);
   return floor;
 }
 
 Checkerboard read_board(const YamlEntry& entry) {
   entry.refuse_unknown({"inner_corners", "square_size", "margin", "white", "black", "pose"});
-  constexpr double kMaxCorners = 200;  // chosen
+  constexpr double kMaxCorners = 200;                   // along a side; chosen
+  constexpr double kMinSquare = 0.001, kMaxSquare = 1;  // [m] chosen
+  constexpr double kMaxMargin = 1;                      // [m] chosen
   Checkerboard board;
   const Eigen::Vector2d corners = entry["inner_corners"].vector<2>();
   if (!(corners.minCoeff() >= 2) || !(corners.maxCoeff() <= kMaxCorners) ||
@@ -164,8 +169,8 @@ Checkerboard read_board(const YamlEntry& entry) {
   }
   board.columns = static_cast<int>(corners.x());
   board.rows = static_cast<int>(corners.y());
-  board.square_size = number(entry["square_size"], 0.001, 1);
-  read(entry, "margin", board.margin, 0, 1);
+  board.square_size = number(entry["square_size"], kMinSquare, kMaxSquare);
+  read(entry, "margin", board.margin, 0, kMaxMargin);
   read(entry, "white", board.white, 0, 1);
   read(entry, "black", board.black, 0, 1);
   if (entry.has("pose")) board.pose = entry["pose"].pose();
@@ -195,7 +200,7 @@ World load_world(const std::string& path) {
     for (const YamlEntry& entry : root["parts"].elements()) {
       world.parts.push_back(read_part(entry));
       if (!names.insert(world.parts.back().name).second) {
-        entry["name"].refuse(world.parts.back().name, "give each part a name of its own");
+        entry["name"].refuse(world.parts.back().name, "give each part a different name");
       }
     }
   }

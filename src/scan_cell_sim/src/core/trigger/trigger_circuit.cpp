@@ -14,14 +14,15 @@ using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 using scan_cell_common::UdpSocket;
 
-constexpr std::uint8_t kPulseBit = 1;
+constexpr std::uint8_t kPulseBit = 1;  // of the data register
 
 std::uint8_t lasers_in(std::uint8_t data) {
   return static_cast<std::uint8_t>(data >> 1 & 3);
 }
 
 UdpSocket open_socket(const Endpoint& endpoint) {
-  return {endpoint, "trigger circuit", "stop the program that holds the port, or give another one"};
+  return {endpoint, "trigger circuit",
+          "stop the program that holds the port, or give another port"};
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ TriggerCircuit::State TriggerCircuit::state() const {
 }
 
 void TriggerCircuit::listen() {
-  constexpr double kLook = 0.05;  // [s] between two looks at ending_; chosen
+  constexpr double kLook = 0.05;  // [s] between two checks of ending_; chosen
   while (!ending_) {
     if (socket_->wait(kLook)) take_all();
   }

@@ -14,7 +14,7 @@ using scan_cell_common::Refused;
 using scan_cell_common::UnusableInput;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kPoll = 0.05;  // [s] longest wait before commands are looked at
+constexpr double kPoll = 0.05;  // [s] longest wait before commands are checked; chosen
 
 Clock::duration seconds(double value) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(value));
@@ -30,7 +30,7 @@ Acquisition::Acquisition(const AcquisitionParameters& parameters, Open open,
       wanted_(parameters.mode),
       trigger_(parameters.trigger),
       numbering_(kCounter64, parameters.clock) {
-  state_.message = "the camera was not looked for yet";
+  state_.message = "the camera has not been searched for yet";
   state_.trigger = trigger_;
   state_.settings = parameters.camera;
   thread_ = std::thread([this] { run(); });
@@ -50,13 +50,13 @@ std::uint32_t Acquisition::set(AcquisitionMode mode, Trigger trigger,
   const bool starts = mode != AcquisitionMode::kStop;
   return execute(
       [this, mode, trigger, starts, changes] {
-        wanted_ = AcquisitionMode::kStop;  // where the start fails, its caller knows
+        wanted_ = AcquisitionMode::kStop;  // if the start fails, the caller is told
         ended_by_loss_ = false;
         stop();
         if (changes) change(*changes);
         if (!starts) return 0U;
         start(mode, trigger);
-        wanted_ = mode_;  // STOP where a recording has ended already
+        wanted_ = mode_;  // STOP if a recording has already ended
         return acquisition_;
       },
       starts);
@@ -68,13 +68,13 @@ void Acquisition::change(const CameraChange& change) {
   if (change.exposure > 0) {
     changed.exposure = change.exposure;
   } else if (changed.exposure) {
-    throw Refused("exposure", "0 s: the camera's own was overwritten",
-                  "give one above 0, or restart camera and node");
+    throw Refused("exposure", "0 s: the camera's own exposure has been overwritten",
+                  "give a value above 0, or restart the camera and the node");
   }
   write(changed);
 }
 
-/// A camera that is away gets them when it is found.
+/// A camera that is not connected gets them when it is found.
 void Acquisition::write(const CameraSettings& settings) {
   if (camera_) {
     try {
@@ -141,11 +141,11 @@ std::uint32_t Acquisition::execute(std::function<std::uint32_t()> action, bool n
     const auto waiting = std::find(commands_.begin(), commands_.end(), command);
     if (waiting != commands_.end()) {
       commands_.erase(waiting);
-      throw ConnectionError("camera", "not there: " + state().message,
-                            "try again when it was found");
+      throw ConnectionError("camera", "not connected: " + state().message,
+                            "try again when it has been found");
     }
   }
-  return result.get();  // what has begun ends soon: the camera's own time-outs bound it
+  return result.get();  // a command that has started ends soon: the camera's time-outs limit it
 }
 
 Acquisition::CommandPtr Acquisition::take_command() {
@@ -244,7 +244,8 @@ void Acquisition::lose(const std::string& reason) {
     s.mode = AcquisitionMode::kStop;
     if (was_there) ++s.times_lost;
   });
-  report(ends ? reason + " (it ran free: it stays stopped when it is found again)" : reason);
+  report(ends ? reason + " (free run does not resume: start the camera again when it is found)"
+              : reason);
   camera_.reset();
 
   const Clock::time_point next_try = Clock::now() + seconds(parameters_.retry_period);
@@ -266,7 +267,7 @@ void Acquisition::report(const std::string& reason) {
 void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   stop();
   camera_->start(trigger);
-  description_ = camera_->describe();  // the size of packets was found in starting
+  description_ = camera_->describe();  // the packet size was found at the start
   mode_ = mode;
   trigger_ = trigger;
   ++acquisition_;
@@ -292,10 +293,10 @@ void Acquisition::start(AcquisitionMode mode, Trigger trigger) {
   if (fault_told_ == acquisition_) {
     const std::string fault = state().fault;
     stop();
-    throw UnusableInput("camera", "none of its frames can be used", fault);
+    throw UnusableInput("camera", "no frame can be used", fault);
   }
   throw ConnectionError("camera", fmt::format("no frame within {} s", parameters_.start_timeout),
-                        "check its rate, and that the firewall lets its stream through");
+                        "check its rate, and that the firewall does not block the stream");
 }
 
 void Acquisition::stop() {
@@ -350,7 +351,7 @@ bool Acquisition::deliver(const Frame& frame) {
     return false;
   }
   if (mode_ == AcquisitionMode::kLiveOnly && frame.peaks && !frame.image.pixels) {
-    drop("it holds peaks and no image: set the camera to send images, or use a relief mode");
+    drop("peaks and no image: set the camera to send images, or use a relief mode");
     return false;
   }
   const FramePlace place = numbering_.place(frame);

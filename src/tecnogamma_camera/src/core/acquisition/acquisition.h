@@ -21,7 +21,7 @@ namespace tecnogamma_camera {
 /// The thesis' modes (section 3.2).
 enum class AcquisitionMode { kStop, kLiveOnly, kReliefOnly, kReliefLive };
 
-/// How a camera is found, started and watched.
+/// How a camera is found, started and monitored.
 struct AcquisitionParameters {
   CameraSettings camera;                          //!< set before each start
   AcquisitionMode mode = AcquisitionMode::kStop;  //!< once the camera is first found
@@ -33,13 +33,13 @@ struct AcquisitionParameters {
   ClockSettings clock;           //!< how device times become host times
 };
 
-/// What set() may change of a camera: all of it or nothing.
+/// The camera settings set() may change: all or none.
 struct CameraChange {
   double exposure = 0;  //!< [s] 0: the camera's own
   Region region;
 };
 
-/// A frame with its place in the run of frames.
+/// A frame with its place in the sequence.
 struct NumberedFrame {
   AcquisitionMode mode;             //!< of the acquisition
   std::uint32_t acquisition;        //!< which start of acquisition it belongs to; the first is 1
@@ -55,54 +55,53 @@ struct FrameCounts {
   std::uint64_t incomplete = 0;  //!< of them, with packets missing; delivered without pixels
   std::uint64_t lost = 0;        //!< missing in the frame counter
   std::uint64_t repeated = 0;    //!< dropped
-  std::uint64_t late = 0;        //!< came after a later one, or their number was garbled
-  std::uint64_t garbled = 0;     //!< with a number too high, as those after them show
+  std::uint64_t late = 0;        //!< came after a later frame, or with a garbled number
+  std::uint64_t garbled = 0;     //!< with a number that is too high, as later frames show
   std::uint64_t restarts = 0;    //!< the counter jumped back: the camera was restarted
   std::uint64_t invalid = 0;     //!< number lost with its packets: dropped, and in lost as well
   std::uint64_t unusable = 0;    //!< damaged, or without what the mode needs: dropped
-  std::uint64_t impossible_peaks =
-      0;  //!< sent by the camera, with no place on the sensor: left out
+  std::uint64_t impossible_peaks = 0;  //!< sent by the camera, but not on the sensor: left out
 };
 
 /// How an acquisition is doing.
 struct AcquisitionState {
   bool connected = false;  //!< to a camera
-  std::string message;     //!< why it is not connected, or was stopped without being asked
+  std::string message;     //!< why it is not connected, or stopped without a command
   std::string fault;       //!< of the last frame that could not be used
   AcquisitionMode mode = AcquisitionMode::kStop;  //!< as it is now
   Trigger trigger = Trigger::kExternal;           //!< of `mode`
   std::uint32_t acquisition = 0;                  //!< number of the latest start
   CameraDescription camera;                       //!< the last one that was connected
-  CameraSettings settings;       //!< as asked for; also of a camera that is found later
+  CameraSettings settings;       //!< as requested; also for a camera that is found later
   StreamStatistics stream;       //!< of the transport
   FrameCounts frames;            //!< since the acquisition was made
   std::uint64_t times_lost = 0;  //!< how often the camera was lost
 };
 
-/// What an acquisition tells; called from its thread.
+/// Events of an acquisition; called from its thread.
 class AcquisitionListener {
  public:
   virtual ~AcquisitionListener() = default;
   virtual void on_frame(const NumberedFrame& frame) = 0;           //!< in the acquisition's thread
   virtual void on_connected(const CameraDescription& camera) = 0;  //!< in the acquisition's thread
-  /// A recording was played to its end, and is in STOP.
+  /// A recording was played to its end and is in STOP.
   virtual void on_ended(const std::string& recording) = 0;
   /// Once for each reason: the camera cannot be opened, was lost, or did not start; and once an
   /// acquisition: a frame cannot be used.
   virtual void on_trouble(const std::string& reason) = 0;
 };
 
-/// Runs a camera in a thread of its own: opens it, keeps it in the mode asked for, numbers its
-/// frames, maps their times to the host's clock, and finds it again when it is lost.
+/// Runs a camera in its own thread: opens it, keeps it in the requested mode, numbers its frames,
+/// maps their times to the host's clock, and reconnects when it is lost.
 ///
-/// What follows a restart of the camera's counter is a new acquisition.
+/// A restart of the camera's counter begins a new acquisition.
 ///
 /// After a loss, an acquisition in external trigger is resumed, with a new number: nothing happens
 /// until the next pulse. One in free run is not, since the camera would run, and drive its strobe
-/// outputs, without anyone having asked for it; it stays in STOP until set() is called.
+/// outputs, without a command; it stays in STOP until set() is called.
 class Acquisition {
  public:
-  /// Opens the camera; throws where it does not answer.
+  /// Opens the camera; throws if it does not answer.
   using Open = std::function<std::unique_ptr<Camera>()>;
 
   /// @param listener must outlive it
@@ -112,9 +111,9 @@ class Acquisition {
   Acquisition& operator=(const Acquisition&) = delete;
 
   /// Stops the camera, and starts it in another mode. Returns once it streams: in free run with
-  /// the first frame, in external trigger when it was told to start `arming_time` ago.
-  /// @param change written after the stop; where it is refused, the camera stays stopped with the
-  /// settings it had
+  /// the first frame, in external trigger `arming_time` after the start.
+  /// @param change written after the stop; if it is refused, the camera stays stopped and keeps
+  /// its settings
   /// @return number of the acquisition; 0 for STOP
   /// @throw scan_cell_common::ConnectionError if the camera is not found, or no frame comes,
   /// within start_timeout
@@ -124,7 +123,7 @@ class Acquisition {
   std::uint32_t set(AcquisitionMode mode, Trigger trigger,
                     const std::optional<CameraChange>& change = std::nullopt);
 
-  /// Safe in every mode. Also holds for a camera that is found again. [s]
+  /// Safe in every mode. Also applies after the camera is found again. [s]
   /// @throw scan_cell_common::Error as Camera::set_exposure; the last exposure stays
   void set_exposure(double exposure);
 
@@ -174,7 +173,7 @@ class Acquisition {
   Open open_;
   AcquisitionListener& listener_;
 
-  // Of the thread alone.
+  // Used only by the thread.
   std::unique_ptr<Camera> camera_;
   CameraDescription description_;
   AcquisitionMode mode_ = AcquisitionMode::kStop;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "acquisition/frame_numbering.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -36,7 +38,7 @@ FramePlace FrameNumbering::place(const Frame& frame) {
 }
 
 void FrameNumbering::count_back(const Frame& frame, FramePlace& place) {
-  constexpr int kWithClock = 2, kWithout = 3;  // frames in a row
+  constexpr int kWithClock = 2, kWithout = 3;  // frames in a row; chosen
   const bool clock_went_on = last_device_time_ != 0 && frame.device_time > last_device_time_;
   const int in_a_row = counts_on_from_before(frame);
   if (leap_) {
@@ -74,19 +76,19 @@ Nanoseconds FrameNumbering::time_of(const Frame& frame, bool late) {
   if (frame.time != 0) return frame.time;
   if (frame.device_time == 0) return frame.host_time;  // no clock, or lost with its packets
   if (!settings_.device_is_host) {
-    // The map would take an earlier time for that of a device that was restarted.
+    // The map would read an earlier time as a restart of the device.
     if (!late || clock_.empty()) clock_.add(frame.device_time, frame.host_time);
     return clock_.to_host(frame.device_time);
   }
-  constexpr double kMost = 1;     // [s]
-  constexpr int kMaxLate = 1000;  // frames: a host that was busy for a while has caught up by then
+  constexpr double kMost = 1;     // [s] between clocks that are one; chosen
+  constexpr int kMaxLate = 1000;  // frames: by then a busy host has caught up; chosen
   const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
   late_in_a_row_ = off > kMost ? late_in_a_row_ + 1 : 0;
   clock_agreed_ = clock_agreed_ || std::abs(off) <= kMost;
   if (off < -kMost || late_in_a_row_ > (clock_agreed_ ? kMaxLate : 0)) {
     throw scan_cell_common::UnusableInput(
-        "device_clock", "the camera's clock is " + std::to_string(off) + " s off the host's",
-        "synchronise it (PTP), or let its clock be mapped");
+        "device_clock", fmt::format("the camera's clock is {:.6g} s off the host's", off),
+        "synchronise it (PTP), or set device_clock to mapped");
   }
   return frame.device_time;
 }

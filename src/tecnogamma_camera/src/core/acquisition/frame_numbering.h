@@ -16,22 +16,22 @@ struct ClockSettings {
   bool device_is_host = false;  //!< the camera's clock is synchronised to the host's (PTP)
 };
 
-/// The place of a frame in the run of frames.
+/// The place of a frame in the sequence of frames.
 struct FramePlace {
   CounterStep step;          //!< how its counter follows
-  bool restarted = false;    //!< with this frame the counter began anew: begin() was done
-  bool was_garbled = false;  //!< the number that the last gap led to was: this frame shows it
-  std::uint64_t found = 0;   //!< frames counted as lost in that gap that were not
+  bool restarted = false;    //!< the counter restarted with this frame: begin() was called
+  bool was_garbled = false;  //!< this frame shows that the number after the last gap was wrong
+  std::uint64_t found = 0;   //!< frames counted as lost in that gap but not lost
   Nanoseconds time = 0;      //!< [ns] of the exposure on the host's clock; 0 for INVALID
 };
 
 /// Numbers the frames of one camera and maps their times to the host's clock.
 ///
-/// One wrong number is neither a restart nor a gap. A frame that counts back is late; where its
-/// clock went on and the next one counts on from it, or else the next two, the camera was
-/// restarted. But where they follow the frames before the last gap, the number after that gap was
-/// garbled: one frame whose clock went on is enough to tell. The garbled frame itself was given out
-/// with its wrong number, which disagrees with its time.
+/// One wrong number is neither a restart nor a gap. A frame that counts back is late. If its clock
+/// went on and the next frame continues from it (without a clock: the next two frames), the camera
+/// was restarted. But if they continue the frames before the last gap, the number after that gap
+/// was garbled; one frame whose clock went on is enough to know. The garbled frame itself was
+/// delivered with its wrong number, which disagrees with its time.
 class FrameNumbering {
  public:
   /// @param counter values that the device's frame counter runs through
@@ -46,8 +46,8 @@ class FrameNumbering {
  private:
   /// A step forward over frames that did not come, until the next frame confirms it.
   struct Leap {
-    CounterUnwrapper before;  // where the counter stood, and where frames go on that count back
-    std::uint64_t lost;       // frames that were counted as lost, less those that are anyway
+    CounterUnwrapper before;  // the counter before it, from which frames that count back continue
+    std::uint64_t lost;       // frames counted as lost, minus those lost in any case
     Nanoseconds device_time;  // before it
   };
 

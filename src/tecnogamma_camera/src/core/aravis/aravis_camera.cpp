@@ -14,15 +14,15 @@ namespace {
 using scan_cell_common::ConnectionError;
 using scan_cell_common::Refused;
 
-/// [bytes] at the end of a row, as the frame's header tells.
+/// [bytes] at the end of a row, from the frame's header.
 std::size_t padding_of(ArvBuffer* buffer) {
   int padding = 0, rows_of_padding = 0;
   arv_buffer_get_image_padding(buffer, &padding, &rows_of_padding);
   return static_cast<std::size_t>(std::max(0, padding));
 }
 
-/// Gives a buffer to the stream, without what its last frame left in it: where the first packet of
-/// a frame is lost, Aravis leaves number and times as they are.
+/// Gives a buffer to the stream, cleared of its last frame: if the first packet of a frame is lost,
+/// Aravis leaves number and times as they are.
 void push_clean(ArvStream* stream, ArvBuffer* buffer) {
   arv_buffer_set_frame_id(buffer, kNoFrameNumber);
   arv_buffer_set_timestamp(buffer, 0);
@@ -101,14 +101,14 @@ void AravisCamera::on_control_lost(ArvDevice*, gpointer self) {
 void AravisCamera::on_stream_event(void* self, ArvStreamCallbackType type, ArvBuffer*) {
   if (type != ARV_STREAM_CALLBACK_TYPE_INIT) return;
   if (!static_cast<AravisCamera*>(self)->options_.realtime) return;
-  constexpr int kPriority = 10;
-  constexpr int kNice = -10;
+  constexpr int kPriority = 10;  // real-time; chosen
+  constexpr int kNice = -10;     // without the right to that; chosen
   if (!arv_make_thread_realtime(kPriority)) arv_make_thread_high_priority(kNice);
 }
 
 void AravisCamera::throw_if_lost() {
   if (!lost_) return;
-  throw ConnectionError("camera", "control of it was lost", "check its cable and power");
+  throw ConnectionError("camera", "connection lost", "check its cable and power");
 }
 
 void AravisCamera::refuse_while_running(const std::string& what) const {
@@ -163,7 +163,7 @@ void AravisCamera::configure(const CameraSettings& settings) {
   refuse_while_running("camera settings");
   if (options_.is_payload && settings.pixel_format != CameraSettings().pixel_format) {
     throw scan_cell_common::InvalidParameter("pixel_format", settings.pixel_format,
-                                             "payloads come as bytes: give Mono8");
+                                             "payloads are bytes: give Mono8");
   }
   format_ = write_pixel_format(camera_.get(), settings.pixel_format);
   region_ = options_.is_payload ? write_payload_region(camera_.get(), settings.region)
@@ -232,7 +232,7 @@ void AravisCamera::start(Trigger trigger) {
 void AravisCamera::stop() {
   if (!stream_) return;
   release_frame();
-  // A lost camera does not answer: each try would only wait seconds for its time-out.
+  // A lost camera does not answer: each call would only wait seconds for its time-out.
   if (!lost_) arv_camera_stop_acquisition(camera_.get(), nullptr);
   last_statistics_ = statistics();
   stream_.reset();
@@ -267,7 +267,8 @@ Frame AravisCamera::to_frame(ArvBuffer* buffer) {
   frame.counter = arv_buffer_get_frame_id(buffer);
   frame.device_time = static_cast<Nanoseconds>(arv_buffer_get_timestamp(buffer));
   frame.host_time = static_cast<Nanoseconds>(arv_buffer_get_system_timestamp(buffer));
-  if (frame.host_time == 0) frame.host_time = g_get_real_time() * 1000;
+  constexpr Nanoseconds kMicrosecond = 1000;  // [ns]
+  if (frame.host_time == 0) frame.host_time = g_get_real_time() * kMicrosecond;
   frame.image.columns = region_.width;
   frame.image.rows = region_.height;
   frame.image.first_column = region_.x;
@@ -292,7 +293,7 @@ bool AravisCamera::is_whole(ArvBuffer* buffer) const {
          arv_buffer_get_image_pixel_format(buffer) == format_.code && needed && size >= *needed;
 }
 
-/// Packed pixels follow one another over the ends of the rows.
+/// Packed pixels continue across the ends of the rows.
 void AravisCamera::set_pixels(ArvBuffer* buffer, GreyImage& image) {
   std::size_t size = 0;
   const void* const data = arv_buffer_get_image_data(buffer, &size);
@@ -338,14 +339,14 @@ bool is_ip_address(const std::string& name) {
 }  // namespace
 
 std::unique_ptr<Camera> open_aravis_camera(const std::string& name, const AravisOptions& options) {
-  // An address is asked directly: that is faster, and works where broadcasts do not come through.
+  // An address is contacted directly: that is faster, and works without broadcasts.
   const std::string id = is_ip_address(name) ? name : find_aravis_camera(name);
   ArvCameraPtr camera(
       aravis("camera '" + name + "'", [&](GError** e) { return arv_camera_new(id.c_str(), e); }));
   ArvDevice* const device = arv_camera_get_device(camera.get());
   if (ARV_IS_GV_DEVICE(device) && !arv_gv_device_is_controller(ARV_GV_DEVICE(device))) {
     throw ConnectionError("camera '" + name + "'", "another program holds it",
-                          "end that program, or wait until the camera notices that it ended");
+                          "end that program, or wait until the camera times out its connection");
   }
   return std::make_unique<AravisCamera>(std::move(camera), options);
 }

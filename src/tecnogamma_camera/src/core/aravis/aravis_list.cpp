@@ -31,9 +31,9 @@ std::string find_aravis_camera(const std::string& name) {
   }
   if (matches == 1) return found;
   throw scan_cell_common::ConnectionError(
-      "camera '" + name + "'", matches ? "several cameras answer to it" : "no camera answers to it",
-      cameras.empty() ? "no camera answers at all: check cable, power and address"
-                      : "the cameras that answer are " + all);
+      "camera '" + name + "'", matches ? "several cameras match" : "no camera matches",
+      cameras.empty() ? "no camera answers: check cable, power and address"
+                      : "these cameras answer: " + all);
 }
 
 }  // namespace tecnogamma_camera

@@ -57,8 +57,9 @@ Region write_region(ArvCamera* arv, const Region& wanted) {
     set_region(arv, region);
     const Region taken = read_region(arv);
     if (taken != region) {
-      throw InvalidParameter("region", to_text(region),
-                             "the camera took " + to_text(taken) + ": give multiples of its steps");
+      throw InvalidParameter(
+          "region", to_text(region),
+          "the camera took " + to_text(taken) + "; give multiples of its increments");
     }
   } catch (const InvalidParameter&) {
     set_region(arv, before);
@@ -70,12 +71,12 @@ Region write_region(ArvCamera* arv, const Region& wanted) {
 Region write_payload_region(ArvCamera* arv, const Region& wanted) {
   if (wanted.y != 0 || wanted.height != 0) {
     throw InvalidParameter("region", to_text(wanted),
-                           "the rows of a payload are not the sensor's: leave y and height at 0");
+                           "the rows of a payload are not sensor rows: leave y and height at 0");
   }
   const auto set = [&](const char* feature, std::int64_t value) {
     aravis(feature, [&](GError** e) { arv_camera_set_integer(arv, feature, value, e); });
   };
-  // The wider of the two sits in the way of the other.
+  // Offset and width limit each other.
   if (wanted.width != 0) {
     set("OffsetX", 0);
     set("Width", wanted.width);
@@ -87,8 +88,9 @@ Region write_payload_region(ArvCamera* arv, const Region& wanted) {
   }
   const Region taken = read_region(arv);
   if ((wanted.width != 0 && taken.width != wanted.width) || taken.x != wanted.x) {
-    throw InvalidParameter("region", to_text(wanted),
-                           "the camera took " + to_text(taken) + ": give multiples of its steps");
+    throw InvalidParameter(
+        "region", to_text(wanted),
+        "the camera took " + to_text(taken) + "; give multiples of its increments");
   }
   return taken;
 }
@@ -178,7 +180,7 @@ void StrobeOutput::change(const char* feature, const std::string& value) {
 }
 
 void StrobeOutput::restore() {
-  // What cannot be set back is no reason to leave the rest.
+  // A setting that cannot be restored must not keep the others from it.
   for (auto change = changed_.rbegin(); change != changed_.rend(); ++change)
     arv_camera_set_string(arv_, change->feature, change->before.c_str(), nullptr);
   changed_.clear();

@@ -10,20 +10,20 @@
 #include "frame/pixel_format.h"
 #include "tecnogamma_camera/camera.h"
 
-/// Writes what Camera::configure() takes to a GenICam camera. All throw as it does.
+/// Writes the settings of Camera::configure() to a GenICam camera. All throw as it does.
 namespace tecnogamma_camera {
 
-constexpr double kMicroseconds = 1e6;  // in a second: GenICam's unit of the exposure
+constexpr double kMicroseconds = 1e6;  // [us] in a second: GenICam's unit of the exposure
 
 Region read_region(ArvCamera* arv);
 
-/// A region that is refused leaves the camera as it was.
+/// If the region is refused, the camera keeps the one it had.
 /// @return with width and height
 Region write_region(ArvCamera* arv, const Region& wanted);
 
-/// Of a camera whose rows are not those of its sensor: writes the columns alone, and takes the rows
-/// that it says it will send (HeightInterface, where it has that).
-/// @return what it sends
+/// For a camera whose rows are not sensor rows: writes only the columns, and takes the number of
+/// rows from the camera (HeightInterface, if it has that).
+/// @return the region it sends
 Region write_payload_region(ArvCamera* arv, const Region& wanted);
 
 /// @throw MissingFeature naming the pixel format if the camera does not have it
@@ -34,8 +34,9 @@ void write_gain(ArvCamera* arv, double gain);
 void write_rate(ArvCamera* arv, double rate);
 void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source);
 
-/// Drives an output of the camera while it lives: reads how the line was set, makes it an output of
-/// `source`, and sets all back in the end, the selector too. Other lines are left alone.
+/// Drives an output of the camera during its lifetime: reads the line's settings, makes it an
+/// output of `source`, and restores everything at the end, including the selector. Other lines are
+/// not changed.
 class StrobeOutput {
  public:
   /// @throw MissingFeature if the camera has no lines to set; InvalidParameter if not this one
@@ -44,7 +45,7 @@ class StrobeOutput {
   StrobeOutput(const StrobeOutput&) = delete;
   StrobeOutput& operator=(const StrobeOutput&) = delete;
 
-  /// Nothing is set back: the camera is lost.
+  /// Restores nothing: the camera is lost.
   void forget() { changed_.clear(); }
 
  private:

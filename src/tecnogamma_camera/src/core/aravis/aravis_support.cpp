@@ -37,7 +37,7 @@ bool has_feature(ArvCamera* camera, const char* feature) {
 void require_feature(ArvCamera* camera, const char* feature) {
   if (has_feature(camera, feature)) return;
   throw MissingFeature("camera feature", feature,
-                       "the camera does not have it: unset the parameter, or use one that does");
+                       "the camera does not have it: unset the parameter, or use another camera");
 }
 
 }  // namespace tecnogamma_camera

@@ -15,7 +15,7 @@ struct Unref {
 using ArvCameraPtr = std::unique_ptr<ArvCamera, Unref>;
 using ArvStreamPtr = std::unique_ptr<ArvStream, Unref>;
 
-/// Turns what a call of Aravis reports into the suite's errors.
+/// Turns an error of Aravis into an error of the suite.
 /// @param thing what was done, and to which feature
 /// @throw MissingFeature, ConnectionError or InvalidParameter; takes the error
 [[noreturn]] void throw_aravis_error(const std::string& thing, GError* error);

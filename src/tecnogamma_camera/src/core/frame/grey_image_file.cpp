@@ -16,11 +16,11 @@ using scan_cell_common::FileError;
 
 constexpr const char* kCure = "give a PNG, TIFF or PGM of 8 or 16 bit grey pixels";
 
-/// OpenCV makes a picture of what a cut-off PNG or JPEG still holds, grey or black below.
+/// OpenCV decodes a truncated PNG or JPEG as far as it goes and leaves the rest grey or black.
 bool is_cut_off(std::string_view bytes) {
   const auto begins = [&](std::string_view mark) { return bytes.substr(0, mark.size()) == mark; };
-  const std::string_view tail =
-      bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 64));
+  constexpr std::size_t kTail = 64;  // [bytes] that hold the end mark of a whole file; chosen
+  const std::string_view tail = bytes.substr(bytes.size() - std::min(bytes.size(), kTail));
   if (begins("\x89PNG")) return tail.find("IEND") == std::string_view::npos;
   if (begins("\xff\xd8")) return tail.rfind("\xff\xd9") == std::string_view::npos;
   return false;
@@ -28,7 +28,7 @@ bool is_cut_off(std::string_view bytes) {
 
 cv::Mat decode(const std::string& bytes, const std::string& path) {
   if (bytes.empty()) throw FileError(path, "empty", kCure);
-  if (is_cut_off(bytes)) throw FileError(path, "cut off before its end", "take the image again");
+  if (is_cut_off(bytes)) throw FileError(path, "truncated", "take the image again");
   cv::Mat image;
   try {
     const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1,

@@ -35,7 +35,7 @@ void unpack_pairs(int bits, const std::uint8_t* bytes, std::vector<std::uint16_t
   }
 }
 
-/// No pixel of 10 or 12 bits lies in more than two bytes.
+/// A pixel of 10 or 12 bits never spans more than two bytes.
 void unpack_bits(int bits, const std::uint8_t* bytes, std::vector<std::uint16_t>& pixels) {
   const int mask = (1 << bits) - 1;
   for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -10,7 +10,7 @@
 
 namespace tecnogamma_camera {
 
-/// How grey values are laid into bytes.
+/// How grey values are packed into bytes.
 enum class Packing {
   kBytes,    //!< one or two bytes a pixel, the lower first
   kInPairs,  //!< GigE Vision's: two pixels in three bytes, their high bits in the first and third
@@ -24,15 +24,15 @@ struct PixelFormat {
   std::uint32_t code;  //!< as in a frame's header
   int bits;            //!< of a grey value
   Packing packing;
-  int wire_bits;  //!< that a pixel takes in the frame
+  int wire_bits;  //!< of a pixel in the frame
 
-  /// Bytes of so many pixels one after another.
+  /// Bytes of this many consecutive pixels.
   std::size_t bytes(std::size_t pixels) const {
     return (pixels * static_cast<std::size_t>(wire_bits) + 7) / 8;
   }
 
-  /// Bytes of an image whose rows but the last are followed by `padding` bytes. None where such
-  /// rows cannot be read: packed, or beginning within a pixel.
+  /// Bytes of an image with `padding` bytes after every row but the last. None if such rows cannot
+  /// be read: packed, or beginning within a pixel.
   std::optional<std::size_t> bytes(std::size_t columns, std::size_t rows,
                                    std::size_t padding) const;
 };

@@ -10,8 +10,8 @@ namespace tecnogamma_camera {
 using scan_cell_common::Nanoseconds;
 
 Nanoseconds TickClock::unwrap(std::uint32_t raw, Nanoseconds host) {
-  constexpr std::int64_t kTurn = std::int64_t{1} << 32;
-  std::int64_t ticks = kTurn + raw;  // 0 would mean that the time is not known
+  constexpr std::int64_t kTurn = std::int64_t{1} << 32;  // ticks of a 32 bit counter
+  std::int64_t ticks = kTurn + raw;                      // 0 would mean that the time is not known
   if (started_) {
     const double expected =
         static_cast<double>(last_ticks_) + static_cast<double>(host - last_host_) / tick_;

@@ -8,9 +8,9 @@
 
 namespace tecnogamma_camera {
 
-/// A device's clock of 32 bits, made one that does not wrap. How often it wrapped since the last
-/// frame is taken from the host's clock, so that a pause may be longer than a turn (72 minutes at
-/// 1 us); the two must agree to half a turn.
+/// Unwraps a device's 32 bit clock. The host's clock says how often it wrapped since the last
+/// frame, so a pause may be longer than a turn (72 minutes at 1 us); the two must agree to half a
+/// turn.
 class TickClock {
  public:
   /// @param tick [ns] above 0

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "payload/decoding_camera.h"
 
+#include <fmt/format.h>
+
 namespace tecnogamma_camera {
 
 DecodingCamera::DecodingCamera(std::unique_ptr<Camera> camera,
@@ -33,7 +35,7 @@ std::optional<Frame> DecodingCamera::grab(std::chrono::microseconds timeout) {
   if (!payload) return std::nullopt;
   const GreyImage bytes = payload->image;
   if (payload->restarted) clock_.reset();
-  payload->restarted |= raw_.restarted;  // told by a payload without frames
+  payload->restarted |= raw_.restarted;  // reported by a payload without frames
   raw_ = std::move(*payload);
   raw_.counter = kNoFrameNumber;  // of the transport: the frames have their own
   raw_.image = {};
@@ -42,8 +44,8 @@ std::optional<Frame> DecodingCamera::grab(std::chrono::microseconds timeout) {
     next_ = 0;
     count_ = 0;
     if (bytes.bytes_per_pixel() != 1) {
-      throw scan_cell_common::UnusableInput("payload", std::to_string(bytes.bits) + " bit pixels",
-                                            "payloads come as bytes: give Mono8");
+      throw scan_cell_common::UnusableInput("payload", fmt::format("{} bit pixels", bytes.bits),
+                                            "payloads are bytes: give Mono8");
     }
     count_ = decoder_->decode(bytes.as<std::uint8_t>(), decoded_);
   } catch (const scan_cell_common::Error& error) {
@@ -54,7 +56,7 @@ std::optional<Frame> DecodingCamera::grab(std::chrono::microseconds timeout) {
   return take_decoded();
 }
 
-/// Only the first of its frames tells that the camera was restarted.
+/// Only the first of its frames reports a restart of the camera.
 Frame DecodingCamera::take_raw() {
   Frame frame = raw_;
   raw_.restarted = false;

@@ -11,9 +11,9 @@
 
 namespace tecnogamma_camera {
 
-/// A camera that finds the peaks itself: another camera, whose frames are payloads for a decoder.
+/// A camera that finds the peaks itself: wraps a camera whose frames are payloads, and a decoder.
 /// Counter and time are those in the payload. A payload that cannot be decoded becomes a frame with
-/// a fault, one with packets missing a frame without number.
+/// a fault; one with missing packets becomes a frame without a number.
 class DecodingCamera : public Camera {
  public:
   DecodingCamera(std::unique_ptr<Camera> camera, std::unique_ptr<PayloadDecoder> decoder);
@@ -38,7 +38,7 @@ class DecodingCamera : public Camera {
   std::unique_ptr<Camera> camera_;
   std::unique_ptr<PayloadDecoder> decoder_;
   TickClock clock_;
-  Frame raw_;  // without its pixels: what is common to all that was decoded from it
+  Frame raw_;  // without its pixels: common to all frames decoded from it
   std::vector<DecodedFrame> decoded_;
   std::size_t count_ = 0;  // of decoded_ that are of the last payload
   std::size_t next_ = 0;

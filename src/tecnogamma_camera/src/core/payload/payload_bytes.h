@@ -39,7 +39,7 @@ class PayloadBytes {
   std::size_t size_;
 };
 
-/// frames[index] without what it held, but with the memory of its arrays.
+/// frames[index], cleared; its arrays keep their memory.
 inline DecodedFrame& begin_frame(std::vector<DecodedFrame>& frames, std::size_t index) {
   if (index == frames.size()) frames.emplace_back();
   DecodedFrame& frame = frames[index];

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tecnogamma_camera/photonfocus_3d03.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -13,9 +15,9 @@ namespace {
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::UnusableInput;
 
-constexpr int kBlockRows = 5;       // one of the 2D line, four of 3D data
-constexpr int kStatusColumns = 16;  // that carry image counter and time, 4 bits each
-constexpr int kScanRows = 1024;     // most that 10 bits tell
+constexpr int kBlockRows = 5;       // one of the 2D line, four of 3D data; MAN052
+constexpr int kStatusColumns = 16;  // with image counter and time, 4 bits each
+constexpr int kScanRows = 1024;     // [px] most that 10 bits hold
 
 /// Bits `first` to `first` + 4 `count` - 1 of the status word: the lowest bits of its row.
 std::uint32_t status(const std::uint8_t* row, int first, int count) {
@@ -25,10 +27,12 @@ std::uint32_t status(const std::uint8_t* row, int first, int count) {
   return value;
 }
 
+/// A combined frame that was cut short is filled up (manuals of the 3D02 and 3D06).
 bool is_filler(const ImageView8& payload, int first_row) {
+  constexpr std::uint8_t kFirst = 0xBB, kSecond = 0x44;  // of each row, the others are 0
   for (int i = 0; i < kBlockRows; ++i) {
     const std::uint8_t* const row = payload.row(first_row + i);
-    if (row[0] != 0xBB || row[1] != 0x44) return false;
+    if (row[0] != kFirst || row[1] != kSecond) return false;
     if (std::any_of(row + 2, row + payload.columns, [](std::uint8_t b) { return b != 0; }))
       return false;
   }
@@ -40,13 +44,13 @@ bool is_filler(const ImageView8& payload, int first_row) {
 void Photonfocus3D03Settings::check() const {
   if (scan_first_row < -1 || scan_first_row >= sensor_rows) {
     throw InvalidParameter(
-        "scan_first_row", std::to_string(scan_first_row),
-        "give Peak0_3DY, 0 to " + std::to_string(sensor_rows - 1) + ", or -1 to ask the camera");
+        "scan_first_row", fmt::format("{}", scan_first_row),
+        fmt::format("give Peak0_3DY, 0 to {}, or -1 to ask the camera", sensor_rows - 1));
   }
   if (scan_rows < -1 || scan_rows == 0 || scan_rows > kScanRows) {
     throw InvalidParameter(
-        "scan_rows", std::to_string(scan_rows),
-        "give Peak0_3DH, 1 to " + std::to_string(kScanRows) + ", or -1 to ask the camera");
+        "scan_rows", fmt::format("{}", scan_rows),
+        fmt::format("give Peak0_3DH, 1 to {}, or -1 to ask the camera", kScanRows));
   }
 }
 
@@ -58,18 +62,18 @@ Photonfocus3D03Decoder::Photonfocus3D03Decoder(const Photonfocus3D03Settings& se
 void Photonfocus3D03Decoder::adapt(const FeatureReader& feature) {
   settings_ = asked_;
   const auto ask = [&](const char* name, int& value) {
-    constexpr std::int64_t kMost = 65535;
+    constexpr std::int64_t kMost = 65535;  // [px] as the parameters'
     const auto told = value < 0 ? feature(name) : std::nullopt;
     if (told) value = static_cast<int>(std::clamp<std::int64_t>(*told, 0, kMost));
   };
   ask("Peak0_3DY", settings_.scan_first_row);
   ask("Peak0_3DH", settings_.scan_rows);
   if (settings_.scan_first_row < 0) {
-    throw InvalidParameter("scan_first_row", "-1, and the camera does not tell it",
+    throw InvalidParameter("scan_first_row", "-1, and the camera does not report it",
                            "give its Peak0_3DY");
   }
   if (settings_.scan_rows < 0 && settings_.with_image) {
-    throw InvalidParameter("scan_rows", "-1, and the camera does not tell it",
+    throw InvalidParameter("scan_rows", "-1, and the camera does not report it",
                            "give its Peak0_3DH");
   }
   if (settings_.scan_rows < 0) settings_.scan_rows = kScanRows;
@@ -77,7 +81,7 @@ void Photonfocus3D03Decoder::adapt(const FeatureReader& feature) {
   const auto refuse_unless = [&](const char* name, std::int64_t wanted) {
     const auto told = feature(name);
     if (!told || *told == wanted) return;
-    throw UnusableInput(name, std::to_string(*told), "set it to " + std::to_string(wanted));
+    throw UnusableInput(name, fmt::format("{}", *told), fmt::format("set it to {}", wanted));
   };
   refuse_unless("PeakDetector_NrOfPeaks", 1);
   refuse_unless("DataFormat3D", 0);
@@ -96,21 +100,21 @@ int Photonfocus3D03Decoder::first_row_of(const ImageView8& payload) const {
 
 std::size_t Photonfocus3D03Decoder::decode(const ImageView8& payload,
                                            std::vector<DecodedFrame>& frames) const {
-  const std::string size = std::to_string(payload.columns) + " x " + std::to_string(payload.rows);
+  const std::string size = fmt::format("{} x {} bytes", payload.columns, payload.rows);
   if (payload.columns < kStatusColumns || payload.first_column < 0 || first_row_of(payload) < 0) {
-    throw UnusableInput("3D03 frame", "of " + size + " bytes",
-                        "it has one byte a column, at least " + std::to_string(kStatusColumns) +
-                            ", at most " + std::to_string(settings_.sensor_columns));
+    throw UnusableInput("3D03 frame", size,
+                        fmt::format("a frame has one byte per column, {} to {} of them",
+                                    kStatusColumns, settings_.sensor_columns));
   }
   const int image_rows = settings_.with_image ? settings_.scan_rows : 0;
   const int blocks = (payload.rows - image_rows) / kBlockRows;
   const bool whole = payload.rows > image_rows && (payload.rows - image_rows) % kBlockRows == 0;
   if (!whole || (settings_.with_image && blocks != 1)) {
-    throw UnusableInput("3D03 frame", "of " + size + " bytes",
+    throw UnusableInput("3D03 frame", size,
                         settings_.with_image
-                            ? "in 2D&3D with " + std::to_string(image_rows) +
-                                  " rows scanned it has " + std::to_string(image_rows + kBlockRows)
-                            : "in 3Donly it has 5 rows for each of the combined frames");
+                            ? fmt::format("in 2D&3D with {} scan rows a frame has {} rows",
+                                          image_rows, image_rows + kBlockRows)
+                            : "in 3Donly each combined frame has 5 rows");
   }
   std::size_t count = 0;
   for (int block = 0; block < blocks; ++block) {
@@ -145,7 +149,7 @@ void Photonfocus3D03Decoder::decode_block(const ImageView8& payload, int row,
       continue;
     }
     const int turned = payload.columns - 1 - column;
-    constexpr float kClass = 16;  // [grey values] that share a height
+    constexpr float kClass = 16;  // [grey values] that share a height: 4 of 8 bits
     frame.peaks.position[turned] = static_cast<float>(settings_.scan_first_row) + peak.position;
     frame.peaks.width[turned] = static_cast<float>(peak.width);
     frame.peaks.intensity[turned] = kClass * static_cast<float>(peak.height) + 0.5F * (kClass - 1);

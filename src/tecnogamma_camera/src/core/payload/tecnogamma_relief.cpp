@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tecnogamma_camera/tecnogamma_relief.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -12,14 +14,13 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr int kKernel = 32;             // [px] columns that the LUPA3000 reads out together
-constexpr std::size_t kThreshold = 4;   // [bytes] a row
-constexpr std::size_t kCenter = 8;      // [bytes] a row
-constexpr float kCenterUnit = 65536.F;  // of a pixel
+constexpr int kKernel = 32;             // [px] columns the LUPA3000 reads out together; chosen
+constexpr std::size_t kThreshold = 4;   // [bytes] a row; thesis, section 3.2
+constexpr std::size_t kCenter = 8;      // [bytes] a row; chosen
+constexpr float kCenterUnit = 65536.F;  // [1/px] chosen
 
 std::string to_text(const Region& region) {
-  return std::to_string(region.width) + " x " + std::to_string(region.height) + " at " +
-         std::to_string(region.x) + ", " + std::to_string(region.y);
+  return fmt::format("{} x {} at {}, {}", region.width, region.height, region.x, region.y);
 }
 
 /// Of a payload of `rows` elements of `size` bytes.
@@ -34,7 +35,7 @@ void read_peaks(const std::uint8_t* bytes, std::size_t size, const Region& regio
       ++frame.impossible_peaks;
       continue;
     }
-    const bool cut = start == 0 || start + width == region.width;  // the middle is not known
+    const bool cut = start == 0 || start + width == region.width;  // the centre is unknown
     if (cut) continue;
     float column = static_cast<float>(start) + 0.5F * static_cast<float>(width - 1);
     if (size == kCenter) {
@@ -49,7 +50,7 @@ void read_peaks(const std::uint8_t* bytes, std::size_t size, const Region& regio
   }
 }
 
-/// Some decimated images have the size of relief rows.
+/// Some decimated images are as large as relief rows.
 bool is_decimated(const TecnogammaFrameInfo& info, std::size_t columns, std::size_t rows) {
   const std::size_t step = info.decimation;
   if (step < 2) return false;
@@ -70,15 +71,14 @@ void set_place(const Region& region, ImageView8& image) {
 
 void TecnogammaSettings::check() const {
   using scan_cell_common::InvalidParameter;
-  constexpr double kLongest = 1;  // [s]
+  constexpr double kLongest = 1;  // [s] as the parameter's
   if (!(tick >= 0 && tick <= kLongest)) {
-    throw InvalidParameter("payload_tick", std::to_string(tick) + " s",
-                           "give the length of a tick, up to 1 s, or 0 where it is not known");
+    throw InvalidParameter("payload_tick", fmt::format("{:g} s", tick),
+                           "give the length of a tick, up to 1 s, or 0 if it is not known");
   }
   if (sensor_columns < kKernel || sensor_rows < 1) {
-    throw InvalidParameter("sensor",
-                           std::to_string(sensor_columns) + " x " + std::to_string(sensor_rows),
-                           "give its pixels");
+    throw InvalidParameter("sensor", fmt::format("{} x {} pixels", sensor_columns, sensor_rows),
+                           fmt::format("give at least {} x 1", kKernel));
   }
 }
 
@@ -114,9 +114,9 @@ Region TecnogammaDecoder::region_of(const TecnogammaFrameInfo& info) const {
                       info.last_row - info.first_row + 1};
   if (region.width < 1 || region.height < 1 || region.x + region.width > settings_.sensor_columns ||
       region.y + region.height > settings_.sensor_rows) {
-    throw UnusableInput("relief frame", "of a region of " + to_text(region),
-                        "the sensor has " + std::to_string(settings_.sensor_columns) + " x " +
-                            std::to_string(settings_.sensor_rows) + " pixels");
+    throw UnusableInput("relief frame", "region of " + to_text(region),
+                        fmt::format("the sensor has {} x {} pixels", settings_.sensor_columns,
+                                    settings_.sensor_rows));
   }
   return region;
 }
@@ -125,8 +125,8 @@ std::size_t TecnogammaDecoder::decode(const ImageView8& payload,
                                       std::vector<DecodedFrame>& frames) const {
   const PayloadBytes bytes(payload);
   if (bytes.size() < kInfoSize) {
-    throw UnusableInput("relief frame", "cut off after " + std::to_string(bytes.size()) + " bytes",
-                        "its frame information alone has " + std::to_string(kInfoSize));
+    throw UnusableInput("relief frame", fmt::format("cut off after {} bytes", bytes.size()),
+                        fmt::format("the frame information alone has {} bytes", kInfoSize));
   }
   const TecnogammaFrameInfo info = read_info(bytes.data());
   const Region region = region_of(info);
@@ -140,14 +140,14 @@ std::size_t TecnogammaDecoder::decode(const ImageView8& payload,
   const std::size_t memory = bytes.size() - kInfoSize;
   if (info.offset > memory || info.size > memory - info.offset) {
     throw UnusableInput(
-        "relief frame", "cut off after " + std::to_string(memory) + " bytes of memory",
-        std::to_string(info.size) + " from byte " + std::to_string(info.offset) + " are missing");
+        "relief frame", fmt::format("cut off after {} bytes of memory", memory),
+        fmt::format("its payload has {} bytes from byte {}", info.size, info.offset));
   }
   const std::uint8_t* const begin = bytes.data() + kInfoSize + info.offset;
   const auto rows = static_cast<std::size_t>(region.height);
   const auto columns = static_cast<std::size_t>(region.width);
   if (is_decimated(info, columns, rows)) {
-    throw UnusableInput("relief frame", "an image decimated by " + std::to_string(info.decimation),
+    throw UnusableInput("relief frame", fmt::format("an image decimated by {}", info.decimation),
                         "switch the decimation off");
   }
   if (info.size == kThreshold * rows || info.size == kCenter * rows) {
@@ -159,10 +159,9 @@ std::size_t TecnogammaDecoder::decode(const ImageView8& payload,
     frame.image.stride = region.width;
   } else {
     throw UnusableInput("relief frame",
-                        "with a payload of " + std::to_string(info.size) +
-                            " bytes for a region of " + to_text(region) + ", decimation " +
-                            std::to_string(info.decimation),
-                        "4, 8 or one byte a pixel a row are read");
+                        fmt::format("payload of {} bytes for the region {}, decimation {}",
+                                    info.size, to_text(region), info.decimation),
+                        "a payload has 4 or 8 bytes per row, or one byte per pixel");
   }
   return 1;
 }

@@ -13,15 +13,15 @@
 namespace tecnogamma_camera {
 namespace {
 
-constexpr int kSampledRows = 4;  // of a band
+constexpr int kSampledRows = 4;  // of a band; chosen
 
-// Quartile and twentieth of a normal distribution are 0.6745 and 1.6449 standard deviations below
-// its middle.
-constexpr double kUpper = 0.25;
-constexpr double kLower = 0.05;
-constexpr double kUpperBelowMedian = 0.6745;
-constexpr double kUpperAboveLower = 1.6449 - 0.6745;
-constexpr double kMaxBlack = 0.75;  // with less left of it, noise of one grey value or less
+// The 25 % and 5 % quantiles of a normal distribution are 0.6745 and 1.6449 standard deviations
+// below its median.
+constexpr double kUpper = 0.25;                       // of the pixels; chosen
+constexpr double kLower = 0.05;                       // of the pixels; chosen
+constexpr double kUpperBelowMedian = 0.6745;          // standard deviations
+constexpr double kUpperAboveLower = 1.6449 - 0.6745;  // standard deviations
+constexpr double kMaxBlack = 0.75;  // of the pixels; above it, noise <= 1 grey value; chosen
 
 /// Pixels of a tile, one after another.
 template <class Pixel>
@@ -32,8 +32,8 @@ struct Sample {
 
 template <class Pixel>
 TECNOGAMMA_INLINE int count_at_most(const Sample<Pixel>& sample, Pixel level) {
-  // Side by side in bytes, which fill a vector; none of them counts further than a byte can.
-  constexpr int kLanes = 64;
+  // In bytes side by side, for vector instructions; none of them overflows.
+  constexpr int kLanes = 64;  // bytes; chosen
   std::uint8_t counts[kLanes] = {};
   int first = 0;
   for (; first + kLanes <= sample.size; first += kLanes)
@@ -48,7 +48,7 @@ TECNOGAMMA_INLINE int count_at_most(const Sample<Pixel>& sample, Pixel level) {
 }
 
 /// Quantile of the sample, as if the grey values were spread evenly over their rounding. It is
-/// sought by counting, from `guess` on: the next tile's is mostly a few grey values off.
+/// found by counting, starting at `guess`: the next tile is usually only a few grey values off.
 template <class Pixel>
 TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int guess) {
   const double wanted = share * sample.size;
@@ -74,7 +74,7 @@ TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int
   return low - 0.5 + (wanted - below) / std::max(1, at_most - below);
 }
 
-/// Takes a slope about the middle, and an offset, out of a row.
+/// Subtracts an offset and a slope about the middle from a row.
 template <class Pixel>
 void take_out(double slope, double offset, int columns, Pixel* pixels) {
   constexpr long kMost = std::numeric_limits<Pixel>::max();
@@ -84,10 +84,10 @@ void take_out(double slope, double offset, int columns, Pixel* pixels) {
         std::clamp(std::lround(pixels[i] - offset - slope * (i - middle)), 0L, kMost));
 }
 
-/// Where the camera's black cut the noise off, its low quantiles say nothing. The differences of
-/// neighbours do: four fifths of them are below 1.81 standard deviations of whole noise, and below
-/// less of them the more of it was cut off (a parabola through simulated values). A line has large
-/// ones only at its flanks.
+/// Where black clips the noise, its low quantiles say nothing. The differences of neighbours do:
+/// four fifths of them are below 1.81 standard deviations of unclipped noise, and below fewer the
+/// more of it is clipped (a parabola fitted to simulated values). A line has large ones only at its
+/// flanks.
 /// @param black share of the pixels at zero
 template <class Pixel>
 TECNOGAMMA_INLINE TileLight light_of_clipped(const Sample<Pixel>& sample, double black) {
@@ -98,8 +98,9 @@ TECNOGAMMA_INLINE TileLight light_of_clipped(const Sample<Pixel>& sample, double
   for (int i = 0; i < differences.size; ++i)
     differences.pixels[i] =
         static_cast<Pixel>(std::abs(int{sample.pixels[i + 1]} - int{sample.pixels[i]}));
-  light.noise = std::max(0.0, quantile(differences, 0.8, 1)) /
-                (1.807 - 1.223 * black - 0.633 * black * black);
+  constexpr double kShare = 0.8;  // of the differences; chosen
+  const double deviations = 1.807 - 1.223 * black - 0.633 * black * black;  // the fitted parabola
+  light.noise = std::max(0.0, quantile(differences, kShare, 1)) / deviations;
   light.background = std::max(0.0, quantile(sample, 0.5, 1));
   return light;
 }
@@ -162,7 +163,7 @@ const TileLight& Background<Pixel>::as_level(int band, int tile) {
 template <class Pixel>
 TileLight Background<Pixel>::without_climb(int band, int tile) {
   const TileLight level = as_level(band, tile);
-  // Less is within what the noise of the tiles themselves does to it.
+  // A smaller slope may come from the noise of the tiles.
   const double least = (1 + level.noise) / kTileColumns;
   const auto if_any = [&](double slope) { return std::abs(slope) < least ? 0 : slope; };
   const double across = if_any(slope_across(band, tile));

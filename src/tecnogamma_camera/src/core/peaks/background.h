@@ -11,12 +11,12 @@
 
 namespace tecnogamma_camera {
 
-/// What the pixels of a tile are like where no laser is: median and scatter, by two low quantiles
-/// that a line through the tile does not reach.
+/// The pixels of a tile without the laser: median and scatter, from two low quantiles that a line
+/// through the tile does not affect.
 struct TileLight {
   double background = 0;  //!< [grey value] in the tile's middle
   double noise = 0;       //!< [grey value] standard deviation
-  double down = 0;        //!< [grey values/px] climb of the background from row to row
+  double down = 0;        //!< [grey values/px] rise of the background from row to row
 };
 
 /// Straight line through the background about a column.
@@ -25,20 +25,20 @@ struct BackgroundLine {
   double slope = 0;  //!< [grey values/px]
 };
 
-/// The light of a frame that is not the laser's: dark offset, ambient light and its gradient, in
-/// tiles of about kTileColumns x kBandRows pixels, of which four rows are looked at. A tile is
-/// measured when it is first asked for.
+/// The light of a frame besides the laser: dark offset, ambient light and its gradient, in tiles of
+/// about kTileColumns x kBandRows pixels, of which four rows are sampled. A tile is measured when
+/// it is first needed.
 template <class Pixel>
 class Background {
  public:
-  static constexpr int kTileColumns = 128;
-  static constexpr int kBandRows = 128;
+  static constexpr int kTileColumns = 128;  //!< [px] chosen
+  static constexpr int kBandRows = 128;     //!< [px] chosen
 
   explicit Background(const ImageView<Pixel>& image);
 
   int tiles() const { return tiles_; }
   int tile_of(int column) const { return column * tiles_ / image_.columns; }
-  /// Where the light climbs from tile to tile, across or down, the climb is taken out of its noise.
+  /// Where the light rises from tile to tile, across or down, the rise is removed from its noise.
   const TileLight& tile(int row, int tile);
 
   /// About a column: through the middles of its tile and of the next one on its side, or the

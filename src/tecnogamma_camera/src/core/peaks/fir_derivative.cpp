@@ -5,10 +5,10 @@
 namespace tecnogamma_camera {
 namespace {
 
-constexpr double kNarrowest = 1.0;  // [px]
-constexpr double kRatio = 1.3;      // from one filter to the next
-constexpr int kFilters = 13;
-constexpr double kReach = 2.75;  // sigmas
+constexpr double kNarrowest = 1.0;  // [px] sigma; chosen
+constexpr double kRatio = 1.3;      // from one filter to the next: they fit to 14 %; chosen
+constexpr int kFilters = 13;        // to a sigma of 23 px; chosen
+constexpr double kReach = 2.75;     // sigmas; chosen
 
 std::vector<DerivativeFilter> make_filters() {
   std::vector<DerivativeFilter> filters;

@@ -21,13 +21,14 @@ struct DerivativeFilter {
 };
 
 /// The filter for a stripe of a full width at half of its height [px]: of the stripe's own sigma,
-/// the matched one, to 14 %, which costs 1.5 % of accuracy; but never below 1 px, which its taps
-/// could not tell from one another, nor above 23 px.
+/// the matched one, to 14 %, which costs 1.5 % of accuracy; but never below 1 px, where the taps
+/// of different filters become the same, nor above 23 px.
 const DerivativeFilter& filter_for(double width);
 
 /// Standard deviation of a Gaussian of a full width at half of its height.
 inline double sigma_of_width(double width) {
-  return width / 2.3548200450309493;
+  constexpr double kWidthOfSigma = 2.3548200450309493;  // 2 sqrt(2 ln 2)
+  return width / kWidthOfSigma;
 }
 
 /// Where to look for a zero crossing.

@@ -9,9 +9,9 @@
 namespace tecnogamma_camera {
 namespace {
 
-constexpr int kBits = kLevelColumns;  // of a word
-constexpr int kWordsOfBlock = 2;
-constexpr int kBlock = kWordsOfBlock * kBits;
+constexpr int kBits = kLevelColumns;           // of a word
+constexpr int kWordsOfBlock = 2;               // chosen
+constexpr int kBlock = kWordsOfBlock * kBits;  // [px]
 
 template <class Pixel>
 TECNOGAMMA_INLINE Pixel brightest(const Pixel* row, int columns) {
@@ -24,7 +24,7 @@ TECNOGAMMA_INLINE Pixel brightest(const Pixel* row, int columns) {
 /// One bit a pixel, from the lowest on.
 template <class Pixel>
 TECNOGAMMA_INLINE std::uint64_t lit_bits(const Pixel* row, int columns, Pixel level) {
-  constexpr int kGroup = 8;
+  constexpr int kGroup = 8;  // bits of a byte
   std::uint8_t lit[kBits] = {};
   for (int i = 0; i < columns; ++i)
     lit[i] = row[i] > level;

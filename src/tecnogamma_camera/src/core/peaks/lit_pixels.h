@@ -9,7 +9,7 @@
 namespace tecnogamma_camera {
 
 /// Columns that share a trigger level.
-constexpr int kLevelColumns = 64;
+constexpr int kLevelColumns = 64;  // [px] the bits of a word
 
 inline int levels_of(int columns) {
   return (columns + kLevelColumns - 1) / kLevelColumns;
@@ -17,10 +17,9 @@ inline int levels_of(int columns) {
 
 /// Which pixels of a row are above the trigger level of their columns, one bit a pixel.
 ///
-/// A laser line lights a few pixels of a row, so nearly all of a frame's time goes into passing
-/// over the dark ones: a block of them at a time, by its brightest pixel alone, in a loop that
-/// compilers turn into vector instructions; the lit runs are then found in the bits, 64 columns at
-/// a time.
+/// A laser line lights a few pixels of a row, so nearly all of the time goes into skipping the dark
+/// ones: a block at a time, by its brightest pixel, in a loop that compilers vectorise. The lit
+/// runs are then found in the bits, 64 columns at a time.
 class LitPixels {
  public:
   /// @param levels levels_of(columns)
@@ -58,8 +57,8 @@ class LitPixels {
   void mark_pixels(const Pixel* row, int columns, const std::vector<Pixel>& levels);
 
   int columns_ = 0;
-  int lit_from_ = 0;   // the words before it are of dark pixels
-  int dark_from_ = 0;  // and so are those from here on
+  int lit_from_ = 0;   // the words before it are dark
+  int dark_from_ = 0;  // and so are those from here
   std::vector<std::uint64_t> words_;
 };
 

@@ -45,12 +45,12 @@ class FrameDetection {
   }
 
  private:
-  static constexpr int kBlockRows = 32;
+  static constexpr int kBlockRows = 32;  // [px] that share their trigger levels; chosen
 
   bool automatic() const { return settings_.trigger_level == kAutomaticLevel; }
   bool needs_stripe() const { return automatic() || Locate::kNeedsStripe; }
 
-  /// Its fall is 0 where the row has none, or one that is cut.
+  /// Its fall is 0 if the row has none, or one that is cut.
   void find_spot(int i, const Pixel* row) {
     rows_[i] = row;
     lit_.mark(row, image_.columns, levels_.levels());
@@ -67,7 +67,7 @@ class FrameDetection {
     }
   }
 
-  /// Makes a pixel the mean of its neighbours, in a copy of the row.
+  /// Replaces a pixel by the mean of its neighbours, in a copy of the row.
   void replace(int i, int column) {
     if (column == 0 || column == image_.columns - 1) return;
     std::vector<Pixel>& copy = repaired_[i];
@@ -86,7 +86,7 @@ class FrameDetection {
   }
 
   void repair(int i) {
-    constexpr int kMost = 8;  // in a row
+    constexpr int kMost = 8;  // hot pixels in a row; chosen
     for (int n = 0; n < kMost && is_hot(rows_[i], image_.columns, spots_[i], heights_[i]); ++n) {
       replace(i, heights_[i].anchor);
       find_spot(i, rows_[i]);
@@ -106,7 +106,7 @@ class FrameDetection {
                        : edges_at(rows_[i], spot, settings_.trigger_level);
   }
 
-  /// [px] as the profile tells it; of a cut one what is seen of it.
+  /// [px] as in the profile; of a cut spot, the visible part.
   double width_of(int i, const Spot& spot) {
     if (!automatic()) return spot.cut ? spot.fall - spot.rise : edges_of(i, spot, {}).width();
     const Stripe stripe = find_stripe(rows_[i], image_.columns, spot, height_of(i, spot));

@@ -31,8 +31,8 @@ Edges edges_at_half(const Pixel* row, const Stripe& stripe) {
           crossing(row, stripe.fall - 1, stripe.fall, stripe.half() + climb)};
 }
 
-// What finds the column of the peak in a row. Where a trigger level is given, those that do not
-// need the stripe get none.
+// They find the column of the peak in a row. With a given trigger level, those that do not need the
+// stripe get none.
 
 /// The middle between the edges.
 struct ThresholdLocator {
@@ -47,7 +47,8 @@ struct ThresholdLocator {
 /// The centre of gravity of the grey values above the stripe's foot, by the rule of make_detector.
 struct CenterOfGravityLocator {
   static constexpr bool kNeedsStripe = true;
-  static constexpr double kMarginShare = 0.4;  // of the width: a Gaussian's foot is 0.33 off
+  // Of the width; chosen: a Gaussian's foot is 0.33 beyond the edge.
+  static constexpr double kMarginShare = 0.4;
   int window;
 
   template <class Pixel>

@@ -13,7 +13,7 @@
 
 namespace tecnogamma_camera {
 
-/// A run of light in one row, and the free space about it.
+/// A lit run in one row, and the free space around it.
 struct Spot {
   int rise = 0;      //!< first lit column
   int fall = 0;      //!< first dark column after it; 0: no spot
@@ -22,7 +22,7 @@ struct Spot {
   bool cut = false;  //!< by the image's border
 };
 
-/// Most rows have one spot: its light is summed where there is another to compare it with.
+/// Most rows have one spot: its light is summed only if there is another to compare it with.
 constexpr std::int64_t kNotSummed = std::numeric_limits<std::int64_t>::min();
 
 /// First dark column of the spot whose rising edge stands at `rise`: dips shorter than the
@@ -37,7 +37,7 @@ inline int falling_edge(const LitPixels& lit, int rise, int columns, int permane
 
 /// The spots of a row from left to right, by the rule of PeakDetector.
 /// @param take called with each; the `right` of a spot is not known yet
-/// @param pass_over called with the column of each lit pixel alone that is none
+/// @param pass_over called with the column of each lone lit pixel that is no spot
 template <class Take, class PassOver>
 void for_each_spot(const LitPixels& lit, int columns, int permanence, const Take& take,
                    const PassOver& pass_over) {

@@ -10,12 +10,12 @@
 
 namespace tecnogamma_camera {
 
-constexpr double kFootOfHalf = 0.3;  //!< the foot is 15 % of the height
-// Half of a Gaussian's height, of the mean of its light weighted by itself: of all of it, and of
-// what is above half of its height.
-constexpr double kHalfOfMean = 0.70711;
-constexpr double kHalfOfCoreMean = 0.59519;
-constexpr double kBridgedShare = 0.25;  //!< of the stripe's width, that a dip in it may have
+constexpr double kFootOfHalf = 0.3;  //!< of half of the height: the foot is at 15 %; chosen
+// Half of a Gaussian's height over the mean of its light weighted by itself: of the whole Gaussian,
+// and of its part above half of the height.
+constexpr double kHalfOfMean = 0.70711;      //!< sqrt(1 / 2)
+constexpr double kHalfOfCoreMean = 0.59519;  //!< from the integrals
+constexpr double kBridgedShare = 0.25;       //!< of the stripe's width: longest dip in it; chosen
 
 /// The laser's light in a row, by the rule of PeakDetector.
 struct Stripe {
@@ -101,7 +101,7 @@ Height measure_height(const Pixel* row, const Spot& spot, const BackgroundLine& 
   const double light = all.light(background.value);
   const double squares = all.light_of_squares(background.value);
   const double mean = background.value + kHalfOfMean * squares / light;
-  if (!(light > 0 && mean < brightest)) return height;  // more dark dips than light
+  if (!(light > 0 && mean < brightest)) return height;  // more dark than lit
   const int floor = static_cast<int>(mean);
   GreySums core;
   for (int column = spot.rise; column < spot.fall; ++column) {
@@ -118,8 +118,8 @@ Height measure_height(const Pixel* row, const Spot& spot, const BackgroundLine& 
 /// Whether the brightest pixel of a spot is a hot one beside the line, by the rule of PeakDetector.
 template <class Pixel>
 bool is_hot(const Pixel* row, int columns, const Spot& spot, const Height& height) {
-  constexpr double kStandsOut = 4;  // a stripe of sigma 0.5 px does so by 4.4 at most
-  constexpr double kOneSide = 3;    // the line's side has so many times the other's light
+  constexpr double kStandsOut = 4;  // times; chosen: a stripe of sigma 0.5 px reaches 4.4 at most
+  constexpr double kOneSide = 3;    // times the light of the other side; chosen
   const int at = height.anchor;
   if (height.half == 0 || at == 0 || at == columns - 1) return false;
   const double background = height.background.value;

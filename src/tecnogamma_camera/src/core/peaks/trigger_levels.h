@@ -13,7 +13,7 @@
 
 namespace tecnogamma_camera {
 
-/// Above what the pixels of a row are lit, and how much light makes a spot.
+/// The levels above which pixels of a row are lit, and how much light makes a spot.
 ///
 /// Automatic: kNoiseSigmas of the noise above the background, at least kMinDistance, for each 64
 /// columns of some rows; where the background climbs in them, above its highest corner. Of the 3
@@ -45,13 +45,13 @@ class TriggerLevels {
   const std::vector<Pixel>& levels() const { return levels_; }
   Pixel at(int column) const { return levels_[static_cast<std::size_t>(column / kLevelColumns)]; }
 
-  /// Whether a spot is so narrow that its light has to be looked at: in a wider one all pixels
-  /// above the level are enough. A level that was given is taken at its word.
+  /// Whether a spot is so narrow that its light has to be checked: for a wider one, all pixels
+  /// above the level are enough. A given level needs no check.
   bool may_be_noise(int width) const {
     return automatic_ && kSpotSigmas * kSpotSigmas > kNoiseSigmas * kNoiseSigmas * width;
   }
 
-  /// Whether a lone lit pixel is far too bright for noise.
+  /// Whether a lone lit pixel is too bright for noise.
   bool is_hot(Pixel grey, int column) const {
     return automatic_ &&
            grey - at(column) > kHotDistances * places_[column / kLevelColumns].distance;
@@ -85,8 +85,8 @@ class TriggerLevels {
     }
   }
 
-  /// Of the level above the background. The noise is the tile's own or, against the chance that it
-  /// came out too low, the mean with its neighbours'.
+  /// Of the level above the background. The noise is the tile's own or, in case that came out too
+  /// low, the mean with its neighbours.
   static double distance(Background<Pixel>& background, int row, int tile) {
     const int first = std::max(0, tile - 1);
     const int end = std::min(background.tiles(), tile + 2);
@@ -97,11 +97,11 @@ class TriggerLevels {
     return std::max(kNoiseSigmas * noise, kMinDistance);
   }
 
-  static constexpr int kMost = std::numeric_limits<Pixel>::max();
-  static constexpr double kNoiseSigmas = 3.5;
-  static constexpr double kSpotSigmas = 6;
-  static constexpr double kHotDistances = 3;  // of the level above the background
-  static constexpr double kMinDistance = 3;   // [grey values]
+  static constexpr int kMost = std::numeric_limits<Pixel>::max();  // [grey value]
+  static constexpr double kNoiseSigmas = 3.5;                      // chosen
+  static constexpr double kSpotSigmas = 6;                         // chosen
+  static constexpr double kHotDistances = 3;  // of the level above the background; chosen
+  static constexpr double kMinDistance = 3;   // [grey values] chosen
 
   bool automatic_;
   int columns_;

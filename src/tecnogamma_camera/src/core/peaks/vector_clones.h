@@ -4,7 +4,7 @@
 
 /// Before a function: compiled for 32 byte vectors too, where the processor has them; which one
 /// runs is chosen when the program is loaded. The code is the same, and so are its results.
-/// Not under the thread sanitizer: it would watch the choice, which comes before it is there.
+/// Not under the thread sanitizer: the choice is made before the sanitizer is initialised.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_THREAD__)
 #define TECNOGAMMA_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -20,7 +22,7 @@ using scan_cell_common::excerpt;
 constexpr std::array<const char*, 9> kColumns = {"file",      "frame",          "device_time",
                                                  "time",      "packets_lost",   "first_column",
                                                  "first_row", "sensor_columns", "sensor_rows"};
-constexpr std::uint64_t kMaxPixels = 65535;
+constexpr std::uint64_t kMaxPixels = 65535;  // [px] as the parameters'
 
 /// Fields of a line by the names of its columns.
 class Line {
@@ -36,14 +38,14 @@ class Line {
                                 : reader_.field(static_cast<std::size_t>(at - columns_.begin()));
   }
 
-  /// 0 where it is empty or has no such column.
+  /// 0 if it is empty or has no such column.
   std::uint64_t number(const char* column, std::uint64_t most) const {
     const std::string_view field = text(column);
     if (field.empty()) return 0;
     const auto value = scan_cell_common::parse_count(field);
     if (!value || *value > most) {
-      refuse(std::string(column) + " '" + excerpt(field) + "'",
-             "give a whole number from 0 to " + std::to_string(most));
+      refuse(fmt::format("{} '{}'", column, excerpt(field)),
+             fmt::format("give a whole number from 0 to {}", most));
     }
     return *value;
   }
@@ -61,7 +63,7 @@ std::vector<std::string> read_header(const CsvReader& reader) {
   std::vector<std::string> columns;
   for (const std::string_view name : reader.fields()) {
     if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
-      reader.refuse("column '" + excerpt(name) + "'", "it is none of an index");
+      reader.refuse("column '" + excerpt(name) + "'", "remove it: an index has no such column");
     if (std::find(columns.begin(), columns.end(), name) != columns.end())
       reader.refuse("column '" + excerpt(name) + "' twice", "name it once");
     columns.emplace_back(name);
@@ -73,7 +75,7 @@ std::vector<std::string> read_header(const CsvReader& reader) {
   return columns;
 }
 
-/// A file of the folder itself or of one below.
+/// A file in the folder or below it.
 std::string read_file_name(const Line& line) {
   const std::string name(line.text("file"));
   const std::filesystem::path path(name);
@@ -82,7 +84,7 @@ std::string read_file_name(const Line& line) {
                         return part.empty() || part == "." || part == "..";
                       });
   if (!inside || name.find('\0') != std::string::npos) {
-    line.refuse("file '" + excerpt(name) + "'", "name one in the index's folder, or below");
+    line.refuse("file '" + excerpt(name) + "'", "name a file in the index's folder, or below");
   }
   return name;
 }
@@ -91,7 +93,7 @@ RecordedFile read_file_of(const Line& line) {
   RecordedFile file;
   file.file = read_file_name(line);
   if (line.text("frame").empty()) line.refuse("no frame number", "give one");
-  constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
+  constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;  // no sum overflows
   file.frame = line.number("frame", kMost);
   file.device_time = static_cast<Nanoseconds>(line.number("device_time", kMost));
   file.time = static_cast<Nanoseconds>(line.number("time", kMost));
@@ -105,9 +107,8 @@ void read_place(const Line& line, bool first, FolderIndex& index) {
   const auto read = [&](const char* column, int& value) {
     const int number = static_cast<int>(line.number(column, kMaxPixels));
     if (!first && number != value) {
-      line.refuse(
-          std::string(column) + " " + std::to_string(number) + " after " + std::to_string(value),
-          "put images of different places into different folders");
+      line.refuse(fmt::format("{} {} after {}", column, number, value),
+                  "put images of different regions into different folders");
     }
     value = number;
   };

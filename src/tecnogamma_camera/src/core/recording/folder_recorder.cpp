@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recording/folder_recorder.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "scan_cell_common/files/files.h"
@@ -26,8 +28,8 @@ void append_row(const std::uint16_t* row, int columns, std::string& text) {
 
 /// Portable grey map (P5): 8 bits a pixel, or 16 with the higher byte first.
 std::string to_pgm(const GreyImage& image) {
-  std::string text = "P5\n" + std::to_string(image.columns) + " " + std::to_string(image.rows) +
-                     (image.bytes_per_pixel() == 2 ? "\n65535\n" : "\n255\n");
+  std::string text = fmt::format("P5\n{} {}\n{}\n", image.columns, image.rows,
+                                 image.bytes_per_pixel() == 2 ? 65535 : 255);
   visit(image, [&text](const auto& view) {
     for (int row = 0; row < view.rows; ++row)
       append_row(view.row(row), view.columns, text);
@@ -36,10 +38,8 @@ std::string to_pgm(const GreyImage& image) {
 }
 
 std::string file_name(std::uint64_t number) {
-  constexpr std::size_t kDigits = 7;
-  std::string digits = std::to_string(number);
-  if (digits.size() < kDigits) digits.insert(0, kDigits - digits.size(), '0');
-  return digits + ".pgm";
+  constexpr int kDigits = 7;  // chosen: five hours at 500 Hz
+  return fmt::format("{:0{}}.pgm", number, kDigits);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::string file_name(std::uint64_t number) {
 FolderRecorder::FolderRecorder(const std::string& folder) : folder_(folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
-  if (failure) throw FileError(folder, failure.message(), "give a folder that can be made");
+  if (failure) throw FileError(folder, failure.message(), "give a folder that can be created");
   if (!fs::is_empty(folder, failure) || failure)
     throw FileError(folder, "is not empty", "give a new folder");
   index_ =
@@ -57,14 +57,14 @@ FolderRecorder::FolderRecorder(const std::string& folder) : folder_(folder) {
 
 void FolderRecorder::add(const NumberedFrame& frame) {
   if (acquisition_.value_or(frame.acquisition) != frame.acquisition) {
-    throw scan_cell_common::Refused(folder_, "the camera began to count anew",
+    throw scan_cell_common::Refused(folder_, "the camera restarted its counter",
                                     "record it into another folder");
   }
   acquisition_ = frame.acquisition;
   const auto& image = frame.frame.image;
   const std::string file = file_name(++frames_);
   if (image.pixels) scan_cell_common::save_text(folder_ + "/" + file, to_pgm(image));
-  const auto add = [this](const auto& value) { index_ += "," + std::to_string(value); };
+  const auto add = [this](const auto& value) { index_ += fmt::format(",{}", value); };
   index_ += file;
   add(frame.counter);
   add(frame.frame.device_time);

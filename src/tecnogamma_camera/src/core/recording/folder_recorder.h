@@ -10,18 +10,18 @@
 
 namespace tecnogamma_camera {
 
-/// Writes frames into a folder, as open_folder_recording() reads them. As PGM: it costs least time,
-/// and keeps the bytes of a payload as they came.
+/// Writes frames into a folder, as open_folder_recording() reads them. As PGM: it takes
+/// the least time and keeps the bytes of a payload.
 class FolderRecorder {
  public:
-  /// @param folder is made; must be empty
-  /// @throw scan_cell_common::FileError if the folder cannot be made or holds something
+  /// @param folder is created; must be empty
+  /// @throw scan_cell_common::FileError if the folder cannot be created or is not empty
   explicit FolderRecorder(const std::string& folder);
 
-  /// A frame that lost packets is told in the index, and has no file.
+  /// A frame that lost packets is in the index, but has no file.
   /// @throw scan_cell_common::FileError if it cannot be written
-  /// @throw scan_cell_common::Refused if it belongs to another start than the first frame: numbers
-  /// would begin anew
+  /// @throw scan_cell_common::Refused if it belongs to another start than the first frame: the
+  /// numbers would start again
   void add(const NumberedFrame& frame);
 
   std::uint64_t frames() const { return frames_; }

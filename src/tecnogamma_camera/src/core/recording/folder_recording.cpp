@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recording/folder_recording.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -25,7 +27,7 @@ bool is_frame_file(const fs::path& path) {
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
-/// Numbers in names by their value: frame_9 before frame_10.
+/// Compares numbers in names by their value: frame_9 before frame_10.
 bool comes_before(const std::string& one, const std::string& other) {
   const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   const auto number_at = [&](const std::string& text, std::size_t& at) {
@@ -99,7 +101,7 @@ cv::Mat read_frame(const std::string& path) {
 }
 
 std::string to_text(int columns, int rows, int type) {
-  return std::to_string(columns) + " x " + std::to_string(rows) + " " + cv::typeToString(type);
+  return fmt::format("{} x {} {}", columns, rows, cv::typeToString(type));
 }
 
 class FolderRecording : public Recording {
@@ -110,7 +112,7 @@ class FolderRecording : public Recording {
     const auto first = std::find_if(index_.files.begin(), index_.files.end(),
                                     [](const auto& file) { return file.packets_lost == 0; });
     if (first == index_.files.end())
-      throw UnusableInput(path, "every frame lost packets", "give a folder with whole frames");
+      throw UnusableInput(path, "every frame lost packets", "give a folder with complete frames");
     pixels_ = read_frame(path_of(*first));
     columns_ = pixels_.cols;
     rows_ = pixels_.rows;
@@ -177,7 +179,7 @@ class FolderRecording : public Recording {
                         "correct first_column, first_row, sensor_columns or sensor_rows");
   }
 
-  /// Payloads may differ in size, images not.
+  /// Payloads may differ in size, images may not.
   void read_pixels(const std::string& path, GreyImage& image) {
     pixels_ = read_frame(path);
     const bool payload = scan_cell_common::extension_of(path) == kPayload;

@@ -29,11 +29,11 @@ PeakProfile load_peaks(const std::string& path) {
 }
 
 PeakProfile parse_peaks(const std::string& text, const std::string& name) {
-  constexpr int kMaxRows = 65536;
+  constexpr int kMaxRows = 65536;  // chosen: more than any sensor has
   scan_cell_common::CsvReader table(text, name);
   if (!table.next() ||
       table.fields() != std::vector<std::string_view>{"row", "position", "width", "intensity"}) {
-    throw scan_cell_common::UnusableInput(name, "no table of peaks",
+    throw scan_cell_common::UnusableInput(name, "not a table of peaks",
                                           "begin with the header row,position,width,intensity");
   }
   PeakProfile profile;
@@ -42,7 +42,7 @@ PeakProfile parse_peaks(const std::string& text, const std::string& name) {
     table.expect_fields(4);
     const double row = table.number(0);
     if (row != std::floor(row) || row <= last || row >= kMaxRows)
-      table.refuse("row " + std::string(table.field(0)), "give whole numbers that ascend");
+      table.refuse("row " + std::string(table.field(0)), "give whole numbers in ascending order");
     if (last < 0) profile.first_row = static_cast<int>(row);
     last = static_cast<int>(row);
     const int size = last - profile.first_row;

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -14,12 +16,11 @@ using scan_cell_common::InvalidParameter;
 using scan_cell_common::Refused;
 using scan_cell_common::UnusableInput;
 
-constexpr Nanoseconds kLongestPause = 1000000000;
-constexpr std::chrono::seconds kLongestLag(1);
+constexpr Nanoseconds kLongestPause = 1'000'000'000;  // [ns] chosen
+constexpr std::chrono::seconds kLongestLag(1);        // [s] chosen
 
 std::string to_text(const Region& region) {
-  return std::to_string(region.width) + " x " + std::to_string(region.height) + " at " +
-         std::to_string(region.x) + ", " + std::to_string(region.y);
+  return fmt::format("{} x {} at {}, {}", region.width, region.height, region.x, region.y);
 }
 
 /// `wanted` with its width and height, if it lies in `whole`.
@@ -31,12 +32,12 @@ Region cut_region(const Region& whole, const Region& wanted) {
   if (region.x < whole.x || region.y < whole.y || region.width < 1 || region.height < 1 ||
       region.width > whole.x + whole.width - region.x ||
       region.height > whole.y + whole.height - region.y) {
-    throw InvalidParameter("region", to_text(wanted), "recorded were " + to_text(whole));
+    throw InvalidParameter("region", to_text(wanted), "the recording has " + to_text(whole));
   }
   return region;
 }
 
-/// From one frame to the next; none where the two have no times of the same clock.
+/// From one frame to the next; none if they have no times of the same clock.
 std::optional<Nanoseconds> recorded_step(const Frame& from, const Frame& to) {
   if (from.device_time != 0 && to.device_time != 0) return to.device_time - from.device_time;
   if (from.time != 0 && to.time != 0) return to.time - from.time;
@@ -54,8 +55,8 @@ RecordedCamera::RecordedCamera(std::unique_ptr<Recording> recording, const Playb
                                bool is_payload)
     : recording_(std::move(recording)), options_(options), is_payload_(is_payload) {
   if (!(options.speed >= 0) || std::isinf(options.speed)) {
-    throw InvalidParameter("playback_speed", std::to_string(options.speed),
-                           "give how many times as fast as recorded, or 0: as fast as it goes");
+    throw InvalidParameter("playback_speed", fmt::format("{:g}", options.speed),
+                           "give a factor of the recorded speed, or 0 for as fast as possible");
   }
   region_ = wanted_ = recording_->describe().region;
 }
@@ -74,11 +75,11 @@ void RecordedCamera::configure(const CameraSettings& settings) {
   refuse_while_running("camera settings");
   if (settings.exposure) set_exposure(*settings.exposure);
   if (settings.gain) {
-    throw MissingFeature("gain", std::to_string(*settings.gain),
-                         "a recording has the gain it was made with: unset it");
+    throw MissingFeature("gain", fmt::format("{:g}", *settings.gain),
+                         "a recording has the gain it was made with: unset the parameter");
   }
   if (settings.rate && !(*settings.rate > 0)) {
-    throw InvalidParameter("rate", std::to_string(*settings.rate) + " Hz", "give one above 0");
+    throw InvalidParameter("rate", fmt::format("{:g} Hz", *settings.rate), "give a rate above 0");
   }
   if (is_payload_ && settings.region != Region()) {
     throw InvalidParameter("region", to_text(settings.region),
@@ -89,13 +90,13 @@ void RecordedCamera::configure(const CameraSettings& settings) {
 }
 
 void RecordedCamera::set_exposure(double exposure) {
-  throw MissingFeature("exposure", std::to_string(exposure) + " s",
-                       "a recording has the exposure it was made with: unset it");
+  throw MissingFeature("exposure", fmt::format("{:g} s", exposure),
+                       "a recording has the exposure it was made with: unset the parameter");
 }
 
 void RecordedCamera::software_trigger() {
-  throw MissingFeature("TriggerSoftware", "not of a recorded camera",
-                       "its pulses are those that were recorded");
+  throw MissingFeature("TriggerSoftware", "not available for a recording",
+                       "it plays the pulses that were recorded");
 }
 
 void RecordedCamera::start(Trigger) {
@@ -109,7 +110,7 @@ void RecordedCamera::start(Trigger) {
   const bool has_times = next_->device_time != 0 || next_->time != 0;
   if (options_.speed > 0 && !rate_ && !has_times) {
     throw InvalidParameter("rate", "not given, and the recording has no times",
-                           "give it, or playback_speed 0 for as fast as it goes");
+                           "give it, or playback_speed 0 for as fast as possible");
   }
   due_ = Clock::now();
   handed_out_ = false;
@@ -120,9 +121,8 @@ std::optional<Frame> RecordedCamera::grab(std::chrono::microseconds timeout) {
   if (!running_) throw Refused("camera grab", "the camera is stopped", "start it first");
   if (handed_out_) advance();
   if (!next_) {
-    throw StreamEnded(describe().id,
-                      "ended after " + std::to_string(statistics_.completed) + " frames",
-                      "start it again, or let it loop");
+    throw StreamEnded(describe().id, fmt::format("ended after {} frames", statistics_.completed),
+                      "start it again, or set loop");
   }
   const auto wait = due_ - Clock::now();
   if (wait > Clock::duration::zero()) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_stretcher/tool_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +15,7 @@ namespace {
 using scan_cell_common::UnusableInput;
 
 std::string name_of(const ToolPath& path, std::size_t segment, std::size_t waypoint) {
-  return "tool path '" + path.name + "', segment " + std::to_string(segment) + " waypoint " +
-         std::to_string(waypoint);
+  return fmt::format("tool path '{}', segment {} waypoint {}", path.name, segment, waypoint);
 }
 
 void check(const Waypoint& waypoint, const ToolPath& path, const std::string& name) {
@@ -28,9 +29,9 @@ void check(const Waypoint& waypoint, const ToolPath& path, const std::string& na
   }
   if (waypoint.process_values.size() != path.process_names.size()) {
     throw UnusableInput(name,
-                        std::to_string(waypoint.process_values.size()) + " process values for " +
-                            std::to_string(path.process_names.size()) + " names",
-                        "give each waypoint one value a name");
+                        fmt::format("{} process values for {} names",
+                                    waypoint.process_values.size(), path.process_names.size()),
+                        "give each waypoint one value per name");
   }
   for (const double value : waypoint.process_values) {
     if (!std::isfinite(value)) {
@@ -56,8 +57,8 @@ void check(const ToolPath& path) {
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
     const std::vector<Waypoint>& waypoints = path.segments[s].waypoints;
     if (waypoints.empty()) {
-      throw UnusableInput("tool path '" + path.name + "', segment " + std::to_string(s),
-                          "no waypoints", "remove the segment or fill it");
+      throw UnusableInput(fmt::format("tool path '{}', segment {}", path.name, s), "no waypoints",
+                          "remove the segment or fill it");
     }
     for (std::size_t w = 0; w < waypoints.size(); ++w)
       check(waypoints[w], path, name_of(path, s, w));
@@ -116,7 +117,7 @@ ToolPath resampled(const ToolPath& path, double spacing) {
     const double steps = std::ceil(lengths.back() / spacing - kRounding);
     if (!(steps <= kMost)) {
       throw UnusableInput("tool path '" + path.name + "'",
-                          std::to_string(lengths.back()) + " m long",
+                          fmt::format("{:.6g} m long", lengths.back()),
                           "raise resample_spacing, or give the path in metres");
     }
     segment = resampled(segment, lengths, static_cast<std::size_t>(std::max(1.0, steps)));

@@ -5,11 +5,11 @@
 #include <Eigen/Core>
 #include <cmath>
 
-/// The arm of a Comau Smart5 SiX. Made from the data sheet's lengths and not from the URDF, so that
-/// an error in one of them shows.
+/// The arm of a Comau Smart5 SiX. Uses the data sheet's lengths and not the URDF, so that an error
+/// in one of them shows.
 namespace scan_cell_sim {
 
-// [m] after Denavit and Hartenberg
+// [m] Denavit and Hartenberg, data sheet
 constexpr double kD1 = 0.450, kA1 = 0.150, kA2 = 0.590, kA3 = 0.130, kD4 = 0.64707, kD6 = 0.095;
 
 const double kForearm = std::hypot(kA3, kD4);       // [m] from axis 3 to the wrist's centre

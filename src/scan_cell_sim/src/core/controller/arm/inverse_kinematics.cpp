@@ -16,9 +16,9 @@ using Eigen::Vector3d;
 
 /// J2 and J3 that put the wrist's centre there, in the plane of the arm.
 /// @param forward, up [m] from axis 2
-/// @param elbow 1 or -1: the one way to bend it or the other
+/// @param elbow 1 or -1: the direction in which it bends
 std::optional<Eigen::Vector2d> arm_joints(double forward, double up, double elbow) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // of a cosine; chosen
   const double cosine =
       (forward * forward + up * up - kA2 * kA2 - kForearm * kForearm) / (2 * kA2 * kForearm);
   if (!(std::abs(cosine) <= 1 + kRounding)) return std::nullopt;
@@ -28,11 +28,11 @@ std::optional<Eigen::Vector2d> arm_joints(double forward, double up, double elbo
   return Eigen::Vector2d(lean, bend - kForearmAngle);
 }
 
-/// J4, J5 and J6 that turn the flange so, with J4 as in `near` where only J4 + J6 is defined.
+/// J4, J5 and J6 for this turn, with J4 as in `near` where only J4 + J6 is defined.
 /// @param turn from the forearm to the last axis: Rx(-J4) Ry(J5) Rx(-J6)
 /// @param side 1 or -1: of J5
 Vector3d wrist_joints(const Matrix3d& turn, double side, double near) {
-  constexpr double kStraight = 1e-12;
+  constexpr double kStraight = 1e-12;  // sine of J5; chosen
   const double sine = std::hypot(turn(1, 0), turn(2, 0));
   double first = -near;
   if (sine > kStraight) first = std::atan2(side * turn(1, 0), -side * turn(2, 0));
@@ -42,9 +42,9 @@ Vector3d wrist_joints(const Matrix3d& turn, double side, double near) {
   return {-first, std::atan2(side * sine, turn(0, 0)), -last};
 }
 
-/// The same posture, each axis by full turns as near as its range allows.
+/// The same posture, each axis turned by full turns to be nearest within its range.
 Joints turned_near(Joints joints, const Joints& near) {
-  constexpr double kTurn = 2 * M_PI;
+  constexpr double kTurn = 2 * M_PI;  // [rad]
   const JointLimits& limits = joint_limits();
   for (int i = 0; i < 6; ++i) {
     joints[i] += kTurn * std::round((near[i] - joints[i]) / kTurn);

@@ -13,7 +13,7 @@
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
+constexpr double kDegree = M_PI / 180;  // [rad]
 
 KDL::Chain make_chain() {
   using KDL::Frame;
@@ -45,13 +45,15 @@ const KDL::Chain& chain() {
 
 JointLimits make_limits() {
   JointLimits limits;
+  // [deg], [deg/s] data sheet
   limits.lower << -170, -85, -170, -210, -130, -2700;
   limits.upper << 170, 155, 0, 210, 130, 2700;
   limits.speed << 140, 160, 170, 450, 375, 550;
   limits.lower *= kDegree;
   limits.upper *= kDegree;
   limits.speed *= kDegree;
-  limits.acceleration = limits.speed * 4;
+  constexpr double kSpinUp = 4;  // [1/s] full speed in a quarter of a second; chosen
+  limits.acceleration = limits.speed * kSpinUp;
   return limits;
 }
 

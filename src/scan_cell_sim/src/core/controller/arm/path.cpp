@@ -13,7 +13,7 @@
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kNothing = 1e-12;  // shorter ways are none
+constexpr double kNothing = 1e-12;  // [rad], [m] or steps: no division by less; chosen
 
 class JointPath : public Path {
  public:
@@ -56,7 +56,8 @@ class LinePath : public Path {
 
   double length() const { return (to_.translation() - from_.translation()).norm(); }
 
-  /// [rad] what the rotational speed is of: the turn about the one axis, or of A, E and R the most
+  /// [rad] to which the rotational speed refers: the turn about the one axis, or the largest of A,
+  /// E and R
   double angle() const { return euler_ ? changes().maxCoeff() : turn(); }
 
   /// Follows the line from knot to knot.
@@ -83,7 +84,7 @@ class LinePath : public Path {
   std::vector<Joints> knots_;
 };
 
-/// True where the arm stands in a singular posture, or passed one since `before`.
+/// Whether the arm is in a singular posture, or has passed one since `before`.
 bool singular(const Joints& before, const Joints& joints) {
   constexpr double kAngle = 0.5 * M_PI / 180;  // [rad] c4g_protocol.md
   constexpr double kDistance = 0.005;          // [m] c4g_protocol.md
@@ -97,7 +98,7 @@ bool singular(const Joints& before, const Joints& joints) {
 }
 
 void refuse_singular(const Joints& before, const Joints& joints) {
-  constexpr double kMaxTurn = 0.35;  // [rad] more from knot to knot turns the wrist over
+  constexpr double kMaxTurn = 0.35;  // [rad] from knot to knot; more turns the wrist over; chosen
   if (singular(before, joints)) {
     throw ControllerRefusal(ControllerErrorCode::kSingular, "the line passes a singular posture");
   }
@@ -157,9 +158,9 @@ PlannedPath plan_joint_path(const Joints& from, const Joints& to) {
 
 PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
                       const LineSettings& settings) {
-  refuse_out_of_reach(to, from);  // before it is followed, however far away it is
+  refuse_out_of_reach(to, from);  // before following it, which may take long
   const auto line = std::make_shared<LinePath>(flange_of(from), to, settings.euler);
-  constexpr double kSpinUp = 4;  // [1/s] full rotational speed in a quarter of a second
+  constexpr double kSpinUp = 4;  // [1/s] full rotational speed in a quarter of a second; chosen
   PlannedPath plan;
   plan.max_speed = line->follow(from);
   plan.speed = std::min(settings.speed / std::max(line->length(), kNothing),

@@ -8,8 +8,8 @@
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
-constexpr double kMillimetre = 1e-3;
+constexpr double kDegree = M_PI / 180;  // [rad]
+constexpr double kMillimetre = 1e-3;    // [m]
 
 /// [deg] in -180 < angle <= 180
 double turned(double angle) {
@@ -32,7 +32,7 @@ WireSix to_wire(const Eigen::Isometry3d& pose) {
   double e = 0;
   double r = 0;
   rotation.GetEulerZYZ(a, e, r);
-  constexpr double kStraight = 1e-6;  // [rad] nearer to 0 or 180 degrees KDL gives just these
+  constexpr double kStraight = 1e-6;  // [rad] closer to 0 or 180 degrees KDL returns exactly these
   if (e < kStraight || e > M_PI - kStraight) {
     r = e < kStraight ? a + r : r - a;
     a = 0;
@@ -42,7 +42,7 @@ WireSix to_wire(const Eigen::Isometry3d& pose) {
 }
 
 WireSix shown(const Eigen::Isometry3d& pose) {
-  constexpr double kSteps[] = {1000, 1000, 1000, 10000, 10000, 10000};
+  constexpr double kSteps[] = {1000, 1000, 1000, 10000, 10000, 10000};  // [1/mm], [1/deg] chosen
   WireSix wire = to_wire(pose);
   for (std::size_t i = 0; i < 6; ++i)
     wire[i] = rounded(wire[i], kSteps[i]);
@@ -71,7 +71,7 @@ WireSix to_wire(const Joints& joints) {
 }
 
 WireSix shown(const Joints& joints) {
-  constexpr double kSteps = 10000;
+  constexpr double kSteps = 10000;  // [1/deg] chosen
   WireSix wire = to_wire(joints);
   for (double& angle : wire)
     angle = rounded(angle, kSteps);

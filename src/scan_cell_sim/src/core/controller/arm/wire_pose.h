@@ -12,7 +12,8 @@ namespace scan_cell_sim {
 /// x, y, z [mm], A, E, R [deg] (Euler Z-Y-Z), or six joints [deg], as on the wire.
 using WireSix = std::array<double, 6>;
 
-// Written with KDL and apart from the driver's conversion, so that an error in one of them shows.
+// Written with KDL and independent of the driver's conversion, so that an error in one of them
+// shows.
 
 /// 0 <= E <= 180, -180 < A, R <= 180; A = 0 where E is 0 or 180.
 WireSix to_wire(const Eigen::Isometry3d& pose);

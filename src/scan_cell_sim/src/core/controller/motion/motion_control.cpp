@@ -7,8 +7,8 @@
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kHardBrake = 4;   // times as hard as a programmed stop; chosen
-constexpr double kReduced = 0.25;  // [m/s] of the flange in mode programming, as ISO 10218-1 has it
+constexpr double kHardBrake = 4;    // times a programmed stop; chosen
+constexpr double kReduced = 0.25;   // [m/s] of the flange in mode programming: ISO 10218-1
 constexpr double kNoTravel = 1e-9;  // [m] chosen
 
 }  // namespace
@@ -32,7 +32,7 @@ const char* name_of(MotionStatus status) {
 void MotionControl::refuse_unless_ready(Nanoseconds now) const {
   readiness_.require_motion();
   if (!log_.at(now).over(now)) {
-    throw ControllerRefusal(ControllerErrorCode::kMoving, "the robot moves: STOP first");
+    throw ControllerRefusal(ControllerErrorCode::kMoving, "the robot is moving: STOP first");
   }
 }
 
@@ -75,7 +75,7 @@ void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double 
 void MotionControl::brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
                           Nanoseconds now) {
   const Run run = log_.latest();
-  now = std::max(now, run.start);  // the clock was read before the lock: a run may have begun since
+  now = std::max(now, run.start);  // a run may have begun between reading the clock and locking
   if (run.over(now)) return;
   ending_ = ending;
   why_ = why;

@@ -13,9 +13,9 @@
 
 namespace scan_cell_sim {
 
-/// Plans and runs motions, one at a time. Whatever takes the robot its readiness (emergency stop,
-/// drives off, another mode, an alarm) ends the motion under way, and nothing brings it back. In
-/// mode programming the flange is never faster than 250 mm/s, on a line or not. Safe for use from
+/// Plans and runs motions, one at a time. Whatever ends the robot's readiness (emergency stop,
+/// drives off, another mode, an alarm) ends the current motion, and nothing resumes it. In mode
+/// programming the flange is never faster than 250 mm/s, on a line or not. Safe for use from
 /// several threads; `now` is host time.
 class MotionControl {
  public:
@@ -23,28 +23,28 @@ class MotionControl {
 
   explicit MotionControl(const Joints& start) : log_(start) {}
 
-  /// @throw ControllerRefusal where it cannot be done; then nothing moves
+  /// @throw ControllerRefusal if it cannot be done; then nothing moves
   void move_to_pose(std::uint64_t motion, const Eigen::Isometry3d& flange, double camera_rate,
                     Nanoseconds now);
   void move_to_joints(std::uint64_t motion, const Joints& joints, double camera_rate,
                       Nanoseconds now);
 
-  /// Brakes along the path, as hard as the motion was planned. Does nothing where it stands.
+  /// Brakes along the path, as hard as the motion was planned. Does nothing if it stands still.
   void stop(const std::optional<Complaint>& why, Nanoseconds now);
 
-  /// An alarm that ends the motion under way in an error, as a collision or a following error.
+  /// An alarm that ends the current motion in an error, such as a collision or a following error.
   void fail(const std::string& text, Nanoseconds now);
 
-  /// Stops, and forgets what the motion was for.
+  /// Stops, and forgets the motion.
   void forget(Nanoseconds now);
 
-  /// The drives lose their power with everything else; then all is as at the start, but for the
-  /// mode selector and the emergency stop.
+  /// The drives lose power like everything else; then all is as at the start, except the mode
+  /// selector and the emergency stop.
   void power_off(Nanoseconds now);
   void power_on(Nanoseconds now);
 
   void press_e_stop(Nanoseconds now);
-  /// The alarm stands, the drives are off.
+  /// The alarm stays active, the drives stay off.
   void release_e_stop();
   void select(ControllerMode mode, Nanoseconds now);
   /// @throw ControllerRefusal as Readiness
@@ -66,7 +66,7 @@ class MotionControl {
   void begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate, Nanoseconds now);
   void brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
              Nanoseconds now);
-  /// Brakes hard where a change of the readiness takes the drives their power.
+  /// Brakes hard if a change of the readiness switches the drives off.
   void cut_power(MotionStatus ending, const Complaint& why, Nanoseconds now,
                  const std::function<void()>& change);
   double cruise() const;

@@ -26,7 +26,7 @@ MotionLog::MotionLog(const Joints& start) {
 }
 
 void MotionLog::begin(const Run& run) {
-  constexpr std::size_t kMaxRuns = 10000;  // hours of work; chosen
+  constexpr std::size_t kMaxRuns = 10000;  // hours of motions; chosen
   const std::lock_guard<std::mutex> lock(mutex_);
   runs_.push_back(run);
   if (runs_.size() > kMaxRuns) runs_.pop_front();

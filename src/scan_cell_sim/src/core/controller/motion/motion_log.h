@@ -23,17 +23,17 @@ struct Run {
   bool over(scan_cell_common::Nanoseconds host) const;
 };
 
-/// Where the robot is and was, without a gap: each run lasts until the next begins. Safe for use
+/// Where the robot is and was, without gaps: each run lasts until the next begins. Safe for use
 /// from several threads.
 class MotionLog {
  public:
-  /// The robot stood at `start` for ever.
+  /// Before, the robot stood at `start`.
   explicit MotionLog(const Joints& start);
 
   /// Runs must begin in the order of time.
   void begin(const Run& run);
 
-  /// The run at an instant. Instants before the log's oldest run get its beginning.
+  /// The run at an instant. Earlier instants than the oldest run get its start.
   Run at(scan_cell_common::Nanoseconds host) const;
 
   Run latest() const;

@@ -10,10 +10,10 @@ namespace {
 
 using Code = ControllerErrorCode;
 
-constexpr std::size_t kMaxAlarms = 4;  // so that a state fits into a datagram
+constexpr std::size_t kMaxAlarms = 4;  // chosen: a state fits into a datagram
 
 const char* const kPressed = "the emergency stop is pressed";
-const std::string kReset = "an alarm stands, reset it first: ";
+const std::string kReset = "an alarm is active, reset it first: ";
 
 constexpr std::array<std::pair<ControllerMode, const char*>, 3> kModes = {
     {{ControllerMode::kProgramming, "programming"},
@@ -69,7 +69,7 @@ void Readiness::restart() {
 
 void Readiness::raise(const Complaint& alarm) {
   drives_ = false;
-  if (alarms_.size() == kMaxAlarms) alarms_.erase(alarms_.begin() + 1);  // the first tells most
+  if (alarms_.size() == kMaxAlarms) alarms_.erase(alarms_.begin() + 1);  // the first says most
   alarms_.push_back(alarm);
 }
 

@@ -20,7 +20,7 @@ SpeedProfile SpeedProfile::trapezoid(double start, double end, double initial_sp
   profile.speed_ = initial_speed;
   profile.end_ = end;
   const double way = end - start;
-  // the speed from which the rest of the way just suffices to brake, if one accelerates until then
+  // the speed from which the rest of the way is just enough to brake, after accelerating until then
   const double peak = std::sqrt(acceleration * way + initial_speed * initial_speed / 2);
   profile.change_speed(std::min(speed, std::max(peak, initial_speed)), acceleration);
   const double braking_way = profile.speed_ * profile.speed_ / (2 * acceleration);

@@ -7,14 +7,15 @@
 namespace scan_cell_sim {
 
 /// Way over time in phases of constant acceleration: the trapezoidal speed of a robot along its
-/// path. Units are the path's own a second.
+/// path. Units are those of the path, per second.
 class SpeedProfile {
  public:
-  /// Stands at `position`.
+  /// At rest at `position`.
   static SpeedProfile rest(double position);
 
-  /// From `start` to rest at `end` >= start, at `speed` where the way is long enough.
-  /// @param initial_speed at `start`; may be above `speed`, but so that the way suffices to brake
+  /// From `start` to rest at `end` >= start, at `speed` if the way is long enough.
+  /// @param initial_speed at `start`; may be above `speed`, but the way must be long enough to
+  /// brake
   static SpeedProfile trapezoid(double start, double end, double initial_speed, double speed,
                                 double acceleration);
 

@@ -9,15 +9,21 @@ namespace scan_cell_sim {
 
 using scan_cell_common::Nanoseconds;
 
+namespace {
+
+constexpr double kMicrosecond = 1000;  // [ns]
+
+}  // namespace
+
 std::int64_t DriftingClock::microseconds(Nanoseconds host) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const double device = device_ + static_cast<double>(host - host_) * (1 + drift_);
-  return std::max<std::int64_t>(0, static_cast<std::int64_t>(device / 1000));
+  return std::max<std::int64_t>(0, static_cast<std::int64_t>(device / kMicrosecond));
 }
 
 Nanoseconds DriftingClock::host(std::int64_t microseconds) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const double device = static_cast<double>(microseconds) * 1000;
+  const double device = static_cast<double>(microseconds) * kMicrosecond;
   return host_ + std::llround((device - device_) / (1 + drift_));
 }
 

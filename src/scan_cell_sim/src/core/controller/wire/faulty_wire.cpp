@@ -35,7 +35,7 @@ void FaultyWire::send(Datagram datagram, const WireFaults& faults, Nanoseconds n
 void FaultyWire::spoil(std::string& text, const WireFaults& faults) {
   if (!text.empty() && drawn(faults.truncated)) text.resize(below(text.size()));
   if (text.empty() || !drawn(faults.flipped)) return;
-  constexpr std::size_t kMaxBits = 3;
+  constexpr std::size_t kMaxBits = 3;  // chosen; as WireFaults says
   for (std::size_t bits = 1 + below(kMaxBits); bits > 0; --bits)
     text[below(text.size())] ^= static_cast<char>(1U << below(8));
 }

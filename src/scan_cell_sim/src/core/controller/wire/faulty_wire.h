@@ -13,7 +13,7 @@
 
 namespace scan_cell_sim {
 
-/// One direction of a wire that does to datagrams what WireFaults say, the same for the same seed.
+/// One direction of a wire with WireFaults; the same for the same seed.
 /// Not safe for use from several threads.
 class FaultyWire {
  public:
@@ -21,7 +21,7 @@ class FaultyWire {
 
   explicit FaultyWire(unsigned seed) : random_(seed) {}
 
-  /// Draws anew; what is on its way stays so.
+  /// Restarts the random numbers; datagrams on their way are not changed.
   void seed(unsigned seed) { random_.seed(seed); }
 
   void put(const Datagram& datagram, const WireFaults& faults, Nanoseconds now);
@@ -29,7 +29,7 @@ class FaultyWire {
   /// A datagram that is due, in the order of their due times.
   std::optional<Datagram> take(Nanoseconds now);
 
-  /// When the next one is due; none where nothing is on its way.
+  /// When the next one is due; none if nothing is on its way.
   std::optional<Nanoseconds> next_due() const;
 
  private:

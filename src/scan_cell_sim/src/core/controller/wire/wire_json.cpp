@@ -72,7 +72,7 @@ WireSix six(const json& value, const std::string& name) {
 }
 
 WireSix pose(const json& value, const std::string& name) {
-  constexpr double kFar = 1e5;  // [mm]
+  constexpr double kFar = 1e5;  // [mm] chosen
   struct Range {
     const char* name;
     double least, most;
