@@ -77,7 +77,7 @@ std::uint32_t PulseGenerator::arm(const Arming& arming) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     check(arming, settings_);
-    if (status_.armed) throw Refused("trigger", "armed already", "disarm it first");
+    if (status_.armed) throw Refused("trigger", "already armed", "disarm it first");
     if (guardian_ != nullptr) guardian_->alive(true);
     const std::uint8_t first = lasers_of(arming, 1);
     try {
