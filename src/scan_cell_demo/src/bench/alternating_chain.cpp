@@ -3,10 +3,13 @@
 #include "alternating_chain.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "frame_client.h"
@@ -22,6 +25,7 @@
 namespace scan_cell_demo {
 namespace {
 
+using laser_trigger::Pulse;
 using laser_trigger::PulseGenerator;
 using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
@@ -68,7 +72,7 @@ class Points {
          const Eigen::Isometry3d& flange, AlternatingResult& result)
       : flange_(flange), triangulator_(model, {}), binder_(settings(scan)), result_(result) {}
 
-  void add(const laser_trigger::Pulse& pulse) {
+  void add(const Pulse& pulse) {
     if (result_.pulses++ == 0) add_pose(pulse.time - kAround);
     binder_.add_pulse({pulse.time, pulse.arming, pulse.count, pulse.lasers});
   }
@@ -144,6 +148,46 @@ class Points {
   Nanoseconds last_ = 0;
 };
 
+/// The trigger on the circuit's wire, and the pulses that it sent since they were last taken.
+class PulseSource {
+ public:
+  explicit PulseSource(std::uint16_t circuit)
+      : port_(laser_trigger::open_port(laser_trigger::PortAddress::loopback("127.0.0.1", circuit))),
+        generator_(*port_, nullptr, settings(),
+                   {[this](const Pulse& pulse) { keep(pulse); }, [] {}}) {}
+
+  void arm(const PulseGenerator::Arming& arming, std::uint64_t pulses) {
+    last_ = pulses;
+    generator_.arm(arming);
+  }
+  void disarm() { generator_.disarm("enough"); }
+  laser_trigger::TriggerStatus status() const { return generator_.status(); }
+  std::vector<Pulse> take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(pulses_, {});
+  }
+
+ private:
+  static PulseGenerator::Settings settings() {
+    PulseGenerator::Settings settings;
+    settings.keep_alive_timeout = std::numeric_limits<std::int32_t>::max();
+    return settings;
+  }
+  void keep(const Pulse& pulse) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      pulses_.push_back(pulse);
+    }
+    if (pulse.count == last_) disarm();
+  }
+
+  const std::unique_ptr<laser_trigger::TriggerPort> port_;
+  std::mutex mutex_;
+  std::vector<Pulse> pulses_;
+  std::atomic<std::uint64_t> last_{0};
+  PulseGenerator generator_;  // last: its thread uses all the rest
+};
+
 }  // namespace
 
 AlternatingResult run(const AlternatingScan& scan) {
@@ -151,20 +195,10 @@ AlternatingResult run(const AlternatingScan& scan) {
   const Still motion(options.scanner.flange_to_camera);
   scan_cell_sim::Cell cell(options, floor_alone(), motion);
   FrameClient camera(options.camera.address);
-  const auto port = laser_trigger::open_port(
-      laser_trigger::PortAddress::loopback("127.0.0.1", cell.circuit().port()));
-  std::mutex mutex;
-  std::vector<laser_trigger::Pulse> pulses;
-  PulseGenerator::Settings settings;
-  settings.keep_alive_timeout = std::numeric_limits<std::int32_t>::max();
-  PulseGenerator trigger(*port, nullptr, settings,
-                         {[&](const laser_trigger::Pulse& pulse) {
-                            const std::lock_guard<std::mutex> lock(mutex);
-                            pulses.push_back(pulse);
-                            if (pulse.count == scan.pulses) trigger.disarm("enough");
-                          },
-                          [] {}});
-  camera.wait_until_it_takes([&] { trigger.arm({50, 0}); }, [&] { trigger.disarm("it does"); });
+  PulseSource trigger(cell.circuit().port());
+  const PulseGenerator::Arming dark = {50, 0};
+  camera.wait_until_it_takes([&] { trigger.arm(dark, 0); }, [&] { trigger.disarm(); });
+  trigger.take();
   scan_cell_sim::CameraFaults faults;
   faults.lost_frames = scan.lost_frames;
   cell.camera().set_faults(faults);
@@ -172,26 +206,15 @@ AlternatingResult run(const AlternatingScan& scan) {
   AlternatingResult result;
   result.swapped = std::numeric_limits<double>::infinity();
   Points points(scan, options.scanner, motion.flange_at(0), result);
-  const auto take_pulses = [&] {
-    const std::lock_guard<std::mutex> lock(mutex);
-    for (const laser_trigger::Pulse& pulse : pulses)
-      points.add(pulse);
-    pulses.clear();
-  };
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    pulses.clear();  // in the dark
-  }
-  trigger.arm({scan.rate, 3, 0, true, true});
-  constexpr double kSilence = 1;  // [s] after the last pulse
-  for (Nanoseconds heard = host_now();
-       host_now() - heard < scan_cell_common::from_seconds(kSilence);) {
+  trigger.arm({scan.rate, 3, 0, true, true}, scan.pulses);
+  constexpr Nanoseconds kSilence = 1'000'000'000;  // [ns] after the last
+  for (Nanoseconds heard = host_now(); host_now() - heard < kSilence;) {
     const auto frame = camera.next();
-    take_pulses();
+    for (const Pulse& pulse : trigger.take())
+      points.add(pulse);
     if (frame) points.add(*frame);
     if (frame || trigger.status().armed) heard = host_now();
   }
-  take_pulses();
   points.end();
   result.missed = trigger.status().missed;
   return result;
