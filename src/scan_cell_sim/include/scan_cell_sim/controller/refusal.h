@@ -27,6 +27,7 @@ enum class ControllerErrorCode {
   kMode = 16,
   kAlarm = 17,
   kOutOfTurn = 18,
+  kNoArc = 19,
 };
 
 /// What the controller complains of: why a motion did not arrive, or an alarm.
