@@ -61,6 +61,9 @@ class Client {
   /// Starts a motion that MotionCheck lets pass; it is sent to the controller once, however often
   /// the packet is.
   void move_to_pose(const Eigen::Isometry3d& flange, double camera_rate);
+  /// Along the circle through `via`, with its orientation there. @throw as move_to_pose()
+  void move_along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& flange,
+                      double camera_rate);
   /// Moves all axes together to six joints [rad]. @throw as move_to_pose()
   void move_to_joints(const std::vector<double>& joints, double camera_rate);
 
@@ -95,7 +98,7 @@ class Client {
   LinkReport link() const;                      //!< of this moment
 
  private:
-  MotionCheck motion_check(bool along_line);
+  MotionCheck motion_check(bool in_space);
   MotionSettings settings_in_force();
   SpeedLimit speed_limit() const;
 

@@ -51,9 +51,13 @@ SpeedLimit speed_limit(const RobotLimits& limits, const RobotState* state);
 // Each throws scan_cell_common::Refused, naming what is wrong.
 
 /// Finite, a rotation, and within the box.
-void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits);
+/// @param name of the pose
+void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits,
+                  const std::string& name = "target");
 /// Within the box.
-void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits);
+/// @param name of the pose
+void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits,
+                     const std::string& name = "target");
 /// Six, finite, each within its range.
 Joints check_joints(const std::vector<double>& joints, const RobotLimits& limits);
 /// @throw scan_cell_common::InvalidParameter if the rate [Hz] is out of range

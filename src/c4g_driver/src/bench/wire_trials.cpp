@@ -125,16 +125,23 @@ class Commands {
   static std::optional<int> number_in(const std::string& datagram) {
     const auto request = nlohmann::json::parse(datagram);
     const std::string command = request["cmd"];
-    if (command == "MOVE_CARTESIAN") return request["camera_fps"].get<int>();
+    if (command.compare(0, 4, "MOVE") == 0) return request["camera_fps"].get<int>();
     if (command != "SET_PARAMETER") return std::nullopt;
     const auto& value = request["value"];
     return value.is_array() ? value[0].get<int>() : value.get<int>();
   }
 
  private:
+  /// There along a line, and back along half a circle.
   void move(int number) {
-    client_.move_to_pose(looking_down(right_ ? 0 : 0.01), number);
-    right_ = !right_;
+    Eigen::Isometry3d via = looking_down(0.005);
+    via.translation().x() += 0.005;
+    right_ = !right_;  // first: what is refused is not asked again
+    if (right_) {
+      client_.move_to_pose(looking_down(0.01), number);
+    } else {
+      client_.move_along_arc(via, looking_down(0), number);
+    }
     const Goal goal = client_.wait_for_goal(kPatience);
     if (goal.outcome() == Goal::Outcome::kReached) return;
     throw scan_cell_common::ProtocolError("motion", goal.message(), "it should have arrived");

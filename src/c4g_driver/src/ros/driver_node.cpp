@@ -116,10 +116,14 @@ void DriverNode::start(const MoveGoal& goal) {
   }
   if (goal.kind == MoveGoal::CARTESIAN) {
     client_.move_to_pose(to_target(goal.pose, parameters_.base_frame), goal.camera_rate);
+  } else if (goal.kind == MoveGoal::CIRCULAR) {
+    client_.move_along_arc(to_target(goal.via, parameters_.base_frame, "via"),
+                           to_target(goal.pose, parameters_.base_frame), goal.camera_rate);
   } else if (goal.kind == MoveGoal::JOINT) {
     client_.move_to_joints(goal.joints, goal.camera_rate);
   } else {
-    throw Refused("kind of motion", fmt::format("{}", goal.kind), "give CARTESIAN or JOINT");
+    throw Refused("kind of motion", fmt::format("{}", goal.kind),
+                  "give CARTESIAN, JOINT or CIRCULAR");
   }
 }
 

@@ -83,12 +83,13 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   return message;
 }
 
-Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame) {
+Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame,
+                            const std::string& name) {
   if (pose.header.frame_id != base_frame) {
-    throw Refused("target frame", "'" + pose.header.frame_id + "'",
+    throw Refused(name + " frame", "'" + pose.header.frame_id + "'",
                   "give the flange's pose in " + base_frame);
   }
-  return scan_cell_common::checked_from_ros<Refused>(pose.pose, "target orientation");
+  return scan_cell_common::checked_from_ros<Refused>(pose.pose, name + " orientation");
 }
 
 }  // namespace c4g_driver

@@ -33,8 +33,10 @@ geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string
 scan_cell_msgs::RobotStatus to_status(const LinkReport& link,
                                       const std::optional<MeasuredState>& state);
 
-/// The target of a Cartesian goal.
+/// A pose that a goal asks for.
+/// @param name of the pose
 /// @throw scan_cell_common::Refused for another frame, or a quaternion that is none
-Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame);
+Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame,
+                            const std::string& name = "target");
 
 }  // namespace c4g_driver

@@ -34,6 +34,7 @@ struct Options {
 
 /// What is typed after the commands.
 struct Words {
+  WireSix via{};
   WireSix target{};
   double camera_rate = 0;  //!< [Hz]
   std::string drives;
@@ -107,6 +108,10 @@ std::vector<Command> add_motions(CLI::App& app, Words& words) {
   CLI::App* const cartesian =
       move->add_subcommand("cartesian", "To a pose of the flange, along a line");
   cartesian->add_option("pose", words.target, "x y z [mm] A E R [deg]")->required();
+  CLI::App* const circular =
+      move->add_subcommand("circular", "To a pose of the flange, along the circle through another");
+  circular->add_option("via", words.via, "x y z [mm] A E R [deg] on the way")->required();
+  circular->add_option("pose", words.target, "x y z [mm] A E R [deg] at the end")->required();
   CLI::App* const joint = move->add_subcommand("joint", "All axes together");
   joint->add_option("joints", words.target, "J1 .. J6 [deg]")->required();
   move->add_option("--camera-rate", words.camera_rate, "[Hz] that the controller keeps beside it")
@@ -114,6 +119,10 @@ std::vector<Command> add_motions(CLI::App& app, Words& words) {
   CLI::App* const stop = app.add_subcommand("stop", "Stops the robot, and waits until it stands");
   return {{cartesian,
            [&words](Client& client) { move_to_pose(client, words.target, words.camera_rate); }},
+          {circular,
+           [&words](Client& client) {
+             move_along_arc(client, words.via, words.target, words.camera_rate);
+           }},
           {joint,
            [&words](Client& client) { move_to_joints(client, words.target, words.camera_rate); }},
           {stop, c4g_driver::stop}};

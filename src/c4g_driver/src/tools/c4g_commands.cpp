@@ -47,14 +47,15 @@ void print_pose(const char* what, const RobotState& robot) {
 }
 
 /// As the controller takes them, which turns no angle back into its range; c4g_protocol.md.
-void check_angles(const WireSix& pose) {
+Eigen::Isometry3d checked_pose(const WireSix& pose, const std::string& name) {
   constexpr std::array<double, 3> kLeast = {-180, 0, -180};
   for (std::size_t i = 0; i < kLeast.size(); ++i) {
     const double angle = pose[3 + i];
     if (angle >= kLeast[i] && angle <= 180) continue;
-    throw Refused(std::string("target ") + "AER"[i], fmt::format("{:g} deg", angle),
+    throw Refused(fmt::format("{} {}", name, "AER"[i]), fmt::format("{:g} deg", angle),
                   fmt::format("give one from {} to 180 deg", std::lround(kLeast[i])));
   }
+  return pose_from_wire(pose);
 }
 
 RobotState state_of(const Client& client) {
@@ -149,8 +150,13 @@ void show_alarms(const Client& client) {
 
 void move_to_pose(Client& client, const WireSix& pose, double camera_rate) {
   refuse_if_interrupted();
-  check_angles(pose);
-  client.move_to_pose(pose_from_wire(pose), camera_rate);
+  client.move_to_pose(checked_pose(pose, "target"), camera_rate);
+  follow(client);
+}
+
+void move_along_arc(Client& client, const WireSix& via, const WireSix& pose, double camera_rate) {
+  refuse_if_interrupted();
+  client.move_along_arc(checked_pose(via, "via"), checked_pose(pose, "target"), camera_rate);
   follow(client);
 }
 

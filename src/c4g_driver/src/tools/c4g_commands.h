@@ -25,6 +25,8 @@ void show_alarms(const Client& client);
 /// @param pose [mm, deg]
 /// @param camera_rate [Hz]
 void move_to_pose(Client& client, const WireSix& pose, double camera_rate);
+/// @param via, pose [mm, deg]
+void move_along_arc(Client& client, const WireSix& via, const WireSix& pose, double camera_rate);
 /// @param joints [deg]
 void move_to_joints(Client& client, const WireSix& joints, double camera_rate);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "link/client_test.h"
 #include "robot/inverse_kinematics.h"
@@ -62,20 +63,64 @@ TEST_F(ClientTest, StampsPosesWithTheInstantOfTheirMeasurement) {
 }
 
 TEST_F(ClientTest, RepeatsAMoveUnderItsNumberUntilItIsAcknowledged) {
+  const std::vector<std::pair<std::string, std::function<void(Client&)>>> kinds = {
+      {"MOVE_CARTESIAN",
+       [](Client& client) { client.move_to_pose(looking_down(0.8, 0.2, 0.6), 100); }},
+      {"MOVE_CIRCULAR",
+       [](Client& client) {
+         client.move_along_arc(looking_down(0.9, 0.1, 0.6), looking_down(0.8, 0.2, 0.6), 100);
+       }},
+      {"MOVE_JOINT", [](Client& client) {
+         client.move_to_joints({0, 0.1, -2, 0, 0.8, 0}, 0);
+       }}};
+  for (const auto& [command, move] : kinds) {
+    controller_ = std::make_unique<FakeController>();
+    connect();
+    int asked = 0;
+    controller_->play(
+        [&, wanted = command](const json& request) -> std::optional<std::vector<json>> {
+          if (request["cmd"] != wanted || ++asked > 3) return std::nullopt;
+          return std::vector<json>{};  // the acknowledgement is lost
+        });
+    move(*client_);
+    std::set<std::uint64_t> numbers;
+    const auto moves = controller_->requests(command);
+    for (const json& sent : moves)
+      numbers.insert(sent["seq"].get<std::uint64_t>());
+    EXPECT_GE(moves.size(), 4u) << command;
+    EXPECT_EQ(numbers.size(), 1u) << command;
+    EXPECT_TRUE(client_->goal().underway()) << command;
+    client_.reset();
+  }
+}
+
+TEST_F(ClientTest, SendsNothingOfAnArcThatIsNoneAndNamesThePoint) {
   connect();
-  int asked = 0;
-  controller_->play([&asked](const json& request) -> std::optional<std::vector<json>> {
-    if (request["cmd"] != "MOVE_CARTESIAN" || ++asked > 3) return std::nullopt;
-    return std::vector<json>{};  // the acknowledgement is lost
-  });
-  client_->move_to_pose(looking_down(0.8, 0.2, 0.6), 100);
-  std::set<std::uint64_t> numbers;
-  const auto moves = controller_->requests("MOVE_CARTESIAN");
-  for (const json& move : moves)
-    numbers.insert(move["seq"].get<std::uint64_t>());
-  EXPECT_GE(moves.size(), 4u);
-  EXPECT_EQ(numbers.size(), 1u);
-  EXPECT_TRUE(client_->goal().underway());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Isometry3d via = looking_down(0.9, 0.1, 0.6), end = looking_down(0.8, 0.2, 0.6);
+  Eigen::Isometry3d skewed = via;
+  skewed.linear()(0, 0) = 2;
+  const std::vector<std::tuple<Eigen::Isometry3d, Eigen::Isometry3d, std::string>> bad = {
+      {looking_down(nan, 0.1, 0.6), end, "via x: nan m"},
+      {looking_down(0.9, 5, 0.6), end, "via y: 5 m"},
+      {skewed, end, "via orientation: not a rotation"},
+      {via, looking_down(0.8, 0.2, nan), "target z: nan m"},
+      {via, via, "via: 0 m from the target"},
+      {looking_down(0.8, 0, 0.6), end, "via: 0 m from where the robot stands"},
+      {via, looking_down(0.8, 0, 0.6), "target: 0 m from where the robot stands"},
+      {looking_down(0.8, 0.1, 0.6), end, "via: in line with start and target"},
+      {looking_down(1.3, 0.1, 1.5), end, "via: out of reach"}};
+  for (const auto& [on_the_way, target, reason] : bad) {
+    try {
+      client_->move_along_arc(on_the_way, target, 0);
+      ADD_FAILURE() << "was not refused: " << reason;
+    } catch (const Refused& refused) {
+      EXPECT_EQ(std::string(refused.what()).find(reason), 0u) << refused.what();
+    }
+  }
+  EXPECT_THROW(client_->move_along_arc(via, end, -1), Refused);
+  EXPECT_TRUE(controller_->requests("MOVE_CIRCULAR").empty());
+  EXPECT_NO_THROW(client_->move_along_arc(via, end, 0));
 }
 
 TEST_F(ClientTest, TellsWhyTheControllerRefused) {

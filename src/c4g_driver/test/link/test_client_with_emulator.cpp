@@ -42,6 +42,7 @@ class Together : public testing::Test {
     client_ = std::make_unique<Client>(options, [this](const MeasuredState& state) {
       const Eigen::Isometry3d truth = controller_.flange_at(state.time);
       const std::lock_guard<std::mutex> lock(mutex_);
+      places_.push_back(state.robot.flange.translation());
       errors_.push_back((state.robot.flange.translation() - truth.translation()).norm());
     });
     ASSERT_TRUE(eventually([this] { return client_->link().up; }));
@@ -87,6 +88,11 @@ class Together : public testing::Test {
     return errors_.size();
   }
 
+  std::vector<Eigen::Vector3d> places() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return places_;
+  }
+
   void expect_at(const Eigen::Isometry3d& target) {
     const auto measured = client_->latest()->robot;
     const Eigen::Isometry3d truth = controller_.state().flange;
@@ -108,6 +114,7 @@ class Together : public testing::Test {
   Controller controller_{any_port()};
   std::mutex mutex_;
   std::vector<double> errors_;
+  std::vector<Eigen::Vector3d> places_;  // of the flange, as heard
   std::unique_ptr<Client> client_;
 };
 
@@ -133,6 +140,32 @@ TEST_F(Together, ReachPosesInWhateverOrientation) {
   }
 }
 
+TEST_F(Together, GoRoundAnArcOnItsCircle) {
+  const double radius = 0.1;
+  const auto place = [&](double angle) -> Eigen::Vector3d {
+    return {0.8 + radius * std::sin(angle), radius * (1 - std::cos(angle)), 0.6};
+  };
+  const auto pose = [&](double angle) {
+    Eigen::Isometry3d result = looking_down(0, 0, 0);
+    result.translation() = place(angle);
+    result.rotate(Eigen::AngleAxisd(angle / 4, Eigen::Vector3d::UnitZ()));
+    return result;
+  };
+  client_->move_along_arc(pose(2), pose(4.5), 100);
+  const Goal goal = client_->wait_for_goal(20);
+  ASSERT_EQ(goal.outcome(), Goal::Outcome::kReached) << goal.message();
+  expect_at(pose(4.5));
+  double farthest = 0, least = 0;
+  for (const Eigen::Vector3d& heard : places()) {
+    const Eigen::Vector3d from_centre = heard - Eigen::Vector3d(0.8, radius, 0.6);
+    farthest =
+        std::max({farthest, std::abs(from_centre.norm() - radius), std::abs(from_centre.z())});
+    least = std::min(least, from_centre.x());
+  }
+  EXPECT_LT(farthest, 0.05e-3);
+  EXPECT_LT(least, -0.09) << "by the long way round";
+}
+
 TEST_F(Together, MoveJointsToWhereDenavitAndHartenbergSay) {
   for (const std::vector<double>& joints :
        std::vector<std::vector<double>>{{0.3, -0.2, -1.9, 0.5, 1.2, -2.0},
@@ -153,7 +186,11 @@ TEST_F(Together, CarryOutEveryMotionOnceOverABadWire) {
   controller_.set_faults(faults);
   for (int i = 1; i <= 8; ++i) {
     const Eigen::Isometry3d target = looking_down(0.8, i % 2 == 0 ? 0.0 : 0.05, 0.6);
-    client_->move_to_pose(target, 100);
+    if (i % 4 < 2) {
+      client_->move_to_pose(target, 100);
+    } else {
+      client_->move_along_arc(looking_down(0.82, 0.03, 0.6), target, 100);
+    }
     const Goal goal = client_->wait_for_goal(20);
     ASSERT_EQ(goal.outcome(), Goal::Outcome::kReached) << goal.message();
     expect_at(target);

@@ -47,6 +47,13 @@ inline MoveGoal to_pose(const Eigen::Isometry3d& pose) {
   return goal;
 }
 
+inline MoveGoal along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& pose) {
+  MoveGoal goal = to_pose(pose);
+  goal.kind = MoveGoal::CIRCULAR;
+  goal.via = to_pose(via).pose;
+  return goal;
+}
+
 inline MoveGoal to_joints(const std::vector<double>& joints) {
   MoveGoal goal;
   goal.kind = MoveGoal::JOINT;

@@ -118,6 +118,14 @@ TEST_F(C4gTool, SaysWhereTheRobotIsAndHowItIs) {
     EXPECT_NE(stopped.said.find(line), std::string::npos) << line << " in\n" << stopped.said;
 }
 
+TEST_F(C4gTool, MovesAlongAnArc) {
+  expect("move circular --camera-rate 50 850 50 600 0 180 180 800 100 600 0 180 90",
+         "reached         800.000 100.000 600.000 0.0000 180.0000 90.0000");
+  EXPECT_EQ(latest("MOVE_CIRCULAR")["via"][0], 850);
+  EXPECT_EQ(latest("MOVE_CIRCULAR")["camera_fps"], 50);
+  EXPECT_EQ(controller_->motions_begun(), 1u);
+}
+
 TEST_F(C4gTool, MovesAlongALineAndInJoints) {
   expect("move cartesian 800 -50 620 0 180 180", "reached         800.000 -50.000 620.000");
   EXPECT_LT(off(looking_down(0.80, -0.05, 0.62)), kHere);
@@ -164,6 +172,9 @@ TEST_F(C4gTool, RefusesWhatTheDriverRefusesBeforeAnythingIsSent) {
   expect_refusal("move cartesian 800 0 nan 0 180 180", "target z: nan m");
   expect_refusal("move cartesian 800 0 610 400 180 180", "target A: 400");
   expect_refusal("move cartesian 800 0 610 0 190 180", "target E: 190");
+  expect_refusal("move circular 800 50 600 0 180 180 800 100 600 0 180 180", "via: in line with");
+  expect_refusal("move circular 850 50 600 0 190 180 800 100 600 0 180 180", "via E: 190 deg");
+  expect_refusal("move circular 850 50 600 0 180 180 800 100 600 0 190 180", "target E: 190 deg");
   expect_refusal("move joint 0 8 5 0 48 0", "target J3");
   expect_refusal("move joint 60 8 -124 0 48 0", "speed of the flange");
   expect_refusal("--workspace-max 900 100 900 move cartesian 800 200 600 0 180 180", "target y");
@@ -220,8 +231,8 @@ TEST_F(C4gTool, SaysWhyThereIsNoConnection) {
 
 TEST_F(C4gTool, TakesNoHalfCommand) {
   for (const char* words : {"", "move", "move cartesian 1 2 3", "move cartesian 1 2 3 4 5 6 7",
-                            "move joint a b c d e f", "drives", "drives maybe", "read",
-                            "write motion_type", "status --nonsense"})
+                            "move circular 1 2 3 4 5 6", "move joint a b c d e f", "drives",
+                            "drives maybe", "read", "write motion_type", "status --nonsense"})
     EXPECT_EQ(c4g(words).code, 1) << words;
   const Result old = c4g("--most-linear-speed 100 status");
   EXPECT_EQ(old.code, 1);

@@ -31,6 +31,51 @@ TEST_F(Driver, MovesAlongALineAndShowsWhereItIs) {
   EXPECT_EQ(controller_->state().camera_rate, 100);
 }
 
+TEST_F(Driver, MovesAlongAnArcAndShowsThatItIsOnItsCircle) {
+  const double radius = 0.1;
+  const Eigen::Vector3d centre(0.80, radius, 0.60);
+  const auto on_circle = [&](double angle) {
+    Eigen::Isometry3d pose = looking_down(0.8, 0, 0.6);
+    pose.translation() = centre + radius * Eigen::Vector3d(std::sin(angle), -std::cos(angle), 0);
+    pose.rotate(Eigen::AngleAxisd(angle / 3, Eigen::Vector3d::UnitZ()));
+    return pose;
+  };
+  const MoveResult result = run(along_arc(on_circle(1.5), on_circle(4)));
+  EXPECT_EQ(result.outcome, MoveResult::REACHED) << result.message;
+  EXPECT_LT(distance(truth(), on_circle(4)), 1e-5);
+  const auto shown = flange_transforms();
+  EXPECT_GT(shown.size(), 100u);
+  double farthest = 0, most_turned = 0;
+  for (const auto& message : shown) {
+    const Eigen::Isometry3d flange = from_ros(message.transform);
+    const Eigen::Vector3d offset = flange.translation() - centre;
+    const double angle = std::atan2(offset.x(), -offset.y());
+    const Eigen::Isometry3d expected = on_circle(angle < -0.1 ? angle + 2 * M_PI : angle);
+    farthest = std::max(farthest, distance(flange, expected));
+    most_turned = std::max(
+        most_turned, Eigen::AngleAxisd(flange.linear().transpose() * expected.linear()).angle());
+  }
+  EXPECT_LT(farthest, 0.05e-3);
+  EXPECT_LT(most_turned, 0.01 * M_PI / 180);
+  EXPECT_EQ(controller_->state().camera_rate, 100);
+  RecordProperty("farthest_nm", std::to_string(1e9 * farthest));
+}
+
+TEST_F(Driver, StopsOnAnArcAndDoesNotGoOn) {
+  move_.sendGoal(along_arc(looking_down(0.95, 0.15, 0.60), looking_down(0.80, 0.30, 0.60)));
+  ASSERT_TRUE(eventually([this] { return controller_->state().progress > 0.2; }));
+  move_.cancelGoal();
+  ASSERT_TRUE(move_.waitForResult(kPatience));
+  EXPECT_EQ(move_.getResult()->outcome, MoveResult::STOPPED);
+  const Eigen::Isometry3d stopped = truth();
+  EXPECT_NEAR((stopped.translation() - Eigen::Vector3d(0.80, 0.15, 0.60)).norm(), 0.15, 0.05e-3);
+  EXPECT_LT(stopped.translation().y(), 0.29);
+  const std::size_t before = flange_transforms().size();
+  ASSERT_TRUE(eventually([&] { return flange_transforms().size() > before + 10; }));
+  EXPECT_EQ(distance(truth(), stopped), 0);
+  EXPECT_EQ(controller_->motions_begun(), 1u);
+}
+
 TEST_F(Driver, RunsAtTheSpeedAndOverrideItWasGiven) {
   using scan_cell_msgs::SetLinearSpeed;
   using scan_cell_msgs::SetOverride;
@@ -59,7 +104,21 @@ TEST_F(Driver, RefusesBadTargetsWithTheReasonAndMovesNothing) {
   no_rotation.pose.pose.orientation.x = 0;
   MoveGoal no_kind = to_pose(looking_down(0.8, 0, 0.6));
   no_kind.kind = 7;
+  const Eigen::Isometry3d via = looking_down(0.85, 0.05, 0.6), end = looking_down(0.8, 0.1, 0.6);
+  MoveGoal via_elsewhere = along_arc(via, end);
+  via_elsewhere.via.header.frame_id = "world";
+  MoveGoal no_via = to_pose(end);
+  no_via.kind = MoveGoal::CIRCULAR;
+  MoveGoal no_via_rotation = along_arc(via, end);
+  no_via_rotation.via.pose.orientation.x = 0;
   const std::vector<std::pair<MoveGoal, std::string>> bad = {
+      {via_elsewhere, "via frame: 'world'"},
+      {no_via, "via frame: ''"},
+      {no_via_rotation, "via orientation"},
+      {along_arc(looking_down(0.85, nan, 0.6), end), "via y: nan"},
+      {along_arc(end, end), "via: 0 m from the target"},
+      {along_arc(looking_down(0.8, 0.05, 0.6), end), "via: in line with"},
+      {along_arc(via, looking_down(0.8, 9, 0.6)), "target y"},
       {to_pose(looking_down(nan, 0, 0.6)), "target x"},
       {to_pose(looking_down(0.8, 9, 0.6)), "target y"},
       {to_pose(looking_down(0.8, 0, 0.05)), "target z"},

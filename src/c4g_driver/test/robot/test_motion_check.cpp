@@ -1,69 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
+#include "robot/motion_check_test.h"
 
-#include <functional>
-
-#include "robot/closed_form.h"
-#include "robot/inverse_kinematics.h"
-#include "robot/motion_check.h"
-#include "robot/smart5_six.h"
-#include "scan_cell_common/errors/errors.h"
-
+using c4g_driver::expect_says;
 using c4g_driver::Joints;
-using c4g_driver::MotionCheck;
-using c4g_driver::MotionSettings;
-using c4g_driver::RobotLimits;
-using c4g_driver::RobotState;
-using scan_cell_common::Refused;
+using c4g_driver::MotionCheckTest;
 
 namespace {
 
 const Joints kUpright = degrees(0, 0, -90, 0, 60, 0);
-
-class MotionCheckTest : public testing::Test {
- protected:
-  MotionCheckTest() {
-    limits_.operation = c4g_driver::Operation::kAutomatic;
-    stand(*c4g_driver::step_to(smart5_six(), looking_down(0.8, 0, 0.6),
-                               degrees(0, 8, -124, 0, 48, 0)));
-  }
-
-  void stand(const Joints& joints) {
-    from_.mode = c4g_driver::ControllerMode::kRemote;
-    from_.joints = joints;
-    from_.flange = flange_by_denavit_hartenberg(joints);
-  }
-
-  MotionCheck check() const {
-    return {smart5_six(), narrowed(limits_, smart5_six()), from_, settings_};
-  }
-
-  /// The refusal's text.
-  std::string refusal_of_pose(const Eigen::Isometry3d& target) const {
-    return refusal([&] { check().to_pose(target); });
-  }
-  std::string refusal_of_joints(const Joints& target) const {
-    return refusal([&] { check().to_joints(target); });
-  }
-
-  static std::string refusal(const std::function<void()>& ask) {
-    try {
-      ask();
-    } catch (const Refused& refused) {
-      return refused.what();
-    }
-    return "";
-  }
-
-  RobotLimits limits_;
-  RobotState from_;
-  MotionSettings settings_;
-};
-
-void expect_says(const std::string& said, const std::string& wanted) {
-  EXPECT_NE(said.find(wanted), std::string::npos) << "'" << said << "', not '" << wanted << "'";
-}
 
 }  // namespace
 

@@ -1,8 +1,10 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-/// What the driver lets pass, the emulated controller carries out: two independent plans of a line.
+/// What the driver lets pass, the emulated controller carries out: two independent plans of
+/// a line or an arc.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
 
 #include "robot/motion_check.h"
@@ -10,22 +12,25 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/csv_reader.h"
 #include "scan_cell_common/files/files.h"
+#include "scan_cell_common/pose/timed_pose.h"
 #include "scan_cell_sim/controller/controller.h"
 #include "scan_cell_sim/controller/path.h"
 
 namespace {
 
-/// [%] at which the controller need not go slower than it was told; 0 where it refuses.
-double max_override_of_the_controller(const c4g_driver::RobotState& from,
-                                      const Eigen::Isometry3d& target,
-                                      const c4g_driver::MotionSettings& settings) {
+scan_cell_sim::LineSettings their(const c4g_driver::MotionSettings& settings) {
   scan_cell_sim::LineSettings line;
   line.speed = settings.linear_speed;
   line.rotational_speed = settings.rotational_speed;
   line.euler = settings.euler;
+  return line;
+}
+
+/// [%] at which the controller need not go slower than it was told; 0 where it refuses.
+double max_override_of_the_controller(const std::function<scan_cell_sim::PlannedPath()>& plan) {
   try {
-    const auto plan = scan_cell_sim::plan_line(from.joints, target, line);
-    return std::min(100.0, 100 * plan.max_speed / plan.speed);
+    const auto planned = plan();
+    return std::min(100.0, 100 * planned.max_speed / planned.speed);
   } catch (const scan_cell_sim::ControllerRefusal&) {
     return 0;
   }
@@ -42,41 +47,79 @@ c4g_driver::RobotState standing_at_the_start() {
 c4g_driver::RobotLimits limits_in_automatic() {
   c4g_driver::RobotLimits limits;
   limits.operation = c4g_driver::Operation::kAutomatic;
+  limits.workspace_min = {-3, -3, -1};
+  limits.workspace_max = {3, 3, 3};
   return narrowed(limits, smart5_six());
 }
 
-}  // namespace
+/// The check and the controller's plan of many motions.
+class TwoPlans : public testing::Test {
+ protected:
+  TwoPlans() {
+    settings_.linear_speed = 1;
+    settings_.rotational_speed = 3;
+    settings_.override = 1e-3;  // the check tells how much more it would let pass
+  }
 
-TEST(MotionCheck, LetsPassWhatTheControllerCarriesOutAtTheSpeedItWasTold) {
-  std::mt19937 random(17);
-  std::uniform_real_distribution<double> some(-1, 1);
-  const c4g_driver::RobotState from = standing_at_the_start();
-  const c4g_driver::RobotLimits limits = limits_in_automatic();
-  c4g_driver::MotionSettings settings;
-  settings.linear_speed = 1;
-  settings.rotational_speed = 3;
-  settings.override = 1e-3;  // the check tells how much more it would let pass
-  int passed = 0, refused = 0;
-  for (int i = 0; i < 150; ++i) {
-    Eigen::Isometry3d target =
-        looking_down(0.8 + 0.7 * some(random), some(random), 0.7 + 0.6 * some(random));
-    target.rotate(Eigen::AngleAxisd(1.5 * some(random), Eigen::Vector3d::UnitZ()));
-    target.rotate(Eigen::AngleAxisd(0.7 * some(random), Eigen::Vector3d::UnitX()));
-    target.rotate(Eigen::AngleAxisd(0.7 * some(random), Eigen::Vector3d::UnitY()));
-    const double theirs = max_override_of_the_controller(from, target, settings);
+  Eigen::Isometry3d some_pose() {
+    Eigen::Isometry3d pose = looking_down(0.8 + 0.7 * some(), some(), 0.7 + 0.6 * some());
+    pose.rotate(Eigen::AngleAxisd(1.5 * some(), Eigen::Vector3d::UnitZ()));
+    pose.rotate(Eigen::AngleAxisd(0.7 * some(), Eigen::Vector3d::UnitX()));
+    pose.rotate(Eigen::AngleAxisd(0.7 * some(), Eigen::Vector3d::UnitY()));
+    return pose;
+  }
+
+  c4g_driver::MotionCheck check() const {
+    return {smart5_six(), limits_in_automatic(), from_, settings_};
+  }
+
+  /// @param ours, theirs highest override [%]
+  void compare(const std::function<double()>& ours,
+               const std::function<scan_cell_sim::PlannedPath()>& plan) {
+    const double theirs = max_override_of_the_controller(plan);
     try {
-      const double ours =
-          c4g_driver::MotionCheck(smart5_six(), limits, from, settings).to_pose(target);
-      ++passed;
-      EXPECT_LE(ours, 1.05 * theirs) << "line " << i;  // theirs is a mean over longer steps
+      const double most = ours();
+      ++passed_;
+      EXPECT_LE(most, 1.05 * theirs) << passed_ << ". passed";  // a mean over longer steps
     } catch (const scan_cell_common::Refused& error) {
-      ++refused;
+      ++refused_;
       // nearer to a singular posture than ours lets it, the controller would crawl
-      EXPECT_LT(theirs, 35) << "line " << i << ": " << error.what();
+      EXPECT_LT(theirs, 35) << refused_ << ". refused: " << error.what();
     }
   }
-  EXPECT_GT(passed, 40);
-  EXPECT_GT(refused, 25);
+
+  const c4g_driver::RobotState from_ = standing_at_the_start();
+  c4g_driver::MotionSettings settings_;
+  int passed_ = 0;
+  int refused_ = 0;
+
+ private:
+  double some() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
+
+  std::mt19937 random_{17};
+};
+
+}  // namespace
+
+TEST_F(TwoPlans, OfALineAgreeSoThatWhatPassesIsCarriedOutAtTheSpeedAskedFor) {
+  for (int i = 0; i < 150; ++i) {
+    const Eigen::Isometry3d target = some_pose();
+    compare([&] { return check().to_pose(target); },
+            [&] { return scan_cell_sim::plan_line(from_.joints, target, their(settings_)); });
+  }
+  EXPECT_GT(passed_, 40);
+  EXPECT_GT(refused_, 25);
+}
+
+TEST_F(TwoPlans, OfAnArcAgreeSoThatWhatPassesIsCarriedOutAtTheSpeedAskedFor) {
+  for (int i = 0; i < 150; ++i) {
+    const Eigen::Isometry3d via = scan_cell_common::interpolate(from_.flange, some_pose(), 0.4);
+    const Eigen::Isometry3d target = scan_cell_common::interpolate(from_.flange, some_pose(), 0.6);
+    compare([&] { return check().along_arc(via, target); },
+            [&] { return scan_cell_sim::plan_arc(from_.joints, via, target, their(settings_)); });
+  }
+  EXPECT_GT(passed_, 40);
+  EXPECT_GT(refused_, 25);
 }
 
 TEST(MotionCheck, LetsPassTheTaughtPosesOfTheSimulatedCalibration) {

@@ -63,6 +63,24 @@ TEST(Build, WritesAMoveInJointsAsTheProtocolSays) {
     "joints": [0.0, 0.0, -90.0, 0.0, 90.0, 0.0], "camera_fps": 0.0})"));
 }
 
+TEST(Build, WritesAMoveAlongAnArcAsTheProtocolSays) {
+  Eigen::Isometry3d via = Eigen::Isometry3d::Identity();
+  via.translation() << 0.9, 0, 0.6;
+  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
+  flange.translation() << 0.8, -0.1, 0.65;
+  json packet = built(c4g_driver::MoveCircular{via, flange, 50});
+  EXPECT_EQ(packet["cmd"], "MOVE_CIRCULAR");
+  EXPECT_EQ(packet["camera_fps"], 50);
+  const std::vector<double> expected_via = {900, 0, 600, 0, 0, 0};
+  const std::vector<double> expected_pose = {800, -100, 650, 0, 0, 0};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(packet["via"].at(i).get<double>(), expected_via[i], 1e-12);
+    EXPECT_NEAR(packet["pose"].at(i).get<double>(), expected_pose[i], 1e-12);
+  }
+  EXPECT_EQ(packet["via"].size() + packet["pose"].size(), 12u);
+  EXPECT_EQ(packet.size(), 7u);
+}
+
 TEST(Build, PutsTheCamerasRateIntoTheMove) {
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();
   flange.translation() << 0.8, 0.1, 0.6;

@@ -50,7 +50,7 @@ std::vector<WireSix> sixes_after(const std::string& words) {
   return found;
 }
 
-const char* const kPose = "(?:\"pose\": |pose `)";
+const char* const kPose = "(?:\"pose\": |\"via\": |pose `)";
 const char* const kJoints = "(?:\"joints\": |joints `)";
 const char* const kFrame = "\"value\": ";
 
@@ -158,6 +158,23 @@ TEST(ProtocolExamples, ShowMotionsThatTheRobotCanMake) {
       c4g_driver::pose_from_wire(matched("\"MOVE_CARTESIAN\", \"pose\": " + kSix, 1));
   EXPECT_NO_THROW(check_from(start).to_pose(target));
   EXPECT_NO_THROW(scan_cell_sim::plan_line(start.joints, target, {}));
+}
+
+TEST(ProtocolExamples, ShowAnArcRoundAnUprightAxisThatTheRobotCanMake) {
+  const std::string arc = "\"MOVE_CIRCULAR\", \"via\": " + kSix + ", \"pose\": " + kSix;
+  const auto start =
+      c4g_driver::pose_from_wire(matched("\"MOVE_CARTESIAN\", \"pose\": " + kSix, 1));
+  const auto via = c4g_driver::pose_from_wire(matched(arc, 1));
+  const auto target = c4g_driver::pose_from_wire(matched(arc, 2));
+  const Isometry3d quarter = via * start.inverse();
+  EXPECT_TRUE((quarter * via).isApprox(target, 1e-9)) << "it turns evenly";
+  EXPECT_TRUE(quarter.linear().col(2).isApprox(Vector3d::UnitZ(), 1e-9));
+  c4g_driver::RobotState standing;
+  standing.mode = c4g_driver::ControllerMode::kRemote;
+  standing.joints = scan_cell_sim::reach(start, Joints::Zero());
+  standing.flange = flange_by_denavit_hartenberg(standing.joints);
+  EXPECT_NO_THROW(check_from(standing).along_arc(via, target));
+  EXPECT_NO_THROW(scan_cell_sim::plan_arc(standing.joints, via, target, {}));
 }
 
 TEST(ProtocolExamples, ShowTheFlangeLookingDownAsTheyDescribeIt) {

@@ -79,6 +79,13 @@ inline json move_to(double x, double y, double z) {
   return {{"cmd", "MOVE_CARTESIAN"}, {"pose", {x, y, z, 0, 180, 180}}, {"camera_fps", 100}};
 }
 
+/// @param via x, y, z, A, E, R
+inline json move_through(const json& via, double x, double y, double z) {
+  json move = move_to(x, y, z);
+  move.update({{"cmd", "MOVE_CIRCULAR"}, {"via", via}});
+  return move;
+}
+
 inline int code(const json& ack) {
   return ack["error"].is_null() ? 0 : ack["error"]["code"].get<int>();
 }

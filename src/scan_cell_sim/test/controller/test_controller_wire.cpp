@@ -80,15 +80,23 @@ TEST_F(Wire, StreamsTheTruePoseAtTheInstantItTells) {
 }
 
 TEST_F(Wire, CarriesARepeatedMoveOutOnce) {
+  const std::vector<json> moves = {
+      move_to(800, 20, 600),
+      move_through({810, 30, 600, 0, 180, 180}, 800, 40, 600),
+      {{"cmd", "MOVE_JOINT"}, {"joints", {0, 8, -124, 0, 48, 0}}, {"camera_fps", 0}}};
   client_.open();
-  const json first = client_.ask(2, move_to(800, 20, 600));
-  const json again = client_.ask(2, move_to(800, 20, 600));
-  EXPECT_EQ(first, again);
-  stream_until_still(client_);
-  EXPECT_EQ(client_.ask(2, move_to(800, 20, 600)), first);
-  EXPECT_EQ(controller_.motions_begun(), 1u);
-  EXPECT_EQ(code(client_.ask(1, move_to(800, 0, 600))), 5);  // a straggler
-  EXPECT_EQ(controller_.motions_begun(), 1u);
+  std::uint64_t seq = 1;
+  for (const json& move : moves) {
+    const json first = client_.ask(++seq, move);
+    EXPECT_EQ(code(first), 0) << first;
+    EXPECT_EQ(client_.ask(seq, move), first);
+    stream_until_still(client_);
+    EXPECT_EQ(client_.ask(seq, move), first);
+    EXPECT_EQ(controller_.motions_begun(), seq - 1);
+    client_.drain();
+    EXPECT_EQ(code(client_.ask(seq - 1, move)), 5) << "a straggler";
+    EXPECT_EQ(controller_.motions_begun(), seq - 1);
+  }
 }
 
 TEST_F(Wire, StopsAndForgetsTheMotionOfAnOldSession) {
@@ -142,6 +150,14 @@ TEST_F(Wire, AnswersEveryMistakeWithItsCode) {
   EXPECT_EQ(asked({{"cmd", "MOVE_CARTESIAN"}, {"camera_fps", 0}}), 1);
   EXPECT_EQ(asked(move_to(2500, 0, 600)), 13);
   EXPECT_EQ(asked({{"cmd", "MOVE_JOINT"}, {"joints", {0, 0, 5, 0, 90, 0}}, {"camera_fps", 0}}), 12);
+  const auto through = [](double x, double y, double e) {
+    return move_through({x, y, 600, 0, e, 180}, 800, 100, 600);
+  };
+  EXPECT_EQ(asked(through(800, 50, 180)), 19) << "on a line";
+  EXPECT_EQ(asked(through(800, 100, 180)), 19) << "the same place";
+  EXPECT_EQ(asked(through(850, 50, 181)), 9);
+  EXPECT_EQ(asked(through(1700, 50, 180)), 13);
+  EXPECT_EQ(asked({{"cmd", "MOVE_CIRCULAR"}, {"pose", {800, 100, 600, 0, 180, 180}}}), 1);
   EXPECT_EQ(asked({{"cmd", "SET_OVERRIDE"}, {"override", 101}}), 9);
   EXPECT_EQ(asked({{"cmd", "SET_OVERRIDE"}, {"override", "half"}}), 1);
   EXPECT_EQ(asked({{"cmd", "SET_LINSPEED"}, {"linear_speed", 0}}), 9);

@@ -48,6 +48,16 @@ void Client::move_to_pose(const Eigen::Isometry3d& flange, double camera_rate) {
   link_->request(MoveCartesian{flange, camera_rate}, &start);
 }
 
+void Client::move_along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& flange,
+                            double camera_rate) {
+  check_flange(via, options_.limits, "via");
+  check_flange(flange, options_.limits);
+  check_camera_rate(camera_rate, options_.limits);
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  const Link::Start start{flange, motion_check(true).along_arc(via, flange)};
+  link_->request(MoveCircular{via, flange, camera_rate}, &start);
+}
+
 void Client::move_to_joints(const std::vector<double>& joints, double camera_rate) {
   const Joints target = check_joints(joints, options_.limits);
   check_workspace(options_.robot->flange_at(target), options_.limits);
@@ -58,10 +68,11 @@ void Client::move_to_joints(const std::vector<double>& joints, double camera_rat
 }
 
 /// From where the robot stands, with what is set on the controller.
-MotionCheck Client::motion_check(bool along_line) {
+/// @param in_space the target is a pose
+MotionCheck Client::motion_check(bool in_space) {
   if (goal().underway()) throw Refused("motion", "another is under way", "stop it first");
   MotionSettings settings;
-  if (along_line) settings = settings_in_force();
+  if (in_space) settings = settings_in_force();
   const auto state = latest();
   if (!link().up || !state) throw ConnectionError(name(), link().message, kCheckLink);
   if (state->robot.status == MotionStatus::kMoving) {

@@ -77,20 +77,22 @@ SpeedLimit speed_limit(const RobotLimits& limits, const RobotState* state) {
                       : "people may be near, the driver's parameter operation is manual"};
 }
 
-void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits) {
+void check_workspace(const Eigen::Isometry3d& flange, const RobotLimits& limits,
+                     const std::string& name) {
   for (int i = 0; i < 3; ++i) {
-    check_between(fmt::format("target {}", "xyz"[i]), flange.translation()[i],
+    check_between(fmt::format("{} {}", name, "xyz"[i]), flange.translation()[i],
                   limits.workspace_min[i], limits.workspace_max[i], " m");
   }
 }
 
-void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits) {
+void check_flange(const Eigen::Isometry3d& flange, const RobotLimits& limits,
+                  const std::string& name) {
   constexpr double kRotation = 1e-6;  // off orthonormal; chosen
-  check_workspace(flange, limits);
+  check_workspace(flange, limits, name);
   const Eigen::Matrix3d& rotation = flange.linear();
   const double off = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
   if (!(off < kRotation) || !(rotation.determinant() > 0)) {
-    throw Refused("target orientation", "not a rotation", "give a unit quaternion");
+    throw Refused(name + " orientation", "not a rotation", "give a unit quaternion");
   }
 }
 

@@ -34,13 +34,10 @@ Eigen::Isometry3d Line::at(double way) const {
   return pose;
 }
 
-double Line::length() const {
-  return (to_.translation() - from_.translation()).norm();
-}
-
-double Line::angle() const {
-  if (euler_) return change_.cwiseAbs().maxCoeff();
-  return Eigen::AngleAxisd(from_.linear().transpose() * to_.linear()).angle();
+std::vector<Path::Stretch> Line::stretches() const {
+  const double turn = Eigen::AngleAxisd(from_.linear().transpose() * to_.linear()).angle();
+  const double angle = euler_ ? change_.cwiseAbs().maxCoeff() : turn;
+  return {{0, 1, (to_.translation() - from_.translation()).norm(), angle, "target"}};
 }
 
 }  // namespace c4g_driver

@@ -2,23 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
+#include "robot/path.h"
 
 namespace c4g_driver {
 
-/// The way of the flange in a MOVE_CARTESIAN along a line, without when. Positions lie on the
-/// straight line; the orientation turns about one fixed axis, or A, E and R go each at its own
-/// constant rate (the controller's parameter `interpolation`).
-class Line {
+/// A MOVE_CARTESIAN along a line: the orientation turns about one fixed axis, or A, E and R go each
+/// at its own constant rate (the controller's parameter `interpolation`).
+class Line : public Path {
  public:
   Line(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, bool euler);
 
-  /// @param way from 0 to 1
-  Eigen::Isometry3d at(double way) const;
-
-  double length() const;  //!< [m]
-  /// [rad] what is turned by; of A, E and R the most
-  double angle() const;
+  const char* name() const override { return "line"; }
+  Eigen::Isometry3d at(double way) const override;
+  std::vector<Stretch> stretches() const override;
 
  private:
   Eigen::Isometry3d from_;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <string>
 
 #include "c4g_driver/limits.h"
 #include "c4g_driver/robot_model.h"
-#include "robot/line.h"
+#include "robot/path.h"
 
 namespace c4g_driver {
 
@@ -14,8 +14,8 @@ namespace c4g_driver {
 struct MotionSettings {
   bool in_joints = false;       //!< MOVE_CARTESIAN goes in joints
   bool euler = false;           //!< along a line A, E and R go each at its own rate
-  double linear_speed = 0.25;   //!< [m/s] along a line
-  double rotational_speed = 1;  //!< [rad/s] along a line; the slower of both rules
+  double linear_speed = 0.25;   //!< [m/s] along a line or an arc
+  double rotational_speed = 1;  //!< [rad/s] along it; the slower of both rules
   double override = 100;        //!< [%] of all speeds
 };
 
@@ -39,6 +39,12 @@ class MotionCheck {
   /// @throw scan_cell_common::Refused
   double to_pose(const Eigen::Isometry3d& target) const;
 
+  /// A MOVE_CIRCULAR: the same along the whole arc, which leaves the box nowhere.
+  /// @param via, target within the box
+  /// @return [%] the highest override at which it keeps to the speeds
+  /// @throw scan_cell_common::Refused also if there is no one arc
+  double along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& target) const;
+
   /// A MOVE_JOINT: within the box along the whole way.
   /// @param target within the ranges
   /// @return [%] the highest override at which it keeps to the speeds
@@ -46,19 +52,8 @@ class MotionCheck {
   double to_joints(const Joints& target) const;
 
  private:
-  struct Hindrance {
-    std::string thing;
-    std::string value;
-    std::string cure;
-  };
-  struct Strain;  // the most that is asked of a joint's speed
-
-  double along(const Line& line) const;
-  std::optional<Hindrance> follow(const Line& line, Strain& strain) const;
-  std::optional<Hindrance> hindrance(const Joints& before, const Joints& joints,
-                                     const std::string& where) const;
-  Joints reach(const Eigen::Isometry3d& target) const;
-  void check_box(const Eigen::Vector3d& place, double way) const;
+  double along(const Path& path) const;
+  Joints reach(const Eigen::Isometry3d& target, const std::string& name) const;
 
   const RobotModel& robot_;
   const RobotState from_;

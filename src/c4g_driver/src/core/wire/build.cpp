@@ -31,6 +31,7 @@ struct Name {
   const char* operator()(const Open&) const { return "OPEN"; }
   const char* operator()(const Close&) const { return "CLOSE"; }
   const char* operator()(const MoveCartesian&) const { return "MOVE_CARTESIAN"; }
+  const char* operator()(const MoveCircular&) const { return "MOVE_CIRCULAR"; }
   const char* operator()(const MoveJoint&) const { return "MOVE_JOINT"; }
   const char* operator()(const Stop&) const { return "STOP"; }
   const char* operator()(const SetOverride&) const { return "SET_OVERRIDE"; }
@@ -45,6 +46,11 @@ struct Name {
 struct Arguments {
   json operator()(const MoveCartesian& move) const {
     return {{"pose", to_wire(move.flange)}, {"camera_fps", move.camera_rate}};
+  }
+  json operator()(const MoveCircular& move) const {
+    return {{"via", to_wire(move.via)},
+            {"pose", to_wire(move.flange)},
+            {"camera_fps", move.camera_rate}};
   }
   json operator()(const MoveJoint& move) const {
     return {{"joints", to_wire(move.joints)}, {"camera_fps", move.camera_rate}};

@@ -21,6 +21,11 @@ struct MoveCartesian {
   Eigen::Isometry3d flange;
   double camera_rate;  //!< [Hz]
 };
+struct MoveCircular {
+  Eigen::Isometry3d via;
+  Eigen::Isometry3d flange;
+  double camera_rate;  //!< [Hz]
+};
 struct MoveJoint {
   Joints joints;
   double camera_rate;  //!< [Hz]
@@ -46,8 +51,8 @@ struct SetDrives {
 struct ResetAlarms {};
 
 using Request =
-    std::variant<Open, Close, MoveCartesian, MoveJoint, Stop, SetOverride, SetLinearSpeed,
-                 GetStaticPose, GetParameter, SetParameter, SetDrives, ResetAlarms>;
+    std::variant<Open, Close, MoveCartesian, MoveCircular, MoveJoint, Stop, SetOverride,
+                 SetLinearSpeed, GetStaticPose, GetParameter, SetParameter, SetDrives, ResetAlarms>;
 
 /// The command's name on the wire.
 std::string name_of(const Request& request);

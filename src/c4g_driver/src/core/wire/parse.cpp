@@ -127,7 +127,7 @@ void assign_printable(std::string_view said, boost::static_string<80>& shown) {
 }
 
 ControllerError complaint(const Json& value) {
-  constexpr std::uint64_t kMaxCode = 1'000'000;  // c4g_protocol.md goes to 18; chosen
+  constexpr std::uint64_t kMaxCode = 1'000'000;  // c4g_protocol.md goes to 19; chosen
   ControllerError result;
   result.code = static_cast<int>(whole(value, "code", kMaxCode));
   assign_printable(text(value, "text"), result.text);

@@ -18,7 +18,7 @@ const char* name_of(MotionStatus status);  //!< as the protocol writes it
 /// What may be set; as the parameters of c4g_protocol.md.
 struct MotionSettings {
   bool in_joints = false;  //!< MOVE_CARTESIAN goes in joints
-  LineSettings line;       //!< of motions along a line
+  LineSettings line;       //!< of motions along a line or an arc
   double override = 1;     //!< above 0, up to 1
 };
 

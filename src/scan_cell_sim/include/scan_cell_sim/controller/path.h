@@ -28,12 +28,12 @@ struct PlannedPath {
   double acceleration = 1;           //!< [1/s^2]
 };
 
-/// Speeds along a line.
+/// Speeds along a line or an arc.
 struct LineSettings {
   double speed = 0.25;                 //!< [m/s]
   double acceleration = 1.0;           //!< [m/s^2]
   double rotational_speed = M_PI / 3;  //!< [rad/s]; reached in no less than a quarter of a second
-  bool euler = false;  //!< interpolate A, E, R instead of turning about one fixed axis
+  bool euler = false;  //!< on a line, interpolate A, E, R instead of turning about one fixed axis
 };
 
 /// All axes start and end together, each within its speed and acceleration.
@@ -47,6 +47,14 @@ PlannedPath plan_joint_path(const Joints& from, const Joints& to);
 /// goes 10 mm or turns by 2 degrees
 PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
                       const LineSettings& settings);
+
+/// An arc of the flange from where `from` puts it, through `via`: along the circle through the
+/// three positions, turning about one axis to the orientation of `via` and about one from there.
+/// @throw ControllerRefusal as plan_line(), and if two of the three positions are nearer than 1 mm,
+/// one lies within 0.1 mm of the line through the others, or a turn is within 0.1 degree of half a
+/// turn
+PlannedPath plan_arc(const Joints& from, const Eigen::Isometry3d& via, const Eigen::Isometry3d& to,
+                     const LineSettings& settings);
 
 /// [m] The most that the flange moves on this path for each way: its speed [m/s] at one way a
 /// second.

@@ -27,6 +27,7 @@ enum class ControllerErrorCode {
   kMode = 16,
   kAlarm = 17,
   kOutOfTurn = 18,
+  kNoArc = 19,
 };
 
 /// Why a motion did not arrive, or an alarm.

@@ -26,6 +26,10 @@ double camera_rate(const json& request) {
   return number(entry(request, "camera_fps"), "camera_fps", 0, kMost);
 }
 
+Eigen::Isometry3d pose_in(const json& request, const std::string& key) {
+  return pose_from_wire(pose(entry(request, key), key));
+}
+
 void require_version(const json& request) {
   if (whole(entry(request, "c4g"), "c4g") != kVersion) {
     throw ControllerRefusal(Code::kVersion, "this controller speaks version 1");
@@ -152,17 +156,28 @@ void ProtocolServer::open(const json& request, std::uint64_t session, std::uint6
   streamed_ = 0;
 }
 
-json ProtocolServer::perform(const json& request, Nanoseconds now) {
-  require_version(request);
-  const std::string command = command_of(request);
+/// @return whether the command is one that begins a motion
+bool ProtocolServer::begin_motion(const std::string& command, const json& request,
+                                  Nanoseconds now) {
   if (command == "MOVE_CARTESIAN") {
-    motion_.move_to_pose(last_seq_, pose_from_wire(pose(entry(request, "pose"), "pose")),
-                         camera_rate(request), now);
-    last_moving_ = now;  // the shortest motion is streamed too
+    motion_.move_to_pose(last_seq_, pose_in(request, "pose"), camera_rate(request), now);
+  } else if (command == "MOVE_CIRCULAR") {
+    motion_.move_along_arc(last_seq_, pose_in(request, "via"), pose_in(request, "pose"),
+                           camera_rate(request), now);
   } else if (command == "MOVE_JOINT") {
     motion_.move_to_joints(last_seq_, joints_from_wire(six(entry(request, "joints"), "joints")),
                            camera_rate(request), now);
-    last_moving_ = now;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+json ProtocolServer::perform(const json& request, Nanoseconds now) {
+  require_version(request);
+  const std::string command = command_of(request);
+  if (begin_motion(command, request, now)) {
+    last_moving_ = now;  // the shortest motion is streamed too
   } else if (command == "STOP") {
     motion_.stop(std::nullopt, now);
   } else if (command == "SET_OVERRIDE") {

@@ -50,6 +50,7 @@ class ProtocolServer {
             Nanoseconds now);
   Json take_up(const Json& request, const std::string& datagram, Nanoseconds now);
   Json perform(const Json& request, Nanoseconds now);
+  bool begin_motion(const std::string& command, const Json& request, Nanoseconds now);
   Json state(const MotionState& truth, Nanoseconds now);
   Eigen::Isometry3d measured(const Eigen::Isometry3d& flange);
 

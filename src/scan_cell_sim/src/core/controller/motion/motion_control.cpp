@@ -29,29 +29,36 @@ const char* name_of(MotionStatus status) {
   return "error";
 }
 
-void MotionControl::refuse_unless_ready(Nanoseconds now) const {
+/// @throw ControllerRefusal unless it stands, ready for a motion
+Joints MotionControl::standing(Nanoseconds now) const {
   readiness_.require_motion();
-  if (!log_.at(now).over(now)) {
-    throw ControllerRefusal(ControllerErrorCode::kMoving, "the robot is moving: STOP first");
+  const Run run = log_.at(now);
+  if (!run.over(now)) {
+    throw ControllerRefusal(ControllerErrorCode::kMoving, "the robot moves: STOP first");
   }
+  return run.path->joints(run.way(now));
 }
 
 void MotionControl::move_to_pose(std::uint64_t motion, const Eigen::Isometry3d& flange,
                                  double camera_rate, Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  refuse_unless_ready(now);
-  const Joints from = log_.at(now).path->joints(log_.at(now).way(now));
+  const Joints from = standing(now);
   const PlannedPath plan = settings_.in_joints ? plan_joint_path(from, reach(flange, from))
                                                : plan_line(from, flange, settings_.line);
   begin(motion, plan, camera_rate, now);
 }
 
+void MotionControl::move_along_arc(std::uint64_t motion, const Eigen::Isometry3d& via,
+                                   const Eigen::Isometry3d& flange, double camera_rate,
+                                   Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  begin(motion, plan_arc(standing(now), via, flange, settings_.line), camera_rate, now);
+}
+
 void MotionControl::move_to_joints(std::uint64_t motion, const Joints& joints, double camera_rate,
                                    Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  refuse_unless_ready(now);
-  const Joints from = log_.at(now).path->joints(log_.at(now).way(now));
-  begin(motion, plan_joint_path(from, joints), camera_rate, now);
+  begin(motion, plan_joint_path(standing(now), joints), camera_rate, now);
 }
 
 double MotionControl::cruise() const {

@@ -13,9 +13,9 @@
 
 namespace scan_cell_sim {
 
-/// Plans and runs motions, one at a time. Whatever ends the robot's readiness (emergency stop,
-/// drives off, another mode, an alarm) ends the current motion, and nothing resumes it. In mode
-/// programming the flange is never faster than 250 mm/s, on a line or not. Safe for use from
+/// Plans and runs motions, one at a time. Whatever takes the robot its readiness (emergency stop,
+/// drives off, another mode, an alarm) ends the motion under way, and nothing brings it back. In
+/// mode programming the flange is never faster than 250 mm/s, on whatever path. Safe for use from
 /// several threads; `now` is host time.
 class MotionControl {
  public:
@@ -26,6 +26,8 @@ class MotionControl {
   /// @throw ControllerRefusal if it cannot be done; then nothing moves
   void move_to_pose(std::uint64_t motion, const Eigen::Isometry3d& flange, double camera_rate,
                     Nanoseconds now);
+  void move_along_arc(std::uint64_t motion, const Eigen::Isometry3d& via,
+                      const Eigen::Isometry3d& flange, double camera_rate, Nanoseconds now);
   void move_to_joints(std::uint64_t motion, const Joints& joints, double camera_rate,
                       Nanoseconds now);
 
@@ -62,7 +64,7 @@ class MotionControl {
   std::uint64_t motions_begun() const;
 
  private:
-  void refuse_unless_ready(Nanoseconds now) const;
+  Joints standing(Nanoseconds now) const;
   void begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate, Nanoseconds now);
   void brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
              Nanoseconds now);

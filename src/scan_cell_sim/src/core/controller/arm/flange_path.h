@@ -1,0 +1,48 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scan_cell_sim/controller/path.h"
+
+namespace scan_cell_sim {
+
+constexpr double kNothing = 1e-12;  // shorter ways are none
+
+/// A path that is given by where the flange goes, in the posture that it begins with. The flange
+/// moves evenly over it, and turns evenly over each of its stretches.
+class FlangePath : public Path {
+ public:
+  Joints joints(double way) const override;
+
+  virtual double length() const = 0;  // [m]
+  /// [rad] the most that it turns for each way: what the rotational speed is of
+  double turning() const;
+
+  /// Follows the path from knot to knot, which joints() needs.
+  /// @return [1/s] the most that the axes allow
+  /// @throw ControllerRefusal as plan_line()
+  double follow(const Joints& from);
+
+ protected:
+  struct Stretch {
+    double end;    // way; it begins where the one before ends
+    double angle;  // [rad] what the rotational speed is of
+    double turn;   // [rad] no less than what the flange turns by
+  };
+
+ private:
+  virtual std::string name() const = 0;  // for a person
+  virtual std::vector<Stretch> stretches() const = 0;
+  double step_to(double way);
+
+  struct Knot {
+    double way;
+    Joints joints;
+  };
+  std::vector<Knot> knots_;
+};
+
+}  // namespace scan_cell_sim
