@@ -4,6 +4,7 @@
 /// The driver's arc, held against circles in closed form.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "robot/arc.h"

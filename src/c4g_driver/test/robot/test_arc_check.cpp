@@ -3,6 +3,8 @@
 
 /// What stands in the way of an arc whose start, via and end are fine. The truth are motions of one
 /// axis, which move the flange on a circle and turn it with it.
+#include <cmath>
+
 #include "robot/motion_check_test.h"
 
 using c4g_driver::expect_says;

@@ -4,6 +4,7 @@
 /// Arcs of the emulated arm, held against circles in closed form and against motions of one axis,
 /// which move the flange on a circle and turn it with it.
 #include <memory>
+#include <string>
 
 #include "controller/arm_truth.h"
 #include "controller/motion/motion_control.h"
