@@ -101,9 +101,9 @@ class LaserTriggerNode(unittest.TestCase):
             self.assertLess(time.time(), end, 'waited in vain until ' + what)
             time.sleep(0.01)
 
-    def arm_and_wait(self, lasers):
+    def arm_and_wait(self, lasers, alternate=False):
         before = len(self.circuit.rising_edges())
-        answer = self.arm(rate=100, lasers=lasers)
+        answer = self.arm(rate=100, lasers=lasers, alternate=alternate)
         self.assertTrue(answer.success, answer.message)
         self.wait(lambda: len(self.circuit.rising_edges()) > before + 5, 'pulses come')
         return answer.arming
@@ -133,9 +133,8 @@ class LaserTriggerNode(unittest.TestCase):
         self.assertTrue(self.disarm().success, 'disarming what is disarmed succeeds')
 
     def test_2b_lets_the_lasers_take_turns_and_says_which_was_on(self):
-        answer = self.arm(rate=100, lasers=3, alternate=True)
-        self.assertTrue(answer.success, answer.message)
-        mine = lambda: [e for e in self.events if e.arming == answer.arming]
+        arming = self.arm_and_wait(3, alternate=True)
+        mine = lambda: [e for e in self.events if e.arming == arming]
         self.wait(lambda: len(mine()) > 20, 'events come')
         self.wait(lambda: self.states[-1].armed, 'the state says so')
         self.assertTrue(self.states[-1].alternate)
@@ -148,11 +147,12 @@ class LaserTriggerNode(unittest.TestCase):
         self.assertFalse(self.states[-1].alternate)
 
     def test_2c_lasers_that_take_turns_go_off_without_keep_alive(self):
-        self.assertTrue(self.arm(rate=100, lasers=3, alternate=True).success)
+        self.arm_and_wait(3, alternate=True)
         type(self).keep_alive_wanted = False
-        self.wait(lambda: not self.states[-1].armed, 'it is disarmed')
-        type(self).keep_alive_wanted = True
         self.lines_go_low()
+        type(self).keep_alive_wanted = True
+        self.wait(lambda: not self.states[-1].armed, 'the state says so')
+        self.assertIn('keep-alive', self.states[-1].message)
 
     def test_3_refuses_what_makes_no_sense(self):
         for request, word in ((dict(rate=0, lasers=1), 'rate'), (dict(rate=1e9, lasers=1), 'rate'),
