@@ -46,7 +46,7 @@ void replay(const Parameters& parameters) {
            [&bar](double share) { bar.show("play", 0.5 * share); });
   bar.show("bind and triangulate", 0.5);
   watch.forget();
-  stages.bind(bag.pulses(), parameters.patience);
+  stages.bind({{0, bag.pulses()}}, parameters.patience);  // of all armings
   stages.triangulate(true, parameters.patience);
   bar.show("clean", 0.6);
   scan_cell::check_published(stages.cloud_file());

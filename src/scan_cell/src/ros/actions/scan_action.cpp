@@ -21,8 +21,8 @@ ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellD
                        CellInUse& cell, const StateTopic& state)
     : parameters_(parameters),
       camera_(devices.camera),
-      stages_(parameters.base_frame, parameters.binder, parameters.triangulation,
-              parameters.call_timeout),
+      stages_(parameters.binder, parameters.triangulation, parameters.call_timeout,
+              parameters.base_frame),
       sequence_(devices.robot, devices.camera, devices.trigger, stages_, *this, parameters.limits,
                 parameters.timing),
       state_(state),

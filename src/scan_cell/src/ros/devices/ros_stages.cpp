@@ -21,12 +21,12 @@ using scan_cell_msgs::FinishCloud;
 using scan_cell_msgs::StartRun;
 using scan_cell_msgs::StartScan;
 
-RosStages::RosStages(const std::string& base_frame, const std::string& binder,
-                     const std::string& triangulation, double call_timeout)
-    : base_frame_(base_frame),
-      binder_(binder),
+RosStages::RosStages(const std::string& binder, const std::string& triangulation,
+                     double call_timeout, const std::string& base_frame)
+    : binder_(binder),
       triangulation_(triangulation),
-      call_timeout_(call_timeout) {}
+      call_timeout_(call_timeout),
+      base_frame_(base_frame) {}
 
 double RosStages::longest(double patience) const {
   constexpr double kRounds = 4;  // chosen; patience begins anew while late data keeps coming

@@ -17,12 +17,12 @@ namespace scan_cell {
 /// laser_triangulation.
 class RosStages : public Stages {
  public:
-  /// @param base_frame of the robot's poses
   /// @param binder node with ~start, ~start_run and ~finish
   /// @param triangulation node with ~start and ~finish
   /// @param call_timeout [s] the longest a call may take beyond what it waits for late data
-  RosStages(const std::string& base_frame, const std::string& binder,
-            const std::string& triangulation, double call_timeout);
+  /// @param base_frame of the robot's poses, for start_run()
+  RosStages(const std::string& binder, const std::string& triangulation, double call_timeout,
+            const std::string& base_frame = "");
 
   std::string trouble() const override;
   void start(const std::string& scan_id) override;
@@ -47,10 +47,10 @@ class RosStages : public Stages {
   std::string finish_binding() const { return binder_ + "/finish"; }
   std::string finish_cloud() const { return triangulation_ + "/finish"; }
 
-  const std::string base_frame_;
   const std::string binder_;
   const std::string triangulation_;
   const double call_timeout_;
+  const std::string base_frame_;
   bool under_way_ = false;          // from start() to bind()
   ros::ServiceClient binder_line_;  // held from start() on: it breaks where the node dies
   ros::ServiceClient triangulation_line_;
