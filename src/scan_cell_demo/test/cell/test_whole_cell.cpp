@@ -26,6 +26,7 @@
 #include <mutex>
 
 #include "scan_cell/ros/cell_client.h"
+#include "scan_cell/ros/scan_goal.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/conversions.h"
