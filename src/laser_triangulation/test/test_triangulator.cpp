@@ -339,28 +339,30 @@ TEST(ScanCloud, HoldsAllPointsInTheirOrderAcrossItsBlocks) {
   EXPECT_EQ(cloud[65536].intensity, 65536);
 }
 
-TEST(ScanFile, HoldsEveryPointWithIntensityLaserAndWidth) {
+TEST(ScanFile, HoldsEveryPointWithIntensityLaserPassAndWidth) {
   const std::string path = testing::TempDir() + "/scan_" + std::to_string(getpid()) + ".ply";
   ScanCloud cloud;
-  cloud.append({{1, 2, 3, 100, 0, {}, 7}, {4, 5, 6, 50, 1, {}, 8}});
+  cloud.append({{1, 2, 3, 100, 0, 0, {}, 7}, {4, 5, 6, 50, 1, 9, {}, 8}});
+  constexpr std::size_t kPoint = 22;  // bytes
   save_ply(path, cloud);
   std::ifstream file(path, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(file)), {});
   const std::size_t end = bytes.find("end_header\n") + 11;
   EXPECT_NE(bytes.find("element vertex 2\n"), std::string::npos);
-  ASSERT_EQ(bytes.size(), end + 2 * 21);
+  ASSERT_EQ(bytes.size(), end + 2 * kPoint);
   float second[4], width;
-  std::memcpy(second, &bytes[end + 21], sizeof(second));
-  std::memcpy(&width, &bytes[end + 21 + 17], sizeof(width));
+  std::memcpy(second, &bytes[end + kPoint], sizeof(second));
+  std::memcpy(&width, &bytes[end + kPoint + 18], sizeof(width));
   EXPECT_EQ(second[0], 4);
   EXPECT_EQ(second[3], 50);
-  EXPECT_EQ(bytes[end + 21 + 16], 1);
+  EXPECT_EQ(bytes[end + kPoint + 16], 1);
+  EXPECT_EQ(bytes[end + kPoint + 17], 9);
   EXPECT_EQ(width, 8);
   save_ply(path, cloud, 0.001);
   std::ifstream in_millimetres(path, std::ios::binary);
   const std::string scaled((std::istreambuf_iterator<char>(in_millimetres)), {});
   ASSERT_EQ(scaled.size(), bytes.size());
-  std::memcpy(second, &scaled[end + 21], sizeof(second));
+  std::memcpy(second, &scaled[end + kPoint], sizeof(second));
   EXPECT_FLOAT_EQ(second[1], 5000);
   EXPECT_EQ(second[3], 50);
   std::filesystem::remove(path);

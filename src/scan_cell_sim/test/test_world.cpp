@@ -97,7 +97,7 @@ parts:
   EXPECT_NEAR(part.deformation.apply({0.5, 1, 0}).y(), 0.998, 1e-15);
   EXPECT_EQ(std::get<BoxShape>(world.part("b").shape).size, Vector3d(0.1, 0.2, 0.3));
   EXPECT_EQ(std::get<ElbowShape>(world.part("c").shape).bend_radius, 0.09);
-  EXPECT_THROW(world.part("c"), scan_cell_common::UnusableInput);
+  EXPECT_THROW(world.part("d"), scan_cell_common::UnusableInput);
 }
 
 TEST(WorldFile, TheShippedBoardLiesFaceUpInTheMiddle) {

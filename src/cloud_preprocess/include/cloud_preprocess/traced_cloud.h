@@ -16,6 +16,7 @@ using scan_cell_common::Cloud;
 class TracedCloud {
  public:
   TracedCloud() = default;
+  /// Each point comes from itself.
   explicit TracedCloud(Cloud cloud);
 
   const Cloud& cloud() const { return cloud_; }                           //!< [m]
