@@ -211,7 +211,7 @@ void bench_pairings(const char* name, const tecnogamma_camera::CounterRule& rule
 /// frames are dropped until then. So also without what makes it restart.
 void bench_alternating(const tecnogamma_camera::CounterRule& rule, bool restarts, unsigned seed) {
   FaultShares shares;
-  if (!restarts) shares.restart = shares.garbled_counter = 0;
+  if (!restarts) shares.restart = shares.garbled_counter = shares.wrong_counter = 0;
   const FaultyScan scan(kPulses, rule, shares, seed, true);
   const Run run = bind(scan);
   std::printf(
