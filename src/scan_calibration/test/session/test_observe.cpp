@@ -138,11 +138,11 @@ TEST_F(ReadSession, LeavesOutWhatCannotBeReadAndSaysWhy) {
   cv::imwrite(path("images/laser_1_0005.png"), cv::Mat(100, 100, CV_8UC1, cv::Scalar(9)));
   const Observations seen = read();
   EXPECT_EQ(seen.views.size(), 5U);
-  EXPECT_NE(reason(seen, "images/board_0002.png", "").find("cut off"), std::string::npos);
+  EXPECT_NE(reason(seen, "images/board_0002.png", "").find("truncated"), std::string::npos);
   EXPECT_EQ(reason(seen, "images/board_0003.png", ""),
             "the image has 100 x 100 pixels, most have 640 x 480");
   EXPECT_EQ(reason(seen, "images/board_0004.png", ""), "the board is not seen");
-  EXPECT_NE(reason(seen, "images/board_0005.png", "laser_0").find("cut off"), std::string::npos);
+  EXPECT_NE(reason(seen, "images/board_0005.png", "laser_0").find("truncated"), std::string::npos);
   EXPECT_NE(reason(seen, "images/board_0005.png", "laser_1").find("give the whole sensor"),
             std::string::npos);
 }

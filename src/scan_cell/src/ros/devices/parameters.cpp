@@ -47,7 +47,7 @@ void describe_scan(ParameterTable& table, Parameters& p) {
   table.add("max_rate", p.limits.max_rate, {0.1, 10000, "Hz"},
             "highest frame rate allowed; below 2 Hz none is");
   table.renamed("most_rate", "max_rate");
-  table.add("max_length", p.limits.max_length, {0.01, 10, "m"}, "longest scan allowed");
+  table.add("max_length", p.limits.max_length, {0.01, 10, "m"}, "longest pass allowed");
   table.renamed("most_length", "max_length");
   table.add("approach_speed", p.timing.approach_speed, {0.001, 1.5, "m/s"}, "to the start");
   table.add("stall", p.timing.stall, {0.5, 60, "s"},

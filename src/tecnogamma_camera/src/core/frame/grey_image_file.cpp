@@ -17,7 +17,7 @@ using scan_cell_common::FileError;
 constexpr const char* kCure = "give a PNG, TIFF or PGM of 8 or 16 bit grey pixels";
 
 /// OpenCV decodes a truncated PNG or JPEG as far as it goes and leaves the rest grey or black.
-bool is_cut_off(std::string_view bytes) {
+bool is_truncated(std::string_view bytes) {
   const auto begins = [&](std::string_view mark) { return bytes.substr(0, mark.size()) == mark; };
   constexpr std::size_t kTail = 64;  // [bytes] that hold the end mark of a whole file; chosen
   const std::string_view tail = bytes.substr(bytes.size() - std::min(bytes.size(), kTail));
@@ -28,7 +28,7 @@ bool is_cut_off(std::string_view bytes) {
 
 cv::Mat decode(const std::string& bytes, const std::string& path) {
   if (bytes.empty()) throw FileError(path, "empty", kCure);
-  if (is_cut_off(bytes)) throw FileError(path, "truncated", "take the image again");
+  if (is_truncated(bytes)) throw FileError(path, "truncated", "take the image again");
   cv::Mat image;
   try {
     const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1,
