@@ -22,13 +22,14 @@ ROWS = 50
 FIRST_ROW = 300
 
 
-def profile(number, laser=0, frame='world'):
+def profile(number, laser=0, frame='world', pass_index=0):
     """Every fifth row without a peak; the flange stands at x = number [mm]."""
     bound = BoundProfile()
     bound.header.stamp = rospy.Time(1700000000, number * 1000000)
     bound.header.frame_id = frame
     bound.profile.frame_counter = number
     bound.profile.laser = laser
+    bound.pass_index = pass_index
     bound.profile.first_row = FIRST_ROW
     bound.profile.position = [float('nan') if row % 5 == 0 else 520 + row for row in range(ROWS)]
     bound.profile.width = [4] * ROWS
@@ -139,7 +140,7 @@ class LaserTriangulationNode(unittest.TestCase):
         self.assertEqual(answer.cloud.header.frame_id, 'moulding')
         self.assertEqual(answer.cloud.header.stamp, profile(count - 1).header.stamp)
         self.assertEqual([f.name for f in answer.cloud.fields],
-                         ['x', 'y', 'z', 'intensity', 'laser', 'width'])
+                         ['x', 'y', 'z', 'intensity', 'laser', 'pass', 'width'])
         points = points_of(answer.cloud)
         truth = [point for n in range(count) for point in expected(n)]
         self.expect_points(points, truth)
@@ -155,6 +156,17 @@ class LaserTriangulationNode(unittest.TestCase):
             self.assertLess(time.time(), end, 'the growing cloud is not whole')
             time.sleep(0.01)
         self.assertEqual(b''.join(c.data for c in mine()), whole.data)
+
+    def test_keeps_the_pass_of_each_point_and_compares_the_passes(self):
+        profiles = [profile(n, pass_index=p) for p in (0, 3) for n in range(200)]
+        answer = self.scan(profiles)
+        self.assertTrue(answer.success, answer.message)
+        cloud = answer.cloud
+        passes = [cloud.data[i * cloud.point_step + 17] for i in range(cloud.width)]
+        self.assertEqual(passes, [0] * (cloud.width // 2) + [3] * (cloud.width // 2))
+        overlap, = answer.statistics.overlaps
+        self.assertEqual((overlap.pass_one, overlap.pass_other), (0, 3))
+        self.assertLess(overlap.most, 1e-6, 'the same places twice')
 
     def test_gives_the_same_bytes_for_the_same_profiles(self):
         profiles = [profile(n) for n in range(20)]

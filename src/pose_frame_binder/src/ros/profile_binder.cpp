@@ -33,7 +33,7 @@ BoundProfileConstPtr to_message(const PeakProfile& profile, const Match& match,
   bound.profile = profile;
   bound.profile.laser = match.laser;
   bound.pose = scan_cell_common::to_ros_pose(match.pose);
-  bound.pass = match.pass;
+  bound.pass_index = match.pass;
   bound.match.rule = static_cast<std::uint8_t>(match.rule);
   bound.match.frame_counter = profile.frame_counter;
   bound.match.arming = match.pulse.arming;
@@ -117,13 +117,13 @@ Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& 
 }
 
 void ProfileBinder::start_run(const scan_cell_msgs::StartRun::Request& run) {
-  if (!run.straight) return binder_.start_run({run.pass, std::nullopt});
+  if (!run.straight) return binder_.start_run({run.pass_index, std::nullopt});
   ConstantSpeed motion;
   motion.start = in_fixed_frame(run.start, "start");
   motion.end = in_fixed_frame(run.end, "end");
   motion.speed = run.speed;
   motion.frame_rate = run.rate;
-  binder_.start_run({run.pass, motion});
+  binder_.start_run({run.pass_index, motion});
 }
 
 Eigen::Isometry3d ProfileBinder::in_fixed_frame(const geometry_msgs::PoseStamped& pose,

@@ -106,7 +106,7 @@ void ScanAction::on_progress(const ScanProgress& progress) {
   last_feedback_ = now;
   last_step_ = progress.step;
   scan_cell_msgs::ScanFeedback feedback;
-  feedback.pass = static_cast<std::uint32_t>(progress.pass + 1);
+  feedback.pass_number = static_cast<std::uint32_t>(progress.pass + 1);
   feedback.passes = static_cast<std::uint32_t>(request_.passes.size());
   feedback.step = static_cast<std::uint8_t>(progress.step);
   feedback.step_name = progress.name;

@@ -99,7 +99,7 @@ scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const st
                                             double timeout, const Progress& progress) {
   const auto feedback = [&](const scan_cell_msgs::ScanFeedbackConstPtr& news) {
     const std::string pass =
-        news->passes > 1 ? fmt::format("pass {} of {}: ", news->pass, news->passes) : "";
+        news->passes > 1 ? fmt::format("pass {} of {}: ", news->pass_number, news->passes) : "";
     progress(fmt::format("{}{}, {} frames, {} points", pass, news->step_name, news->frames,
                          news->points),
              news->progress);

@@ -67,7 +67,7 @@ void RosStages::start(const std::string& scan_id) {
 
 void RosStages::start_run(const ScanRun& run) {
   StartRun::Request request;
-  request.pass = static_cast<std::uint32_t>(run.pass);
+  request.pass_index = static_cast<std::uint32_t>(run.pass);
   request.straight = run.moves.size() == 1 && !run.moves.front().via;
   request.start.header.frame_id = request.end.header.frame_id = base_frame_;
   request.start.pose = scan_cell_common::to_ros_pose(run.start);
