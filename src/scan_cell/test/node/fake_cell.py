@@ -111,7 +111,7 @@ class FakeCell:
             self.frames = max(0, min(self.frames, request.triggers) - 15)
         audit = msg.BindingAudit(triggers=request.triggers, triggers_missing=missing,
                                  frames_bound=min(self.frames, request.triggers) - missing)
-        audit.dropped = [msg.DroppedFrame(reason=msg.DroppedFrame.NEVER_ARRIVED, trigger_count=n)
+        audit.dropped = [msg.DroppedFrame(reason=msg.DroppedFrame.NEVER_ARRIVED, arming=self.arming, trigger_count=n)
                          for n in range(self.frames + 1, request.triggers + 1)]
         return {'success': missing == 0, 'message': '%d events missing' % missing, 'audit': audit}
 

@@ -3,6 +3,7 @@
 #include <actionlib/server/action_server.h>
 #include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/RecordPose.h>
+#include <scan_cell_msgs/StartRun.h>
 #include <scan_cell_msgs/StartScan.h>
 
 #include <boost/asio.hpp>
@@ -131,7 +132,12 @@ TEST_F(ScanClient, KeepsTheCloudWhereTheBinderFails) {
 
 TEST_F(ScanClient, StopsWhereTheBinderDiesInMidScan) {
   using scan_cell_msgs::FinishBinding;
+  using scan_cell_msgs::StartRun;
   using scan_cell_msgs::StartScan;
+  bool (*start_run)(StartRun::Request&, StartRun::Response&) = [](auto&, auto& response) {
+    response.success = true;
+    return true;
+  };
   bool (*start_binding)(StartScan::Request&, StartScan::Response&) = [](auto&, auto& response) {
     response.success = true;
     return true;
@@ -140,6 +146,7 @@ TEST_F(ScanClient, StopsWhereTheBinderDiesInMidScan) {
     return false;
   };
   ros::ServiceServer start_server = node_.advertiseService("/test_binder/start", start_binding);
+  const ros::ServiceServer run_server = node_.advertiseService("/test_binder/start_run", start_run);
   ros::ServiceServer finish_server = node_.advertiseService("/test_binder/finish", finish_binding);
   node_.setParam("/fake/move_time", 8.0);
   Client client("/cell_with_own_binder/scan", false);
