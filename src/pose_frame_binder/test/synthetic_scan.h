@@ -63,8 +63,8 @@ inline SyntheticScan steady_scan(std::size_t pulses, double period = 10) {
   return scan;
 }
 
-/// Whose lasers take turns from laser_0 on. The first pulses are twice as far apart, as the trigger
-/// sends them where `slow` is 4; frames carry what was lit in their truth.
+/// Whose lasers take turns from laser_0 on. The first `slow` intervals are twice as long; the
+/// trigger sends 4 of them.
 inline SyntheticScan alternating_scan(std::size_t pulses, double period = 10,
                                       std::size_t slow = 4) {
   SyntheticScan scan = steady_scan(pulses + slow, period);
