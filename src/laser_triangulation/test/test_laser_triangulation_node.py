@@ -47,12 +47,12 @@ def expected(number):
             continue
         x, y = (520 + row - 500) / 800.0, (FIRST_ROW + row - 400) / 800.0
         depth = -0.2 / (0.8 * x - 0.6)
-        points.append((x * depth + number / 1000.0, y * depth, depth + 0.1, number, 0, 4))
+        points.append((x * depth + number / 1000.0, y * depth, depth + 0.1, number, 0, 0, 4))
     return points
 
 
 def points_of(cloud):
-    return [struct.unpack_from('<ffffB3xf', cloud.data, i * cloud.point_step)
+    return [struct.unpack_from('<ffffBB2xf', cloud.data, i * cloud.point_step)
             for i in range(cloud.width)]
 
 

@@ -67,7 +67,8 @@ void CloudBuilder::add(const BoundProfile& bound) {
                         "calibrate it, or scan with a laser that the scanner model has");
   }
   if (bound.pass_index > std::numeric_limits<std::uint8_t>::max())
-    throw UnusableInput(name, fmt::format("pass {}", bound.pass_index), "scan in at most 256 passes");
+    throw UnusableInput(name, fmt::format("pass {}", bound.pass_index),
+                        "scan in at most 256 passes");
   const auto pass = static_cast<std::uint8_t>(bound.pass_index);
   const Eigen::Isometry3d pose = pose_of(bound, name);
   if (profiles() > 0 && bound.header.frame_id != header_.frame_id) {
