@@ -126,6 +126,20 @@ class WholeCell : public testing::Test {
     return cell_.scan_clean(program_, world, kTimeout, ignore_progress, result);
   }
 
+  /// Scans again where a busy computer held the simulated robot up: without its poses the cloud has
+  /// a hole of centimetres, across which no orientation is known.
+  sensor_msgs::PointCloud2 scan_without_holes(const std::string& world, ScanResult& result) {
+    constexpr double kHeldUp = 0.99;  // of the pulses
+    constexpr int kTries = 4;
+    sensor_msgs::PointCloud2 cloud;
+    for (int i = 0; i < kTries; ++i) {
+      cloud = scan_world(world, result);
+      const auto bound = static_cast<double>(result.audit.frames_bound);
+      if (bound >= kHeldUp * static_cast<double>(result.audit.triggers)) break;
+    }
+    return cloud;
+  }
+
   /// Starts a scan and waits until its frames come in.
   void start_scan(const std::string& scan_id) {
     {
@@ -235,8 +249,8 @@ class WholeCell : public testing::Test {
 TEST_F(WholeCell, AdaptsAPathToAScaledAndTurnedPartAsTheTruthSays) {
   ScanResult first;
   ScanResult second;
-  const auto reference = scan_world("reference_frame.yaml", first);
-  const auto object = scan_world("scaled_frame.yaml", second);
+  const auto reference = scan_without_holes("reference_frame.yaml", first);
+  const auto object = scan_without_holes("scaled_frame.yaml", second);
   for (const ScanResult& result : {first, second}) {
     expect_every_frame_accounted_for(result.audit);
     EXPECT_GT(result.audit.frames_bound, 0.95 * static_cast<double>(result.audit.triggers));
