@@ -33,6 +33,7 @@ struct SyntheticScan {
   std::vector<TimedPose> poses;
   std::vector<Pulse> pulses;
   std::vector<Frame> frames;
+  std::vector<Run> runs;            // told before the scan
   std::vector<std::int64_t> truth;  //!< index of each frame's pulse; -1: none
 
   void add_pulse(double milliseconds, std::uint32_t arming = 1) {
@@ -117,6 +118,8 @@ inline void collect(Binder& binder, Outcome& outcome) {
 inline Outcome run(const SyntheticScan& scan, const Settings& settings, unsigned seed = 0,
                    std::array<double, 3> weights = {1, 1, 1}) {
   Binder binder(settings);
+  for (const Run& told : scan.runs)
+    binder.start_run(told);
   Outcome outcome;
   std::mt19937 random(seed);
   std::size_t pose = 0, pulse = 0, frame = 0;

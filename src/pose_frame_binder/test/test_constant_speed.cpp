@@ -136,17 +136,10 @@ TEST(ConstantSpeed, FollowsTheMotionThatItIsToldOfEachArming) {
   const ConstantSpeed there = std::exchange(settings.constant_speed, {});
   ConstantSpeed back = there;
   std::swap(back.start, back.end);
-  const SyntheticScan scan = armed_twice();
-  Binder binder(settings);
-  binder.start_run({0, there});
-  binder.start_run({7, back});
-  for (const Pulse& pulse : scan.pulses)
-    binder.add_pulse(pulse);
-  for (const Frame& frame : scan.frames)
-    binder.add_frame(frame);
-  binder.end(scan.pulses.size());
+  SyntheticScan scan = armed_twice();
+  scan.runs = {{0, there}, {7, back}};
   std::size_t bound = 0;
-  for (const Decision& decision : binder.take_decisions()) {
+  for (const Decision& decision : bind(scan, settings).decisions) {
     if (!decision.match) continue;
     ++bound;
     const Match& match = *decision.match;
@@ -161,16 +154,11 @@ TEST(ConstantSpeed, FollowsTheMotionThatItIsToldOfEachArming) {
 TEST(ConstantSpeed, DropsTheFramesOfAnArmingWhoseMotionIsNoLine) {
   Settings settings = motion();
   settings.constant_speed = {};
-  Binder binder(settings);
-  binder.start_run({0, std::nullopt});
-  const SyntheticScan scan = steady_scan(20);
-  for (const Pulse& pulse : scan.pulses)
-    binder.add_pulse(pulse);
-  for (const Frame& frame : scan.frames)
-    binder.add_frame(frame);
-  binder.end(scan.pulses.size());
-  EXPECT_EQ(binder.audit().frames_bound, 0U);
-  EXPECT_EQ(binder.audit().frames_dropped, 20U);
+  SyntheticScan scan = steady_scan(20);
+  scan.runs = {{0, std::nullopt}};
+  const Outcome outcome = bind(scan, settings);
+  EXPECT_EQ(outcome.audit.frames_bound, 0U);
+  EXPECT_EQ(outcome.audit.frames_dropped, 20U);
 }
 
 TEST(ConstantSpeed, RefusesAnArmingWhoseMotionIsNotDetermined) {
