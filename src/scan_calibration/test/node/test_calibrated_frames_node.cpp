@@ -3,13 +3,18 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <scan_cell_common/ros/conversions.h>
+#include <scan_cell_msgs/TriggerEvent.h>
+#include <scan_cell_msgs/TriggerState.h>
 #include <tf2_ros/transform_listener.h>
 #include <unistd.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
@@ -27,6 +32,53 @@ class CalibratedFramesNode : public testing::Test {
 
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_{buffer_};
+};
+
+/// Plays the trigger's node, and looks at the sheets as rviz does.
+class SheetsOfLight : public testing::Test {
+ protected:
+  SheetsOfLight() {
+    states_ = node_.advertise<scan_cell_msgs::TriggerState>("trigger_state", 10, true);
+    pulses_ = node_.advertise<scan_cell_msgs::TriggerEvent>("trigger_events", 10);
+    const boost::function<void(const visualization_msgs::MarkerArray&)> look =
+        [this](const visualization_msgs::MarkerArray& array) {
+          for (const visualization_msgs::Marker& marker : array.markers)
+            seen_[marker.ns] = marker;
+        };
+    markers_ = node_.subscribe<visualization_msgs::MarkerArray>("/calibrated_frames/light_sheets",
+                                                                10, look);
+  }
+
+  void say(bool armed, int lasers) {
+    scan_cell_msgs::TriggerState state;
+    state.armed = static_cast<unsigned char>(armed);
+    state.lasers = static_cast<std::uint8_t>(lasers);
+    state.rate = 100;
+    states_.publish(state);
+  }
+
+  bool shows(const std::string& laser) {
+    return seen_.count(laser) > 0 && seen_[laser].action == visualization_msgs::Marker::ADD;
+  }
+
+  /// Whether it comes to this, with a pulse of `lasers` in each look (0: without pulses).
+  bool comes_to(const std::function<bool()>& condition, int lasers) {
+    constexpr int kLooks = 3000;  // a minute
+    constexpr double kLook = 0.02;
+    for (int look = 0; look < kLooks && !condition(); ++look) {
+      scan_cell_msgs::TriggerEvent pulse;
+      pulse.lasers = static_cast<std::uint8_t>(lasers);
+      if (lasers != 0) pulses_.publish(pulse);
+      ros::WallDuration(kLook).sleep();
+      ros::spinOnce();
+    }
+    return condition();
+  }
+
+  ros::NodeHandle node_;
+  ros::Publisher states_, pulses_;
+  ros::Subscriber markers_;
+  std::map<std::string, visualization_msgs::Marker> seen_;
 };
 
 /// What the node prints where it must end by itself.
@@ -69,6 +121,32 @@ TEST(CalibratedFrames, RefuseToStartOnABadFileByTheNameOfTheEntry) {
             std::string::npos);
   EXPECT_NE(said_by(scanner + " " + cell + " _rate:=5").find("/bad_frames/rate"),
             std::string::npos);
+}
+
+TEST_F(SheetsOfLight, AppearWhileTheirLaserBurnsAndVanishWhenItIsOff) {
+  say(true, 1);
+  ASSERT_TRUE(comes_to([&] { return shows("laser_0"); }, 1));
+  EXPECT_FALSE(shows("laser_1"));
+  const visualization_msgs::Marker& sheet = seen_["laser_0"];
+  EXPECT_EQ(sheet.header.frame_id, "laser_0");
+  ASSERT_EQ(sheet.points.size(), 3U);
+  const double length = std::hypot(0.25, 0.5);  // the fan opens 90 degrees: half as wide as long
+  EXPECT_NEAR(sheet.points[0].z, 0, 1e-12);
+  for (const std::size_t end : {1, 2}) {
+    EXPECT_NEAR(sheet.points[end].x, 0, 1e-12);
+    EXPECT_NEAR(std::abs(sheet.points[end].y), length, 1e-9);
+    EXPECT_NEAR(sheet.points[end].z, length, 1e-9);
+  }
+  say(true, 3);
+  EXPECT_TRUE(comes_to([&] { return shows("laser_0") && shows("laser_1"); }, 3));
+  say(false, 0);
+  EXPECT_TRUE(comes_to([&] { return !shows("laser_0") && !shows("laser_1"); }, 3));
+}
+
+TEST_F(SheetsOfLight, VanishWhenTheTriggersNodeDiesWithoutAWord) {
+  say(true, 2);
+  ASSERT_TRUE(comes_to([&] { return shows("laser_1"); }, 2));
+  EXPECT_TRUE(comes_to([&] { return !shows("laser_1"); }, 0));
 }
 
 int main(int argc, char** argv) {

@@ -187,6 +187,13 @@ class LaunchFiles(unittest.TestCase):
         for name in ('/laser_triangulation/scanner', '/calibrated_frames/scanner_file', '/camera/scanner_model'):
             self.assertEqual(os.path.basename(params[name].value), 'calibrated_scanner.yaml')
 
+    def test_draws_the_light_of_the_lasers_that_the_trigger_switches(self):
+        remaps = dict(self.nodes(sim='true')['calibrated_frames'].remap_args)
+        self.assertEqual(remaps, {'trigger_state': '/laser_trigger/state', 'trigger_events': '/laser_trigger/events'})
+        with open(os.path.join(FOLDER, 'cell.rviz')) as file:
+            displays = yaml.safe_load(file)['Visualization Manager']['Displays']
+        self.assertIn('/calibrated_frames/light_sheets', [display.get('Marker Topic') for display in displays])
+
     def test_calibrates_without_a_scanner_model(self):
         path = os.path.join(FOLDER, 'calibration.launch')
         params = load(path, sim='true', videe='true').params
