@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/common/common.h>
 
+#include <cstring>
+
 #include "clean_cloud_tool.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scan_cell_common/pose/units.h"
 
 namespace fs = std::filesystem;
@@ -40,6 +43,22 @@ Cloud small_part() {
   return cloud;
 }
 
+/// Each point with a number of its own, its x in the file's unit.
+scan_cell_common::FieldedCloud marked(const Cloud& cloud) {
+  scan_cell_common::FieldedCloud result;
+  for (const char* const name : {"x", "y", "z", "mark"}) {
+    result.fields.push_back({name, scan_cell_common::FieldType::kFloat32, result.step});
+    result.step += sizeof(float);
+  }
+  for (const pcl::PointXYZ& point : cloud) {
+    for (const float value : {point.x, point.y, point.z, point.x}) {
+      const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&value);
+      result.bytes.insert(result.bytes.end(), bytes, bytes + sizeof value);
+    }
+  }
+  return result;
+}
+
 class CleanCloudFiles : public CleanCloudTool {
  protected:
   std::string to_part(const std::string& input, const std::string& output = "part.ply") const {
@@ -66,6 +85,23 @@ class CleanCloudFiles : public CleanCloudTool {
 };
 
 }  // namespace
+
+TEST_F(CleanCloudFiles, KeepWhatEachPointCarries) {
+  for (const std::string ending : {".ply", ".pcd"}) {
+    save_cloud(path("in" + ending), marked(table_and_box().cloud()).view());
+    ASSERT_EQ(run(to_part("in" + ending, "out" + ending)), 0) << printed();
+    scan_cell_common::FieldedCloud carried;
+    const Cloud part = load_cloud_file(path("out" + ending), {}, carried).cloud;
+    ASSERT_EQ(carried.fields.size(), 4U) << ending;
+    EXPECT_EQ(carried.fields[3].name, "mark");
+    ASSERT_GT(part.size(), 100U);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      float mark = 0;
+      std::memcpy(&mark, &carried.bytes[i * carried.step + 3 * sizeof mark], sizeof mark);
+      ASSERT_NEAR(part[i].x, mark, 0.002) << "of a point in the same cell";
+    }
+  }
+}
 
 TEST_F(CleanCloudFiles, AreReadAndWrittenInAnyUnit) {
   for (const std::string unit : {"m", "mm", "inch"}) {

@@ -131,14 +131,14 @@ TEST_F(Chain, KeepsWhatEachPointCarries) {
   Scene scene;
   scene.add_floor({0, 0, 0.20, 0.15}, {box});
   scene.add_box(box, 0.03);
-  scan_cell_common::FieldedCloud cloud =
-      scan_cell_common::fields_from_message(scan_cell_common::to_message(scene.cloud(), {}));
+  const PointCloud2 message = scan_cell_common::to_message(scene.cloud(), {});
+  const scan_cell_common::CloudView cloud = scan_cell_common::view_of(message);
   // Behind x, y and z the point's own x again: it tells where it came from.
   scan_cell_common::FieldedCloud marked{cloud.fields, cloud.step + sizeof(float), {}};
   marked.fields.push_back(
       {"mark", scan_cell_common::FieldType::kFloat32, static_cast<std::size_t>(cloud.step)});
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::uint8_t* const point = &cloud.bytes[i * cloud.step];
+    const std::uint8_t* const point = cloud.data + i * cloud.step;
     marked.bytes.insert(marked.bytes.end(), point, point + cloud.step);
     marked.bytes.insert(marked.bytes.end(), point, point + sizeof(float));
   }

@@ -52,7 +52,7 @@ def expected(number):
 
 
 def points_of(cloud):
-    return [struct.unpack_from('<ffffBB2xf', cloud.data, i * cloud.point_step)
+    return [struct.unpack_from('<ffffBB2xf12x', cloud.data, i * cloud.point_step)
             for i in range(cloud.width)]
 
 

@@ -24,7 +24,7 @@ class Scan {
       for (double y = 0; y < 0.02; y += 0.15e-3) {
         const Eigen::Vector3f p =
             (lean * Eigen::Vector3d(x, y, lift + deviation(random))).cast<float>();
-        points.push_back({p.x(), p.y(), p.z(), 100, laser, pass, {0, 0}, 3});
+        points.push_back({p.x(), p.y(), p.z(), 100, laser, pass, {0, 0}, 3, 0, 0, 1});
       }
     }
     cloud.append(points);

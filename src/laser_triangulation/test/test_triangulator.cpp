@@ -298,6 +298,24 @@ TEST(Triangulator, CountsWhatItLeavesOutByItsReason) {
   EXPECT_EQ(counts.points + counts.rejected() + counts.rows_without_peak, 12U);
 }
 
+TEST(Triangulator, SaysWhereTheCameraSawEachPointFrom) {
+  const auto model = scanner();
+  Profile profile(3);
+  std::fill(profile.position.begin(), profile.position.end(), 820.0F);
+  Triangulator triangulator(model, {});
+  std::vector<ScanPoint> points;
+  const Eigen::Isometry3d flange = Eigen::Translation3d(0.7, -0.2, 0.9) *
+                                   Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 2, 3).normalized());
+  triangulator.add(profile.view(0, 800), flange, points);
+  ASSERT_EQ(points.size(), 3U);
+  const Eigen::Vector3d camera = flange * model.flange_to_camera.translation();
+  for (const ScanPoint& point : points) {
+    EXPECT_NEAR(point.vp_x, camera.x(), 1e-6);
+    EXPECT_NEAR(point.vp_y, camera.y(), 1e-6);
+    EXPECT_NEAR(point.vp_z, camera.z(), 1e-6);
+  }
+}
+
 TEST(Triangulator, RefusesLimitsThatContradictEachOther) {
   PeakLimits limits;
   limits.min_width = 10;
@@ -339,18 +357,18 @@ TEST(ScanCloud, HoldsAllPointsInTheirOrderAcrossItsBlocks) {
   EXPECT_EQ(cloud[65536].intensity, 65536);
 }
 
-TEST(ScanFile, HoldsEveryPointWithIntensityLaserPassAndWidth) {
+TEST(ScanFile, HoldsEveryPointWithAllThatItCarries) {
   const std::string path = testing::TempDir() + "/scan_" + std::to_string(getpid()) + ".ply";
   ScanCloud cloud;
-  cloud.append({{1, 2, 3, 100, 0, 0, {}, 7}, {4, 5, 6, 50, 1, 9, {}, 8}});
-  constexpr std::size_t kPoint = 22;  // bytes
+  cloud.append({{1, 2, 3, 100, 0, 0, {}, 7}, {4, 5, 6, 50, 1, 9, {}, 8, 0.1F, 0.2F, 0.3F}});
+  constexpr std::size_t kPoint = 34;  // bytes
   save_ply(path, cloud);
   std::ifstream file(path, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(file)), {});
   const std::size_t end = bytes.find("end_header\n") + 11;
   EXPECT_NE(bytes.find("element vertex 2\n"), std::string::npos);
   ASSERT_EQ(bytes.size(), end + 2 * kPoint);
-  float second[4], width;
+  float second[4], width, vp_z;
   std::memcpy(second, &bytes[end + kPoint], sizeof(second));
   std::memcpy(&width, &bytes[end + kPoint + 18], sizeof(width));
   EXPECT_EQ(second[0], 4);
@@ -358,6 +376,8 @@ TEST(ScanFile, HoldsEveryPointWithIntensityLaserPassAndWidth) {
   EXPECT_EQ(bytes[end + kPoint + 16], 1);
   EXPECT_EQ(bytes[end + kPoint + 17], 9);
   EXPECT_EQ(width, 8);
+  std::memcpy(&vp_z, &bytes[end + kPoint + 30], sizeof(vp_z));
+  EXPECT_EQ(vp_z, 0.3F);
   save_ply(path, cloud, 0.001);
   std::ifstream in_millimetres(path, std::ios::binary);
   const std::string scaled((std::istreambuf_iterator<char>(in_millimetres)), {});
@@ -365,6 +385,8 @@ TEST(ScanFile, HoldsEveryPointWithIntensityLaserPassAndWidth) {
   std::memcpy(second, &scaled[end + kPoint], sizeof(second));
   EXPECT_FLOAT_EQ(second[1], 5000);
   EXPECT_EQ(second[3], 50);
+  std::memcpy(&vp_z, &scaled[end + kPoint + 30], sizeof(vp_z));
+  EXPECT_FLOAT_EQ(vp_z, 300) << "a place, too";
   std::filesystem::remove(path);
   EXPECT_THROW(check_ply_output("scan.xyz"), scan_cell_common::FileError);
   EXPECT_THROW(save_ply("/no/such/folder/scan.ply", {}), scan_cell_common::FileError);

@@ -43,4 +43,8 @@ CleanParameters read_clean_parameters(
 /// @throw scan_cell_common::UnusableInput from the stage that leaves nothing
 Cloud clean(Cloud cloud, const CleanParameters& parameters, std::vector<StageReport>& reports);
 
+/// The same, and the points know where they come from.
+void clean(TracedCloud& cloud, const CleanParameters& parameters,
+           std::vector<StageReport>& reports);
+
 }  // namespace cloud_preprocess

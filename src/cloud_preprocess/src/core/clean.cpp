@@ -3,6 +3,7 @@
 #include "cloud_preprocess/clean.h"
 
 #include <set>
+#include <utility>
 
 #include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/parameters/parameter_table.h"
@@ -45,10 +46,6 @@ void read_section(const YamlEntry& root, const std::string& section, Parameters&
   table.refuse_unknown();
 }
 
-void run(const Stage& stage, Cloud& cloud, std::vector<StageReport>& reports) {
-  cloud = stage.run(std::move(cloud), reports.emplace_back());
-}
-
 }  // namespace
 
 void describe(scan_cell_common::ParameterTable& table, CleanParameters& parameters) {
@@ -77,15 +74,21 @@ CleanParameters load_clean_parameters(const std::string& path) {
 }
 
 Cloud clean(Cloud cloud, const CleanParameters& parameters, std::vector<StageReport>& reports) {
+  TracedCloud traced(std::move(cloud));
+  clean(traced, parameters, reports);
+  return traced.cloud();
+}
+
+void clean(TracedCloud& cloud, const CleanParameters& parameters,
+           std::vector<StageReport>& reports) {
   const FloorRemoval floor(parameters.floor);
   const OutlierRemoval outliers(parameters.outliers);
   const ObjectIsolation isolation(parameters.isolate);
   const GridReduction grid(parameters.grid.value_or(GridParameters{}));
-  run(floor, cloud, reports);
-  run(outliers, cloud, reports);
-  run(isolation, cloud, reports);
-  if (parameters.grid) run(grid, cloud, reports);
-  return cloud;
+  std::vector<const Stage*> stages = {&floor, &outliers, &isolation};
+  if (parameters.grid) stages.push_back(&grid);
+  for (const Stage* const stage : stages)
+    stage->run(cloud, reports.emplace_back());
 }
 
 }  // namespace cloud_preprocess

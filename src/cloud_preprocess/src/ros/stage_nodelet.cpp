@@ -3,9 +3,10 @@
 #include "stage_nodelet.h"
 
 #include <fmt/format.h>
-#include <pcl_ros/transforms.h>
+#include <pcl/common/transforms.h>
 #include <scan_cell_common/errors/errors.h>
 #include <scan_cell_common/ros/cloud_messages.h>
+#include <scan_cell_common/ros/conversions.h>
 #include <scan_cell_msgs/PreprocessReport.h>
 
 namespace cloud_preprocess {
@@ -36,8 +37,12 @@ void StageNodelet::on_cloud(const sensor_msgs::PointCloud2ConstPtr& message) {
   result.stage = stage_->name();
   result.points_in = std::uint64_t{message->width} * message->height;
   try {
-    const scan_cell_common::FieldedCloud fields = scan_cell_common::fields_from_message(*message);
-    TracedCloud cloud(in_target_frame(scan_cell_common::places_of(fields), message->header));
+    const scan_cell_common::CloudView fields = scan_cell_common::view_of(*message);
+    Cloud places = scan_cell_common::places_of(fields);
+    const Eigen::Isometry3f motion = to_target_frame(message->header);
+    if (motion.matrix() != Eigen::Matrix4f::Identity())
+      pcl::transformPointCloud(places, places, motion.matrix());
+    TracedCloud cloud(std::move(places));
     if (!target_.frame.empty()) result.header.frame_id = target_.frame;
     StageReport report;
     stage_->run(cloud, report);
@@ -45,7 +50,8 @@ void StageNodelet::on_cloud(const sensor_msgs::PointCloud2ConstPtr& message) {
     result.points_out = report.points_out;
     result.message = report.message;
     output_.publish(boost::make_shared<sensor_msgs::PointCloud2>(scan_cell_common::to_message(
-        scan_cell_common::with_fields(cloud.cloud(), fields, cloud.sources()), result.header)));
+        scan_cell_common::with_fields(cloud.cloud(), fields, cloud.sources(), motion),
+        result.header)));
   } catch (const scan_cell_common::Error& error) {
     result.message = error.what();
     NODELET_ERROR("%s", error.what());
@@ -53,14 +59,13 @@ void StageNodelet::on_cloud(const sensor_msgs::PointCloud2ConstPtr& message) {
   report_.publish(result);
 }
 
-Cloud StageNodelet::in_target_frame(const Cloud& cloud, const std_msgs::Header& header) const {
-  if (target_.frame.empty() || header.frame_id == target_.frame) return cloud;
+Eigen::Isometry3f StageNodelet::to_target_frame(const std_msgs::Header& header) const {
+  if (target_.frame.empty() || header.frame_id == target_.frame)
+    return Eigen::Isometry3f::Identity();
   try {
     const geometry_msgs::TransformStamped transform = transforms_.lookupTransform(
         target_.frame, header.frame_id, header.stamp, ros::Duration(target_.timeout));
-    Cloud result;
-    pcl_ros::transformPointCloud(cloud, result, transform.transform);
-    return result;
+    return scan_cell_common::from_ros(transform.transform).cast<float>();
   } catch (const tf2::TransformException& error) {
     throw scan_cell_common::Refused(
         fmt::format("cloud in frame '{}'", header.frame_id),

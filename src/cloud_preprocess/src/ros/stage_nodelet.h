@@ -53,7 +53,7 @@ class StageNodelet : public scan_cell_common::Nodelet {
   void on_cloud(const sensor_msgs::PointCloud2ConstPtr& message);
 
   /// @throw scan_cell_common::Refused if /tf does not link the frames at the cloud's time
-  Cloud in_target_frame(const Cloud& cloud, const std_msgs::Header& header) const;
+  Eigen::Isometry3f to_target_frame(const std_msgs::Header& header) const;
 
   TargetFrame target_;
   std::unique_ptr<const Stage> stage_;

@@ -8,6 +8,7 @@
 
 #include "cloud_preprocess/clean.h"
 #include "input_check.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scan_cell_common/errors/text.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/files/yaml_file.h"
@@ -16,7 +17,6 @@
 #include "scan_cell_common/tools/tool_main.h"
 
 using cloud_preprocess::CleanParameters;
-using cloud_preprocess::Cloud;
 using cloud_preprocess::StageReport;
 using scan_cell_common::InvalidParameter;
 
@@ -133,14 +133,21 @@ void run(Options& options, const CleanParameters& parameters) {
   options.format.metres_per_unit = scan_cell_common::metres_per(units);
   const double output_unit =
       scan_cell_common::metres_per(options.output_units.empty() ? units : options.output_units);
+  scan_cell_common::FieldedCloud carried;
   scan_cell_common::LoadedCloud input =
-      scan_cell_common::load_cloud_file(options.input, options.format);
+      scan_cell_common::load_cloud_file(options.input, options.format, carried);
   print(input, parameters);
   cloud_preprocess::check_input(input.cloud, parameters, options.units, options.input);
   std::vector<StageReport> reports;
   try {
-    const Cloud cloud = cloud_preprocess::clean(std::move(input.cloud), parameters, reports);
-    scan_cell_common::save_cloud(options.output, cloud, output_unit);
+    cloud_preprocess::TracedCloud cloud(std::move(input.cloud));
+    cloud_preprocess::clean(cloud, parameters, reports);
+    if (carried.fields.empty()) {
+      scan_cell_common::save_cloud(options.output, cloud.cloud(), output_unit);
+    } else {
+      carried = scan_cell_common::with_fields(cloud.cloud(), carried.view(), cloud.sources());
+      scan_cell_common::save_cloud(options.output, carried.view(), output_unit);
+    }
   } catch (const scan_cell_common::Error&) {
     print(reports);
     throw;

@@ -27,8 +27,12 @@ struct ScanPoint {
   /// Zero, so that the same scan gives the same bytes.
   std::uint8_t padding[2] = {0, 0};
   float width = 0;  //!< [px] of the stripe
+  /// [m] the camera's centre when it saw the point, in the same frame, as PCL names it.
+  float vp_x = 0;
+  float vp_y = 0;  //!< [m]
+  float vp_z = 0;  //!< [m]
 };
-static_assert(sizeof(ScanPoint) == 24);
+static_assert(sizeof(ScanPoint) == 36);
 
 /// The peaks of one frame, one a row from first_row downwards; NaN where a row has none. The arrays
 /// have `rows` elements and are owned by the caller.

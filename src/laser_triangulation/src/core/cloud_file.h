@@ -8,8 +8,7 @@
 
 namespace laser_triangulation {
 
-/// Writes binary PLY with x, y, z, intensity (float), laser (uchar) and width (float), whole or not
-/// at all.
+/// Writes binary PLY with the scan_point_fields(), whole or not at all.
 /// @param metres_per_unit of x, y, z in the file
 /// @throw scan_cell_common::FileError if it cannot be written or the ending is not .ply
 void save_ply(const std::string& path, const ScanCloud& points, double metres_per_unit = 1);

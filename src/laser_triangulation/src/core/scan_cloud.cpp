@@ -3,9 +3,26 @@
 #include "scan_cloud.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace laser_triangulation {
+
+using scan_cell_common::CloudField;
+using scan_cell_common::FieldType;
+
+std::vector<CloudField> scan_point_fields() {
+  return {{"x", FieldType::kFloat32, offsetof(ScanPoint, x)},
+          {"y", FieldType::kFloat32, offsetof(ScanPoint, y)},
+          {"z", FieldType::kFloat32, offsetof(ScanPoint, z)},
+          {"intensity", FieldType::kFloat32, offsetof(ScanPoint, intensity)},
+          {"laser", FieldType::kUint8, offsetof(ScanPoint, laser)},
+          {"pass", FieldType::kUint8, offsetof(ScanPoint, pass)},
+          {"width", FieldType::kFloat32, offsetof(ScanPoint, width)},
+          {"vp_x", FieldType::kFloat32, offsetof(ScanPoint, vp_x)},
+          {"vp_y", FieldType::kFloat32, offsetof(ScanPoint, vp_y)},
+          {"vp_z", FieldType::kFloat32, offsetof(ScanPoint, vp_z)}};
+}
 
 void ScanCloud::append(const std::vector<ScanPoint>& points) {
   for (auto next = points.begin(); next != points.end();) {

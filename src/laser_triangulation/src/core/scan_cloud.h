@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "laser_triangulation/triangulator.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
 
 namespace laser_triangulation {
+
+/// What a ScanPoint holds, as messages and files name it.
+std::vector<scan_cell_common::CloudField> scan_point_fields();
 
 /// The points of a scan, in blocks: unlike a vector, it grows without copying, and takes no more
 /// memory than the points.

@@ -147,11 +147,13 @@ struct Block {
   ScanPoint* keep(const PeakFilter& filter, const RayToPoint& to_point, const ProfileView& profile,
                   std::size_t first, PeakCounts& counts, ScanPoint* point) const {
     const auto laser = static_cast<std::uint8_t>(profile.laser);
+    const Eigen::Vector3f from = to_point.place.cast<float>();
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t row = first + i;
       if (fits[i] & to_point.in_range(inverse_depth[i])) {
-        *point++ = {x[i],  y[i],         z[i],   profile.intensity[row],
-                    laser, profile.pass, {0, 0}, profile.width[row]};
+        *point++ = {x[i],     y[i],         z[i],    profile.intensity[row],
+                    laser,    profile.pass, {0, 0},  profile.width[row],
+                    from.x(), from.y(),     from.z()};
       } else if (!fits[i]) {
         count_rejected(filter, profile, row, counts);
       } else {

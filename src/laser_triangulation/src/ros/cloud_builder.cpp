@@ -11,6 +11,7 @@
 
 #include "pass_overlap.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace laser_triangulation {
@@ -18,18 +19,8 @@ namespace laser_triangulation {
 using scan_cell_common::UnusableInput;
 using scan_cell_msgs::BoundProfile;
 using sensor_msgs::PointCloud2;
-using sensor_msgs::PointField;
 
 namespace {
-
-PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
-  PointField result;
-  result.name = name;
-  result.offset = offset;
-  result.datatype = type;
-  result.count = 1;
-  return result;
-}
 
 Eigen::Isometry3d pose_of(const BoundProfile& bound, const std::string& name) {
   constexpr const char* kCure = "check the node that bound the profile";
@@ -91,25 +82,13 @@ void CloudBuilder::add(const BoundProfile& bound) {
 }
 
 PointCloud2 CloudBuilder::cloud(std::size_t first) const {
-  const std::size_t count = points_.size() - first;
-  PointCloud2 cloud;
-  cloud.header.stamp = header_.stamp;
-  cloud.header.frame_id = header_.frame_id;
-  cloud.height = 1;
-  cloud.width = static_cast<std::uint32_t>(count);
-  cloud.fields = {field("x", offsetof(ScanPoint, x), PointField::FLOAT32),
-                  field("y", offsetof(ScanPoint, y), PointField::FLOAT32),
-                  field("z", offsetof(ScanPoint, z), PointField::FLOAT32),
-                  field("intensity", offsetof(ScanPoint, intensity), PointField::FLOAT32),
-                  field("laser", offsetof(ScanPoint, laser), PointField::UINT8),
-                  field("pass", offsetof(ScanPoint, pass), PointField::UINT8),
-                  field("width", offsetof(ScanPoint, width), PointField::FLOAT32)};
-  cloud.point_step = sizeof(ScanPoint);
-  cloud.row_step = static_cast<std::uint32_t>(count * sizeof(ScanPoint));
-  cloud.is_dense = true;
-  cloud.data.resize(count * sizeof(ScanPoint));
-  points_.copy(first, cloud.data.data());
-  return cloud;
+  scan_cell_common::FieldedCloud cloud{scan_point_fields(), sizeof(ScanPoint), {}};
+  cloud.bytes.resize((points_.size() - first) * sizeof(ScanPoint));
+  points_.copy(first, cloud.bytes.data());
+  std_msgs::Header header;
+  header.stamp = header_.stamp;
+  header.frame_id = header_.frame_id;
+  return scan_cell_common::to_message(std::move(cloud), header);
 }
 
 scan_cell_msgs::CloudStatistics CloudBuilder::statistics(const std::string& scan_id) const {

@@ -16,7 +16,7 @@ namespace laser_triangulation {
 /// The cloud of one scan, from messages.
 class CloudBuilder {
  public:
-  /// @param max_points held in memory (24 bytes each)
+  /// @param max_points held in memory (36 bytes each)
   CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
                std::size_t max_points);
 

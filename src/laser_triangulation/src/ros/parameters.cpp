@@ -14,10 +14,10 @@ void describe(scan_cell_common::ParameterTable& table, Parameters& parameters) {
   table.add("publish_rate", parameters.publish_rate, {0.1, 100, "Hz"},
             "of `~cloud`; a point waits for as long as a period. Lower it where a viewer that "
             "keeps many clouds becomes slow");
-  table.add("max_points", parameters.max_points, {1000, 2e8}, "of a scan (24 bytes each)");
+  table.add("max_points", parameters.max_points, {1000, 2e8}, "of a scan (36 bytes each)");
   table.renamed("most_points", "max_points");
-  table.add("max_message_points", parameters.max_message_points, {1, 4e7},
-            "a cloud with more goes into a file: roscpp carries no message above 1 GB, 41.6 "
+  table.add("max_message_points", parameters.max_message_points, {1, 2.7e7},
+            "a cloud with more goes into a file: roscpp carries no message above 1 GB, 27.7 "
             "million points");
   table.renamed("most_message_points", "max_message_points");
   table.add("cloud_folder", parameters.cloud_folder,

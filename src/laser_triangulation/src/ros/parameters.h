@@ -12,11 +12,11 @@ struct Parameters {
   std::string scanner;
   PeakLimits limits;
   double publish_rate = 50;             //!< [Hz]
-  std::size_t max_points = 50'000'000;  //!< of a scan (24 bytes each)
+  std::size_t max_points = 50'000'000;  //!< of a scan (36 bytes each)
 
   /// The default stays below the 1e9 bytes at which roscpp closes a connection, with room for the
   /// rest of an action's result.
-  std::size_t max_message_points = 40'000'000;
+  std::size_t max_message_points = 27'000'000;
   std::string cloud_folder = ".";
 };
 

@@ -28,7 +28,7 @@ struct Options {
 
 void triangulate(const Options& options) {
   using scan_cell_msgs::BoundProfile;
-  constexpr std::size_t kMaxPoints = 500'000'000;  // 12 GB; chosen
+  constexpr std::size_t kMaxPoints = 500'000'000;  // 18 GB; chosen
   laser_triangulation::check_ply_output(options.output);
   const double unit = scan_cell_common::metres_per(options.units);
   laser_triangulation::CloudBuilder builder(scan_cell_common::load_scanner_model(options.scanner),

@@ -27,7 +27,7 @@ struct Options {
 
 void save(const std::string& path, const sensor_msgs::PointCloud2& message,
           const std::string& units) {
-  const scan_cell_common::FieldedCloud cloud = scan_cell_common::fields_from_message(message);
+  const scan_cell_common::CloudView cloud = scan_cell_common::view_of(message);
   scan_cell_common::save_cloud(path, cloud, scan_cell_common::metres_per(units));
   std::printf("%s: %zu points\n", path.c_str(), cloud.size());
 }

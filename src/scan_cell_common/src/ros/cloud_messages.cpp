@@ -5,27 +5,12 @@
 #include <fmt/format.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
-#include <algorithm>
-#include <string>
+#include <utility>
 
 #include "scan_cell_common/errors/errors.h"
 
 namespace scan_cell_common {
 namespace {
-
-void check_field(const sensor_msgs::PointCloud2& message, const char* name) {
-  const auto field =
-      std::find_if(message.fields.begin(), message.fields.end(),
-                   [name](const sensor_msgs::PointField& each) { return each.name == name; });
-  const std::string thing = std::string("cloud message: field ") + name;
-  if (field == message.fields.end()) {
-    throw UnusableInput(thing, "missing", "send a cloud with x, y and z");
-  }
-  if (field->datatype != sensor_msgs::PointField::FLOAT32 ||
-      field->offset + sizeof(float) > message.point_step) {
-    throw UnusableInput(thing, "not a float32 within the point", "send x, y and z as float32");
-  }
-}
 
 void check_data(const sensor_msgs::PointCloud2& message) {
   const std::size_t points = std::size_t{message.width} * message.height;
@@ -42,17 +27,21 @@ void check_data(const sensor_msgs::PointCloud2& message) {
 
 }  // namespace
 
-Cloud from_message(const sensor_msgs::PointCloud2& message) {
-  for (const char* name : {"x", "y", "z"})
-    check_field(message, name);
+CloudView view_of(const sensor_msgs::PointCloud2& message) {
   check_data(message);
-  Cloud cloud;
-  if (message.data.empty()) return cloud;  // of which the iterators would take the first byte
-  cloud.reserve(std::size_t{message.width} * message.height);
-  sensor_msgs::PointCloud2ConstIterator<float> x(message, "x"), y(message, "y"), z(message, "z");
-  for (; x != x.end(); ++x, ++y, ++z)
-    cloud.push_back({*x, *y, *z});
+  CloudView cloud;
+  for (const sensor_msgs::PointField& field : message.fields) {
+    if (field.count == 1)
+      cloud.fields.push_back({field.name, static_cast<FieldType>(field.datatype), field.offset});
+  }
+  cloud.step = message.point_step;
+  cloud.data = message.data.data();
+  cloud.bytes = message.data.size();
   return cloud;
+}
+
+Cloud from_message(const sensor_msgs::PointCloud2& message) {
+  return places_of(view_of(message));
 }
 
 sensor_msgs::PointCloud2 to_message(const Cloud& cloud, const std_msgs::Header& header) {
@@ -73,19 +62,7 @@ sensor_msgs::PointCloud2 to_message(const Cloud& cloud, const std_msgs::Header& 
   return message;
 }
 
-FieldedCloud fields_from_message(const sensor_msgs::PointCloud2& message) {
-  check_data(message);
-  FieldedCloud cloud;
-  for (const sensor_msgs::PointField& field : message.fields) {
-    if (field.count == 1)
-      cloud.fields.push_back({field.name, static_cast<FieldType>(field.datatype), field.offset});
-  }
-  cloud.step = message.point_step;
-  cloud.bytes.assign(message.data.begin(), message.data.end());
-  return cloud;
-}
-
-sensor_msgs::PointCloud2 to_message(const FieldedCloud& cloud, const std_msgs::Header& header) {
+sensor_msgs::PointCloud2 to_message(FieldedCloud cloud, const std_msgs::Header& header) {
   sensor_msgs::PointCloud2 message;
   message.header = header;
   for (const CloudField& field : cloud.fields) {
@@ -100,7 +77,7 @@ sensor_msgs::PointCloud2 to_message(const FieldedCloud& cloud, const std_msgs::H
   message.point_step = static_cast<std::uint32_t>(cloud.step);
   message.row_step = static_cast<std::uint32_t>(cloud.bytes.size());
   message.is_dense = true;
-  message.data.assign(cloud.bytes.begin(), cloud.bytes.end());
+  message.data = std::move(cloud.bytes);
   return message;
 }
 

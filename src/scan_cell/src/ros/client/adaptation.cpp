@@ -53,8 +53,7 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
   goal.path = tool_path_stretcher::to_message(path.path, object.header);
 
   const fs::path output(files.output);
-  scan_cell_common::save_cloud((output / kObject).string(),
-                               scan_cell_common::fields_from_message(object));
+  scan_cell_common::save_cloud((output / kObject).string(), scan_cell_common::view_of(object));
   const auto result = client.stretch(goal, timeout, progress);
   // The path before the report: an accepting report without its path would be a lie.
   if (result.verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,30 +34,62 @@ struct CloudField {
   std::size_t offset = 0;                //!< [bytes] from the point's begin
 };
 
+/// Points with all that they carry, where they lie.
+struct CloudView {
+  std::vector<CloudField> fields;      //!< x, y and z among them
+  std::size_t step = 0;                //!< [bytes] from point to point
+  const std::uint8_t* data = nullptr;  //!< little endian
+  std::size_t bytes = 0;               //!< of data; step a point
+
+  std::size_t size() const { return step == 0 ? 0 : bytes / step; }  //!< points
+};
+
 /// Points with all that they carry, as they lie in a PointCloud2.
 struct FieldedCloud {
   std::vector<CloudField> fields;   //!< x, y and z among them
   std::size_t step = 0;             //!< [bytes] from point to point
   std::vector<std::uint8_t> bytes;  //!< little endian, step a point
 
-  std::size_t size() const { return step == 0 ? 0 : bytes.size() / step; }  //!< points
+  std::size_t size() const { return step == 0 ? 0 : bytes.size() / step; }       //!< points
+  CloudView view() const { return {fields, step, bytes.data(), bytes.size()}; }  //!< of these
 };
 
 /// Places alone, NaN included.
 /// @throw UnusableInput if x, y or z is missing or no float32, a field lies outside of the point,
 /// or the bytes are no whole points
-Cloud places_of(const FieldedCloud& cloud);
+Cloud places_of(const CloudView& cloud);
 
 /// Points with what they carry from the points of another cloud.
 /// @param places of the points that are wanted [m]
+/// @param from [m] in its own frame
 /// @param sources index in `from`, a point
-FieldedCloud with_fields(const Cloud& places, const FieldedCloud& from,
-                         const std::vector<std::uint32_t>& sources);
-
-/// Writes all fields as binary PLY or PCD, by the file's ending. Whole or not at all.
-/// @param metres_per_unit of the file; x, y and z are metres in the cloud
-/// @throw FileError if it cannot be written or the ending is neither
+/// @param motion from the frame of `from` to that of `places`: what a point carries as a place
+/// (vp_x, vp_y, vp_z: where it was seen from) or a direction (normal_x, normal_y, normal_z) goes
+/// with it, where it is float32
 /// @throw UnusableInput as places_of()
-void save_cloud(const std::string& path, const FieldedCloud& cloud, double metres_per_unit = 1);
+FieldedCloud with_fields(const Cloud& places, const CloudView& from,
+                         const std::vector<std::uint32_t>& sources,
+                         const Eigen::Isometry3f& motion = Eigen::Isometry3f::Identity());
+
+/// The bytes of a point.
+using PointAt = std::function<const std::uint8_t*(std::size_t index)>;
+
+/// Writes points that need not lie one behind the other as binary PLY or PCD, by the file's ending,
+/// in blocks: that takes no second cloud. Whole or not at all.
+/// @param metres_per_unit of the file; x, y and z, and vp_x, vp_y and vp_z, are metres in the cloud
+/// @throw FileError if it cannot be written or the ending is neither
+/// @throw UnusableInput if x, y or z is missing or no float32
+void save_cloud(const std::string& path, const std::vector<CloudField>& fields, std::size_t points,
+                const PointAt& at, double metres_per_unit = 1);
+
+/// The same for a cloud in one piece.
+/// @throw UnusableInput as places_of()
+void save_cloud(const std::string& path, const CloudView& cloud, double metres_per_unit = 1);
+
+/// As load_cloud_file(), with all that the points carry.
+/// @param[out] carried of a PLY or PCD file, one a point: x, y and z, then each other field that
+/// has one number of at most 32 bit, or a double; empty of other files. Places are in metres.
+LoadedCloud load_cloud_file(const std::string& path, const CloudFormat& format,
+                            FieldedCloud& carried);
 
 }  // namespace scan_cell_common

@@ -9,18 +9,19 @@
 
 namespace scan_cell_common {
 
+/// All fields of a message that have one value a point, where they lie: the message must outlive
+/// them.
+/// @throw UnusableInput if the data do not fit the size, or are big endian
+CloudView view_of(const sensor_msgs::PointCloud2& message);
+
 /// x, y, z of a message's points, NaN included; its other fields are left out.
-/// @throw UnusableInput if x, y or z is missing or no float32, or the data do not fit the size
+/// @throw UnusableInput as view_of() and places_of()
 Cloud from_message(const sensor_msgs::PointCloud2& message);
 
 /// @param header passed through as it is
 sensor_msgs::PointCloud2 to_message(const Cloud& cloud, const std_msgs::Header& header);
 
-/// All fields of a message that have one value a point.
-/// @throw UnusableInput if the data do not fit the size, or are big endian
-FieldedCloud fields_from_message(const sensor_msgs::PointCloud2& message);
-
-/// The other way round. @param header passed through as it is
-sensor_msgs::PointCloud2 to_message(const FieldedCloud& cloud, const std_msgs::Header& header);
+/// With all fields. @param header passed through as it is
+sensor_msgs::PointCloud2 to_message(FieldedCloud cloud, const std_msgs::Header& header);
 
 }  // namespace scan_cell_common

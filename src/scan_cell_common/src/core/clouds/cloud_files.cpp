@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
+#include "clouds/carried_fields.h"
 #include "clouds/cloud_writers.h"
 #include "files/scalars.h"
 #include "scan_cell_common/errors/errors.h"
@@ -54,12 +56,38 @@ void scale(Cloud& cloud, double factor) {
   }
 }
 
+void scale(FieldedCloud& carried, double factor) {
+  for (const std::string& prefix : place_prefixes()) {
+    for (const std::size_t offset : offsets_of(carried.fields, prefix)) {
+      for (std::size_t at = offset; at < carried.bytes.size(); at += carried.step) {
+        float value = 0;
+        std::memcpy(&value, &carried.bytes[at], sizeof value);
+        value = to_float(static_cast<double>(value) * factor);
+        std::memcpy(&carried.bytes[at], &value, sizeof value);
+      }
+    }
+  }
+}
+
+/// What those points carry that drop_invalid() is about to drop.
+void drop_carried(const Cloud& cloud, double invalid, FieldedCloud& carried) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < carried.size(); ++i) {
+    if (holds_invalid(cloud[i], invalid)) continue;
+    std::copy_n(&carried.bytes[i * carried.step], carried.step,
+                &carried.bytes[kept++ * carried.step]);
+  }
+  carried.bytes.resize(kept * carried.step);
+}
+
 /// Drops what stands for no measurement, and makes metres of the rest.
-void finish(const std::string& path, const CloudFormat& format, LoadedCloud& loaded) {
+void finish(const std::string& path, const CloudFormat& format, FieldedCloud* carried,
+            LoadedCloud& loaded) {
   Cloud& cloud = loaded.cloud;
   const std::size_t before = cloud.size();
   if (!has_profiles(format)) {  // their reader has dropped them
     for (const double invalid : format.invalid) {
+      if (carried != nullptr) drop_carried(cloud, invalid, *carried);
       const std::size_t dropped = drop_invalid(cloud, invalid);
       std::ostringstream text;
       text << dropped << " of " << before << " points hold the invalid number " << invalid;
@@ -70,24 +98,15 @@ void finish(const std::string& path, const CloudFormat& format, LoadedCloud& loa
     throw UnusableInput(path, before > 0 ? "no point holds a valid number" : "no points",
                         "scan the part again");
   }
-  if (format.metres_per_unit != 1) scale(cloud, format.metres_per_unit);
+  if (format.metres_per_unit != 1) {
+    scale(cloud, format.metres_per_unit);
+    if (carried != nullptr) scale(*carried, format.metres_per_unit);
+  }
   cloud.is_dense = std::all_of(cloud.begin(), cloud.end(), is_finite);
 }
 
-}  // namespace
-
-bool is_mesh_file(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension != ".ply") return extension == ".stl" || extension == ".obj";
-  constexpr std::size_t kLongestHeader = 65536;
-  std::string header(kLongestHeader, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(header.data(), static_cast<std::streamsize>(header.size()));
-  header.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  return faces_of_ply(header) > 0;
-}
-
-LoadedCloud load_cloud_file(const std::string& path, const CloudFormat& format) {
+/// @param carried null: not wanted
+LoadedCloud load(const std::string& path, const CloudFormat& format, FieldedCloud* carried) {
   const bool profiles = has_profiles(format);
   const std::string extension = extension_of(path);
   const bool text = is_one_of(extension, kTextEndings);
@@ -106,17 +125,40 @@ LoadedCloud load_cloud_file(const std::string& path, const CloudFormat& format) 
   } else if (text) {
     loaded = parse_point_table(bytes, path, format.metres_per_unit);
   } else if (extension == ".pcd") {
-    loaded.cloud = parse_pcd(bytes, path);
+    loaded.cloud = parse_pcd(bytes, path, carried);
   } else {
-    loaded.cloud = parse_ply(bytes, path);
+    loaded.cloud = parse_ply(bytes, path, carried);
     const std::size_t faces = faces_of_ply(bytes);
     if (faces > 0) {
       loaded.notes.push_back(
           fmt::format("its {} faces are left out: its vertices are taken for the points", faces));
     }
   }
-  finish(path, format, loaded);
+  finish(path, format, carried, loaded);
   return loaded;
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension != ".ply") return extension == ".stl" || extension == ".obj";
+  constexpr std::size_t kLongestHeader = 65536;
+  std::string header(kLongestHeader, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(header.data(), static_cast<std::streamsize>(header.size()));
+  header.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return faces_of_ply(header) > 0;
+}
+
+LoadedCloud load_cloud_file(const std::string& path, const CloudFormat& format) {
+  return load(path, format, nullptr);
+}
+
+LoadedCloud load_cloud_file(const std::string& path, const CloudFormat& format,
+                            FieldedCloud& carried) {
+  carried = {};
+  return load(path, format, &carried);
 }
 
 Cloud load_cloud(const std::string& path, double metres_per_unit) {
@@ -153,17 +195,17 @@ void check_cloud_output(const std::string& path) {
 }
 
 void save_cloud(const std::string& path, const Cloud& cloud, double metres_per_unit) {
-  check_cloud_output(path);
-  const bool ply = extension_of(path) == ".ply";
-  Cloud scaled;
-  if (metres_per_unit != 1) {
-    scaled = cloud;
-    scale(scaled, 1 / metres_per_unit);
-  }
-  const Cloud& written = metres_per_unit == 1 ? cloud : scaled;
-  save_whole(path, [&](const std::string& partial) {
-    return ply ? write_ply(partial, written) : write_pcd(partial, written);
-  });
+  const bool organised = std::size_t{cloud.width} * cloud.height == cloud.size();
+  PointsToWrite points;
+  points.fields = {{"x", FieldType::kFloat32, 0},
+                   {"y", FieldType::kFloat32, sizeof(float)},
+                   {"z", FieldType::kFloat32, 2 * sizeof(float)}};
+  points.width = organised ? cloud.width : cloud.size();
+  points.height = organised ? cloud.height : 1;
+  points.at = [&cloud](std::size_t i) {
+    return reinterpret_cast<const std::uint8_t*>(cloud[i].data);
+  };
+  write_cloud(path, points, metres_per_unit);
 }
 
 std::size_t remove_non_finite(Cloud& cloud) {

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clouds/cloud_writers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <fstream>
-#include <sstream>
-#include <vector>
+
+#include "files/scalars.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 // PCL's writers would bring VTK and OpenNI to whoever reads or writes a cloud.
 
@@ -15,41 +20,134 @@ namespace {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "both formats are written as they lie");
 
-bool write(const std::string& path, const std::string& header, const Cloud& cloud) {
-  std::ofstream file(path, std::ios::binary);
-  file << header;
-  constexpr std::size_t kPointsAtOnce = 65536;
-  std::vector<std::array<float, 3>> points;
-  for (std::size_t begin = 0; begin < cloud.size(); begin += kPointsAtOnce) {
-    points.clear();
-    const std::size_t end = std::min(begin + kPointsAtOnce, cloud.size());
-    for (std::size_t i = begin; i < end; ++i)
-      points.push_back({cloud[i].x, cloud[i].y, cloud[i].z});
-    file.write(reinterpret_cast<const char*>(points.data()),
-               static_cast<std::streamsize>(points.size() * sizeof(points[0])));
+struct TypeNames {
+  std::size_t size;  // [bytes]
+  const char* ply;
+  char pcd;
+};
+
+TypeNames names_of(FieldType type) {
+  constexpr std::array<TypeNames, 9> kNames = {{{0, "", ' '},
+                                                {1, "char", 'I'},
+                                                {1, "uchar", 'U'},
+                                                {2, "short", 'I'},
+                                                {2, "ushort", 'U'},
+                                                {4, "int", 'I'},
+                                                {4, "uint", 'U'},
+                                                {4, "float", 'F'},
+                                                {8, "double", 'F'}}};
+  const auto index = static_cast<std::size_t>(type);
+  return kNames.at(index < kNames.size() ? index : 0);
+}
+
+std::string ply_header(const PointsToWrite& points) {
+  std::string header = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n",
+                                   points.width * points.height);
+  for (const CloudField& field : points.fields)
+    header += fmt::format("property {} {}\n", names_of(field.type).ply, field.name);
+  return header + "end_header\n";
+}
+
+std::string pcd_header(const PointsToWrite& points) {
+  std::string fields, sizes, types, counts;
+  for (const CloudField& field : points.fields) {
+    fields += " " + field.name;
+    sizes += fmt::format(" {}", size_of(field.type));
+    types += fmt::format(" {}", names_of(field.type).pcd);
+    counts += " 1";
   }
-  file.flush();
-  return file.good();
+  return fmt::format(
+      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS{}\nSIZE{}\nTYPE{}\nCOUNT{}\n"
+      "WIDTH {}\nHEIGHT {}\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA binary\n",
+      fields, sizes, types, counts, points.width, points.height, points.width * points.height);
+}
+
+void append_length(const std::uint8_t* metres, double per_metre, std::string& bytes) {
+  float value = 0;
+  std::memcpy(&value, metres, sizeof value);
+  value = to_float(static_cast<double>(value) * per_metre);
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// The fields one behind the other, without what lies between them in memory; in blocks: the cloud
+/// may take most of the memory.
+void write_points(std::ostream& file, const PointsToWrite& points, double metres_per_unit) {
+  constexpr std::size_t kAtOnce = 65536;
+  const double per_metre = 1 / metres_per_unit;
+  std::vector<std::size_t> lengths;
+  for (const std::string& prefix : place_prefixes()) {
+    const std::vector<std::size_t> place = offsets_of(points.fields, prefix);
+    if (metres_per_unit != 1) lengths.insert(lengths.end(), place.begin(), place.end());
+  }
+  const auto is_length = [&](const CloudField& field) {
+    return std::find(lengths.begin(), lengths.end(), field.offset) != lengths.end();
+  };
+  std::string bytes;
+  const std::size_t count = points.width * points.height;
+  for (std::size_t begin = 0; begin < count && file; begin += kAtOnce) {
+    bytes.clear();
+    for (std::size_t i = begin; i < std::min(begin + kAtOnce, count); ++i) {
+      const std::uint8_t* const point = points.at(i);
+      for (const CloudField& field : points.fields) {
+        const std::uint8_t* const value = point + field.offset;
+        if (is_length(field)) {
+          append_length(value, per_metre, bytes);
+        } else {
+          bytes.append(reinterpret_cast<const char*>(value), size_of(field.type));
+        }
+      }
+    }
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
 }
 
 }  // namespace
 
-bool write_ply(const std::string& path, const Cloud& cloud) {
-  std::ostringstream header;
-  header << "ply\nformat binary_little_endian 1.0\nelement vertex " << cloud.size()
-         << "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
-  return write(path, header.str(), cloud);
+std::size_t size_of(FieldType type) {
+  return names_of(type).size;
 }
 
-bool write_pcd(const std::string& path, const Cloud& cloud) {
-  const bool organised = std::size_t{cloud.width} * cloud.height == cloud.size();
-  std::ostringstream header;
-  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\n"
-            "TYPE F F F\nCOUNT 1 1 1\nWIDTH "
-         << (organised ? cloud.width : cloud.size()) << "\nHEIGHT "
-         << (organised ? cloud.height : 1) << "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.size()
-         << "\nDATA binary\n";
-  return write(path, header.str(), cloud);
+const std::vector<std::string>& place_prefixes() {
+  static const std::vector<std::string> prefixes = {"", "vp_"};
+  return prefixes;
+}
+
+std::vector<std::size_t> offsets_of(const std::vector<CloudField>& fields,
+                                    const std::string& prefix) {
+  std::vector<std::size_t> offsets;
+  for (const char* const axis : {"x", "y", "z"}) {
+    for (const CloudField& field : fields) {
+      if (field.name != prefix + axis || field.type != FieldType::kFloat32) continue;
+      offsets.push_back(field.offset);
+      break;
+    }
+  }
+  if (offsets.size() < 3) offsets.clear();
+  return offsets;
+}
+
+void check_coordinates(const std::vector<CloudField>& fields) {
+  for (const std::string name : {"x", "y", "z"}) {
+    const auto field = std::find_if(fields.begin(), fields.end(),
+                                    [&](const CloudField& each) { return each.name == name; });
+    if (field == fields.end())
+      throw UnusableInput("cloud: field " + name, "missing", "give a cloud with x, y and z");
+    if (field->type != FieldType::kFloat32)
+      throw UnusableInput("cloud: field " + name, "no float32", "give x, y and z as float32");
+  }
+}
+
+void write_cloud(const std::string& path, const PointsToWrite& points, double metres_per_unit) {
+  check_cloud_output(path);
+  check_coordinates(points.fields);
+  const bool ply = extension_of(path) == ".ply";
+  save_whole(path, [&](const std::string& partial) {
+    std::ofstream file(partial, std::ios::binary);
+    file << (ply ? ply_header(points) : pcd_header(points));
+    write_points(file, points, metres_per_unit);
+    file.close();
+    return !file.fail();
+  });
 }
 
 }  // namespace scan_cell_common

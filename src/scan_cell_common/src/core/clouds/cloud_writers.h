@@ -3,15 +3,33 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
 
 namespace scan_cell_common {
 
-/// Writes the points' coordinates as binary PLY. False if that failed.
-bool write_ply(const std::string& path, const Cloud& cloud);
+/// Points, wherever they lie.
+struct PointsToWrite {
+  std::vector<CloudField> fields;
+  std::size_t width = 0;
+  std::size_t height = 1;
+  PointAt at;
+};
 
-/// The same as binary PCD (version 0.7); an organised cloud keeps its width and height.
-bool write_pcd(const std::string& path, const Cloud& cloud);
+/// The one writer of every cloud.
+/// @throw FileError if the file cannot be written or its ending is neither .ply nor .pcd
+void write_cloud(const std::string& path, const PointsToWrite& points, double metres_per_unit);
+
+/// @throw UnusableInput naming the one of x, y and z that is missing or no float32
+void check_coordinates(const std::vector<CloudField>& fields);
+
+/// The float32 fields of a vector, such as vp_x, vp_y, vp_z; empty where they are not there.
+/// @param prefix of x, y and z
+std::vector<std::size_t> offsets_of(const std::vector<CloudField>& fields,
+                                    const std::string& prefix);
+
+/// Prefixes of the fields of a place: they have the unit and the frame of x, y and z.
+const std::vector<std::string>& place_prefixes();
 
 }  // namespace scan_cell_common

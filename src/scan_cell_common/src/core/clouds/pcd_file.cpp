@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 
+#include "clouds/carried_fields.h"
 #include "files/scalars.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
@@ -32,8 +33,8 @@ struct Header {
   std::string_view data;
 };
 
-/// Where x, y or z stands.
-struct Coordinate {
+/// Where a number of a point stands.
+struct Number {
   std::size_t word = 0;    // of a line
   std::size_t offset = 0;  // [bytes] of the fields before it in a point
   Scalar type = Scalar::kFloat;
@@ -41,7 +42,8 @@ struct Coordinate {
 
 /// The place and size of everything in a point.
 struct Layout {
-  std::array<Coordinate, 3> xyz;
+  std::array<Number, 3> xyz;
+  std::vector<Number> carried;  // besides
   std::size_t words = 0;
   std::size_t size = 0;  // [bytes]
 };
@@ -119,17 +121,37 @@ std::uint64_t points_of(const Header& header, const std::string& source) {
                   "correct WIDTH, HEIGHT and POINTS");
 }
 
-Layout layout_of(const Header& header, const std::string& source) {
+/// None of a field that is no single number, or one with 64 bits that is no double.
+std::optional<Scalar> scalar_of(const Field& field) {
+  constexpr std::string_view kPadding = "_";
+  struct Known {
+    std::string_view type;
+    std::uint64_t size;
+    Scalar scalar;
+  };
+  constexpr Known kKnown[] = {{"I", 1, Scalar::kInt8},  {"U", 1, Scalar::kUint8},
+                              {"I", 2, Scalar::kInt16}, {"U", 2, Scalar::kUint16},
+                              {"I", 4, Scalar::kInt32}, {"U", 4, Scalar::kUint32},
+                              {"F", 4, Scalar::kFloat}, {"F", 8, Scalar::kDouble}};
+  if (field.count != 1 || field.name == kPadding) return std::nullopt;
+  for (const Known& known : kKnown)
+    if (field.type == known.type && field.size == known.size) return known.scalar;
+  return std::nullopt;
+}
+
+/// @param carried gets the fields; null: not wanted
+Layout layout_of(const Header& header, const std::string& source, FieldedCloud* carried) {
   Layout layout;
+  if (carried != nullptr) add_coordinates(*carried);
   std::array<int, 3> times{};
   for (const Field& field : header.fields) {
     const std::size_t axis = std::string_view("xyz").find(field.name);
-    const bool usable =
-        field.type == "F" && field.count == 1 && (field.size == 4 || field.size == 8);
-    if (field.name.size() == 1 && axis != std::string_view::npos && usable) {
-      const Scalar type = field.size == 8 ? Scalar::kDouble : Scalar::kFloat;
-      layout.xyz[axis] = {layout.words, layout.size, type};
+    const std::optional<Scalar> scalar = scalar_of(field);
+    if (field.name.size() == 1 && axis != std::string_view::npos && scalar && is_real(*scalar)) {
+      layout.xyz[axis] = {layout.words, layout.size, *scalar};
       ++times[axis];
+    } else if (carried != nullptr && scalar && add_field(*carried, field.name, *scalar)) {
+      layout.carried.push_back({layout.words, layout.size, *scalar});
     }
     layout.words += field.count;
     layout.size += field.count * field.size;
@@ -154,12 +176,12 @@ void check_count(std::uint64_t points, std::size_t size, std::size_t bytes,
 }
 
 void read_ascii(LineReader& lines, const Layout& layout, std::uint64_t points,
-                const std::string& source, Cloud& cloud) {
+                const std::string& source, Cloud& cloud, FieldedCloud* carried) {
   check_count(points, 2 * layout.words, lines.left() + 1, source);
   const auto number = [&lines](std::string_view word) {
     const std::optional<double> value = parse_number(word);
     if (!value) throw FileError(lines.where(), "'" + excerpt(word) + "'", "give a number");
-    return to_float(*value);
+    return *value;
   };
   for (std::uint64_t i = 0; i < points; ++i) {
     if (!lines.next_filled()) {
@@ -171,24 +193,45 @@ void read_ascii(LineReader& lines, const Layout& layout, std::uint64_t points,
       throw FileError(lines.where(), fmt::format("{} values", words.size()),
                       fmt::format("give {}, as the header says", layout.words));
     }
-    cloud.points.emplace_back(number(words[layout.xyz[0].word]), number(words[layout.xyz[1].word]),
-                              number(words[layout.xyz[2].word]));
+    cloud.points.emplace_back(to_float(number(words[layout.xyz[0].word])),
+                              to_float(number(words[layout.xyz[1].word])),
+                              to_float(number(words[layout.xyz[2].word])));
+    if (carried == nullptr) continue;
+    append_place(cloud.points.back(), *carried);
+    for (const Number& each : layout.carried)
+      append_scalar(number(words[each.word]), each.type, *carried);
   }
   if (lines.next_filled()) {
     throw FileError(lines.where(), "more than the header promises", "correct the header");
   }
 }
 
-void read_binary(std::string_view bytes, const Layout& layout, std::uint64_t points,
-                 const std::string& source, Cloud& cloud) {
-  check_count(points, layout.size, bytes.size(), source);
-  const auto number = [&](std::uint64_t point, const Coordinate& at) {
-    return load_float(bytes.data() + point * layout.size + at.offset, at.type, false);
-  };
+/// @param place of a number of a point: place(point, number)
+template <class Place>
+void read_numbers(const Layout& layout, std::uint64_t points, const Place& place, Cloud& cloud,
+                  FieldedCloud* carried) {
+  constexpr bool kBigEndian = false;
   for (std::uint64_t i = 0; i < points; ++i) {
-    cloud.points.emplace_back(number(i, layout.xyz[0]), number(i, layout.xyz[1]),
-                              number(i, layout.xyz[2]));
+    const auto number = [&](const Number& at) {
+      return load_float(place(i, at), at.type, kBigEndian);
+    };
+    cloud.points.emplace_back(number(layout.xyz[0]), number(layout.xyz[1]), number(layout.xyz[2]));
+    if (carried == nullptr) continue;
+    append_place(cloud.points.back(), *carried);
+    for (const Number& each : layout.carried)
+      append_scalar(place(i, each), each.type, kBigEndian, *carried);
   }
+}
+
+void read_binary(std::string_view bytes, const Layout& layout, std::uint64_t points,
+                 const std::string& source, Cloud& cloud, FieldedCloud* carried) {
+  check_count(points, layout.size, bytes.size(), source);
+  read_numbers(
+      layout, points,
+      [&](std::uint64_t point, const Number& at) {
+        return bytes.data() + point * layout.size + at.offset;
+      },
+      cloud, carried);
   const std::string_view rest = bytes.substr(points * layout.size);
   if (rest.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos) {
     throw FileError(source, fmt::format("{} bytes more than its header promises", rest.size()),
@@ -217,34 +260,32 @@ std::string unpacked(std::string_view bytes, std::uint64_t wanted, const std::st
 }
 
 void read_compressed(std::string_view bytes, const Layout& layout, std::uint64_t points,
-                     const std::string& source, Cloud& cloud) {
+                     const std::string& source, Cloud& cloud, FieldedCloud* carried) {
   check_count(points, layout.size, std::numeric_limits<std::uint32_t>::max(), source);
   const std::string fields = unpacked(bytes, points * layout.size, source);
-  const auto number = [&](std::uint64_t point, const Coordinate& at) {
-    return load_float(fields.data() + at.offset * points + point * size_of(at.type), at.type,
-                      false);
-  };
-  for (std::uint64_t i = 0; i < points; ++i) {
-    cloud.points.emplace_back(number(i, layout.xyz[0]), number(i, layout.xyz[1]),
-                              number(i, layout.xyz[2]));
-  }
+  read_numbers(
+      layout, points,
+      [&](std::uint64_t point, const Number& at) {
+        return fields.data() + at.offset * points + point * size_of(at.type);
+      },
+      cloud, carried);
 }
 
 }  // namespace
 
-Cloud parse_pcd(std::string_view file, const std::string& source) {
+Cloud parse_pcd(std::string_view file, const std::string& source, FieldedCloud* carried) {
   const std::string_view bytes = without_byte_order_mark(file);
   LineReader lines(bytes, source);
   const Header header = header_of(lines, source);
   const std::uint64_t points = points_of(header, source);
-  const Layout layout = layout_of(header, source);
+  const Layout layout = layout_of(header, source, carried);
   Cloud cloud;
   if (header.data == "ascii") {
-    read_ascii(lines, layout, points, source, cloud);
+    read_ascii(lines, layout, points, source, cloud, carried);
   } else if (header.data == "binary") {
-    read_binary(bytes.substr(lines.position()), layout, points, source, cloud);
+    read_binary(bytes.substr(lines.position()), layout, points, source, cloud, carried);
   } else if (header.data == "binary_compressed" && points > 0) {
-    read_compressed(bytes.substr(lines.position()), layout, points, source, cloud);
+    read_compressed(bytes.substr(lines.position()), layout, points, source, cloud, carried);
   } else if (header.data != "binary_compressed") {
     throw FileError(source, "DATA '" + excerpt(header.data) + "'",
                     "write it as ascii, binary or binary_compressed");
@@ -252,6 +293,10 @@ Cloud parse_pcd(std::string_view file, const std::string& source) {
   cloud.width = static_cast<std::uint32_t>(header.width);
   cloud.height = static_cast<std::uint32_t>(header.height);
   return cloud;
+}
+
+Cloud parse_pcd(std::string_view bytes, const std::string& source) {
+  return parse_pcd(bytes, source, nullptr);
 }
 
 }  // namespace scan_cell_common

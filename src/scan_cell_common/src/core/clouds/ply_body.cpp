@@ -26,10 +26,18 @@ void check_count(const PlyElement& element, std::size_t min_size, std::size_t le
       "write the file again");
 }
 
-float AsciiPlyBody::number(Value value, const PlyProperty&) const {
+double AsciiPlyBody::parsed(Value value) const {
   const std::optional<double> number = parse_number(*value);
   if (!number) throw FileError(lines_.where(), "'" + excerpt(*value) + "'", "give a number");
-  return to_float(*number);
+  return *number;
+}
+
+float AsciiPlyBody::number(Value value, const PlyProperty&) const {
+  return to_float(parsed(value));
+}
+
+void AsciiPlyBody::append(Value value, const PlyProperty& property, FieldedCloud& carried) const {
+  append_scalar(parsed(value), property.type, carried);
 }
 
 void AsciiPlyBody::list(Value value, const PlyProperty& property,

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clouds/carried_fields.h"
 #include "clouds/ply_header.h"
 
 namespace scan_cell_common {
@@ -42,6 +43,10 @@ class AsciiPlyBody {
   /// @throw FileError
   float number(Value value, const PlyProperty& property) const;
 
+  /// Appends the number to what the points carry.
+  /// @throw FileError
+  void append(Value value, const PlyProperty& property, FieldedCloud& carried) const;
+
   /// The whole numbers of a list.
   /// @throw FileError
   void list(Value value, const PlyProperty& property, std::vector<std::uint64_t>& numbers) const;
@@ -50,6 +55,7 @@ class AsciiPlyBody {
   void end();
 
  private:
+  double parsed(Value value) const;
   void split(const PlyElement& element);
   [[noreturn]] void refuse_row(const PlyElement& element) const;
 
@@ -83,6 +89,10 @@ class BinaryPlyBody {
 
   float number(Value value, const PlyProperty& property) const {
     return load_float(value, property.type, big_endian_);
+  }
+
+  void append(Value value, const PlyProperty& property, FieldedCloud& carried) const {
+    append_scalar(value, property.type, big_endian_, carried);
   }
 
   /// @throw FileError

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "clouds/carried_fields.h"
 #include "clouds/meshes.h"
 #include "clouds/ply_body.h"
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -76,17 +77,35 @@ void read_body(const PlyHeader& header, Body& body, const TakeVertex& take_verte
   body.end();
 }
 
+/// The properties that a vertex carries besides x, y and z; their fields are added to the cloud.
+std::vector<std::size_t> carried_properties(const PlyElement& vertex, FieldedCloud& carried) {
+  std::vector<std::size_t> found;
+  add_coordinates(carried);
+  for (std::size_t i = 0; i < vertex.properties.size(); ++i) {
+    const PlyProperty& property = vertex.properties[i];
+    if (!property.is_list && add_field(carried, property.name, property.type)) found.push_back(i);
+  }
+  return found;
+}
+
+/// @param carried null: not wanted
 template <class Body, class TakeFace>
 Cloud read_vertices(const PlyHeader& header, Body& body, const std::string& source,
-                    const TakeFace& take_face) {
+                    FieldedCloud* carried, const TakeFace& take_face) {
   const PlyElement& vertex = vertex_of(header, source);
   const std::array<std::size_t, 3> xyz = find_coordinates(vertex, source);
+  const std::vector<std::size_t> others =
+      carried != nullptr ? carried_properties(vertex, *carried) : std::vector<std::size_t>();
   Cloud cloud;
   const auto take_vertex = [&](const typename Body::Values& values) {
     const auto number = [&](std::size_t axis) {
       return body.number(values[xyz[axis]], vertex.properties[xyz[axis]]);
     };
     cloud.points.emplace_back(number(0), number(1), number(2));
+    if (carried == nullptr) return;
+    append_place(cloud.points.back(), *carried);
+    for (const std::size_t i : others)
+      body.append(values[i], vertex.properties[i], *carried);
   };
   read_body(header, body, take_vertex, take_face);
   cloud.width = static_cast<std::uint32_t>(cloud.points.size());
@@ -95,8 +114,9 @@ Cloud read_vertices(const PlyHeader& header, Body& body, const std::string& sour
 }
 
 template <class Body>
-Cloud read_cloud(const PlyHeader& header, Body& body, const std::string& source) {
-  return read_vertices(header, body, source,
+Cloud read_cloud(const PlyHeader& header, Body& body, const std::string& source,
+                 FieldedCloud* carried) {
+  return read_vertices(header, body, source, carried,
                        [](const PlyElement&, const typename Body::Values&) {});
 }
 
@@ -125,7 +145,7 @@ pcl::PolygonMesh read_mesh(const PlyHeader& header, Body& body, const std::strin
     for (const std::uint64_t corner : corners)
       polygons.back().vertices.push_back(checked_corner(corner, source));
   };
-  Cloud vertices = read_vertices(header, body, source, take_face);
+  Cloud vertices = read_vertices(header, body, source, nullptr, take_face);
   check_corners(polygons, vertices.points.size(), source, 0);
   return mesh_of(vertices, std::move(polygons));
 }
@@ -147,10 +167,14 @@ auto parse(std::string_view file, const std::string& source, const Read& read) {
 
 }  // namespace
 
-Cloud parse_ply(std::string_view bytes, const std::string& source) {
-  return parse(bytes, source, [&source](const PlyHeader& header, auto& body) {
-    return read_cloud(header, body, source);
+Cloud parse_ply(std::string_view bytes, const std::string& source, FieldedCloud* carried) {
+  return parse(bytes, source, [&](const PlyHeader& header, auto& body) {
+    return read_cloud(header, body, source, carried);
   });
+}
+
+Cloud parse_ply(std::string_view bytes, const std::string& source) {
+  return parse_ply(bytes, source, nullptr);
 }
 
 pcl::PolygonMesh parse_ply_mesh(std::string_view bytes, const std::string& source) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scan_cell_common/clouds/cloud_files.h"
+#include "clouds/carried_fields.h"
 
 namespace scan_cell_common {
 namespace {
@@ -125,16 +125,18 @@ std::optional<Sentinel> find_sentinel(const Cloud& cloud) {
   return zeros_of(cloud);
 }
 
-std::size_t drop_invalid(Cloud& cloud, double invalid) {
+bool holds_invalid(const pcl::PointXYZ& point, double invalid) {
   // As a float has it, and to the digits that a text file is likely to have.
   constexpr double kEqual = 1e-6;
   const auto is_invalid = [invalid](float value) {
     return std::abs(static_cast<double>(value) - invalid) <= kEqual * std::abs(invalid);
   };
-  const auto drop = [&](const pcl::PointXYZ& p) {
-    if (invalid == 0) return p.z == 0;  // x or y may be 0 anywhere
-    return is_invalid(p.x) || is_invalid(p.y) || is_invalid(p.z);
-  };
+  if (invalid == 0) return point.z == 0;  // x or y may be 0 anywhere
+  return is_invalid(point.x) || is_invalid(point.y) || is_invalid(point.z);
+}
+
+std::size_t drop_invalid(Cloud& cloud, double invalid) {
+  const auto drop = [invalid](const pcl::PointXYZ& point) { return holds_invalid(point, invalid); };
   const std::size_t before = cloud.size();
   cloud.erase(std::remove_if(cloud.begin(), cloud.end(), drop), cloud.end());
   return before - cloud.size();
