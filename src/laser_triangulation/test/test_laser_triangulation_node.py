@@ -140,7 +140,7 @@ class LaserTriangulationNode(unittest.TestCase):
         self.assertEqual(answer.cloud.header.frame_id, 'moulding')
         self.assertEqual(answer.cloud.header.stamp, profile(count - 1).header.stamp)
         self.assertEqual([f.name for f in answer.cloud.fields],
-                         ['x', 'y', 'z', 'intensity', 'laser', 'pass', 'width'])
+                         ['x', 'y', 'z', 'intensity', 'laser', 'pass', 'width', 'vp_x', 'vp_y', 'vp_z'])
         points = points_of(answer.cloud)
         truth = [point for n in range(count) for point in expected(n)]
         self.expect_points(points, truth)
