@@ -12,12 +12,11 @@
 #include "c4g_driver/goal.h"
 #include "c4g_driver/limits.h"
 #include "c4g_driver/link_report.h"
+#include "c4g_driver/motion_plan.h"
 
 namespace c4g_driver {
 
 class Link;
-class MotionCheck;
-struct MotionSettings;
 
 /// Where the controller is, and what the client holds a motion to.
 struct ClientOptions {
@@ -58,14 +57,22 @@ class Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// Starts a motion that MotionCheck lets pass; it is sent to the controller once, however often
-  /// the packet is.
+  /// Starts a motion if the robot can carry it out; it is sent to the controller once, however
+  /// often the packet is.
+  void move(const Motion& motion);
+  /// @throw as move()
   void move_to_pose(const Eigen::Isometry3d& flange, double camera_rate);
-  /// Along the circle through `via`, with its orientation there. @throw as move_to_pose()
+  /// Along the circle through `via`, with its orientation there. @throw as move()
   void move_along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& flange,
                       double camera_rate);
-  /// Moves all axes together to six joints [rad]. @throw as move_to_pose()
+  /// Moves all axes together to six joints [rad]. @throw as move()
   void move_to_joints(const std::vector<double>& joints, double camera_rate);
+
+  /// Whether the robot could carry out motions one after the other; nothing moves.
+  /// @param linear poses are gone to along lines, whatever is set on the controller
+  /// @param joints six [rad], where the first one starts; empty: where the robot stands
+  PlanCheck check(const std::vector<PlannedMotion>& plan, bool linear,
+                  const std::vector<double>& joints);
 
   /// The robot brakes; wait_for_goal() tells when it stands.
   void stop();
@@ -98,7 +105,8 @@ class Client {
   LinkReport link() const;                      //!< of this moment
 
  private:
-  MotionCheck motion_check(bool in_space);
+  RobotState current() const;
+  RobotState standing() const;
   MotionSettings settings_in_force();
   SpeedLimit speed_limit() const;
 

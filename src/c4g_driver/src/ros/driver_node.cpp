@@ -58,6 +58,7 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
                                                     &DriverNode::get_parameter);
   advertise<scan_cell_msgs::SetControllerParameter>(services, "set_parameter",
                                                     &DriverNode::set_parameter);
+  advertise<scan_cell_msgs::CheckMotions>(services, "check_motions", &DriverNode::check_motions);
   status_timer_ = node.createTimer(ros::Duration(1 / parameters.status_rate),
                                    [this](const ros::TimerEvent&) { publish_status(); });
   server_.start();
@@ -114,17 +115,7 @@ void DriverNode::start(const MoveGoal& goal) {
     throw Refused("watcher", "'" + goal.watcher + "', which does not listen to the status",
                   "subscribe to " + status_.getTopic() + " first, or give none");
   }
-  if (goal.kind == MoveGoal::CARTESIAN) {
-    client_.move_to_pose(to_target(goal.pose, parameters_.base_frame), goal.camera_rate);
-  } else if (goal.kind == MoveGoal::CIRCULAR) {
-    client_.move_along_arc(to_target(goal.via, parameters_.base_frame, "via"),
-                           to_target(goal.pose, parameters_.base_frame), goal.camera_rate);
-  } else if (goal.kind == MoveGoal::JOINT) {
-    client_.move_to_joints(goal.joints, goal.camera_rate);
-  } else {
-    throw Refused("kind of motion", fmt::format("{}", goal.kind),
-                  "give CARTESIAN, JOINT or CIRCULAR");
-  }
+  client_.move(to_motion(goal, parameters_.base_frame));
 }
 
 std::string DriverNode::why_to_stop(const std::string& watcher) {
@@ -224,6 +215,22 @@ void DriverNode::set_drives(const std_srvs::SetBool::Request& request,
 
 void DriverNode::reset_alarms(const std_srvs::Trigger::Request&, std_srvs::Trigger::Response&) {
   client_.reset_alarms();
+}
+
+void DriverNode::check_motions(const scan_cell_msgs::CheckMotions::Request& request,
+                               scan_cell_msgs::CheckMotions::Response& response) {
+  if (!request.speeds.empty() && request.speeds.size() != request.motions.size()) {
+    throw Refused("speeds",
+                  fmt::format("{} of {} motions", request.speeds.size(), request.motions.size()),
+                  "give one for each motion, or none");
+  }
+  std::vector<PlannedMotion> plan;
+  for (const MoveGoal& goal : request.motions) {
+    plan.push_back({to_motion(goal, parameters_.base_frame), std::nullopt});
+    if (!request.speeds.empty()) plan.back().linear_speed = request.speeds[plan.size() - 1];
+  }
+  fill_in(response, client_.check(plan, request.linear != 0U, request.joints),
+          parameters_.base_frame);
 }
 
 void DriverNode::get_static_pose(const scan_cell_msgs::GetStaticPose::Request&,

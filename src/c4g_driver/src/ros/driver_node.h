@@ -6,6 +6,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <scan_cell_msgs/CheckMotions.h>
 #include <scan_cell_msgs/GetControllerParameter.h>
 #include <scan_cell_msgs/GetStaticPose.h>
 #include <scan_cell_msgs/MoveAction.h>
@@ -57,6 +58,8 @@ class DriverNode {
   void set_drives(const std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void reset_alarms(const std_srvs::Trigger::Request& request,
                     std_srvs::Trigger::Response& response);
+  void check_motions(const scan_cell_msgs::CheckMotions::Request& request,
+                     scan_cell_msgs::CheckMotions::Response& response);
   void get_static_pose(const scan_cell_msgs::GetStaticPose::Request& request,
                        scan_cell_msgs::GetStaticPose::Response& response);
   void get_parameter(const scan_cell_msgs::GetControllerParameter::Request& request,

@@ -13,7 +13,24 @@
 namespace c4g_driver {
 using scan_cell_common::Refused;
 using scan_cell_common::to_ros;
+using scan_cell_msgs::MoveGoal;
 using scan_cell_msgs::RobotStatus;
+
+namespace {
+
+/// A pose that a goal asks for.
+/// @param name of the pose
+/// @throw Refused for another frame, or a quaternion that is none
+Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame,
+                            const std::string& name) {
+  if (pose.header.frame_id != base_frame) {
+    throw Refused(name + " frame", "'" + pose.header.frame_id + "'",
+                  "give the flange's pose in " + base_frame);
+  }
+  return scan_cell_common::checked_from_ros<Refused>(pose.pose, name + " orientation");
+}
+
+}  // namespace
 
 tf2_msgs::TFMessage transform_message(const std::string& base_frame,
                                       const std::string& flange_frame) {
@@ -83,13 +100,37 @@ RobotStatus to_status(const LinkReport& link, const std::optional<MeasuredState>
   return message;
 }
 
-Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame,
-                            const std::string& name) {
-  if (pose.header.frame_id != base_frame) {
-    throw Refused(name + " frame", "'" + pose.header.frame_id + "'",
-                  "give the flange's pose in " + base_frame);
+Motion to_motion(const MoveGoal& goal, const std::string& base_frame) {
+  Motion motion;
+  motion.camera_rate = goal.camera_rate;
+  if (goal.kind == MoveGoal::JOINT) {
+    motion.kind = Motion::Kind::kToJoints;
+    motion.joints = goal.joints;
+    return motion;
   }
-  return scan_cell_common::checked_from_ros<Refused>(pose.pose, name + " orientation");
+  if (goal.kind != MoveGoal::CARTESIAN && goal.kind != MoveGoal::CIRCULAR) {
+    throw Refused("kind of motion", fmt::format("{}", goal.kind),
+                  "give CARTESIAN, JOINT or CIRCULAR");
+  }
+  if (goal.kind == MoveGoal::CIRCULAR) {
+    motion.kind = Motion::Kind::kAlongArc;
+    motion.via = to_target(goal.via, base_frame, "via");
+  }
+  motion.flange = to_target(goal.pose, base_frame, "target");
+  return motion;
+}
+
+void fill_in(scan_cell_msgs::CheckMotions::Response& response, const PlanCheck& plan,
+             const std::string& base_frame) {
+  response.message = plan.refusal;
+  response.possible = static_cast<std::uint32_t>(plan.ends.size());
+  response.way = std::nan("");
+  response.pose.header.frame_id = base_frame;
+  if (plan.place) {
+    response.way = plan.place->way;
+    response.pose.pose = scan_cell_common::to_ros_pose(plan.place->flange);
+  }
+  if (!plan.ends.empty()) response.joints.assign(plan.ends.back().begin(), plan.ends.back().end());
 }
 
 }  // namespace c4g_driver

@@ -4,6 +4,7 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <scan_cell_msgs/CheckMotions.h>
 #include <scan_cell_msgs/MoveGoal.h>
 #include <scan_cell_msgs/RobotStatus.h>
 #include <sensor_msgs/JointState.h>
@@ -33,10 +34,12 @@ geometry_msgs::PoseStamped to_pose(const MeasuredState& state, const std::string
 scan_cell_msgs::RobotStatus to_status(const LinkReport& link,
                                       const std::optional<MeasuredState>& state);
 
-/// A pose that a goal asks for.
-/// @param name of the pose
-/// @throw scan_cell_common::Refused for another frame, or a quaternion that is none
-Eigen::Isometry3d to_target(const geometry_msgs::PoseStamped& pose, const std::string& base_frame,
-                            const std::string& name = "target");
+/// @throw scan_cell_common::Refused for an unknown kind, poses in another frame, or a quaternion
+/// that is none
+Motion to_motion(const scan_cell_msgs::MoveGoal& goal, const std::string& base_frame);
+
+/// @param plan that was checked, of which the answer tells
+void fill_in(scan_cell_msgs::CheckMotions::Response& response, const PlanCheck& plan,
+             const std::string& base_frame);
 
 }  // namespace c4g_driver

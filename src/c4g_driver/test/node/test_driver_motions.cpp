@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <scan_cell_msgs/CheckMotions.h>
 #include <scan_cell_msgs/SetLinearSpeed.h>
 #include <scan_cell_msgs/SetOverride.h>
 
@@ -94,6 +95,56 @@ TEST_F(Driver, RunsAtTheSpeedAndOverrideItWasGiven) {
       return status.override == 50 && status.linear_speed == 0.1 && status.in_motion == 1;
     });
   }));
+}
+
+TEST_F(Driver, ChecksMotionsOneAfterTheOtherAndMovesNothing) {
+  using scan_cell_msgs::CheckMotions;
+  CheckMotions::Request request;
+  request.motions = {to_pose(looking_down(0.80, 0.20, 0.60)),
+                     along_arc(looking_down(0.85, 0.15, 0.60), looking_down(0.80, 0.10, 0.60)),
+                     to_pose(looking_down(0.80, 0.00, 0.60))};
+  request.speeds = {0.2, 0.1, 0.5};
+  CheckMotions::Response answer = call<CheckMotions>("check_motions", request);
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.message, "");
+  EXPECT_EQ(answer.possible, 3u);
+  EXPECT_TRUE(std::isnan(answer.way));
+  ASSERT_EQ(answer.joints.size(), 6u);
+  EXPECT_NEAR(answer.joints[0], 0, 1e-6) << "straight in front J1 is 0";
+
+  request.motions[2] = to_pose(looking_down(1.35, 0, 1.5));
+  answer = call<CheckMotions>("check_motions", request);
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.possible, 2u);
+  EXPECT_NE(answer.message.find("target: out of reach by 0."), std::string::npos) << answer.message;
+  EXPECT_EQ(answer.way, 1);
+  EXPECT_LT(distance(from_ros(answer.pose.pose), looking_down(1.35, 0, 1.5)), 1e-9);
+  EXPECT_EQ(answer.pose.header.frame_id, "base_link");
+
+  request.joints = {1, 0, -M_PI / 2, 0, 1, 0};  // from there the first line is another one
+  request.motions = {to_joints({1.2, 0, -M_PI / 2, 0, 1, 0})};
+  request.speeds.clear();
+  EXPECT_EQ(call<CheckMotions>("check_motions", request).possible, 1u);
+  EXPECT_EQ(controller_->motions_begun(), 0u);
+}
+
+TEST_F(Driver, SaysWhyMotionsCouldNotBeChecked) {
+  using scan_cell_msgs::CheckMotions;
+  CheckMotions::Request request;
+  request.motions = {to_pose(looking_down(0.80, 0.20, 0.60))};
+  request.speeds = {0.2, 0.2};
+  CheckMotions::Response answer = call<CheckMotions>("check_motions", request);
+  EXPECT_FALSE(answer.success);
+  EXPECT_EQ(answer.message, "speeds: 2 of 1 motions; give one for each motion, or none");
+  request.speeds.clear();
+  request.motions[0].kind = 7;
+  EXPECT_NE(call<CheckMotions>("check_motions", request).message.find("kind of motion"),
+            std::string::npos);
+  request.motions[0] = to_pose(looking_down(0.80, 0.20, 0.60));
+  start_long_move();
+  answer = call<CheckMotions>("check_motions", request);
+  EXPECT_FALSE(answer.success);
+  EXPECT_NE(answer.message.find("the robot is moving"), std::string::npos) << answer.message;
 }
 
 TEST_F(Driver, RefusesBadTargetsWithTheReasonAndMovesNothing) {

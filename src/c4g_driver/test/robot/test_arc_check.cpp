@@ -112,7 +112,7 @@ TEST_F(ArcCheckTest, NamesTheJointThatItAsksTooMuchSpeedOf) {
   ASSERT_GT(settings_.linear_speed / radius, 1.1 * smart5_six().speed()[0]);
   expect_says(refusal_of_arc(turned(40), turned(100)), "speed of J1: ");
   settings_.override = 1;
-  EXPECT_NEAR(check().along_arc(turned(40), turned(100)),
+  EXPECT_NEAR(check().along_arc(turned(40), turned(100)).max_override,
               100 * smart5_six().speed()[0] * radius / settings_.linear_speed, 0.01);
   settings_.override = 100;
   settings_.rotational_speed = 1;  // now this rules

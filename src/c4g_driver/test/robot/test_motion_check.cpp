@@ -23,8 +23,8 @@ TEST_F(MotionCheckTest, LetsPassTheLinesOfAScan) {
       }
     }
   }
-  EXPECT_EQ(check().to_pose(from_.flange), 100) << "where it stands";
-  EXPECT_EQ(check().to_joints(from_.joints), 100);
+  EXPECT_EQ(check().to_pose(from_.flange).max_override, 100) << "where it stands";
+  EXPECT_EQ(check().to_joints(from_.joints).max_override, 100);
 }
 
 TEST_F(MotionCheckTest, NamesATargetThatIsOutOfReach) {
@@ -85,7 +85,7 @@ TEST_F(MotionCheckTest, NamesTheJointThatALineAsksTooMuchSpeedOf) {
   expect_says(said, "speed of J6: 12 rad/s at ");
   expect_says(said, "the limit is 9.59931 rad/s: set the override up to 79.99");
   settings_.override = 79;
-  EXPECT_NEAR(check().to_pose(rolled), 100 * smart5_six().speed()[5] / 12, 1e-6);
+  EXPECT_NEAR(check().to_pose(rolled).max_override, 100 * smart5_six().speed()[5] / 12, 1e-6);
 }
 
 TEST_F(MotionCheckTest, RefusesALineWhileAFasterSpeedIsSetThanTheCellAllows) {
@@ -107,11 +107,11 @@ TEST_F(MotionCheckTest, HoldsTheFlangeTo250MillimetresASecondInJointsToo) {
   const double most = 100 * 0.25 / (0.8 * smart5_six().speed()[0]);
   expect_says(refusal_of_joints(turned), "speed of the flange: 1.95");
   settings_.override = most - 0.1;
-  EXPECT_NEAR(check().to_joints(turned), most, 0.01);
+  EXPECT_NEAR(check().to_joints(turned).max_override, most, 0.01);
   settings_.override = most + 0.1;
   EXPECT_NE(refusal_of_joints(turned), "");
   limits_.operation = c4g_driver::Operation::kAutomatic;
-  EXPECT_EQ(check().to_joints(turned), 100);
+  EXPECT_EQ(check().to_joints(turned).max_override, 100);
 }
 
 TEST_F(MotionCheckTest, KeepsTheFlangeInTheBoxOnItsWayInJoints) {

@@ -104,7 +104,7 @@ class TwoPlans : public testing::Test {
 TEST_F(TwoPlans, OfALineAgreeSoThatWhatPassesIsCarriedOutAtTheSpeedAskedFor) {
   for (int i = 0; i < 150; ++i) {
     const Eigen::Isometry3d target = some_pose();
-    compare([&] { return check().to_pose(target); },
+    compare([&] { return check().to_pose(target).max_override; },
             [&] { return scan_cell_sim::plan_line(from_.joints, target, their(settings_)); });
   }
   EXPECT_GT(passed_, 40);
@@ -115,7 +115,7 @@ TEST_F(TwoPlans, OfAnArcAgreeSoThatWhatPassesIsCarriedOutAtTheSpeedAskedFor) {
   for (int i = 0; i < 150; ++i) {
     const Eigen::Isometry3d via = scan_cell_common::interpolate(from_.flange, some_pose(), 0.4);
     const Eigen::Isometry3d target = scan_cell_common::interpolate(from_.flange, some_pose(), 0.6);
-    compare([&] { return check().along_arc(via, target); },
+    compare([&] { return check().along_arc(via, target).max_override; },
             [&] { return scan_cell_sim::plan_arc(from_.joints, via, target, their(settings_)); });
   }
   EXPECT_GT(passed_, 40);

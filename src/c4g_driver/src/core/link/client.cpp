@@ -33,6 +33,25 @@ ClientOptions checked(ClientOptions options) {
   return options;
 }
 
+/// @param motion that check_goal() takes
+Goal::Target target_of(const Motion& motion) {
+  if (motion.kind != Motion::Kind::kToJoints) return motion.flange;
+  return Joints(Eigen::Map<const Joints>(motion.joints.data()));
+}
+
+/// @param motion that check_goal() takes
+Request request_of(const Motion& motion) {
+  switch (motion.kind) {
+    case Motion::Kind::kToPose:
+      return MoveCartesian{motion.flange, motion.camera_rate};
+    case Motion::Kind::kAlongArc:
+      return MoveCircular{motion.via, motion.flange, motion.camera_rate};
+    case Motion::Kind::kToJoints:
+      break;
+  }
+  return MoveJoint{std::get<Joints>(target_of(motion)), motion.camera_rate};
+}
+
 }  // namespace
 
 Client::Client(const ClientOptions& options, Listener listener)
@@ -41,46 +60,72 @@ Client::Client(const ClientOptions& options, Listener listener)
 Client::~Client() = default;
 
 void Client::move_to_pose(const Eigen::Isometry3d& flange, double camera_rate) {
-  check_flange(flange, options_.limits);
-  check_camera_rate(camera_rate, options_.limits);
-  const std::lock_guard<std::mutex> settled(settings_mutex_);
-  const Link::Start start{flange, motion_check(true).to_pose(flange)};
-  link_->request(MoveCartesian{flange, camera_rate}, &start);
+  Motion motion;
+  motion.flange = flange;
+  motion.camera_rate = camera_rate;
+  move(motion);
 }
 
 void Client::move_along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& flange,
                             double camera_rate) {
-  check_flange(via, options_.limits, "via");
-  check_flange(flange, options_.limits);
-  check_camera_rate(camera_rate, options_.limits);
-  const std::lock_guard<std::mutex> settled(settings_mutex_);
-  const Link::Start start{flange, motion_check(true).along_arc(via, flange)};
-  link_->request(MoveCircular{via, flange, camera_rate}, &start);
+  Motion motion;
+  motion.kind = Motion::Kind::kAlongArc;
+  motion.via = via;
+  motion.flange = flange;
+  motion.camera_rate = camera_rate;
+  move(motion);
 }
 
 void Client::move_to_joints(const std::vector<double>& joints, double camera_rate) {
-  const Joints target = check_joints(joints, options_.limits);
-  check_workspace(options_.robot->flange_at(target), options_.limits);
-  check_camera_rate(camera_rate, options_.limits);
-  const std::lock_guard<std::mutex> settled(settings_mutex_);
-  const Link::Start start{target, motion_check(false).to_joints(target)};
-  link_->request(MoveJoint{target, camera_rate}, &start);
+  Motion motion;
+  motion.kind = Motion::Kind::kToJoints;
+  motion.joints = joints;
+  motion.camera_rate = camera_rate;
+  move(motion);
 }
 
-/// From where the robot stands, with what is set on the controller.
-/// @param in_space the target is a pose
-MotionCheck Client::motion_check(bool in_space) {
+void Client::move(const Motion& motion) {
+  check_goal(motion, *options_.robot, options_.limits);
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
   if (goal().underway()) throw Refused("motion", "another is under way", "stop it first");
   MotionSettings settings;
-  if (in_space) settings = settings_in_force();
+  if (motion.kind != Motion::Kind::kToJoints) settings = settings_in_force();
+  const RobotState from = standing();
+  settings.linear_speed = from.linear_speed;
+  settings.override = from.override;
+  const MotionEnd end = MotionCheck(*options_.robot, options_.limits, from, settings).run(motion);
+  const Request request = request_of(motion);
+  const Link::Start start{target_of(motion), end.max_override};
+  link_->request(request, &start);
+}
+
+PlanCheck Client::check(const std::vector<PlannedMotion>& plan, bool linear,
+                        const std::vector<double>& joints) {
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  MotionSettings settings = settings_in_force();
+  RobotState from = joints.empty() ? standing() : current();
+  settings.linear_speed = from.linear_speed;
+  settings.override = from.override;
+  if (linear) settings.in_joints = settings.euler = false;
+  if (!joints.empty()) {
+    from.joints = check_joints(joints, options_.limits);
+    from.flange = options_.robot->flange_at(from.joints);
+  }
+  return check_plan(*options_.robot, options_.limits, from, settings, plan);
+}
+
+RobotState Client::current() const {
   const auto state = latest();
   if (!link().up || !state) throw ConnectionError(name(), link().message, kCheckLink);
-  if (state->robot.status == MotionStatus::kMoving) {
+  return state->robot;
+}
+
+RobotState Client::standing() const {
+  const RobotState state = current();
+  if (state.status == MotionStatus::kMoving) {
     throw Refused("motion", "the robot is moving", "wait until it stands");
   }
-  settings.linear_speed = state->robot.linear_speed;
-  settings.override = state->robot.override;
-  return {*options_.robot, options_.limits, state->robot, settings};
+  return state;
 }
 
 MotionSettings Client::settings_in_force() {

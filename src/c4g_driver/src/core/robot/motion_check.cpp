@@ -26,8 +26,8 @@ double max_override(double share) {
   return share > 1 ? 100 / share : 100;
 }
 
-[[noreturn]] void refuse(const Hindrance& found) {
-  throw Refused(found.thing, found.value, found.cure);
+[[noreturn]] void refuse(const Hindrance& found, const Eigen::Isometry3d& flange) {
+  throw MotionRefused(found.thing, found.value, found.cure, {found.way, flange});
 }
 
 /// [s] that the path takes at full override: its slowest stretch decides how fast all of it is run.
@@ -41,10 +41,22 @@ double duration(const Path& path, const MotionSettings& settings) {
   return longest;
 }
 
-void check_model(const RobotModel& robot, const RobotState& from) {
+}  // namespace
+
+void check_goal(const Motion& motion, const RobotModel& robot, const RobotLimits& limits) {
+  if (motion.kind == Motion::Kind::kToJoints) {
+    check_workspace(robot.flange_at(check_joints(motion.joints, limits)), limits);
+  } else {
+    if (motion.kind == Motion::Kind::kAlongArc) check_flange(motion.via, limits, "via");
+    check_flange(motion.flange, limits);
+  }
+  check_camera_rate(motion.camera_rate, limits);
+}
+
+void check_model(const RobotModel& robot, const RobotState& state) {
   constexpr double kPosition = 0.01;  // [m] a nominal arm is within a few millimetres
   constexpr double kAngle = 0.02;     // [rad] chosen
-  const auto off = twist(robot.flange_at(from.joints), from.flange);
+  const auto off = twist(robot.flange_at(state.joints), state.flange);
   if (off.head<3>().norm() <= kPosition && off.tail<3>().norm() <= kAngle) return;
   throw Refused(
       "robot description",
@@ -52,8 +64,6 @@ void check_model(const RobotModel& robot, const RobotState& from) {
                   off.head<3>().norm(), off.tail<3>().norm()),
       "give the URDF of this robot, with the controller's signs and zeros of the joints");
 }
-
-}  // namespace
 
 MotionCheck::MotionCheck(const RobotModel& robot, const RobotLimits& limits, const RobotState& from,
                          const MotionSettings& settings)
@@ -69,40 +79,54 @@ MotionCheck::MotionCheck(const RobotModel& robot, const RobotLimits& limits, con
   limits_.workspace_max = limits.workspace_max.cwiseMax(from.flange.translation());
 }
 
-double MotionCheck::to_pose(const Eigen::Isometry3d& target) const {
-  if (settings_.in_joints) return to_joints(reach(target, "target"));
+MotionEnd MotionCheck::run(const Motion& motion) const {
+  switch (motion.kind) {
+    case Motion::Kind::kToPose:
+      return to_pose(motion.flange);
+    case Motion::Kind::kAlongArc:
+      return along_arc(motion.via, motion.flange);
+    case Motion::Kind::kToJoints:
+      break;
+  }
+  return to_joints(Eigen::Map<const Joints>(motion.joints.data()));
+}
+
+MotionEnd MotionCheck::to_pose(const Eigen::Isometry3d& target) const {
+  if (settings_.in_joints) return to_joints(reach({1, target}, "target"));
   return along(Line(from_.flange, target, settings_.euler));
 }
 
-double MotionCheck::along_arc(const Eigen::Isometry3d& via, const Eigen::Isometry3d& target) const {
+MotionEnd MotionCheck::along_arc(const Eigen::Isometry3d& via,
+                                 const Eigen::Isometry3d& target) const {
   return along(Arc(from_.flange, via, target));
 }
 
-double MotionCheck::along(const Path& path) const {
+MotionEnd MotionCheck::along(const Path& path) const {
   check_speed_in_force(settings_.linear_speed, speed_);
-  const auto [hindrance, strain] =
+  const auto [hindrance, strain, joints] =
       follow(robot_, limits_, path, from_.joints, duration(path, settings_));
   if (hindrance) {
     for (const Path::Stretch& stretch : path.stretches())
-      reach(path.at(stretch.end), stretch.target);  // if that is at fault, it is what to say
-    refuse(*hindrance);
+      reach({stretch.end, path.at(stretch.end)}, stretch.target);  // its fault comes first
+    refuse(*hindrance, path.at(hindrance->way));
   }
   const double most = max_override(strain.share);
-  if (settings_.override <= most + kRounding) return most;
-  throw Refused(
+  if (settings_.override <= most + kRounding) return {most, joints, path.at(1)};
+  throw MotionRefused(
       fmt::format("speed of J{}", strain.joint + 1),
       fmt::format("{:g} rad/s at {}", strain.rate * settings_.override / 100, at(strain.way)),
       fmt::format("the limit is {:g} rad/s: set the override up to {:g} %, or lower speeds",
-                  robot_.speed()[strain.joint], most));
+                  robot_.speed()[strain.joint], most),
+      {strain.way, path.at(strain.way)});
 }
 
 /// The posture nearest to the present one, within the ranges.
 /// @param name of the target
-Joints MotionCheck::reach(const Eigen::Isometry3d& target, const std::string& name) const {
-  const Postures postures = postures_for(robot_, target, from_.joints);
+Joints MotionCheck::reach(const MotionPlace& target, const std::string& name) const {
+  const Postures postures = postures_for(robot_, target.flange, from_.joints);
   if (postures.joints.empty()) {
-    throw Refused(name, fmt::format("out of reach by {:g} m", postures.gap),
-                  "give one nearer to the robot, or with another orientation");
+    throw MotionRefused(name, fmt::format("out of reach by {:g} m", postures.gap),
+                        "give one nearer to the robot, or with another orientation", target);
   }
   const auto cost = [this](const Joints& joints) {
     constexpr double kRangesFirst = 1e3;  // weight above any angle [rad]; chosen
@@ -115,14 +139,14 @@ Joints MotionCheck::reach(const Eigen::Isometry3d& target, const std::string& na
   for (int i = 0; i < 6; ++i) {
     const double lower = limits_.joint_lower[i], upper = limits_.joint_upper[i];
     if (best[i] >= lower - kRounding && best[i] <= upper + kRounding) continue;
-    throw Refused(fmt::format("{} J{}", name, i + 1),
-                  fmt::format("{:g} rad in the posture that comes nearest", best[i]),
-                  "give a pose that keeps it within " + range(lower, upper, " rad"));
+    throw MotionRefused(fmt::format("{} J{}", name, i + 1),
+                        fmt::format("{:g} rad in the posture that comes nearest", best[i]),
+                        "give a pose that keeps it within " + range(lower, upper, " rad"), target);
   }
   return best;
 }
 
-double MotionCheck::to_joints(const Joints& target) const {
+MotionEnd MotionCheck::to_joints(const Joints& target) const {
   constexpr double kStep = 0.02;   // [rad] chosen
   constexpr double kModel = 0.01;  // [m] what the model may be off, as in check_model
   const Joints turn = target - from_.joints;
@@ -132,16 +156,18 @@ double MotionCheck::to_joints(const Joints& target) const {
   double longest = 0;  // [m] in a step
   for (double step = 1; step <= steps; ++step) {
     const Joints joints = from_.joints + step / steps * turn;
-    const Eigen::Vector3d next = robot_.flange_at(joints).translation();
+    const Eigen::Isometry3d flange = robot_.flange_at(joints);
+    const Eigen::Vector3d next = flange.translation();
     const auto found = outside_workspace(next, limits_, kModel, step / steps);
-    if (found) refuse(*found);
+    if (found) refuse(*found, flange);
     longest = std::max(longest, (next - place).norm());
     place = next;
   }
-  if (!speed_.reduced || seconds <= 0) return 100;
+  const Eigen::Isometry3d end = robot_.flange_at(target);
+  if (!speed_.reduced || seconds <= 0) return {100, target, end};
   const double speed = longest * steps / seconds;
   const double most = max_override(speed / speed_.most);
-  if (settings_.override <= most + kRounding) return most;
+  if (settings_.override <= most + kRounding) return {most, target, end};
   throw Refused("speed of the flange", fmt::format("{:g} m/s", speed * settings_.override / 100),
                 fmt::format("the limit is {:g} m/s, set the override up to {:g} %: {}", speed_.most,
                             most, speed_.reason));

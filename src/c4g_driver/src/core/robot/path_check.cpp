@@ -35,9 +35,9 @@ std::optional<Hindrance> outside_range(const Joints& joints, const RobotLimits& 
   for (int i = 0; i < 6; ++i) {
     const double lower = limits.joint_lower[i], upper = limits.joint_upper[i];
     if (joints[i] >= lower - kRounding && joints[i] <= upper + kRounding) continue;
-    return Hindrance{fmt::format("{}, J{}", path, i + 1),
-                     fmt::format("{:g} rad at {}", joints[i], at(way)),
-                     fmt::format("its range is {}: {}", range(lower, upper, " rad"), kOtherWay)};
+    return Hindrance{
+        fmt::format("{}, J{}", path, i + 1), fmt::format("{:g} rad at {}", joints[i], at(way)),
+        fmt::format("its range is {}: {}", range(lower, upper, " rad"), kOtherWay), way};
   }
   return std::nullopt;
 }
@@ -47,17 +47,18 @@ std::optional<Hindrance> singular(const RobotModel& robot, const Joints& before,
   constexpr double kJump = 0.2;  // [rad] in a step of a degree; chosen
   const std::string tied = singular_joints(robot.jacobian_at(joints));
   if (!tied.empty()) {
-    return Hindrance{path, "passes a singular posture of " + tied + " at " + at(way), kOtherWay};
+    return Hindrance{path, "passes a singular posture of " + tied + " at " + at(way), kOtherWay,
+                     way};
   }
   int joint = 0;
   const double jump = (joints - before).cwiseAbs().maxCoeff(&joint);
   if (jump <= kJump) return std::nullopt;
   return Hindrance{fmt::format("{}, J{}", path, joint + 1),
-                   fmt::format("turns over by {:g} rad at {}", jump, at(way)), kOtherWay};
+                   fmt::format("turns over by {:g} rad at {}", jump, at(way)), kOtherWay, way};
 }
 
 Hindrance lost(const std::string& path, double way) {
-  return {path, "the posture cannot follow it from " + at(way), kOtherWay};
+  return {path, "the posture cannot follow it from " + at(way), kOtherWay, way};
 }
 
 /// Of a few millimetres and a degree at most.
@@ -80,7 +81,7 @@ PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path&
                  const Joints& joints, double seconds) {
   PathCheck check;
   const auto start = step_to(robot, path.at(0), joints);
-  if (!start) return {lost(path.name(), 0), {}};
+  if (!start) return {lost(path.name(), 0), {}, joints};
   Joints before = *start;
   for (const Path::Stretch& stretch : path.stretches()) {
     const double share = stretch.end - stretch.begin;
@@ -89,7 +90,7 @@ PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path&
       const double way = stretch.begin + share * step / steps;
       const Eigen::Isometry3d flange = path.at(way);
       const auto next = step_to(robot, flange, before);
-      if (!next) return {lost(path.name(), way), check.strain};
+      if (!next) return {lost(path.name(), way), check.strain, before};
       auto& found = check.hindrance;
       found = outside_workspace(flange.translation(), limits, kRounding, way);
       if (!found) found = outside_range(*next, limits, path.name(), way);
@@ -99,6 +100,7 @@ PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path&
       before = *next;
     }
   }
+  check.joints = before;
   return check;
 }
 
@@ -110,7 +112,7 @@ std::optional<Hindrance> outside_workspace(const Eigen::Vector3d& place, const R
     return Hindrance{
         fmt::format("way of the flange, {}", "xyz"[i]),
         fmt::format("{:g} m at {}", place[i], at(way)),
-        fmt::format("the workspace is {}: go by points between", range(lower, upper, " m"))};
+        fmt::format("the workspace is {}: go by points between", range(lower, upper, " m")), way};
   }
   return std::nullopt;
 }

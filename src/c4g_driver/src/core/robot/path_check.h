@@ -16,6 +16,7 @@ struct Hindrance {
   std::string thing;
   std::string value;
   std::string cure;
+  double way = 0;  // of the motion
 };
 
 /// The most that a motion asks of a joint's speed.
@@ -29,6 +30,7 @@ struct Strain {
 struct PathCheck {
   std::optional<Hindrance> hindrance;  // the first one
   Strain strain;                       // up to there
+  Joints joints = Joints::Zero();      // [rad] at the end, where nothing hinders
 };
 
 /// Follows the path in small steps with the posture that the robot is in: ranges of the joints,
