@@ -194,6 +194,14 @@ class LaunchFiles(unittest.TestCase):
             displays = yaml.safe_load(file)['Visualization Manager']['Displays']
         self.assertIn('/calibrated_frames/light_sheets', [display.get('Marker Topic') for display in displays])
 
+    def test_draws_the_bracket_that_is_asked_for_and_refuses_another_by_name(self):
+        plain = load(self.cell, sim='true').params['/robot_description'].value
+        self.assertIn('xyz="-0.250 0 0.097" rpy="0 0.4735 0"', plain)
+        set_up = load(self.cell, sim='true', bracket='laser_0_tilt=0.3 camera_body=bluecougar')
+        self.assertIn('xyz="-0.25 0 0.097" rpy="0 0.3 0"', set_up.params['/robot_description'].value)
+        with self.assertRaises(Exception):
+            load(self.cell, sim='true', bracket='laser_0_tlit=0.3')
+
     def test_calibrates_without_a_scanner_model(self):
         path = os.path.join(FOLDER, 'calibration.launch')
         params = load(path, sim='true', videe='true').params
