@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/pose/timed_pose.h"
@@ -54,25 +55,28 @@ struct CameraSettings {
   std::optional<double> gain;            //!< [dB], or the camera's own unit
   std::optional<double> rate;            //!< [Hz] of free run
   std::string trigger_source = "Line0";  //!< GenICam TriggerSource of the external trigger
-  std::string strobe_line;  //!< GenICam LineSelector of the output to drive; empty: leave all alone
-  std::string strobe_source = "ExposureActive";  //!< GenICam LineSource of that output
+  /// GenICam LineSelector of the outputs to drive, separated by commas; empty: leave all alone
+  std::string strobe_line;
+  std::string strobe_source = "ExposureActive";  //!< GenICam LineSource of these outputs
   std::string pixel_format = "Mono8";  //!< GenICam PixelFormat; one of pixel_format_names()
 };
 
 /// A camera as it describes itself.
 struct CameraDescription {
-  std::string id;          //!< to open it again
-  std::string vendor;      //!< as the camera reports it
-  std::string model;       //!< as the camera reports it
-  std::string serial;      //!< as the camera reports it
-  std::string transport;   //!< GigE Vision, USB3 Vision ...
-  int sensor_columns = 0;  //!< [px]
-  int sensor_rows = 0;     //!< [px]
-  Region region;           //!< as read back, never 0
-  int grey_bits = 8;       //!< of a grey value
-  double exposure = 0;     //!< [s] 0: the camera does not report it
-  int packet_size = 0;     //!< [bytes] of the stream; 0: no packets
-  CounterRule counter{};   //!< of its frame counter
+  std::string id;                            //!< to open it again
+  std::string vendor;                        //!< as the camera reports it
+  std::string model;                         //!< as the camera reports it
+  std::string serial;                        //!< as the camera reports it
+  std::string transport;                     //!< GigE Vision, USB3 Vision ...
+  int sensor_columns = 0;                    //!< [px]
+  int sensor_rows = 0;                       //!< [px]
+  Region region;                             //!< as read back, never 0
+  int grey_bits = 8;                         //!< of a grey value
+  double exposure = 0;                       //!< [s] 0: the camera does not report it
+  int packet_size = 0;                       //!< [bytes] of the stream; 0: no packets
+  CounterRule counter{};                     //!< of its frame counter
+  std::vector<std::string> lines;            //!< GenICam LineSelector: its inputs and outputs
+  std::vector<std::string> trigger_sources;  //!< GenICam TriggerSource: what can trigger it
 };
 
 /// Counts since the last start.

@@ -33,10 +33,11 @@ void describe_camera(ParameterTable& table, CameraSettings& camera) {
                     "of free run; 0: as the camera is set");
   table.add("trigger_source", camera.trigger_source,
             "GenICam TriggerSource of the external trigger (`Software` on Aravis' fake camera)");
-  table.add("strobe_line", camera.strobe_line,
-            "GenICam LineSelector of the output to drive while the camera runs; none: no line is "
-            "touched");
-  table.add("strobe_source", camera.strobe_source, "GenICam LineSource of that output");
+  table.add(
+      "strobe_line", camera.strobe_line,
+      "GenICam LineSelector of the outputs to drive while the camera runs, such as `Line1` or "
+      "`Line1, Line2`; none: no line is touched");
+  table.add("strobe_source", camera.strobe_source, "GenICam LineSource of these outputs");
   table.choice("pixel_format", camera.pixel_format, pixel_format_names(),
                "GenICam PixelFormat; packed ones are unpacked on the host");
 }

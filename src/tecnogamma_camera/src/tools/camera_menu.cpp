@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
@@ -24,13 +26,26 @@ constexpr const char* kMenu = R"(
 6. Exit
 > )";
 
+/// The camera's inputs and outputs; empty: it is left as it is set.
+struct Wiring {
+  std::string input;    //!< that triggers its frames; empty: it runs free
+  std::string outputs;  //!< driven while it grabs, as CameraSettings::strobe_line
+  std::string source = tecnogamma_camera::CameraSettings().strobe_source;  //!< of these outputs
+};
+
+std::string listed(const std::vector<std::string>& words) {
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
+}
+
 /// The test menu of the acquisition module (thesis, section 3.5).
 class Menu {
  public:
-  Menu(std::string camera, const std::string& detector, tecnogamma_camera::CameraOptions options)
+  Menu(std::string camera, const std::string& detector, tecnogamma_camera::CameraOptions options,
+       Wiring wiring)
       : name_(std::move(camera)),
         detector_(tecnogamma_camera::make_detector(detector, {})),
-        options_(std::move(options)) {}
+        options_(std::move(options)),
+        wiring_(std::move(wiring)) {}
 
   void run() {
     std::string choice;
@@ -64,8 +79,19 @@ class Menu {
 
   void connect() {
     camera_.reset();
-    camera_ = tecnogamma_camera::open_camera(name_, options_);
+    auto camera = tecnogamma_camera::open_camera(name_, options_);
+    if (!wiring_.input.empty() || !wiring_.outputs.empty()) wire(*camera);
+    camera_ = std::move(camera);
     std::cout << "connected to " << camera_->describe().id << "\n";
+  }
+
+  void wire(Camera& camera) const {
+    tecnogamma_camera::CameraSettings settings;
+    settings.region = camera.describe().region;
+    if (!wiring_.input.empty()) settings.trigger_source = wiring_.input;
+    settings.strobe_line = wiring_.outputs;
+    settings.strobe_source = wiring_.source;
+    camera.configure(settings);
   }
 
   Camera& camera() {
@@ -80,7 +106,9 @@ class Menu {
               << ", " << description.transport << "\nsensor " << description.sensor_columns << " x "
               << description.sensor_rows << ", region " << region.width << " x " << region.height
               << " at " << region.x << ", " << region.y << "\nexposure " << description.exposure
-              << " s, packets of " << description.packet_size << " bytes\n";
+              << " s, packets of " << description.packet_size << " bytes\nlines "
+              << listed(description.lines) << "; triggered by "
+              << listed(description.trigger_sources) << "\n";
   }
 
   struct StopAtEnd {
@@ -88,10 +116,11 @@ class Menu {
     ~StopAtEnd() { camera.stop(); }
   };
 
-  /// Grabs one whole frame in free run and hands it to `use`.
+  /// Grabs one whole frame and hands it to `use`.
   template <class Use>
   void grab(const Use& use) {
-    camera().start(tecnogamma_camera::Trigger::kFreeRun);
+    camera().start(wiring_.input.empty() ? tecnogamma_camera::Trigger::kFreeRun
+                                         : tecnogamma_camera::Trigger::kExternal);
     const StopAtEnd stop{camera()};
     constexpr int kTries = 5;  // of a second each; chosen
     for (int i = 0; i < kTries; ++i) {
@@ -102,8 +131,10 @@ class Menu {
       }
       return use(*frame);
     }
-    throw scan_cell_common::ConnectionError("camera", "no complete frame in five seconds",
-                                            "check its rate and the network");
+    throw scan_cell_common::ConnectionError(
+        "camera", "no complete frame in five seconds",
+        wiring_.input.empty() ? "check its rate and the network"
+                              : "pulse " + wiring_.input + ", and check its wire");
   }
 
   void grab_image() {
@@ -149,6 +180,7 @@ class Menu {
   std::string name_;
   std::unique_ptr<tecnogamma_camera::PeakDetector> detector_;
   tecnogamma_camera::CameraOptions options_;
+  Wiring wiring_;
   std::unique_ptr<Camera> camera_;
 };
 
@@ -159,14 +191,19 @@ int main(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
   std::string camera, detector = "fir_derivative";
   tecnogamma_camera::CameraOptions options;
+  Wiring wiring;
   options.playback.speed = 0;
   app.add_option("--camera", camera,
                  "id, serial number, address or folder:PATH; without: the only one");
   app.add_option("--payload", options.payload.format,
                  "image, tecnogamma_relief or photonfocus_3d03");
   app.add_option("--detector", detector, "threshold, center_of_gravity or fir_derivative");
+  app.add_option("--trigger-source", wiring.input, "input that triggers each frame; without: none");
+  app.add_option("--strobe-line", wiring.outputs,
+                 "outputs to drive while it grabs, such as Line1,Line2; without: none");
+  app.add_option("--strobe-source", wiring.source, "GenICam LineSource of these outputs");
   return scan_cell_common::tool_main("camera_menu", app, argc, argv, [&] {
-    Menu(camera, detector, options).run();
+    Menu(camera, detector, options, wiring).run();
     return 0;
   });
 }

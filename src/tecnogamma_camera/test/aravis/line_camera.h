@@ -60,21 +60,32 @@ class LineCamera {
       return add_register(name);
     }
     Features& words(const std::string& name, const std::vector<std::string>& values) {
+      add_words(name, values);
+      return add_register(name);
+    }
+    /// As words(), with a value of its own for each word of `selector`.
+    Features& words_of_each(const std::string& selector, const std::string& name,
+                            const std::vector<std::string>& values, unsigned count) {
+      add_words(name, values);
+      add_register(name, "<pIndex Offset=\"4\">" + selector + "</pIndex>");
+      count_ += count - 1;
+      return *this;
+    }
+    void save(const std::string& path) const { save_genicam("", "", path, nodes_); }
+
+   private:
+    void add_words(const std::string& name, const std::vector<std::string>& values) {
       nodes_ += "<Enumeration Name=\"" + name + "\">";
       for (std::size_t i = 0; i < values.size(); ++i) {
         nodes_ += "<EnumEntry Name=\"" + values[i] + "\"><Value>" + std::to_string(i) +
                   "</Value></EnumEntry>";
       }
       nodes_ += "<pValue>" + name + "Register</pValue></Enumeration>";
-      return add_register(name);
     }
-    void save(const std::string& path) const { save_genicam("", "", path, nodes_); }
-
-   private:
-    Features& add_register(const std::string& name) {
+    Features& add_register(const std::string& name, const std::string& index = "") {
       nodes_ += "<IntReg Name=\"" + name + "Register\"><Address>" +
-                std::to_string(kFirst + 4 * count_++) +
-                "</Address><Length>4</Length><AccessMode>RW</AccessMode><pPort>Device</pPort>"
+                std::to_string(kFirst + 4 * count_++) + "</Address>" + index +
+                "<Length>4</Length><AccessMode>RW</AccessMode><pPort>Device</pPort>"
                 "<Sign>Unsigned</Sign><Endianess>BigEndian</Endianess></IntReg>";
       return *this;
     }

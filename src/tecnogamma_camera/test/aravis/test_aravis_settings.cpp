@@ -150,6 +150,41 @@ TEST(AravisCamera, DrivesTheStrobeWhileItRunsAndSetsTheLineBack) {
   std::filesystem::remove(file);
 }
 
+TEST(AravisCamera, DrivesFourStrobesAtOnceAndIsTriggeredByAnyOfFourInputs) {
+  const std::string file = genicam_file();
+  constexpr unsigned kLines = 8, kMode = 1, kSource = kMode + kLines;  // registers
+  const std::vector<std::string> lines = {"In0",  "In1",  "In2",  "In3",
+                                          "Out0", "Out1", "Out2", "Out3"};
+  LineCamera::Features()
+      .words("LineSelector", lines)
+      .words_of_each("LineSelector", "LineMode", {"Input", "Output"}, kLines)
+      .words_of_each("LineSelector", "LineSource", {"Off", "ExposureActive"}, kLines)
+      .save(file);
+  LineCamera line(file);
+  line.write_feature(0, 2);  // In2 is selected
+  const auto camera = open();
+  EXPECT_EQ(camera->describe().lines, lines);
+  CameraSettings settings = small_region(50);
+  settings.strobe_line = "Out0, Out1,Out2, Out3";
+  camera->configure(settings);
+  camera->start(Trigger::kExternal);
+  for (unsigned i = 0; i < kLines; ++i) {
+    EXPECT_EQ(line.read_feature(kMode + i), i < 4 ? 0U : 1U) << lines[i];
+    EXPECT_EQ(line.read_feature(kSource + i), i < 4 ? 0U : 1U) << lines[i];
+  }
+  camera->stop();
+  for (unsigned i = 0; i < kLines; ++i) {
+    EXPECT_EQ(line.read_feature(kMode + i), 0U) << lines[i] << " as it was before";
+    EXPECT_EQ(line.read_feature(kSource + i), 0U) << lines[i] << " as it was before";
+  }
+  EXPECT_EQ(line.read_feature(0), 2U) << "the selector, too";
+  settings.strobe_line = "Out0, Out7";
+  camera->configure(settings);
+  EXPECT_THROW(camera->start(Trigger::kFreeRun), scan_cell_common::Error);
+  EXPECT_EQ(line.read_feature(kMode + 4), 0U) << "none is driven where one is not there";
+  std::filesystem::remove(file);
+}
+
 TEST(AravisCamera, NeedsLinesOnlyWhereAStrobeIsAskedFor) {
   const Program program;
   const auto camera = open();

@@ -20,6 +20,78 @@ using fake_cameras::open;
 using fake_cameras::Program;
 using tecnogamma_camera::Trigger;
 
+namespace {
+
+/// What the menu prints for the keys that are typed, one a line, in a folder of its own.
+class TypedMenu {
+ public:
+  TypedMenu() { std::filesystem::create_directories(folder_); }
+  ~TypedMenu() { std::filesystem::remove_all(folder_); }
+  TypedMenu(const TypedMenu&) = delete;
+  TypedMenu& operator=(const TypedMenu&) = delete;
+
+  std::string type(const std::string& keys, const std::string& options = "") const {
+    std::ofstream(folder_ / "keys") << keys;
+    const std::string command = "cd " + folder_.string() + " && timeout 120 " + CAMERA_MENU +
+                                " --camera " + kAddress + " " + options + " < keys > log 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    std::ifstream file(folder_ / "log");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+
+ private:
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("typed_" + std::to_string(getpid()));
+};
+
+}  // namespace
+
+TEST(CameraMenu, DoesEachOfItsSixItems) {
+  LineCamera line;
+  open();
+  const TypedMenu menu;
+  const std::string log = menu.type("1\n3\n2\n3\n4\n5\n7\n6\n1\n");
+  const auto has = [&](const std::string& text) { return log.find(text) != std::string::npos; };
+  EXPECT_TRUE(has("1 camera\n")) << log;                                // 1
+  EXPECT_TRUE(has("serial LINE, ")) << log;                             // 1
+  EXPECT_TRUE(has("camera: not connected; connect (2) first")) << log;  // 3 before 2
+  EXPECT_TRUE(has("connected to ")) << log;                             // 2
+  EXPECT_TRUE(has("sensor 2048 x 2048, region ")) << log;               // 3
+  EXPECT_TRUE(has("; triggered by ")) << log;                           // 3
+  EXPECT_TRUE(has(" pixels in image.png")) << log;                      // 4
+  EXPECT_TRUE(exists(menu.file("image.png")));
+  EXPECT_TRUE(has(" peaks in ")) << log;  // 5
+  std::ifstream peaks(menu.file("peaks.csv"));
+  std::string head, first;
+  ASSERT_TRUE(std::getline(peaks, head) && std::getline(peaks, first));
+  EXPECT_EQ(head, "row,position,width,intensity");
+  EXPECT_NEAR(std::stod(first.substr(first.find(',') + 1)), LineCamera::line(std::stoi(first)),
+              0.02);
+  EXPECT_TRUE(has("give a number from 1 to 6")) << log;  // 7
+  EXPECT_EQ(log.find("1 camera\n"), log.rfind("1 camera\n")) << "6 ends it";
+}
+
+TEST(CameraMenu, SaysWhichInputItWaitedForAndDrivesTheOutputsThatAreNamed) {
+  const std::string file = fake_cameras::genicam_file();
+  LineCamera::Features()
+      .words("LineSelector", {"Line0", "Line1"})
+      .words("LineMode", {"Input", "Output"})
+      .words("LineSource", {"Off", "ExposureActive"})
+      .save(file);
+  LineCamera line(file);
+  open();
+  const TypedMenu menu;
+  const std::string log =
+      menu.type("2\n3\n4\n6\n", "--trigger-source Software --strobe-line Line1");
+  EXPECT_NE(log.find("lines Line0, Line1; triggered by "), std::string::npos) << log;
+  EXPECT_NE(log.find("pulse Software, and check its wire"), std::string::npos) << log;
+  EXPECT_EQ(line.read_feature(1), 0U) << "the line was set back";
+  const std::string unknown = menu.type("2\n4\n6\n", "--strobe-line Line7");
+  EXPECT_NE(unknown.find("Line7"), std::string::npos) << unknown;
+  std::filesystem::remove(file);
+}
+
 TEST(CameraMenu, StopsTheCameraWhereAFrameCannotBeSaved) {
   const Program program;
   open();

@@ -67,7 +67,7 @@ class AravisCamera : public Camera {
   std::vector<std::uint16_t> unpacked_;  // pixels of the last frame, where they came packed
   Region region_;
   CameraSettings settings_;
-  std::unique_ptr<StrobeOutput> strobe_;
+  std::unique_ptr<StrobeOutputs> strobes_;
   std::uint64_t missing_packets_ = 0;
   StreamStatistics last_statistics_;
   gulong control_lost_handler_ = 0;
@@ -155,6 +155,8 @@ CameraDescription AravisCamera::describe() {
         aravis("packet size", [&](GError** e) { return arv_camera_gv_get_packet_size(arv, e); }));
   }
   result.counter = counter_rule();
+  result.lines = words_of(arv, "LineSelector");
+  result.trigger_sources = words_of(arv, "TriggerSource");
   return result;
 }
 
@@ -212,8 +214,8 @@ void AravisCamera::start(Trigger trigger) {
   refuse_while_running("camera start");
   try {
     if (!settings_.strobe_line.empty()) {
-      strobe_ = std::make_unique<StrobeOutput>(camera_.get(), settings_.strobe_line,
-                                               settings_.strobe_source);
+      strobes_ = std::make_unique<StrobeOutputs>(camera_.get(), settings_.strobe_line,
+                                                 settings_.strobe_source);
     }
     write_trigger(camera_.get(), trigger, settings_.trigger_source);
     // An external trigger switched the rate off.
@@ -223,7 +225,7 @@ void AravisCamera::start(Trigger trigger) {
     aravis("AcquisitionStart", [&](GError** e) { arv_camera_start_acquisition(camera_.get(), e); });
   } catch (...) {
     stream_.reset();
-    strobe_.reset();
+    strobes_.reset();
     throw;
   }
   missing_packets_ = 0;
@@ -236,8 +238,8 @@ void AravisCamera::stop() {
   if (!lost_) arv_camera_stop_acquisition(camera_.get(), nullptr);
   last_statistics_ = statistics();
   stream_.reset();
-  if (lost_ && strobe_) strobe_->forget();
-  strobe_.reset();
+  if (lost_ && strobes_) strobes_->forget();
+  strobes_.reset();
 }
 
 void AravisCamera::release_frame() {

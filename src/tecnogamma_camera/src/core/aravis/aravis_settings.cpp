@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "aravis/aravis_support.h"
 
@@ -157,21 +158,35 @@ void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source) {
          [&](GError** e) { arv_camera_set_trigger(arv, source.c_str(), e); });
 }
 
-StrobeOutput::StrobeOutput(ArvCamera* arv, const std::string& line, const std::string& source)
+std::vector<std::string> words_of(ArvCamera* arv, const char* feature) {
+  if (!has_feature(arv, feature)) return {};
+  guint count = 0;
+  const char** const words = aravis(feature, [&](GError** e) {
+    return arv_camera_dup_available_enumerations_as_strings(arv, feature, &count, e);
+  });
+  std::vector<std::string> result(words, words + count);
+  g_free(words);  // the words are the camera's
+  return result;
+}
+
+StrobeOutputs::StrobeOutputs(ArvCamera* arv, const std::string& lines, const std::string& source)
     : arv_(arv) {
   for (const char* feature : {"LineSelector", "LineMode", "LineSource"})
     require_feature(arv, feature);
   try {
-    change("LineSelector", line);
-    change("LineMode", "Output");
-    change("LineSource", source);
+    std::istringstream names(lines);
+    for (std::string line; std::getline(names >> std::ws, line, ',');) {
+      change("LineSelector", line);
+      change("LineMode", "Output");
+      change("LineSource", source);
+    }
   } catch (...) {
     restore();
     throw;
   }
 }
 
-void StrobeOutput::change(const char* feature, const std::string& value) {
+void StrobeOutputs::change(const char* feature, const std::string& value) {
   const std::string before =
       to_text(aravis(feature, [&](GError** e) { return arv_camera_get_string(arv_, feature, e); }));
   aravis(feature + (" " + value),
@@ -179,7 +194,7 @@ void StrobeOutput::change(const char* feature, const std::string& value) {
   changed_.push_back({feature, before});
 }
 
-void StrobeOutput::restore() {
+void StrobeOutputs::restore() {
   // A setting that cannot be restored must not keep the others from it.
   for (auto change = changed_.rbegin(); change != changed_.rend(); ++change)
     arv_camera_set_string(arv_, change->feature, change->before.c_str(), nullptr);

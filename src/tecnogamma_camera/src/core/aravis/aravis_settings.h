@@ -34,16 +34,20 @@ void write_gain(ArvCamera* arv, double gain);
 void write_rate(ArvCamera* arv, double rate);
 void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source);
 
-/// Drives an output of the camera during its lifetime: reads the line's settings, makes it an
-/// output of `source`, and restores everything at the end, including the selector. Other lines are
-/// not changed.
-class StrobeOutput {
+/// The words that an enumeration of the camera offers; none where it does not have it.
+std::vector<std::string> words_of(ArvCamera* arv, const char* feature);
+
+/// Drives outputs of the camera during its lifetime: reads each line's settings, makes it an output
+/// of `source`, and restores everything at the end, including the selector. Other lines are not
+/// changed.
+class StrobeOutputs {
  public:
-  /// @throw MissingFeature if the camera has no lines to set; InvalidParameter if not this one
-  StrobeOutput(ArvCamera* arv, const std::string& line, const std::string& source);
-  ~StrobeOutput() { restore(); }
-  StrobeOutput(const StrobeOutput&) = delete;
-  StrobeOutput& operator=(const StrobeOutput&) = delete;
+  /// @param lines their names, separated by commas
+  /// @throw MissingFeature if the camera has no lines to set; InvalidParameter if not one of these
+  StrobeOutputs(ArvCamera* arv, const std::string& lines, const std::string& source);
+  ~StrobeOutputs() { restore(); }
+  StrobeOutputs(const StrobeOutputs&) = delete;
+  StrobeOutputs& operator=(const StrobeOutputs&) = delete;
 
   /// Restores nothing: the camera is lost.
   void forget() { changed_.clear(); }
