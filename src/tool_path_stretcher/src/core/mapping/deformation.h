@@ -78,7 +78,8 @@ struct Mapping {
 Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                         const ScalePrior& scale, int finest_level);
 
-/// The same, but fitted to that one half of the scan only: less work, to compare poses by.
+/// The same with a coarser and softer graph, fitted to that one half of the scan only: less work,
+/// to compare poses by.
 Mapping sketch_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                            const ScalePrior& scale, int finest_level);
 

@@ -1,29 +1,35 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <utility>
+#include <cstdio>
+#include <cstdlib>
 
 #include "geometry/kd_tree.h"
 #include "geometry/nearest_cache.h"
 #include "geometry/points.h"
 #include "geometry/robust.h"
 #include "mapping/graph_equations.h"
-#include "mapping/residuals.h"
+#include "mapping/trial.h"
 
 namespace tool_path_stretcher {
 namespace {
 
 using Constraints = std::vector<GraphConstraint>;
 
-/// The scanned points that a graph is fitted to.
-struct Target {
-  Points points;
-  Points normals;
-  std::shared_ptr<const KdTree> tree;
+/// How fine and how stiff a graph is.
+struct GraphKind {
+  double spacing;  //!< of graph_spacing()
+  double along;    //!< strain of a link, one standard deviation: stretched
+  double across;   //!< the same: bent and sheared
 };
+
+/// Of what bends far more easily than it stretches, as most parts; chosen. On a straight moulding
+/// nothing but that holds the material between two corners: the normals all lie in one plane, and
+/// the noise that tilts them out of it would let the material slide along.
+constexpr GraphKind kBending = {0.7, 0.002, 0.02};
+/// Of what swells, too; chosen.
+constexpr GraphKind kSwelling = {1, 0.02, 0.02};
 
 Target target_of(const Surface& object) {
   return {object.points, object.normals, object.tree};
@@ -118,9 +124,8 @@ void grow(Similarity& similarity, const Eigen::Vector3d& centre, double growth) 
 
 /// Fits the graph of a mapping, from where it is.
 Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior& scale,
-            Density density, Mapping mapping) {
+            Density density, const GraphKind& kind, Mapping mapping) {
   constexpr int kIterations = 15;        // at most; chosen
-  constexpr double kStrain = 0.02;       // of a link's length, one standard deviation; chosen
   constexpr double kConverged = 3e-5;    // of the reference's size; chosen
   constexpr double kExact = 1e-7;        // of the reference's size: a deviation above 0; chosen
   constexpr double kWidest = 0.02;       // of the reference's size; chosen
@@ -138,7 +143,7 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
     GraphEquations equations(mapping.graph, centre);
     equations.add(normals, std::max(deviation, widest));
     equations.add(rims, std::max({deviation_of(rims), kRimDeviation * reference.spacing, widest}));
-    equations.add_rigidity(kStrain, kStrain);
+    equations.add_rigidity(kind.along, kind.across);
     equations.add_prior(scale, mapping.similarity.scale);
     const GraphEquations::Step step = equations.solve();
     grow(mapping.similarity, centre, 1 + step.growth);
@@ -181,141 +186,6 @@ Mapping refined(const Surface& reference, const Mapping& coarse, double spacing)
   return fine;
 }
 
-using Cell = std::array<long, 3>;
-
-Cell cell_of(const Eigen::Vector3d& point, double edge) {
-  const Eigen::Vector3d cell = (point / edge).array().floor();
-  return {std::lround(cell.x()), std::lround(cell.y()), std::lround(cell.z())};
-}
-
-/// The object in two halves: every other block of a chequerboard in space. Neighbours share their
-/// errors, so that single points held out would not tell noise from shape.
-struct Halves {
-  Target training;
-  Points held_out;
-  std::vector<std::size_t> block;  // of each point held out
-  std::size_t blocks = 0;
-};
-
-Halves split_in_blocks(const Surface& object, double edge) {
-  const auto trains = [edge](const Eigen::Vector3d& point) {
-    const Cell cell = cell_of(point, edge);
-    return (cell[0] + cell[1] + cell[2]) % 2 != 0;
-  };
-  Halves halves;
-  for (std::size_t i = 0; i < object.points.size(); ++i) {
-    if (!trains(object.points[i])) continue;
-    halves.training.points.push_back(object.points[i]);
-    halves.training.normals.push_back(object.normals[i]);
-  }
-  std::map<Cell, std::size_t> numbers;
-  for (const std::size_t i : object.samples.many) {
-    if (trains(object.points[i])) continue;
-    const Cell cell = cell_of(object.points[i], edge);
-    halves.block.push_back(numbers.emplace(cell, numbers.size()).first->second);
-    halves.held_out.push_back(object.points[i]);
-  }
-  halves.blocks = numbers.size();
-  if (!halves.training.points.empty()) {
-    halves.training.tree = std::make_shared<const KdTree>(halves.training.points);
-  }
-  return halves;
-}
-
-/// Whether a scanned point lies beside the reference's surface by little.
-bool lies_on_reference(const Residual& residual, const Surface& reference) {
-  constexpr double kReach = 2;  // spacings; chosen
-  return residual.beside < kReach * reference.spacing;
-}
-
-/// Square residuals of the points held out that lie on the reference, each up to the square of
-/// `cut`, summed by block.
-std::vector<double> held_out_squares(const Surface& reference,
-                                     const std::vector<Residual>& residuals, const Halves& halves,
-                                     double cut) {
-  std::vector<double> sums(halves.blocks, 0);
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    if (!lies_on_reference(residuals[i], reference)) continue;
-    sums[halves.block[i]] +=
-        std::min(residuals[i].along_normal * residuals[i].along_normal, cut * cut);
-  }
-  return sums;
-}
-
-/// Whether the residuals fall by more than a little, and over the whole of the part rather than in
-/// one block of it.
-bool explains_better(const std::vector<double>& before, const std::vector<double>& after) {
-  constexpr double kMinGain = 0.05;      // of the sum of squares; chosen
-  constexpr double kSignificance = 1.5;  // standard deviations of the sum over blocks; chosen
-  double sum = 0;
-  double gain = 0;
-  double squares = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    sum += before[i];
-    gain += before[i] - after[i];
-    squares += std::pow(before[i] - after[i], 2);
-  }
-  const double mean = gain / static_cast<double>(before.size());
-  const double deviation = std::sqrt(squares - mean * gain);
-  return gain > kMinGain * sum && gain > kSignificance * deviation;
-}
-
-/// Sums over the points of one patch: a cell, and the axis that its normals are nearest to.
-struct Patch {
-  double count = 0;
-  double sum = 0;      // [m]
-  double squares = 0;  // [m^2]
-};
-
-/// Share of the square residuals that neighbours on the surface have in common, about 0 where they
-/// are noise: a smooth deformation can explain no more than that. One-way analysis of variance over
-/// patches, each residual counted up to a cut, so that few loose points do not decide.
-double common_share(const Surface& reference, const std::vector<Residual>& residuals) {
-  constexpr double kCell = 0.12;  // of the reference's size; chosen
-  constexpr double kCut = 5;      // robust deviations; chosen
-  std::vector<double> along;
-  for (const Residual& residual : residuals)
-    along.push_back(residual.along_normal);
-  const double cut = kCut * robust_deviation(std::move(along));
-  std::map<std::pair<Cell, Eigen::Index>, Patch> patches;
-  for (const Residual& residual : residuals) {
-    if (!lies_on_reference(residual, reference)) continue;
-    const Eigen::Vector3d& normal = reference.normals[residual.reference];
-    Eigen::Index axis = 0;
-    normal.cwiseAbs().maxCoeff(&axis);
-    Patch& patch = patches[{cell_of(residual.pulled_back, kCell * reference.size), axis}];
-    const double error = std::copysign(1.0, normal[axis]) *  // the sign of a cloud's normal is free
-                         std::clamp(residual.along_normal, -cut, cut);
-    patch.count += 1;
-    patch.sum += error;
-    patch.squares += error * error;
-  }
-  double common = 0;
-  double total = 0;
-  for (const auto& [at, patch] : patches) {
-    total += patch.squares;
-    if (patch.count < 2) continue;
-    const double of_mean = patch.sum * patch.sum / patch.count;
-    common += of_mean - (patch.squares - of_mean) / (patch.count - 1);
-  }
-  return total > 0 ? common / total : 0;
-}
-
-/// Whether so few residuals are more than sampling and grid make of a surface that there is nothing
-/// for a graph to explain: those share their errors, too.
-bool is_resolved(const Surface& reference, const std::vector<Residual>& residuals,
-                 double resolution) {
-  constexpr double kDeviations = 3;  // standard: 0.3 % of normal noise
-  constexpr double kBlurs = 2;       // the object's, too
-  constexpr double kShare = 0.01;    // of the residuals; chosen
-  const auto off = std::count_if(residuals.begin(), residuals.end(), [&](const Residual& each) {
-    return lies_on_reference(each, reference) &&
-           std::abs(each.along_normal) >
-               std::max(kDeviations * resolution, kBlurs * reference.blur[each.reference]);
-  });
-  return static_cast<double>(off) < kShare * static_cast<double>(residuals.size());
-}
-
 constexpr double kSpacings[] = {0.9, 0.55, 0.33};  // of the reference's size, by level; chosen
 
 }  // namespace
@@ -340,51 +210,73 @@ GraphObservations observe(const SurfacePair& surfaces, const Mapping& mapping) {
 
 namespace {
 
-/// The finest graph that explains the half held out better, fitted to the other half.
-Mapping justified_deformation(const SurfacePair& surfaces, const Similarity& similarity,
-                              const ScalePrior& scale, int finest_level) {
-  constexpr double kBlock = 0.25;     // of the object's size; chosen
-  constexpr double kMinCommon = 0.1;  // below, there is nothing for a graph to explain; chosen
-  constexpr double kCut = 0.02;       // of the reference's size; chosen
-  const auto& [reference, object] = surfaces;
-  const Halves halves = split_in_blocks(object, kBlock * object.size);
-  const Mapping rigid{similarity, {}};
-  if (halves.training.points.empty() || halves.held_out.empty()) return rigid;
-  const double cut = kCut * reference.size;
-  const std::vector<Residual> at_first = residuals_of(reference, rigid, halves.held_out);
-  const double unresolved =
-      resolution(surfaces, similarity.scale) / similarity.scale;  // [m, reference]
-  if (is_resolved(reference, at_first, unresolved)) return rigid;
-  if (common_share(reference, at_first) < kMinCommon) return rigid;
-  std::vector<double> best = held_out_squares(reference, at_first, halves, cut);
-  Mapping trained = rigid;
-  Mapping justified = rigid;
+/// [m^2] mean square of what the rims of both surfaces lie apart
+double rim_square(const SurfacePair& surfaces, const Mapping& mapping) {
+  const Constraints rims =
+      along_rims(rim_anchors(surfaces.reference, mapping.graph), surfaces.object, mapping);
+  double sum = 0;
+  for (const GraphConstraint& each : rims)
+    sum += each.error * each.error;
+  return rims.empty() ? 0 : sum / static_cast<double>(rims.size());
+}
+
+/// A mapping, and what it leaves of the squares of a trial.
+struct Justified {
+  Mapping mapping;
+  std::vector<double> squares;
+};
+
+/// The finest graph of a kind that explains the half held out better, fitted to the other half.
+Justified justified_deformation(const SurfacePair& surfaces, const Similarity& similarity,
+                                const ScalePrior& scale, int finest_level, const GraphKind& kind,
+                                const Trial& trial) {
+  const Surface& reference = surfaces.reference;
+  Mapping trained{similarity, {}};
+  Justified justified{trained, trial.squares};
+  if (trial.squares.empty()) return justified;
   for (int level = 1; level <= finest_level; ++level) {
-    trained = fit(surfaces, halves.training, scale, Density::kSome,
-                  refined(reference, trained, graph_spacing(reference, level)));
-    const std::vector<double> squares =
-        held_out_squares(reference, residuals_of(reference, trained, halves.held_out), halves, cut);
-    if (!explains_better(best, squares)) continue;
-    best = squares;
-    justified = trained;
+    const double spacing = kind.spacing * graph_spacing(reference, level);
+    trained = fit(surfaces, trial.halves.training, scale, Density::kSome, kind,
+                  refined(reference, trained, spacing));
+    const std::vector<double> squares = held_out_squares(reference, trained, trial);
+    if (explains_better(justified.squares, squares)) justified = {trained, squares};
   }
   return justified;
+}
+
+/// Whether a part swelled rather than bent alone: the half held out shows it, or the rims, where
+/// the surface may slide along itself.
+bool swelled(const SurfacePair& surfaces, const Justified& bent, const Justified& swollen) {
+  constexpr double kMinGain = 0.3;  // of the mean square at the rims; chosen
+  if (swollen.mapping.graph.empty()) return false;
+  return bent.mapping.graph.empty() || explains_better(bent.squares, swollen.squares) ||
+         rim_square(surfaces, swollen.mapping) <
+             (1 - kMinGain) * rim_square(surfaces, bent.mapping);
 }
 
 }  // namespace
 
 Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                         const ScalePrior& scale, int finest_level) {
-  const Mapping justified = justified_deformation(surfaces, similarity, scale, finest_level);
-  if (justified.graph.empty()) return justified;
-  return rebased(surfaces.reference,
-                 fit(surfaces, target_of(surfaces.object), scale, Density::kMany, justified));
+  const Trial trial = trial_of(surfaces, similarity);
+  const auto justified = [&](const GraphKind& kind) {
+    return justified_deformation(surfaces, similarity, scale, finest_level, kind, trial);
+  };
+  const Justified bent = justified(kBending);
+  const Justified swollen = justified(kSwelling);
+  const bool has_swelled = swelled(surfaces, bent, swollen);
+  const Mapping& best = has_swelled ? swollen.mapping : bent.mapping;
+  if (best.graph.empty()) return best;
+  return rebased(surfaces.reference, fit(surfaces, target_of(surfaces.object), scale,
+                                         Density::kMany, has_swelled ? kSwelling : kBending, best));
 }
 
 Mapping sketch_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                            const ScalePrior& scale, int finest_level) {
-  const Mapping justified = justified_deformation(surfaces, similarity, scale, finest_level);
-  return justified.graph.empty() ? justified : rebased(surfaces.reference, justified);
+  const Mapping mapping = justified_deformation(surfaces, similarity, scale, finest_level,
+                                                kSwelling, trial_of(surfaces, similarity))
+                              .mapping;
+  return mapping.graph.empty() ? mapping : rebased(surfaces.reference, mapping);
 }
 
 }  // namespace tool_path_stretcher
