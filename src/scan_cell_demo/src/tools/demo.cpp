@@ -1,5 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <ros/package.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/LoadWorld.h>
@@ -39,10 +40,11 @@ struct Options {
   std::string output = "out";
   std::string reference = ros::package::getPath("scan_cell_sim") + "/config/reference_frame.yaml";
   std::string object = ros::package::getPath("scan_cell_sim") + "/config/object_frame.yaml";
-  std::string program = ros::package::getPath("scan_cell") + "/config/scan_line.yaml";
+  std::string program = ros::package::getPath("scan_cell") + "/config/both_lasers.yaml";
   std::string part = "frame";
   std::string simulator = "/scan_cell_sim";
-  double timeout = 60;  // [s] for the cell to start
+  double timeout = 60;          // [s] for the cell to start
+  scan_cell_demo::Goals goals;  // [m]
 };
 
 /// Result of one scan.
@@ -129,7 +131,9 @@ class Demo {
     json["scale_true"] =
         scan_cell_demo::true_scale(options_.reference, options_.object, options_.part);
     figures.cloud_rms = add_cloud_errors(json, reference, object);
-    figures.path_rms = add_path_errors(json, path, stretched);
+    const scan_cell_demo::PathError error = add_path_errors(json, path, stretched);
+    figures.path_rms = error.rms;
+    figures.path_max = error.max;
     for (const Scanned* scanned : {&reference, &object}) {
       figures.pulses += scanned->result.audit.triggers;
       figures.frames_bound += scanned->result.audit.frames_bound;
@@ -139,7 +143,8 @@ class Demo {
     json["scan_s"] = reference.result.seconds + object.result.seconds;
     json["stretch_s"] = stretched.seconds;
     const std::vector<std::string> missed =
-        is_accepted(stretched) ? scan_cell_demo::missed_goals(figures) : std::vector<std::string>();
+        is_accepted(stretched) ? scan_cell_demo::missed_goals(figures, options_.goals)
+                               : std::vector<std::string>();
     if (is_accepted(stretched)) json["goals_missed"] = missed;
     scan_cell_common::save_text(out("report.json"), json.dump(2) + "\n");
     std::printf("%s\n", json.dump(2).c_str());
@@ -167,9 +172,10 @@ class Demo {
     return std::max(of_reference, of_object);
   }
 
-  /// @return RMS [m]; NaN, and null in the report, if there is no path
-  double add_path_errors(nlohmann::ordered_json& json, const ToolPath& path,
-                         const scan_cell_msgs::StretchToolPathResult& stretched) const {
+  /// @return NaN, and null in the report, if there is no path
+  scan_cell_demo::PathError add_path_errors(
+      nlohmann::ordered_json& json, const ToolPath& path,
+      const scan_cell_msgs::StretchToolPathResult& stretched) const {
     scan_cell_demo::PathError error;
     error.rms = error.max = error.orientation_rms = std::numeric_limits<double>::quiet_NaN();
     if (is_accepted(stretched)) {
@@ -183,7 +189,7 @@ class Demo {
     json["path_rms_mm"] = error.rms * kMillimetres;  // NaN is written as null
     json["path_max_mm"] = error.max * kMillimetres;
     json["path_orientation_rms_deg"] = error.orientation_rms * 180 / M_PI;
-    return error.rms;
+    return error;
   }
 
   static bool is_accepted(const scan_cell_msgs::StretchToolPathResult& stretched) {
@@ -194,6 +200,14 @@ class Demo {
   scan_cell::ScanProgram program_;
   scan_cell::CellClient client_{ros::NodeHandle(), {}};
 };
+
+/// In millimetres on the command line.
+void add_goal(CLI::App& app, const std::string& name, double& goal, const std::string& meaning) {
+  app.add_option_function<double>(
+         name, [&goal](double millimetres) { goal = millimetres / kMillimetres; },
+         fmt::format("goal [mm]: at most, {}", meaning))
+      ->default_str(fmt::format("{:g}", goal * kMillimetres));
+}
 
 }  // namespace
 
@@ -211,6 +225,10 @@ int main(int argc, char** argv) {
   app.add_option("--object", options.object, "world file of the changed part");
   app.add_option("--program", options.program, "scan program");
   app.add_option("--part", options.part, "name of the part in both worlds");
+  add_goal(app, "--max-cloud-rms", options.goals.cloud_rms,
+           "of a cloud from the true surfaces, RMS");
+  add_goal(app, "--max-path-rms", options.goals.path_rms, "of the path from the true one, RMS");
+  add_goal(app, "--max-path-error", options.goals.path_max, "of the path's farthest waypoint");
   app.add_option("--simulator", options.simulator, "node of the simulator");
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
   return scan_cell_common::ros_tool_main(

@@ -14,8 +14,8 @@ import rostest
 from readme_user import SIMULATOR, User, readme_command
 
 OBJECT_WORLD = os.path.join(SIMULATOR, 'object_frame.yaml')
-MAX_CLOUD_RMS = 0.3  # [mm]
-MAX_PATH_RMS = 1.0  # [mm]
+MAX_CLOUD_RMS = 0.1  # [mm]
+MAX_PATH_RMS = 0.2  # [mm]
 
 
 def positions(path):
