@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include "part/moulding.h"
 #include "scan_cell_common/errors/errors.h"
@@ -85,6 +86,31 @@ TEST(CrestPath, RunsAroundTheReferenceFramesCrest) {
     length += step.norm();
   }
   EXPECT_NEAR(length, 4 * (x + y), 1e-9);
+}
+
+TEST(TaughtPath, LiesOnTheSurfaceOfEachKindOfPart) {
+  const std::string config = CONFIG_FOLDER;
+  for (const auto& [file, part, length] :
+       {std::tuple("/frame_with_sheet.yaml", "frame", 5 * 0.124 + 0.074),
+        std::tuple("/boxes_moved.yaml", "large_box", 2 * (0.08 + 0.05)),
+        std::tuple("/pipe_elbow.yaml", "elbow", 2 * 0.07 + 0.1 * M_PI / 2)}) {
+    World world = load_world(config + file);
+    world.floor.reset();
+    const Scene scene(world);
+    const ToolPath path = taught_path(world.part(part), 0.002);
+    double way = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      EXPECT_NEAR(scene.distance_to_surface(path[i].translation()), 0, 5e-6) << file << ' ' << i;
+      EXPECT_TRUE(path[i].linear().col(2).isApprox(-Vector3d::UnitZ(), 1e-9)) << file << ' ' << i;
+      if (i > 0) way += (path[i].translation() - path[i - 1].translation()).norm();
+    }
+    EXPECT_NEAR(way, length, 1e-4) << file;
+  }
+}
+
+TEST(TaughtPath, IsNotOnASheetThatBulgesOfItself) {
+  const World world = load_world(std::string(CONFIG_FOLDER) + "/frame_and_box.yaml");
+  EXPECT_THROW(taught_path(world.part("frame"), 0.002), UnusableInput);
 }
 
 TEST(CrestPath, OfABentFrameIsTheImageOfTheReferences) {

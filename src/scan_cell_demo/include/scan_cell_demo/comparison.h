@@ -27,7 +27,7 @@ tool_path_stretcher::ToolPath true_path(const tool_path_stretcher::ToolPath& pat
                                         const std::string& reference, const std::string& object,
                                         const std::string& part);
 
-/// A path that is right on the part of that world: along the crest of the frame's moulding.
+/// A path that is right on the part of that world: scan_cell_sim::taught_path().
 tool_path_stretcher::ToolPath proven_path(const std::string& world, const std::string& part);
 
 /// Root mean square distance [m] of a cloud in `world` from the true surfaces.

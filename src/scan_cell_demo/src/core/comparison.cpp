@@ -70,10 +70,10 @@ ToolPath proven_path(const std::string& world, const std::string& part) {
   constexpr double kSpacing = 2e-3;  // [m]
   const scan_cell_sim::World cell = scan_cell_sim::load_world(world);
   ToolPath path;
-  path.name = "crest of " + part;
+  path.name = "path on " + part;
   path.has_orientation = true;
-  path.segments.push_back({"crest", {}});
-  for (const Eigen::Isometry3d& pose : scan_cell_sim::crest_path(cell.part(part), kSpacing)) {
+  path.segments.push_back({"path", {}});
+  for (const Eigen::Isometry3d& pose : scan_cell_sim::taught_path(cell.part(part), kSpacing)) {
     path.segments.front().waypoints.push_back({pose, {}});
   }
   return path;

@@ -21,6 +21,14 @@ using ToolPath = std::vector<Eigen::Isometry3d>;
 /// @throw scan_cell_common::InvalidParameter if the spacing is too small or NaN
 ToolPath crest_path(const Part& frame, double spacing);
 
+/// A tool path as it would be taught on a part: around the crest of a frame, to and fro over its
+/// sheet where it has one, around the top of a box and back, or along the top of an elbow; x of
+/// each pose points along the path.
+/// @param spacing [m] as of crest_path()
+/// @throw scan_cell_common::UnusableInput if a sheet bulges, rather than by a deformation
+/// @throw scan_cell_common::InvalidParameter if the spacing is too small or NaN
+ToolPath taught_path(const Part& part, double spacing);
+
 /// true_image() of each pose.
 /// @throw as true_image()
 ToolPath true_image(const Part& reference, const Part& object, const ToolPath& path);

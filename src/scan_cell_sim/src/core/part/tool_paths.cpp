@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -54,6 +55,13 @@ Isometry3d parse(const std::string& file, std::size_t number, const std::string&
   return pose;
 }
 
+void check_spacing(double spacing) {
+  constexpr double kLeast = 1e-4;  // [m] chosen
+  if (spacing >= kLeast) return;
+  throw scan_cell_common::InvalidParameter("spacing", fmt::format("{:g} m", spacing),
+                                           "give at least 0.0001 m");
+}
+
 }  // namespace
 
 ToolPath crest_path(const Part& frame, double spacing) {
@@ -61,11 +69,7 @@ ToolPath crest_path(const Part& frame, double spacing) {
   if (shape == nullptr) {
     throw UnusableInput("part " + frame.name, "not a frame", "give a part of the shape frame");
   }
-  constexpr double kLeast = 1e-4;  // [m] chosen
-  if (!(spacing >= kLeast)) {
-    throw scan_cell_common::InvalidParameter("spacing", fmt::format("{:g} m", spacing),
-                                             "give at least 0.0001 m");
-  }
+  check_spacing(spacing);
   const Moulding moulding;
   const double x = shape->size.x() / 2 - moulding.crest().x();
   const double y = shape->size.y() / 2 - moulding.crest().x();
@@ -85,6 +89,97 @@ ToolPath crest_path(const Part& frame, double spacing) {
   }
   path.push_back(path.front());
   return true_image(reference, frame, path);
+}
+
+namespace {
+
+constexpr double kInset = 0.01;  // [m] of a path from the border of a face; chosen
+
+/// Appends poses on level ground from one point towards another, without the last one.
+void add_line(const Vector3d& from, const Vector3d& to, double spacing, ToolPath& path) {
+  const Vector3d way = to - from;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(way.norm() / spacing)));
+  for (int i = 0; i < pieces; ++i)
+    path.push_back(tool_pose(from + way * i / pieces, way.normalized()));
+}
+
+/// Through all corners; at the last one the tool points as on the way there.
+ToolPath through(const std::vector<Vector3d>& corners, double spacing) {
+  ToolPath path;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    add_line(corners[i], corners[i + 1], spacing, path);
+  path.push_back(path.back());
+  path.back().translation() = corners.back();
+  return path;
+}
+
+/// To and fro over the sheet.
+ToolPath over_sheet(const FrameShape& frame, double spacing) {
+  if (frame.sheet->bulge != 0) {
+    throw UnusableInput("sheet", fmt::format("bulge {:g} m", frame.sheet->bulge),
+                        "give a flat one to teach a path on; a deformation may bulge it");
+  }
+  constexpr int kLines = 5;  // chosen
+  const double margin = Moulding().width() + kInset;
+  const double x = frame.size.x() / 2 - margin;
+  const double y = frame.size.y() / 2 - margin;
+  std::vector<Vector3d> corners;
+  for (int line = 0; line < kLines; ++line) {
+    const double side = line % 2 == 0 ? -x : x;
+    const double at = y * (2.0 * line / (kLines - 1) - 1);
+    corners.emplace_back(side, at, frame.sheet->height);
+    corners.emplace_back(-side, at, frame.sheet->height);
+  }
+  return through(corners, spacing);
+}
+
+/// Around the top of a box, and back to the start.
+ToolPath around_top(const BoxShape& box, double spacing) {
+  const double x = box.size.x() / 2 - kInset;
+  const double y = box.size.y() / 2 - kInset;
+  const double z = box.size.z();
+  return through({{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}, {-x, -y, z}}, spacing);
+}
+
+/// Along the top of a pipe, from near one end to near the other.
+ToolPath along_top(const ElbowShape& elbow, double spacing) {
+  const double bend = elbow.bend_radius;
+  const double top = 2 * elbow.pipe_radius;
+  const double turn = bend * M_PI / 2;
+  const double length = 2 * (elbow.leg - kInset) + turn;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(length / spacing)));
+  ToolPath path;
+  for (int i = 0; i <= pieces; ++i) {
+    const double way = length * i / pieces - (elbow.leg - kInset);  // from the bend's begin
+    const double angle = std::clamp(way / bend, 0.0, M_PI / 2);
+    const Vector3d along(std::cos(angle), std::sin(angle), 0);
+    const Vector3d on_bend(bend * (std::sin(angle) - 1), bend * (1 - std::cos(angle)), top);
+    path.push_back(tool_pose(on_bend + (way - angle * bend) * along, along));
+  }
+  return path;
+}
+
+ToolPath on_shape(const BoxShape& box, double spacing) {
+  return around_top(box, spacing);
+}
+
+ToolPath on_shape(const ElbowShape& elbow, double spacing) {
+  return along_top(elbow, spacing);
+}
+
+ToolPath on_shape(const FrameShape& frame, double spacing) {
+  if (frame.sheet) return over_sheet(frame, spacing);
+  return crest_path({"frame", frame, {}, 1, Isometry3d::Identity(), 1}, spacing);
+}
+
+}  // namespace
+
+ToolPath taught_path(const Part& part, double spacing) {
+  check_spacing(spacing);
+  const Part reference{part.name, part.shape, {}, 1, Isometry3d::Identity(), 1};
+  return true_image(
+      reference, part,
+      std::visit([&](const auto& shape) { return on_shape(shape, spacing); }, part.shape));
 }
 
 ToolPath true_image(const Part& reference, const Part& object, const ToolPath& path) {
