@@ -4,22 +4,31 @@
 
 namespace tecnogamma_camera {
 
+/// A Gaussian stripe's light, and what the sensor adds to it.
+struct StripeLight {
+  double height = 0;      //!< [grey value] above the background
+  double background = 0;  //!< [grey value]
+  double noise = 0;       //!< [grey value] standard deviation of a pixel without light
+  double shot = 0;        //!< standard deviation of a pixel's light over the root of its grey value
+};
+
 /// Least standard deviation [px] that any unbiased estimate of a Gaussian stripe's position can
 /// have (Cramer-Rao bound), with height, sigma and background known.
 ///
 /// A pixel i collects I_i(p) = height * integral over [i - 1/2, i + 1/2] of exp(-(x - p)^2 / (2
-/// sigma^2)). With white noise of variance v in each pixel, the Fisher information of p is sum_i
-/// (dI_i/dp)^2 / v (Kay, "Fundamentals of Statistical Signal Processing: Estimation Theory",
-/// section 3.5), and dI_i/dp is the difference of the integrand at the pixel's two edges. v is
-/// noise^2 + 1/12, rounding to whole grey values being taken as white noise of its variance. For a
-/// wide stripe the bound is noise / height * sqrt(2 sigma / sqrt(pi)). Not knowing height, sigma
-/// and background makes no difference to it as long as the pixels lie symmetrically about p, since
-/// their derivatives are even there and that of p is odd.
-/// @param noise standard deviation of a pixel [grey value]
-double cramer_rao_bound(double position, double sigma, double height, double noise);
+/// sigma^2)). With normal noise of variance v_i, the Fisher information of p is sum_i (dI_i/dp)^2 /
+/// v_i (Kay, "Fundamentals of Statistical Signal Processing: Estimation Theory", section 3.5, with
+/// what little the change of v_i says about p left out), and dI_i/dp is the difference of the
+/// integrand at the pixel's two edges. v_i is noise^2 + shot^2 I_i + 1/12, rounding to whole grey
+/// values being taken as white noise of its variance. A pixel that is saturated in 8 bits says
+/// nothing. For a wide stripe in white noise the bound is noise / height * sqrt(2 sigma /
+/// sqrt(pi)). Not knowing height, sigma and background makes no difference to it as long as the
+/// pixels lie symmetrically about p, since their derivatives are even there and that of p is odd.
+double cramer_rao_bound(double position, double sigma, const StripeLight& light);
 
 /// Prints the root mean square error of each detector beside the bound, and its bias over the
-/// sub-pixel phase, for stripes of several widths and signal-to-noise ratios.
+/// sub-pixel phase, for stripes of several widths and signal-to-noise ratios in white noise, and of
+/// several heights, to saturation, in the noise of the simulated camera.
 void print_peak_accuracy();
 
 }  // namespace tecnogamma_camera
