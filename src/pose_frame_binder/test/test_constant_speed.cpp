@@ -12,6 +12,7 @@
 
 using namespace pose_frame_binder;  // NOLINT
 using scan_cell_common::InvalidParameter;
+using scan_cell_common::Refused;
 
 namespace {
 
@@ -25,6 +26,26 @@ Settings motion() {
   line.speed = 0.1;
   line.frame_rate = 100;
   return settings;
+}
+
+/// The motion is told of each arming.
+Settings told() {
+  Settings settings = motion();
+  settings.constant_speed = {};
+  return settings;
+}
+
+constexpr double kLate = 0.003;  // [m] from the start to the first pulse
+
+/// 50 pulses along that motion; the robot goes at this share of the speed.
+SyntheticScan told_and_measured(double share) {
+  SyntheticScan scan = steady_scan(50);
+  scan.runs = {{0, motion().constant_speed}};
+  for (TimedPose& pose : scan.poses) {
+    const double way = kLate + share * 0.1 * scan_cell_common::to_seconds(pose.time - kStart);
+    pose.pose.translation() = Eigen::Vector3d(1 + 0.6 * way, 2 + 0.8 * way, 3);
+  }
+  return scan;
 }
 
 Outcome bind(SyntheticScan scan, const Settings& settings) {
@@ -132,8 +153,8 @@ TEST(ConstantSpeed, SaysNothingOfASecondArming) {
 }
 
 TEST(ConstantSpeed, FollowsTheMotionThatItIsToldOfEachArming) {
-  Settings settings = motion();
-  const ConstantSpeed there = std::exchange(settings.constant_speed, {});
+  const Settings settings = told();
+  const ConstantSpeed there = motion().constant_speed;
   ConstantSpeed back = there;
   std::swap(back.start, back.end);
   SyntheticScan scan = armed_twice();
@@ -151,21 +172,66 @@ TEST(ConstantSpeed, FollowsTheMotionThatItIsToldOfEachArming) {
   EXPECT_EQ(bound, 60U);
 }
 
-TEST(ConstantSpeed, DropsTheFramesOfAnArmingWhoseMotionIsNoLine) {
-  Settings settings = motion();
-  settings.constant_speed = {};
-  SyntheticScan scan = steady_scan(20);
-  scan.runs = {{0, std::nullopt}};
-  const Outcome outcome = bind(scan, settings);
-  EXPECT_EQ(outcome.audit.frames_bound, 0U);
-  EXPECT_EQ(outcome.audit.frames_dropped, 20U);
+TEST(ConstantSpeed, PutsTheFirstPulseOfAnArmingWhereTheRobotWasMeasured) {
+  SyntheticScan scan = told_and_measured(1);
+  const Outcome outcome = run(scan, told());
+  ASSERT_EQ(outcome.audit.frames_bound, 50U);
+  for (std::size_t i : {0U, 1U, 49U}) {
+    const Match match = outcome.match(i).value();
+    const double way = kLate + 0.001 * static_cast<double>(i);
+    EXPECT_NEAR(match.pose.translation().x(), 1 + 0.6 * way, 1e-9);
+    EXPECT_NEAR(match.pose.translation().y(), 2 + 0.8 * way, 1e-9);
+    EXPECT_LT(match.position_error_bound, 1e-9);
+  }
+}
+
+TEST(ConstantSpeed, KnowsWhereTheRobotIsWhereATriggerLeavesPulsesOut) {
+  SyntheticScan scan = alternating_scan(30);
+  scan.poses.clear();
+  scan.runs = {{0, motion().constant_speed}};
+  const Outcome outcome = run(scan, told());
+  ASSERT_EQ(outcome.audit.frames_bound, 30U);
+  // Its first four intervals are of two periods.
+  EXPECT_NEAR(outcome.match(1)->pose.translation().x(), 1 + 0.6 * 0.002, 1e-9);
+  EXPECT_NEAR(outcome.match(29)->pose.translation().x(), 1 + 0.6 * 0.033, 1e-9);
+}
+
+TEST(ConstantSpeed, SaysHowFarTheRobotWasFromWhereItIsPut) {
+  const Outcome outcome = run(told_and_measured(0.96), told());
+  ASSERT_EQ(outcome.audit.frames_bound, 50U);
+  EXPECT_NEAR(outcome.match(10)->position_error_bound, 0.04 * 0.010, 1e-9);
+  EXPECT_NEAR(outcome.audit.worst_position_error, 0.04 * 0.049, 1e-9);
+}
+
+TEST(ConstantSpeed, DropsFramesWhereTheRobotDidNotMoveAsFastAsItWasTold) {
+  // It falls back by 0.52 mm a pulse, and 5 mm are what takes max_pose_gap.
+  const Outcome outcome = run(told_and_measured(0.48), told());
+  EXPECT_EQ(outcome.audit.frames_bound, 10U);
+  EXPECT_EQ(outcome.dropped(DropReason::kPoseGap), 40U);
+}
+
+TEST(ConstantSpeed, RefusesAnArmingThatIsNoLine) {
+  Binder binder(told());
+  try {
+    binder.start_run({3, std::nullopt});
+    ADD_FAILURE() << "taken";
+  } catch (const Refused& refusal) {
+    EXPECT_EQ(std::string(refusal.what()).find("pass 4: an arc or a poly-line"), 0U);
+  }
+  EXPECT_NO_THROW(check(pose_frame_binder::Run{3, std::nullopt}, motion()))
+      << "the settings give the motion";
+  EXPECT_NO_THROW(check(pose_frame_binder::Run{3, std::nullopt}, {})) << "another method";
+}
+
+TEST(ConstantSpeed, RefusesPulsesWhoseMotionNobodyTold) {
+  Binder binder(told());
+  EXPECT_THROW(binder.add_pulse({kStart, 1, 1, 1}), Refused);
 }
 
 TEST(ConstantSpeed, RefusesAnArmingWhoseMotionIsNotDetermined) {
-  Settings settings = motion();
-  ConstantSpeed nowhere = std::exchange(settings.constant_speed, {});
+  ConstantSpeed nowhere = motion().constant_speed;
   nowhere.end = nowhere.start;
-  EXPECT_THROW(Binder(settings).start_run({0, nowhere}), InvalidParameter);
+  EXPECT_THROW(Binder(told()).start_run({0, nowhere}), InvalidParameter);
 }
 
 TEST(ConstantSpeed, RefusesAMotionThatIsNotDetermined) {

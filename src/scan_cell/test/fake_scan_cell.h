@@ -26,6 +26,7 @@ struct FakeCell {
   std::string trouble_of;  // device that gets into trouble half way through the scan
   std::string throws_at;   // call that finds its device gone
   std::string refused_at;  // call that the device refuses
+  std::optional<std::size_t> unbound_pass;  // that the stages refuse
 
   void note(const std::string& call) {
     log.push_back(call);
@@ -117,6 +118,10 @@ struct FakeStages : scan_cell::Stages {
   explicit FakeStages(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return cell.trouble("stages"); }
   void start(const std::string&) override { cell.note("start stages"); }
+  void check_run(const scan_cell::ScanRun& run) override {
+    if (run.pass == cell.unbound_pass)
+      throw scan_cell_common::Refused("pass", "cannot be bound", "use another method");
+  }
   void start_run(const scan_cell::ScanRun& run) override {
     passes.push_back(run.pass);
     cell.note("start run");

@@ -55,6 +55,14 @@ TEST_F(ScanInPasses, GoesAlongEachPassInItsOrder) {
   EXPECT_EQ(std::count(cell_.log.begin(), cell_.log.end(), "triangulate"), 1) << "one cloud";
 }
 
+TEST_F(ScanInPasses, RefusesAPassThatCannotBeBoundBeforeAnythingMoves) {
+  cell_.unbound_pass = 1;
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::kRefused);
+  EXPECT_EQ(end.message, "pass: cannot be bound; use another method");
+  EXPECT_TRUE(cell_.log.empty());
+}
+
 TEST_F(ScanInPasses, LightsEachPassAsItAsksAndTellsWhichItIs) {
   run();
   ASSERT_EQ(trigger_.armings.size(), 4U);

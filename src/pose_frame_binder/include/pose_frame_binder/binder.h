@@ -31,12 +31,14 @@ class Binder {
 
   /// Tells of the next arming of the trigger. Call it before each, or never: then each arming is a
   /// pass.
-  /// @throw scan_cell_common::InvalidParameter if the motion is not determined
+  /// @throw as check(run, settings)
   void start_run(const Run& run);
 
   /// @throw scan_cell_common::Refused if the pose log is full
   void add_pose(const TimedPose& pose);
   /// A repeated pulse, or one out of order, is dropped and counted.
+  /// @throw scan_cell_common::Refused, as the calls beside it, where the method needs a motion that
+  /// nobody told
   void add_pulse(const Pulse& pulse);
 
   /// @return its number: 0, 1, ... in the order of arrival

@@ -93,7 +93,7 @@ struct ConstantSpeed {
 struct Run {
   std::uint32_t pass = 0;  //!< of the scan, from 0
   /// For the method of that name where the settings do not give one. None: no line at a constant
-  /// speed; the frames are dropped then.
+  /// speed.
   std::optional<ConstantSpeed> motion;
 };
 
@@ -124,6 +124,9 @@ void check(const Settings& settings);
 
 /// @throw scan_cell_common::InvalidParameter if the motion is not determined
 void check(const ConstantSpeed& motion);
+
+/// @throw scan_cell_common::Refused, InvalidParameter if the settings' method cannot bind the run
+void check(const Run& run, const Settings& settings);
 
 /// Whether anything of it was given.
 bool is_given(const ConstantSpeed& motion);

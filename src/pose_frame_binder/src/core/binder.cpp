@@ -95,6 +95,7 @@ std::uint64_t Binder::progress() const {
 }
 
 void Binder::start_run(const Run& run) {
+  check(run, settings_);
   rule_->start_run(run.motion);
   passes_.push_back(run.pass);
 }
@@ -115,6 +116,7 @@ void Binder::add_pulse(const Pulse& pulse) {
   pulses_->add(pulse);
   fates_.resize(pulses_->size(), Fate::kUnknown);
   advance();
+  if (pulses_->size() > 0) rule_->check_told(pulses_->run(pulses_->size() - 1));
 }
 
 std::size_t Binder::add_frame(const Frame& frame) {

@@ -44,6 +44,7 @@ BinderServices::BinderServices(ros::NodeHandle node, ros::NodeHandle private_nod
   poses_ = data.subscribe<tf2_msgs::TFMessage>("/tf", kUnbounded, on_poses, ros::VoidConstPtr(),
                                                no_delay);
   start_ = private_node.advertiseService("start", &BinderServices::start, this);
+  check_run_ = private_node.advertiseService("check_run", &BinderServices::check_run, this);
   start_run_ = private_node.advertiseService("start_run", &BinderServices::start_run, this);
   finish_ = private_node.advertiseService("finish", &BinderServices::finish, this);
   diagnostics_.setHardwareID("none");
@@ -89,6 +90,13 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
     lookup_.start();
     failure_.clear();
     profiles_ignored_ = 0;
+  });
+}
+
+bool BinderServices::check_run(StartRun::Request& request, StartRun::Response& response) {
+  return scan_cell_common::answer(response, [&] {
+    const auto anywhere = Eigen::Isometry3d::Identity();  // the same is good wherever the base is
+    check(run_from(request, parameters_.frames, anywhere), parameters_.settings);
   });
 }
 

@@ -32,6 +32,8 @@ class BinderServices {
  private:
   bool start(scan_cell_msgs::StartScan::Request& request,
              scan_cell_msgs::StartScan::Response& response);
+  bool check_run(scan_cell_msgs::StartRun::Request& request,
+                 scan_cell_msgs::StartRun::Response& response);
   bool start_run(scan_cell_msgs::StartRun::Request& request,
                  scan_cell_msgs::StartRun::Response& response);
   bool finish(scan_cell_msgs::FinishBinding::Request& request,
@@ -63,6 +65,7 @@ class BinderServices {
   ros::Subscriber events_;
   ros::Subscriber poses_;
   ros::ServiceServer start_;
+  ros::ServiceServer check_run_;
   ros::ServiceServer start_run_;
   ros::ServiceServer finish_;
   diagnostic_updater::Updater diagnostics_;

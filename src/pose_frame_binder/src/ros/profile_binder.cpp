@@ -52,6 +52,16 @@ Eigen::Isometry3d pose_of(const geometry_msgs::Transform& transform) {
   return none;
 }
 
+Eigen::Isometry3d in_fixed_frame(const geometry_msgs::PoseStamped& pose, const std::string& name,
+                                 const Frames& frames, const Eigen::Isometry3d& fixed_to_base) {
+  const auto flange = scan_cell_common::checked_from_ros<scan_cell_common::Refused>(
+      pose.pose, "orientation of the " + name);
+  if (pose.header.frame_id == frames.fixed) return flange;
+  if (pose.header.frame_id == frames.base) return fixed_to_base * flange;
+  throw scan_cell_common::Refused(name, "in frame '" + pose.header.frame_id + "'",
+                                  "give it in " + frames.fixed + " or " + frames.base);
+}
+
 }  // namespace
 
 void describe(scan_cell_common::ParameterTable& table, Frames& frames) {
@@ -116,24 +126,19 @@ Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& 
   return pose;
 }
 
-void ProfileBinder::start_run(const scan_cell_msgs::StartRun::Request& run) {
-  if (!run.straight) return binder_.start_run({run.pass_index, std::nullopt});
+Run run_from(const scan_cell_msgs::StartRun::Request& run, const Frames& frames,
+             const Eigen::Isometry3d& fixed_to_base) {
+  if (!run.straight) return {run.pass_index, std::nullopt};
   ConstantSpeed motion;
-  motion.start = in_fixed_frame(run.start, "start");
-  motion.end = in_fixed_frame(run.end, "end");
+  motion.start = in_fixed_frame(run.start, "start", frames, fixed_to_base);
+  motion.end = in_fixed_frame(run.end, "end", frames, fixed_to_base);
   motion.speed = run.speed;
   motion.frame_rate = run.rate;
-  binder_.start_run({run.pass_index, motion});
+  return {run.pass_index, motion};
 }
 
-Eigen::Isometry3d ProfileBinder::in_fixed_frame(const geometry_msgs::PoseStamped& pose,
-                                                const std::string& name) const {
-  const auto flange = scan_cell_common::checked_from_ros<scan_cell_common::Refused>(
-      pose.pose, "orientation of the " + name);
-  if (pose.header.frame_id == frames_.fixed) return flange;
-  if (pose.header.frame_id == frames_.base) return fixed_to_base_ * flange;
-  throw scan_cell_common::Refused(name, "in frame '" + pose.header.frame_id + "'",
-                                  "give it in " + frames_.fixed + " or " + frames_.base);
+void ProfileBinder::start_run(const scan_cell_msgs::StartRun::Request& run) {
+  binder_.start_run(run_from(run, frames_, fixed_to_base_));
 }
 
 void ProfileBinder::add(const tf2_msgs::TFMessage& transforms) {
@@ -205,7 +210,12 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
 
 std::string summary(const Audit& audit) {
   std::ostringstream text;
-  if (audit.method == Method::kConstantSpeed) text << "poses calculated, not measured: ";
+  constexpr double kMilliseconds = 1e3;
+  constexpr double kMillimetres = 1e3;
+  if (audit.method == Method::kConstantSpeed) {
+    text << "poses calculated, not measured (error bound "
+         << audit.worst_position_error * kMillimetres << " mm): ";
+  }
   text << audit.frames_bound << " of " << audit.frames << " frames bound to "
        << audit.triggers - audit.triggers_missing << " pulses and " << audit.poses << " poses";
   std::map<DropReason, std::uint64_t> reasons;
@@ -221,7 +231,6 @@ std::string summary(const Audit& audit) {
     text << "; " << audit.triggers_refused << " trigger events came twice or out of order";
   if (audit.slips > 0) text << "; the counter slipped " << audit.slips << " times";
   if (std::isfinite(audit.latency)) {
-    constexpr double kMilliseconds = 1e3;
     text << "; frames are stamped " << audit.latency * kMilliseconds << " ms after their pulse";
   }
   if (audit.latency_doubtful) {

@@ -36,7 +36,7 @@ class ProfileBinder {
                 const Eigen::Isometry3d& fixed_to_base);
 
   /// Tells of the next arming, as Binder::start_run().
-  /// @throw scan_cell_common::Refused if its poses are in another frame, or are none
+  /// @throw as run_from() and Binder::start_run()
   void start_run(const scan_cell_msgs::StartRun::Request& run);
 
   /// Takes the transforms from base to flange among these.
@@ -53,14 +53,17 @@ class ProfileBinder {
   std::vector<scan_cell_msgs::BoundProfileConstPtr> take();
 
  private:
-  Eigen::Isometry3d in_fixed_frame(const geometry_msgs::PoseStamped& pose,
-                                   const std::string& name) const;
-
   const Frames frames_;
   const Eigen::Isometry3d fixed_to_base_;
   Binder binder_;
   std::map<std::size_t, scan_cell_msgs::PeakProfileConstPtr> waiting_;
 };
+
+/// What is told of the next arming.
+/// @param fixed_to_base pose of the base in the fixed frame
+/// @throw scan_cell_common::Refused if its poses are in another frame, or are none
+Run run_from(const scan_cell_msgs::StartRun::Request& run, const Frames& frames,
+             const Eigen::Isometry3d& fixed_to_base);
 
 /// With range, unit and meaning of each. Poses are taken as pose_from() takes them.
 void describe(scan_cell_common::ParameterTable& table, ConstantSpeed& motion);

@@ -68,7 +68,8 @@ class FakeCell:
     def serve_stages(self):
         for node in ('pose_frame_binder', 'laser_triangulation'):
             rospy.Service('/%s/start' % node, srv.StartScan, lambda _: {'success': True})
-        rospy.Service('/pose_frame_binder/start_run', srv.StartRun, lambda _: {'success': True})
+        for name in ('check_run', 'start_run'):
+            rospy.Service('/pose_frame_binder/' + name, srv.StartRun, lambda _: {'success': True})
         rospy.Service('/pose_frame_binder/finish', srv.FinishBinding, self.on_finish_binding)
         rospy.Service('/laser_triangulation/finish', srv.FinishCloud, self.on_finish_cloud)
 

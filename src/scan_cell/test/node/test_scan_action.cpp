@@ -146,6 +146,8 @@ TEST_F(ScanClient, StopsWhereTheBinderDiesInMidScan) {
     return false;
   };
   ros::ServiceServer start_server = node_.advertiseService("/test_binder/start", start_binding);
+  const ros::ServiceServer check_server =
+      node_.advertiseService("/test_binder/check_run", start_run);
   const ros::ServiceServer run_server = node_.advertiseService("/test_binder/start_run", start_run);
   ros::ServiceServer finish_server = node_.advertiseService("/test_binder/finish", finish_binding);
   node_.setParam("/fake/move_time", 8.0);
@@ -304,9 +306,12 @@ TEST_F(ScanClient, IsReachedByViDeE) {
   EXPECT_EQ(ask("INIT_CYCLE"), "OK");
   EXPECT_EQ(ask("START_SCAN").substr(0, 5), "ERROR");
   EXPECT_EQ(ask("SET_POSITION 0,0,600,180,0,0 100,0,600,180,0,0"), "OK");
+  EXPECT_EQ(ask("WAIT_SCAN").substr(0, 5), "ERROR");
   EXPECT_EQ(ask("START_SCAN"), "OK");
+  EXPECT_EQ(ask("WAIT_SCAN"), "OK");
   const std::string result = ask("STOP_SCAN");
   EXPECT_EQ(result.substr(0, 8), "OK scan=") << result;
+  EXPECT_NE(result.find(" ended=whole "), std::string::npos) << result;
   EXPECT_EQ(ask("STOP_SCAN").substr(0, 5), "ERROR");
 }
 

@@ -6,8 +6,6 @@ import functools
 import glob
 import itertools
 import os
-import socket
-import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -16,7 +14,6 @@ import roslaunch.config
 import roslib.packages
 import rospkg
 import rostest
-import yaml
 
 FOLDER = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../../launch'))
 SIMULATOR = os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config')
@@ -35,12 +32,6 @@ GIVEN = {
     'output': '/tmp/out',
 }
 OWN_PORT = 0  # no master is asked
-
-
-def free_port():
-    with socket.socket() as any_port:
-        any_port.bind(('127.0.0.1', 0))
-        return any_port.getsockname()[1]
 
 
 def launch_files():
@@ -235,32 +226,10 @@ class LaunchFiles(unittest.TestCase):
         with self.assertRaises(Exception):
             load(self.cell, sim='true', settings='/no/such/settings.yaml')
 
-    def test_starts_nothing_where_the_motion_of_constant_speed_is_not_given_and_names_what_is_missing(self):
-        replay = {name: GIVEN[name] for name in ('bag', 'reference', 'path', 'output')}
-        for name, given in (('scan_cell.launch', {}), ('replay.launch', replay)):
-            words = ['%s:=%s' % pair for pair in dict(given, sim='true', binding='constant_speed').items()]
-            refused = subprocess.run(['roslaunch', '-p', str(free_port()), os.path.join(FOLDER, name)] + words,
-                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
-            said = refused.stdout.decode()
-            self.assertNotEqual(refused.returncode, 0, said)
-            self.assertNotIn('process[', said, 'nothing is started')
-            self.assertIn('no start, end, speed, frame_rate; give settings:=FILE', said)
-
-    def test_takes_constant_speed_with_its_motion_in_the_settings(self):
-        motion = {'start': [0, 0, 0, 0, 0, 0, 1], 'end': [1, 0, 0, 0, 0, 0, 1], 'speed': 0.06, 'frame_rate': 100}
-        for left_out in (None, 'end', 'frame_rate'):
-            part = {name: value for name, value in motion.items() if name != left_out}
-            with tempfile.NamedTemporaryFile('w', prefix='my settings', suffix='.yaml') as settings:
-                yaml.safe_dump({'pose_frame_binder': {'constant_speed': part}}, settings)
-                settings.flush()
-                given = dict(sim='true', binding='constant_speed', settings=settings.name)
-                if left_out:
-                    with self.assertRaises(Exception):
-                        load(self.cell, **given)
-                    continue
-                params = load(self.cell, **given).params
-            self.assertEqual(params['/pose_frame_binder/method'].value, 'constant_speed')
-            self.assertEqual(params['/pose_frame_binder/constant_speed/frame_rate'].value, 100)
+    def test_binds_as_it_is_told_without_more(self):
+        for binding in ('interpolate', 'first_pose', 'constant_speed'):
+            params = load(self.cell, sim='true', binding=binding).params
+            self.assertEqual(params['/pose_frame_binder/method'].value, binding)
 
     def test_starts_what_died_again_only_where_asked(self):
         names = ('c4g_driver', 'camera', 'laser_trigger', 'scan_cell', 'scan_cell_sim', 'videe')

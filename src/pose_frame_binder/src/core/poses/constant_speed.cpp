@@ -52,38 +52,53 @@ void check(const ConstantSpeed& motion) {
   }
 }
 
+void check(const Run& run, const Settings& settings) {
+  if (settings.method != Method::kConstantSpeed || is_given(settings.constant_speed)) return;
+  if (!run.motion) {
+    throw scan_cell_common::Refused(
+        fmt::format("pass {}", run.pass + 1),
+        "an arc or a poly-line, of which constant_speed knows no pose",
+        "scan it with binding:=interpolate, or as lines, each a pass of its own");
+  }
+  check(*run.motion);
+}
+
 bool is_given(const ConstantSpeed& motion) {
   return motion.start.matrix().allFinite() || motion.end.matrix().allFinite() ||
          motion.speed != 0 || motion.frame_rate != 0;  // NaN too
 }
 
-ConstantSpeedRule::ConstantSpeedRule(const Settings& settings) : settings_(settings) {}
-
-void ConstantSpeedRule::start_run(const std::optional<ConstantSpeed>& motion) {
-  if (motion) check(*motion);
-  runs_.push_back(motion);
+std::optional<Eigen::Isometry3d> pose_along(const ConstantSpeed& motion, double way) {
+  constexpr double kRounding = 1e-9;  // of the fraction, which is of order 1
+  const double fraction = way / length(motion);
+  if (fraction > 1 + kRounding) return std::nullopt;
+  return scan_cell_common::interpolate(motion.start, motion.end, std::min(fraction, 1.0));
 }
 
-std::optional<ConstantSpeed> ConstantSpeedRule::motion_of(std::uint32_t run) const {
-  if (!is_given(settings_.constant_speed)) {
-    return run < runs_.size() ? runs_[run] : std::nullopt;
-  }
-  if (run > 0) return std::nullopt;
-  return settings_.constant_speed;
+PoseAnswer calculated(const Eigen::Isometry3d& pose, const Pulse& pulse, double error_bound) {
+  PoseAnswer answer;
+  Match& match = answer.match.emplace();
+  match.rule = Rule::kConstantSpeed;
+  match.pulse = pulse;
+  match.pose = pose;
+  match.time_to_before = match.time_to_after = std::numeric_limits<double>::quiet_NaN();
+  match.position_error_bound = error_bound;
+  return answer;
+}
+
+PoseAnswer refuse_beyond_end() {
+  return refuse(DropReason::kNoPoseAfter, "the motion has ended before it");
 }
 
 std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const PulseLog& pulses,
                                                   const PoseLog&) const {
   const Pulse& pulse = pulses[index];
-  const std::uint32_t run = pulses.run(index) - pulses.run(0);
-  const std::optional<ConstantSpeed> motion = motion_of(run);
-  if (!motion) {
-    return refuse(DropReason::kNoPoseBefore,
-                  "the motion of this arming is not known to be a line at a constant speed");
-  }
-  const Pulse& first = pulses[pulses.first_of(pulses.run(index))];
-  const double since_start = static_cast<double>(pulse.count - 1) / motion->frame_rate;
-  const double since_first = static_cast<double>(pulse.count - first.count) / motion->frame_rate;
+  if (pulses.run(index) != pulses.run(0))
+    return refuse(DropReason::kNoPoseBefore, "the motion of a second arming is not known");
+  const ConstantSpeed& motion = settings_.constant_speed;
+  const Pulse& first = pulses[0];
+  const double since_start = static_cast<double>(pulse.count - 1) / motion.frame_rate;
+  const double since_first = static_cast<double>(pulse.count - first.count) / motion.frame_rate;
   const double off = to_seconds(pulse.time - first.time) - since_first;
   if (std::abs(off) > settings_.max_pose_gap) {
     return refuse(
@@ -91,22 +106,12 @@ std::optional<PoseAnswer> ConstantSpeedRule::find(std::size_t index, const Pulse
         fmt::format("its pulse came {:.6g} s off a constant frame rate, at most {} s allowed", off,
                     settings_.max_pose_gap));
   }
-  const double fraction = since_start * motion->speed / length(*motion);
-  constexpr double kRounding = 1e-9;  // of the fraction, which is of order 1
-  if (fraction > 1 + kRounding) {
-    return refuse(DropReason::kNoPoseAfter, "the motion has ended before it");
-  }
-  const Eigen::Isometry3d moved =
-      scan_cell_common::interpolate(motion->start, motion->end, std::min(fraction, 1.0));
-  PoseAnswer answer;
-  Match& match = answer.match.emplace();
-  match.rule = Rule::kConstantSpeed;
-  match.pulse = pulse;
+  const auto moved = pose_along(motion, since_start * motion.speed);
+  if (!moved) return refuse_beyond_end();
   // What moved an object from start to `moved` moves the scanner the other way, seen from it.
-  match.pose = motion->object_moves ? motion->start * moved.inverse() * motion->start : moved;
-  match.time_to_before = match.time_to_after = std::numeric_limits<double>::quiet_NaN();
-  match.position_error_bound = motion->speed * std::abs(off);
-  return answer;
+  const Eigen::Isometry3d pose =
+      motion.object_moves ? motion.start * moved->inverse() * motion.start : *moved;
+  return calculated(pose, pulse, motion.speed * std::abs(off));
 }
 
 }  // namespace pose_frame_binder

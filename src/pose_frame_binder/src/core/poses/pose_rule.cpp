@@ -15,7 +15,8 @@ std::unique_ptr<PoseRule> make_pose_rule(const Settings& settings) {
     case Method::kFirstPose:
       return std::make_unique<FirstPoseRule>(settings);
     case Method::kConstantSpeed:
-      return std::make_unique<ConstantSpeedRule>(settings);
+      if (is_given(settings.constant_speed)) return std::make_unique<ConstantSpeedRule>(settings);
+      return std::make_unique<ToldMotionRule>(settings);
     case Method::kInterpolate:
       break;
   }

@@ -26,8 +26,12 @@ class PoseRule {
  public:
   virtual ~PoseRule() = default;
 
-  /// The motion of the next run of pulses, for those who need to know.
+  /// The motion of the next run of pulses, for those who need to know; as check() took it.
   virtual void start_run(const std::optional<ConstantSpeed>&) {}
+
+  /// @param run that a pulse has come of
+  /// @throw scan_cell_common::Refused where it needs that run's motion, and nobody told it
+  virtual void check_told(std::uint32_t /*run*/) const {}
 
   /// @param pulse index in the log
   /// @return none while later poses or pulses could change the answer

@@ -36,20 +36,40 @@ class FirstPoseRule : public PoseRule {
   const Settings settings_;
 };
 
-/// Thesis, section 6.1: from start to end at a constant speed, the first pulse at the start.
+/// Thesis, section 6.1: from start to end at the settings' constant speed, the first pulse at the
+/// start.
 class ConstantSpeedRule : public PoseRule {
  public:
-  explicit ConstantSpeedRule(const Settings& settings);
-  void start_run(const std::optional<ConstantSpeed>& motion) override;
+  explicit ConstantSpeedRule(const Settings& settings) : settings_(settings) {}
   std::optional<PoseAnswer> find(std::size_t pulse, const PulseLog& pulses,
                                  const PoseLog& poses) const override;
 
  private:
-  std::optional<ConstantSpeed> motion_of(std::uint32_t run) const;
-
   const Settings settings_;
-  std::vector<std::optional<ConstantSpeed>> runs_;  // as they were told
 };
+
+/// The same along the line that was told of each run: the first pulse where the robot was measured
+/// then, or at the start where it was not.
+class ToldMotionRule : public PoseRule {
+ public:
+  explicit ToldMotionRule(const Settings& settings) : settings_(settings), measured_(settings) {}
+  void start_run(const std::optional<ConstantSpeed>& motion) override;
+  void check_told(std::uint32_t run) const override;
+  std::optional<PoseAnswer> find(std::size_t pulse, const PulseLog& pulses,
+                                 const PoseLog& poses) const override;
+
+ private:
+  const Settings settings_;
+  const InterpolationRule measured_;
+  std::vector<ConstantSpeed> runs_;
+};
+
+/// @return none where the way [m] from the start leads beyond the end
+std::optional<Eigen::Isometry3d> pose_along(const ConstantSpeed& motion, double way);
+
+/// A calculated pose.
+PoseAnswer calculated(const Eigen::Isometry3d& pose, const Pulse& pulse, double error_bound);
+PoseAnswer refuse_beyond_end();
 
 PoseAnswer refuse(DropReason reason, const std::string& detail);
 PoseAnswer refuse_gap(double gap, const Settings& settings);

@@ -150,6 +150,9 @@ class Stages : public Device {
  public:
   virtual void start(const std::string& scan_id) = 0;
 
+  /// Whether start_run() would take it; nothing is begun.
+  virtual void check_run(const ScanRun& run) = 0;
+
   /// What is pulsed from here on belongs to this run.
   virtual void start_run(const ScanRun& run) = 0;
 

@@ -30,6 +30,8 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
     step(1, "read the positions");
     on(Outcome::kRefused, [&] { check(request, limits_); });
     runs_ = runs_of(request.passes);
+    for (const ScanRun& run : runs_)
+      on_stages([&] { stages_.check_run(run); });
     supervisor_.wait_until_well();
     for (run_ = 0; run_ < runs_.size(); ++run_) {
       approach(runs_[run_]);

@@ -62,6 +62,19 @@ auto on_robot(const Call& call) {
   }
 }
 
+/// Carries out what the stages are asked for before anything moves: what they refuse is refused,
+/// and any other error fails them.
+template <class Call>
+auto on_stages(const Call& call) {
+  try {
+    return call();
+  } catch (const scan_cell_common::Refused& refusal) {
+    throw EndEarly{Outcome::kRefused, refusal.what()};
+  } catch (const scan_cell_common::Error& error) {
+    throw EndEarly{Outcome::kStageFailed, error.what()};
+  }
+}
+
 /// Adds what went wrong besides, or after all was well.
 inline void worsen(SequenceEnd& end, Outcome outcome, const std::string& why) {
   if (end.outcome == Outcome::kFinished) {

@@ -29,7 +29,7 @@ void describe_names(ParameterTable& table, Parameters& p) {
   table.add("camera", p.camera, "node with `~set_acquisition` and `~profiles`");
   table.add("trigger", p.trigger,
             "node with `~arm`, `~disarm`, `~keep_alive`, `~events`, `~state`");
-  table.add("binder", p.binder, "node with `~start`, `~start_run` and `~finish`");
+  table.add("binder", p.binder, "node with `~start`, `~check_run`, `~start_run` and `~finish`");
   table.add("triangulation", p.triangulation, "node with `~start`, `~finish` and `~cloud`");
 }
 

@@ -65,7 +65,15 @@ void RosStages::start(const std::string& scan_id) {
   under_way_ = true;
 }
 
+void RosStages::check_run(const ScanRun& run) {
+  tell("/check_run", run);
+}
+
 void RosStages::start_run(const ScanRun& run) {
+  tell("/start_run", run);
+}
+
+void RosStages::tell(const std::string& service, const ScanRun& run) const {
   StartRun::Request request;
   request.pass_index = static_cast<std::uint32_t>(run.pass);
   request.straight = run.moves.size() == 1 && !run.moves.front().via;
@@ -74,7 +82,7 @@ void RosStages::start_run(const ScanRun& run) {
   request.end.pose = scan_cell_common::to_ros_pose(run.moves.back().flange);
   request.speed = run.speed;
   request.rate = run.rate;
-  call<StartRun>(binder_ + "/start_run", request, call_timeout_);
+  call<StartRun>(binder_ + service, request, call_timeout_);
 }
 
 std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armings,

@@ -17,15 +17,16 @@ namespace scan_cell {
 /// laser_triangulation.
 class RosStages : public Stages {
  public:
-  /// @param binder node with ~start, ~start_run and ~finish
+  /// @param binder node with ~start, ~check_run, ~start_run and ~finish
   /// @param triangulation node with ~start and ~finish
   /// @param call_timeout [s] the longest a call may take beyond what it waits for late data
-  /// @param base_frame of the robot's poses, for start_run()
+  /// @param base_frame of the robot's poses, for check_run() and start_run()
   RosStages(const std::string& binder, const std::string& triangulation, double call_timeout,
             const std::string& base_frame = "");
 
   std::string trouble() const override;
   void start(const std::string& scan_id) override;
+  void check_run(const ScanRun& run) override;
   void start_run(const ScanRun& run) override;
   std::vector<std::uint64_t> bind(const std::vector<ArmingPulses>& armings,
                                   double patience) override;
@@ -44,6 +45,7 @@ class RosStages : public Stages {
 
  private:
   double longest(double patience) const;  // [s] that a call may take
+  void tell(const std::string& service, const ScanRun& run) const;
   std::string finish_binding() const { return binder_ + "/finish"; }
   std::string finish_cloud() const { return triangulation_ + "/finish"; }
 
