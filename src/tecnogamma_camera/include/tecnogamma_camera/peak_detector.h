@@ -22,6 +22,12 @@ enum class Choice {
   kLast        //!< the rightmost
 };
 
+/// "brightest", "first", "last": of the values of Choice, in their order.
+const std::vector<std::string>& choice_names();
+
+/// @throw scan_cell_common::InvalidParameter if it is none of choice_names()
+Choice choice_of(const std::string& name);
+
 /// A trigger level that is determined in each frame.
 constexpr int kAutomaticLevel = -1;  //!< chosen: not a grey value
 

@@ -41,7 +41,8 @@ void CameraNodelet::start() {
   parameters_ = scan_cell_common::load_parameters<Parameters>(getPrivateNodeHandle());
   if (!parameters_.scanner_model.empty())
     model_ = scan_cell_common::load_scanner_model(parameters_.scanner_model);
-  detector_ = make_detector(parameters_.detector, parameters_.detection);
+  tuning_ = parameters_.tuning;
+  detector_ = make_detector(tuning_.detector, tuning_.detection);
   advertise();
   acquisition_ = std::make_unique<Acquisition>(
       parameters_.acquisition,
@@ -62,6 +63,7 @@ void CameraNodelet::advertise() {
   profiles_ = node.advertise<scan_cell_msgs::PeakProfile>("profiles", kProfileQueue);
   images_ = node.advertise<sensor_msgs::Image>("image_raw", kImageQueue);
   camera_infos_ = node.advertise<sensor_msgs::CameraInfo>("camera_info", kImageQueue);
+  frame_infos_ = node.advertise<scan_cell_msgs::FrameInfo>("frame_info", kImageQueue);
   diagnostics_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(),
                                                                getPrivateNodeHandle(), getName());
   diagnostics_->setHardwareID(parameters_.camera.empty() ? "any camera" : parameters_.camera);
@@ -91,9 +93,10 @@ void CameraNodelet::on_connected(const CameraDescription& camera) {
   const std::string fault = fault_of_model(camera);
   if (!fault.empty()) NODELET_ERROR("%s", fault.c_str());
   const int greatest = (1 << camera.grey_bits) - 1;
-  if (parameters_.detection.trigger_level >= greatest) {
-    NODELET_ERROR("trigger_level: %d; grey values end at %d: no row will have a peak",
-                  parameters_.detection.trigger_level, greatest);
+  const int level = tuning().detection.trigger_level;
+  if (level >= greatest) {
+    NODELET_ERROR("trigger_level: %d; grey values end at %d: no row will have a peak", level,
+                  greatest);
   }
 }
 
@@ -114,7 +117,7 @@ void CameraNodelet::on_frame(const NumberedFrame& frame) {
   if (!live_only) publish_profile(frame);
   if (!frame.frame.image.pixels) return;
   const bool with_image = live_only || (frame.mode == AcquisitionMode::kReliefLive &&
-                                        profiles_to_image_++ % parameters_.live_ratio == 0);
+                                        profiles_to_image_++ % tuning().live_ratio == 0);
   if (with_image) publish_image(frame);
 }
 
@@ -137,7 +140,11 @@ void CameraNodelet::publish_profile(const NumberedFrame& frame) {
 }
 
 void CameraNodelet::publish_image(const NumberedFrame& frame) {
-  if (images_.getNumSubscribers() + camera_infos_.getNumSubscribers() == 0) return;
+  if (images_.getNumSubscribers() + camera_infos_.getNumSubscribers() +
+          frame_infos_.getNumSubscribers() ==
+      0) {
+    return;
+  }
   const sensor_msgs::ImagePtr image = to_image_message(frame, parameters_.frame_id);
   const auto info = boost::make_shared<sensor_msgs::CameraInfo>(
       to_camera_info(frame.camera, model_ ? &*model_ : nullptr, parameters_.frame_id));
@@ -145,6 +152,7 @@ void CameraNodelet::publish_image(const NumberedFrame& frame) {
   set_region(frame, *info);  // a smart camera's may change from frame to frame
   images_.publish(image);
   camera_infos_.publish(info);
+  frame_infos_.publish(to_frame_info(frame, parameters_.frame_id));
 }
 
 bool CameraNodelet::set_acquisition(Request& request,
@@ -155,19 +163,22 @@ bool CameraNodelet::set_acquisition(Request& request,
     const auto mode = static_cast<AcquisitionMode>(request.mode);
     const auto trigger =
         request.trigger == Request::FREE_RUN ? Trigger::kFreeRun : Trigger::kExternal;
-    response.acquisition = request.change_settings
-                               ? set_and_show(mode, trigger, from_message(request.settings))
-                               : acquisition_->set(mode, trigger);
+    response.acquisition = request.change_settings ? set_and_show(mode, trigger, request.settings)
+                                                   : acquisition_->set(mode, trigger);
   });
   const AcquisitionState now = acquisition_->state();
-  response.settings = to_message(now.settings.exposure.value_or(0), now.settings.region);
+  response.settings = to_message(now.settings, tuning());
   if (now.connected) response.taken = to_message(now.camera.exposure, now.camera.region);
   return true;
 }
 
 std::uint32_t CameraNodelet::set_and_show(AcquisitionMode mode, Trigger trigger,
-                                          const CameraChange& change) {
+                                          const scan_cell_msgs::CameraSettings& settings) {
   const boost::lock_guard<boost::recursive_mutex> lock(reconfigure_mutex_);
+  CameraChange change = from_message(settings);
+  const Tuning tuned = changed(tuning(), settings);
+  make_detector(tuned.detector, tuned.detection);  // refused before anything is written
+  change.on_taken = [this, &tuned] { tune(tuned); };
   try {
     const std::uint32_t acquisition = acquisition_->set(mode, trigger, change);
     show(acquisition_->state().settings);
@@ -178,26 +189,52 @@ std::uint32_t CameraNodelet::set_and_show(AcquisitionMode mode, Trigger trigger,
   }
 }
 
+Tuning CameraNodelet::tuning() const {
+  const std::lock_guard<std::mutex> lock(detector_mutex_);
+  return tuning_;
+}
+
+void CameraNodelet::tune(const Tuning& tuning) {
+  std::shared_ptr<const PeakDetector> detector = make_detector(tuning.detector, tuning.detection);
+  const std::lock_guard<std::mutex> lock(detector_mutex_);
+  detector_ = std::move(detector);
+  tuning_ = tuning;
+}
+
 /// Shows the settings in dynamic_reconfigure.
 void CameraNodelet::show(const CameraSettings& settings) {
+  const Tuning now = tuning();
+  config_.detector = now.detector;
+  config_.choice = choice_names().at(static_cast<std::size_t>(now.detection.choice));
+  config_.live_ratio = now.live_ratio;
   config_.exposure = settings.exposure.value_or(0);
   set_region(config_, settings.region);
   reconfigure_->updateConfig(config_);
 }
 
 void CameraNodelet::reconfigure(CameraConfig& config) {
-  DetectorSettings settings = parameters_.detection;
-  settings.trigger_level = config.trigger_level;
-  settings.permanence = config.permanence;
-  settings.window = config.window;
-  settings.max_width = config.max_width;
-  {
-    const std::lock_guard<std::mutex> lock(detector_mutex_);
-    detector_ = make_detector(parameters_.detector, settings);
-  }
+  change_tuning(config);
   change_exposure(config);
   change_region(config);
   config_ = config;
+}
+
+void CameraNodelet::change_tuning(CameraConfig& config) {
+  Tuning tuned = tuning();
+  tuned.live_ratio = config.live_ratio;
+  tuned.detection.trigger_level = config.trigger_level;
+  tuned.detection.permanence = config.permanence;
+  tuned.detection.window = config.window;
+  tuned.detection.max_width = config.max_width;
+  try {
+    tuned.detector = config.detector;
+    tuned.detection.choice = choice_of(config.choice);
+    tune(tuned);
+  } catch (const scan_cell_common::Error& error) {
+    NODELET_ERROR("detector not changed: %s", error.what());
+    config.detector = config_.detector;
+    config.choice = config_.choice;
+  }
 }
 
 void CameraNodelet::change_exposure(CameraConfig& config) {

@@ -19,7 +19,8 @@
 
 namespace tecnogamma_camera {
 
-/// Publishes ~profiles, ~image_raw, ~camera_info and diagnostics; serves ~set_acquisition.
+/// Publishes ~profiles, ~image_raw, ~camera_info, ~frame_info and diagnostics; serves
+/// ~set_acquisition.
 class CameraNodelet : public scan_cell_common::Nodelet, public AcquisitionListener {
  private:
   void start() override;
@@ -37,9 +38,13 @@ class CameraNodelet : public scan_cell_common::Nodelet, public AcquisitionListen
   void publish_image(const NumberedFrame& frame);
   bool set_acquisition(scan_cell_msgs::SetAcquisition::Request& request,
                        scan_cell_msgs::SetAcquisition::Response& response);
-  std::uint32_t set_and_show(AcquisitionMode mode, Trigger trigger, const CameraChange& change);
+  std::uint32_t set_and_show(AcquisitionMode mode, Trigger trigger,
+                             const scan_cell_msgs::CameraSettings& settings);
+  Tuning tuning() const;
+  void tune(const Tuning& tuning);
   void show(const CameraSettings& settings);
   void reconfigure(CameraConfig& config);
+  void change_tuning(CameraConfig& config);
   void change_exposure(CameraConfig& config);
   void change_region(CameraConfig& config);
   void publish_diagnostics(const ros::WallTimerEvent& event);
@@ -49,14 +54,16 @@ class CameraNodelet : public scan_cell_common::Nodelet, public AcquisitionListen
   ros::Publisher profiles_;
   ros::Publisher images_;
   ros::Publisher camera_infos_;
+  ros::Publisher frame_infos_;
   ros::ServiceServer set_acquisition_;
   ros::WallTimer diagnostics_timer_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
   AcquisitionState diagnosed_;
   std::uint64_t profiles_to_image_ = 0;
 
-  std::mutex detector_mutex_;
-  std::shared_ptr<const PeakDetector> detector_;
+  mutable std::mutex detector_mutex_;
+  Tuning tuning_;
+  std::shared_ptr<const PeakDetector> detector_;  // as tuning_ has it
 
   boost::recursive_mutex reconfigure_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<CameraConfig>> reconfigure_;

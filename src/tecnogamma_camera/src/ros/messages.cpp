@@ -51,10 +51,35 @@ sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::st
   return message;
 }
 
+scan_cell_msgs::FrameInfoPtr to_frame_info(const NumberedFrame& frame,
+                                           const std::string& frame_id) {
+  const auto message = boost::make_shared<scan_cell_msgs::FrameInfo>();
+  message->header.stamp = to_ros(frame.time);
+  message->header.frame_id = frame_id;
+  message->acquisition = frame.acquisition;
+  message->frame_counter = frame.counter;
+  message->device_time = static_cast<std::uint64_t>(frame.frame.device_time);
+  message->packets_lost = frame.frame.packets_lost;
+  message->first_column = static_cast<std::uint32_t>(frame.frame.image.first_column);
+  message->first_row = static_cast<std::uint32_t>(frame.frame.image.first_row);
+  message->decimation = 1;
+  return message;
+}
+
 CameraChange from_message(const scan_cell_msgs::CameraSettings& settings) {
   using scan_cell_common::InvalidParameter;
   constexpr double kMaxExposure = 10;           // [s] as the parameter exposure
   constexpr std::uint32_t kMaxPixels = 65'535;  // [px] as the parameters of the region
+  constexpr double kMaxRate = 1e5;              // [Hz] as the parameter rate
+  constexpr double kMaxGain = 1000;             // as the parameter gain
+  if (!(settings.rate >= 0 && settings.rate <= kMaxRate)) {
+    throw InvalidParameter("rate", fmt::format("{} Hz", settings.rate),
+                           fmt::format("give 0 .. {} Hz", kMaxRate));
+  }
+  if (settings.set_gain && !(settings.gain >= 0 && settings.gain <= kMaxGain)) {
+    throw InvalidParameter("gain", fmt::format("{}", settings.gain),
+                           fmt::format("give 0 .. {}", kMaxGain));
+  }
   if (!(settings.exposure >= 0 && settings.exposure <= kMaxExposure)) {
     throw InvalidParameter("exposure", fmt::format("{} s", settings.exposure),
                            fmt::format("give 0 .. {} s", kMaxExposure));
@@ -64,10 +89,38 @@ CameraChange from_message(const scan_cell_msgs::CameraSettings& settings) {
     throw InvalidParameter(name, fmt::format("{} px", value),
                            fmt::format("give 0 .. {} px", kMaxPixels));
   };
-  return {settings.exposure,
-          {pixels("region_x", settings.region_x), pixels("region_y", settings.region_y),
-           pixels("region_width", settings.region_width),
-           pixels("region_height", settings.region_height)}};
+  CameraChange change;
+  change.exposure = settings.exposure;
+  change.region = {pixels("region_x", settings.region_x), pixels("region_y", settings.region_y),
+                   pixels("region_width", settings.region_width),
+                   pixels("region_height", settings.region_height)};
+  if (settings.rate > 0) change.rate = settings.rate;
+  if (settings.set_gain) change.gain = settings.gain;
+  return change;
+}
+
+Tuning changed(const Tuning& tuning, const scan_cell_msgs::CameraSettings& settings) {
+  Tuning result = tuning;
+  if (!settings.detector.empty()) result.detector = settings.detector;
+  if (!settings.choice.empty()) result.detection.choice = choice_of(settings.choice);
+  if (settings.live_ratio > kMaxLiveRatio) {
+    throw scan_cell_common::InvalidParameter("live_ratio", fmt::format("{}", settings.live_ratio),
+                                             fmt::format("give 1 .. {}", kMaxLiveRatio));
+  }
+  if (settings.live_ratio > 0) result.live_ratio = static_cast<int>(settings.live_ratio);
+  return result;
+}
+
+scan_cell_msgs::CameraSettings to_message(const CameraSettings& settings, const Tuning& tuning) {
+  scan_cell_msgs::CameraSettings message =
+      to_message(settings.exposure.value_or(0), settings.region);
+  message.rate = settings.rate.value_or(0);
+  message.set_gain = static_cast<unsigned char>(settings.gain.has_value());
+  message.gain = settings.gain.value_or(0);
+  message.detector = tuning.detector;
+  message.choice = choice_names().at(static_cast<std::size_t>(tuning.detection.choice));
+  message.live_ratio = static_cast<std::uint32_t>(tuning.live_ratio);
+  return message;
 }
 
 scan_cell_msgs::CameraSettings to_message(double exposure, const Region& region) {

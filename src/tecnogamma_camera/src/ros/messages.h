@@ -3,6 +3,7 @@
 #pragma once
 
 #include <scan_cell_msgs/CameraSettings.h>
+#include <scan_cell_msgs/FrameInfo.h>
 #include <scan_cell_msgs/PeakProfile.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "acquisition/acquisition.h"
+#include "parameters.h"
 #include "scan_cell_common/scanner/scanner_model.h"
 #include "tecnogamma_camera/peak_profile.h"
 
@@ -22,11 +24,22 @@ scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std:
 /// @pre the frame is complete
 sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id);
 
+/// Its number, and what else the image's header cannot carry.
+scan_cell_msgs::FrameInfoPtr to_frame_info(const NumberedFrame& frame, const std::string& frame_id);
+
+/// Exposure, region, gain and rate.
 /// @throw scan_cell_common::InvalidParameter naming the field that is out of range
 CameraChange from_message(const scan_cell_msgs::CameraSettings& settings);
 
+/// Detector, choice and live ratio in place of `tuning`'s, where they are given.
+/// @throw scan_cell_common::InvalidParameter naming the field that is out of range
+Tuning changed(const Tuning& tuning, const scan_cell_msgs::CameraSettings& settings);
+
 /// @param exposure [s]
 scan_cell_msgs::CameraSettings to_message(double exposure, const Region& region);
+
+/// What was asked for, so that it can be given back.
+scan_cell_msgs::CameraSettings to_message(const CameraSettings& settings, const Tuning& tuning);
 
 /// Sets where on the sensor the frame's image lies.
 void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info);

@@ -105,9 +105,10 @@ void describe(ParameterTable& table, Parameters& parameters) {
   table.add("frame_id", parameters.frame_id, "of images and profiles");
   table.add("scanner_model", parameters.scanner_model,
             "file for `camera_info` (scanner_model.md); none: uncalibrated");
-  table.choice("detector", parameters.detector, detector_names(), "that finds the laser's line");
-  describe(table, parameters.detection);
-  table.add("live_ratio", parameters.live_ratio, {1, 100000},
+  table.choice("detector", parameters.tuning.detector, detector_names(),
+               "that finds the laser's line");
+  describe(table, parameters.tuning.detection);
+  table.add("live_ratio", parameters.tuning.live_ratio, {1, kMaxLiveRatio},
             "profiles to an image in RELIEF_LIVE");
   describe_acquisition(table, parameters.acquisition);
   describe_camera(table, parameters.acquisition.camera);

@@ -10,13 +10,20 @@
 
 namespace tecnogamma_camera {
 
+/// What the node itself does with frames; it may be changed while they come.
+struct Tuning {
+  std::string detector = "fir_derivative";
+  DetectorSettings detection;
+  int live_ratio = 10;
+};
+
+constexpr int kMaxLiveRatio = 100000;  //!< profiles to an image; chosen
+
 struct Parameters {
   std::string camera;
   std::string frame_id = "camera_optical_frame";
   std::string scanner_model;
-  std::string detector = "fir_derivative";
-  DetectorSettings detection;
-  int live_ratio = 10;
+  Tuning tuning;
   CameraOptions source;
   std::string bag_topic;
   AcquisitionParameters acquisition;

@@ -161,6 +161,25 @@ TEST_F(AcquisitionOfScriptedCamera, WritesSettingsBetweenStopAndStartAllOrNone) 
   EXPECT_THROW(set(AcquisitionMode::kStop, own), scan_cell_common::Refused);
 }
 
+TEST_F(AcquisitionOfScriptedCamera, LeavesGainAndRateAsTheyAreWhereTheyAreNotGiven) {
+  Acquisition& acquisition = start();
+  tecnogamma_camera::CameraChange change{0.002, {0, 0, 64, 64}};
+  int taken = 0;
+  change.on_taken = [&] { ++taken; };
+  change.gain = 3;
+  change.rate = 40;
+  acquisition.set(AcquisitionMode::kStop, Trigger::kExternal, change);
+  change.gain = change.rate = std::nullopt;
+  acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal, change);
+  EXPECT_EQ(acquisition.state().settings.gain, 3);
+  EXPECT_EQ(acquisition.state().settings.rate, 40);
+  EXPECT_EQ(taken, 2);
+  change.exposure = 2;
+  EXPECT_THROW(acquisition.set(AcquisitionMode::kStop, Trigger::kExternal, change),
+               scan_cell_common::InvalidParameter);
+  EXPECT_EQ(taken, 2) << "what the camera refuses is not taken";
+}
+
 TEST_F(AcquisitionOfScriptedCamera, ChangesTheRegionOnlyInStopAndTheExposureAlways) {
   Acquisition& acquisition = start();
   acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);

@@ -4,6 +4,7 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <scan_cell_msgs/FrameInfo.h>
 #include <scan_cell_msgs/PeakProfile.h>
 #include <scan_cell_msgs/SetAcquisition.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 
 #include "aravis/fake_cameras.h"
@@ -96,6 +98,7 @@ class CameraNode : public testing::Test {
   Topic<PeakProfile> profiles_{"camera/profiles"};
   Topic<sensor_msgs::Image> images_{"camera/image_raw"};
   Topic<sensor_msgs::CameraInfo> camera_infos_{"camera/camera_info"};
+  Topic<scan_cell_msgs::FrameInfo> frame_infos_{"camera/frame_info"};
   Topic<diagnostic_msgs::DiagnosticArray> diagnostics_{"/diagnostics"};
 };
 
@@ -269,6 +272,109 @@ TEST_F(CameraNode, RefusesSettingsByFieldValueAndCureAndKeepsWhatItHad) {
   refused(0.004, 70'000, "region_width: 70000 px; give 0 .. 65535 px");
   refused(0.004, 4096, "region: 4096 x 64 at 64, 32; the sensor has 2048 x 2048 pixels");
   refused(1e-9, 128, "exposure: 1e-09 s; this camera takes");  // the region was written already
+}
+
+TEST_F(CameraNode, ChangesRateGainDetectorChoiceAndLiveRatioWhileItRuns) {
+  const auto before = set(SetAcquisition::Request::RELIEF_LIVE).settings;
+  EXPECT_EQ(before.detector, "fir_derivative");
+  EXPECT_EQ(before.choice, "brightest");
+  EXPECT_EQ(before.live_ratio, 5U);
+  EXPECT_EQ(before.rate, 50);
+  SetAcquisition call;
+  call.request.mode = SetAcquisition::Request::RELIEF_LIVE;
+  call.request.change_settings = true;
+  call.request.settings.exposure = 0.004;
+  call.request.settings.region_x = 64;
+  call.request.settings.region_y = 32;
+  call.request.settings.region_width = 256;
+  call.request.settings.region_height = 64;
+  const scan_cell_msgs::CameraSettings plain = call.request.settings;
+  call.request.settings.rate = 40;
+  call.request.settings.set_gain = true;
+  call.request.settings.gain = 3;
+  call.request.settings.detector = "threshold";
+  call.request.settings.choice = "last";
+  call.request.settings.live_ratio = 1;
+  ASSERT_TRUE(ros::service::call("camera/set_acquisition", call));
+  ASSERT_TRUE(call.response.success) << call.response.message;
+  EXPECT_EQ(call.response.settings.rate, 40);
+  EXPECT_TRUE(call.response.settings.set_gain);
+  EXPECT_EQ(call.response.settings.gain, 3);
+  EXPECT_EQ(call.response.settings.detector, "threshold");
+  EXPECT_EQ(call.response.settings.choice, "last");
+  profiles_.forget();
+  images_.forget();
+  ASSERT_TRUE(wait_until([this] { return profiles_.count() >= 20; }));
+  EXPECT_TRUE(wait_until([this] { return images_.count() + 2 >= profiles_.count(); }));
+  for (const PeakProfile& profile : profiles_.messages()) {
+    if (profile.packets_lost > 0) continue;
+    EXPECT_NEAR(profile.position[5], LineCamera::line(37), 0.2) << "another detector, one line";
+  }
+
+  call.request.settings = plain;  // the others are left out
+  ASSERT_TRUE(ros::service::call("camera/set_acquisition", call));
+  EXPECT_EQ(call.response.settings.detector, "threshold");
+  EXPECT_EQ(call.response.settings.live_ratio, 1U);
+  EXPECT_EQ(call.response.settings.rate, 40);
+
+  call.request.settings = before;  // what was answered can be given back
+  call.request.settings.exposure = 0.004;
+  ASSERT_TRUE(ros::service::call("camera/set_acquisition", call));
+  ASSERT_TRUE(call.response.success) << call.response.message;
+  EXPECT_EQ(call.response.settings.detector, "fir_derivative");
+  EXPECT_EQ(call.response.settings.live_ratio, 5U);
+}
+
+TEST_F(CameraNode, RefusesADetectorThatThereIsNotAndKeepsTheOneItHas) {
+  SetAcquisition call;
+  call.request.mode = SetAcquisition::Request::STOP;
+  call.request.change_settings = true;
+  call.request.settings.exposure = 0.004;
+  const auto refused = [&](const std::string& why) {
+    ASSERT_TRUE(ros::service::call("camera/set_acquisition", call));
+    EXPECT_FALSE(call.response.success) << why;
+    EXPECT_NE(call.response.message.find(why), std::string::npos) << call.response.message;
+    EXPECT_EQ(call.response.settings.detector, "fir_derivative");
+    EXPECT_EQ(call.response.settings.choice, "brightest");
+    EXPECT_EQ(call.response.settings.live_ratio, 5U);
+  };
+  call.request.settings.detector = "parabola";
+  call.request.settings.live_ratio = 2;
+  refused("detector: 'parabola'; give threshold");
+  call.request.settings.detector = "";
+  call.request.settings.choice = "nearest";
+  refused("choice: 'nearest'; give brightest, first or last");
+  call.request.settings.choice = "";
+  call.request.settings.rate = -1;
+  refused("rate: -1 Hz; give 0 .. 100000 Hz");
+  call.request.settings.rate = 0;
+  call.request.settings.set_gain = true;
+  call.request.settings.gain = 2000;
+  refused("gain: 2000; give 0 .. 1000");
+}
+
+TEST_F(CameraNode, TellsTheNumberOfEachImageBesideIt) {
+  ASSERT_TRUE(set(SetAcquisition::Request::RELIEF_LIVE).success);
+  std::map<std::int64_t, std::uint64_t> numbers;  // of the profiles, by their stamp
+  const auto number_all = [&] {
+    for (const PeakProfile& profile : profiles_.messages())
+      numbers[static_cast<std::int64_t>(profile.header.stamp.toNSec())] = profile.frame_counter;
+    std::size_t found = 0;
+    for (const sensor_msgs::Image& image : images_.messages()) {
+      for (const scan_cell_msgs::FrameInfo& info : frame_infos_.messages()) {
+        if (info.header.stamp != image.header.stamp) continue;
+        const auto number = numbers.find(static_cast<std::int64_t>(info.header.stamp.toNSec()));
+        if (number == numbers.end()) continue;
+        EXPECT_EQ(info.frame_counter, number->second);
+        EXPECT_EQ(info.first_column, 64U);
+        EXPECT_EQ(info.first_row, 32U);
+        EXPECT_EQ(info.decimation, 1U);
+        ++found;
+      }
+    }
+    return found >= 5;
+  };
+  EXPECT_TRUE(wait_until(number_all)) << "no image has a number of its own stamp";
 }
 
 TEST_F(CameraNode, RefusesToStartWithABadParameterAndNamesIt) {

@@ -51,6 +51,7 @@ void RosSnapshotCamera::prepare() {
 void RosSnapshotCamera::start(double exposure) {
   Settings whole_sensor;
   whole_sensor.exposure = exposure;
+  whole_sensor.live_ratio = 1;
   const std::uint32_t acquisition =
       set_acquisition(SetAcquisition::Request::RELIEF_LIVE, parameters_.call_timeout, whole_sensor)
           .acquisition;

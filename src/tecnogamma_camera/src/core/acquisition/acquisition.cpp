@@ -71,7 +71,10 @@ void Acquisition::change(const CameraChange& change) {
     throw Refused("exposure", "0 s: the camera's own exposure has been overwritten",
                   "give a value above 0, or restart the camera and the node");
   }
+  if (change.gain) changed.gain = change.gain;
+  if (change.rate) changed.rate = change.rate;
   write(changed);
+  if (change.on_taken) change.on_taken();
 }
 
 /// A camera that is not connected gets them when it is found.

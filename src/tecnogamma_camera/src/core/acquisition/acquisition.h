@@ -10,6 +10,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -37,6 +38,9 @@ struct AcquisitionParameters {
 struct CameraChange {
   double exposure = 0;  //!< [s] 0: the camera's own
   Region region;
+  std::optional<double> gain{};      //!< [dB], or the camera's own unit; none: as it is
+  std::optional<double> rate{};      //!< [Hz] of free run; none: as it is
+  std::function<void()> on_taken{};  //!< called before the start, once the camera has taken them
 };
 
 /// A frame with its place in the sequence.

@@ -166,7 +166,7 @@ class StripeDetector : public PeakDetector {
 }  // namespace
 
 void describe(scan_cell_common::ParameterTable& table, DetectorSettings& settings) {
-  table.choice("choice", settings.choice, {"brightest", "first", "last"},
+  table.choice("choice", settings.choice, choice_names(),
                "which of several spots in a row is the laser's");
   table.add("trigger_level", settings.trigger_level, {kAutomaticLevel, 65535, "grey value"},
             "of the camera's own pixels, to 4095 in 12 bits: a pixel above it is lit; -1: "
@@ -180,6 +180,18 @@ void describe(scan_cell_common::ParameterTable& table, DetectorSettings& setting
             "spots wider than this (shiny objects), as `width` tells it, are passed over before "
             "the choice; 0: any width");
   table.renamed("most_width", "max_width");
+}
+
+const std::vector<std::string>& choice_names() {
+  static const std::vector<std::string> names = {"brightest", "first", "last"};
+  return names;
+}
+
+Choice choice_of(const std::string& name) {
+  const auto& names = choice_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<Choice>(found - names.begin());
+  throw InvalidParameter("choice", "'" + name + "'", "give brightest, first or last");
 }
 
 const std::vector<std::string>& detector_names() {
