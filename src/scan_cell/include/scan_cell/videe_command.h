@@ -8,7 +8,7 @@
 
 namespace scan_cell {
 
-/// Commands of the ViDeE protocol (thesis, table 4).
+/// Commands of the ViDeE protocol (thesis, table 4), and WAIT_SCAN, which is ours.
 enum class VideeCommandKind {
   kInitCycle,
   kInitCalibration,
@@ -17,6 +17,7 @@ enum class VideeCommandKind {
   kSetPosition,
   kStartScan,
   kStopScan,
+  kWaitScan,
   kReset,
 };
 

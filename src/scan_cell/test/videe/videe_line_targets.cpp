@@ -56,6 +56,7 @@ std::vector<FuzzTarget> videe_line_targets() {
                  "SET_POSITION 800.5,-200.25,6e2,+180,-0.001,1e-3 -999999,0,0,1080,90,-90",
                  "START_SCAN",
                  "STOP_SCAN",
+                 "WAIT_SCAN",
                  "RESET"};
   lines.words = {"INIT_CYCLE",
                  "SET_POSITION",

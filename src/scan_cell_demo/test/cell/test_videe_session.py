@@ -4,6 +4,7 @@
 """ViDeE on the simulated cell: the session of docs/videe_protocol.md as it stands there, and one state for all clients."""
 import os
 import re
+import shutil
 import socket
 import subprocess
 import threading
@@ -11,15 +12,20 @@ import time
 import unittest
 
 import actionlib
+import rospkg
 import rospy
 import rostest
 from geometry_msgs.msg import Point, Pose, Quaternion
-from scan_cell_msgs.msg import CellState, ScanAction, ScanGoal, ScanPass, ScanResult, TriggerState
-from scan_cell_msgs.srv import GrabImage
+from scan_cell_msgs.msg import CellState, ScanAction, ScanActionFeedback, ScanGoal, ScanPass, ScanResult, TriggerState
+from scan_cell_msgs.srv import GrabImage, LoadWorld
 
 PAGE = os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../../docs/videe_protocol.md')
 ADDRESS = ('127.0.0.1', 5998)
 TIMEOUT = 120  # [s] on a busy machine
+
+
+def world(name):
+    return os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config', name)
 
 
 def session_of_the_page():
@@ -31,8 +37,9 @@ def session_of_the_page():
 
 
 def pattern(answer):
-    """Any number of frames, points and so on will do."""
-    return re.sub(r'\d+', r'\\d+', re.escape(answer)) + '$'
+    """Any number of frames, points and so on will do, and any machine."""
+    text = re.sub(r'\d+', r'\\d+', re.escape(answer)) + '$'
+    return re.sub(r'machine=\S+', r'machine=\\S+$', text)
 
 
 class Client:
@@ -84,9 +91,10 @@ class Videe(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node('test_videe_session')
         cls.news = threading.Condition()
-        cls.states, cls.lasers = [], None
+        cls.states, cls.lasers, cls.points = [], None, 0
         rospy.Subscriber('/scan_cell/state', CellState, cls.on_state)
         rospy.Subscriber('/laser_trigger/state', TriggerState, cls.on_trigger)
+        rospy.Subscriber('/scan_cell/scan/feedback', ScanActionFeedback, cls.on_feedback)
         cls.scan = actionlib.SimpleActionClient('/scan_cell/scan', ScanAction)
         assert cls.scan.wait_for_server(rospy.Duration(TIMEOUT))
         with Client() as client:  # until robot and camera are up, scans are refused
@@ -101,6 +109,7 @@ class Videe(unittest.TestCase):
         while True:
             client.ask('SET_POSITION -20,0,595,180,0,0 20,0,595,180,0,0')
             client.ask('START_SCAN')
+            client.ask('WAIT_SCAN')
             answer = client.ask('STOP_SCAN')
             if answer.startswith('OK'):
                 return
@@ -116,6 +125,12 @@ class Videe(unittest.TestCase):
     def on_trigger(cls, state):
         with cls.news:
             cls.lasers = state.lasers
+            cls.news.notify_all()
+
+    @classmethod
+    def on_feedback(cls, feedback):
+        with cls.news:
+            cls.points = feedback.feedback.points
             cls.news.notify_all()
 
     def wait_for(self, condition, what):
@@ -159,11 +174,14 @@ class Videe(unittest.TestCase):
     def test_session_of_the_page_runs_as_it_stands_there(self):
         session = session_of_the_page()
         commands = [command.split()[0] for command, _ in session]
-        for command in ('INIT_CYCLE', 'SET_POSITION', 'START_SCAN', 'STOP_SCAN', 'GRAB_IMAGE', 'RESET'):
+        for command in ('INIT_CYCLE', 'SET_POSITION', 'START_SCAN', 'WAIT_SCAN', 'STOP_SCAN', 'GRAB_IMAGE', 'RESET'):
             self.assertIn(command, commands)
         with Client() as client:
             for command, answer in session:
-                self.assertRegex(client.ask(command), pattern(answer), command)
+                said = client.ask(command)
+                self.assertRegex(said, pattern(answer), command)
+                for file in re.findall(r'/tmp/\S+', said):
+                    os.remove(file)
         self.wait_for(lambda: self.lasers == 0, 'the lasers are off after RESET')
 
     def test_ros_clients_see_a_scan_of_videe_and_are_refused_by_its_name(self):
@@ -175,7 +193,8 @@ class Videe(unittest.TestCase):
             self.assertIn("'%s' is running" % name, self.scan.get_result().message)
             answer = rospy.ServiceProxy('/scan_cell/grab_image', GrabImage)()
             self.assertIn("'%s' is running" % name, answer.message)
-            self.assertRegex(client.ask('STOP_SCAN'), 'OK scan=%s ' % name)
+            self.assertEqual(client.ask('WAIT_SCAN'), 'OK')
+            self.assertRegex(client.ask('STOP_SCAN'), 'OK scan=%s .* ended=whole ' % name)
 
     def test_videe_clients_are_refused_by_the_name_of_a_scan_of_ros(self):
         self.start_ros_scan()
@@ -207,6 +226,54 @@ class Videe(unittest.TestCase):
                 client.ask('SET_POSITION -20,0,595,180,0,0 20,0,595,180,0,0')
                 self.assertEqual(client.ask('START_SCAN'), 'OK')
 
+    def test_stop_scan_stops_a_scan_under_way_and_keeps_what_came(self):
+        with self.prepared() as client:
+            self.start(client)
+            self.wait_for(lambda: self.lasers, 'a laser is on')
+            self.wait_for(lambda: self.points > 1000, 'points come')
+            answer = client.ask('STOP_SCAN')
+            kept = re.match(r'OK scan=(\S+) frames=(\d+) points=(\d+) ended=stopped cloud=(\S+) machine=(\S+)$', answer)
+            self.assertTrue(kept, answer)
+            scan, frames, points, cloud, machine = kept.groups()
+            self.assertLess(int(frames), 500, 'of 600: it was stopped')
+            self.assertGreater(int(points), 1000)
+            self.assertEqual(os.path.basename(cloud), scan + '.ply')
+            with open(cloud, 'rb') as file:
+                self.assertIn(b'element vertex %s\n' % points.encode(), file.read(2000))
+            os.remove(cloud)
+            self.assertEqual(socket.gethostbyname(machine)[:4], '127.')
+            self.wait_for(lambda: self.lasers == 0, 'the lasers are off')
+            self.assertIn('no scan is running', client.ask('STOP_SCAN'))
+            self.start(client)  # the next one
+            self.assertEqual(client.ask('WAIT_SCAN'), 'OK')
+            answer = client.ask('STOP_SCAN')
+            self.assertIn(' ended=whole ', answer)
+            os.remove(re.search(r'cloud=(\S+)', answer).group(1))
+
+    def test_stop_scan_says_where_nothing_was_captured_yet(self):
+        with self.prepared() as client:
+            self.start(client)
+            answer = client.ask('STOP_SCAN')  # on the way to the start
+            self.assertRegex(answer, 'ERROR scan .*: no point was captured; ')
+            self.wait_for(lambda: not self.scanning(), 'the scan has ended')
+
+    def test_the_same_cell_calibrates(self):
+        rospy.ServiceProxy('/scan_cell_sim/load_world', LoadWorld)(world('calibration_board.yaml'))
+        with Client() as client:
+            self.assertEqual(client.ask('INIT_CALIBRATION'), 'OK poses=4')
+            answer = client.ask('PERFORM_CALIBRATION')
+            recorded = re.match(r'OK session=(\S+) views=4 skipped=0$', answer)
+            self.assertTrue(recorded, answer)
+            self.assertTrue(os.path.isdir(recorded.group(1)))
+            shutil.rmtree(recorded.group(1))
+            rospy.ServiceProxy('/scan_cell_sim/load_world', LoadWorld)(world('reference_frame.yaml'))
+            client.ask('SET_POSITION -180,0,595,180,0,0 180,0,595,180,0,0')
+            self.start(client)
+            self.assertEqual(client.ask('WAIT_SCAN'), 'OK')
+            answer = client.ask('STOP_SCAN')
+            self.assertIn(' ended=whole ', answer, 'the camera is as it was before')
+            os.remove(re.search(r'cloud=(\S+)', answer).group(1))
+
     def test_positions_end_with_the_connection(self):
         self.prepared().close()
         with Client() as client:
@@ -217,7 +284,7 @@ class Videe(unittest.TestCase):
             client = self.prepared()
             self.start(client)
             self.wait_for(lambda: self.lasers, 'a laser is on')
-            client.send_and_hang_up(b'STOP_SCAN\n' + ahead)
+            client.send_and_hang_up(b'WAIT_SCAN\n' + ahead)
             self.wait_for(lambda: self.lasers == 0, 'the lasers are off behind %d bytes' % len(ahead))
             self.wait_for(lambda: not self.scanning(), 'the scan has ended')
             self.assertIn('cancelled', self.states[-1].message)

@@ -34,6 +34,7 @@ const std::map<std::string, VideeCommandKind>& kinds() {
       {"SET_POSITION", VideeCommandKind::kSetPosition},
       {"START_SCAN", VideeCommandKind::kStartScan},
       {"STOP_SCAN", VideeCommandKind::kStopScan},
+      {"WAIT_SCAN", VideeCommandKind::kWaitScan},
       {"RESET", VideeCommandKind::kReset}};
   return kinds;
 }

@@ -12,6 +12,7 @@
 
 #include "scan_cell/ros/scan_goal.h"
 #include "scan_cell/ros/service_call.h"
+#include "videe/kept_cloud.h"
 #include "videe/videe_wait.h"
 
 namespace scan_cell {
@@ -64,6 +65,8 @@ std::string VideeCell::carry_out(const VideeCommand& command,
       return start_scan();
     case VideeCommandKind::kStopScan:
       return stop_scan(client_there);
+    case VideeCommandKind::kWaitScan:
+      return wait_scan(client_there);
   }
   throw Refused("command", "unknown", "send a ViDeE command");
 }
@@ -114,14 +117,29 @@ std::string VideeCell::start_scan() {
   return "";
 }
 
+/// STOP_SCAN is still to come, and tells how it ended.
+std::string VideeCell::wait_scan(const VideeServer::ClientThere& client_there) {
+  if (!running_) throw Refused("WAIT_SCAN", "no scan is running", "send START_SCAN first");
+  bool under_way = true;
+  wait_for_result(client_, parameters_.scan, client_there, under_way);
+  return "";
+}
+
 std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
+  using scan_cell_msgs::ScanResult;
   if (!running_) throw Refused("STOP_SCAN", "no scan is running", "send START_SCAN first");
+  const bool stopped = !client_.getState().isDone();
+  if (stopped) client_.cancelGoal();
   const auto result = wait_for_result(client_, parameters_.scan, client_there, running_);
-  if (result->outcome != scan_cell_msgs::ScanResult::FINISHED) {
-    throw Refused("scan '" + result->scan_id + "'", "ended early", result->message);
+  const KeptCloud kept = keep_cloud(*result, parameters_.cloud_folder, parameters_.triangulation);
+  const bool whole = result->outcome == ScanResult::FINISHED;
+  if (!whole && !(stopped && result->outcome == ScanResult::CANCELLED)) {
+    throw Refused("scan '" + result->scan_id + "'", "ended early",
+                  result->message + "; what came is in " + kept.file + " on " + kept.machine);
   }
-  return fmt::format("scan={} frames={} points={}", result->scan_id, result->audit.frames_bound,
-                     result->statistics.points);
+  return fmt::format("scan={} frames={} points={} ended={} cloud={} machine={}", result->scan_id,
+                     result->audit.frames_bound, result->statistics.points,
+                     whole ? "whole" : "stopped", kept.file, kept.machine);
 }
 
 std::string VideeCell::grab_image() {

@@ -37,6 +37,7 @@ class VideeCell {
   std::string grab_image();
   std::string set_position(const VideeCommand& command);
   std::string start_scan();
+  std::string wait_scan(const VideeServer::ClientThere& client_there);
   std::string stop_scan(const VideeServer::ClientThere& client_there);
   void end_own();
   void end_all();

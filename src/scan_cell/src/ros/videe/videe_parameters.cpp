@@ -41,11 +41,14 @@ void describe(scan_cell_common::ParameterTable& table, VideeParameters& paramete
   table.require("program", parameters.program,
                 "scan program (YAML) whose frame, speed, rate and laser are used");
   table.add("image_folder", parameters.image_folder, "where `GRAB_IMAGE` leaves its pictures");
+  table.add("cloud_folder", parameters.cloud_folder, "where `STOP_SCAN` leaves its clouds");
   table.add("scan", parameters.scan, "scan action");
   table.add("grab_image", parameters.grab_image, "service");
   table.add("calibrate", parameters.calibrate, "calibration action");
   table.add("state", parameters.state,
             "topic to which `videe_node` listens, so that the cell notices when it dies");
+  table.add("triangulation", parameters.triangulation,
+            "node on whose machine the files of large clouds lie");
   table.group("calibration", parameters.calibration);
   table.add("call_timeout", parameters.call_timeout, {0.1, 60, "s"},
             "longest wait for an action to take a goal; `GRAB_IMAGE` may take four times as long");

@@ -32,10 +32,12 @@ struct VideeParameters {
   VideeServer::Options server;
   std::string program;
   std::string image_folder = "/tmp";
-  std::string scan = "/scan_cell/scan";              //!< action
-  std::string grab_image = "/scan_cell/grab_image";  //!< service
-  std::string calibrate = "/scan_cell/calibrate";    //!< action
-  std::string state = "/scan_cell/state";            //!< topic
+  std::string cloud_folder = "/tmp";
+  std::string scan = "/scan_cell/scan";                //!< action
+  std::string grab_image = "/scan_cell/grab_image";    //!< service
+  std::string calibrate = "/scan_cell/calibrate";      //!< action
+  std::string state = "/scan_cell/state";              //!< topic
+  std::string triangulation = "/laser_triangulation";  //!< node
   VideeCalibrationParameters calibration;
   double call_timeout = 5.0;  //!< [s]
 };
