@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs the whole cell without hardware: scans a reference and a changed part, adapts the tool path, and compares it
-# with the ground truth. Writes clouds, paths, picture and report to out/.
+# with the ground truth. Writes clouds, paths, picture and report to out/. With TAUGHT=1 tool and world are taught
+# in the simulated cell first, in place of the simulator's own cell file.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck disable=SC1091
@@ -15,8 +16,15 @@ export ROS_MASTER_URI="http://127.0.0.1:${DEMO_MASTER_PORT:-11321}"  # not the m
 rviz=false
 [ -n "${DISPLAY:-}" ] && rviz=true
 
+frames=()
+if [ -n "${TAUGHT:-}" ]; then
+  echo "Teaching tool and world (log: out/teach.log)"
+  scripts/teach_cell.sh "$out"
+  frames=("cell:=$out/cell.yaml")
+fi
+
 echo "Starting the simulated cell (log: out/cell.log)"
-roslaunch --wait launch/scan_cell.launch sim:=true rviz:=$rviz record:="$out/demo.bag" \
+roslaunch --wait launch/scan_cell.launch sim:=true rviz:=$rviz record:="$out/demo.bag" "${frames[@]}" \
   >"$out/cell.log" 2>&1 &
 cell=$!
 roscore -p "${DEMO_MASTER_PORT:-11321}" >"$out/roscore.log" 2>&1 &
