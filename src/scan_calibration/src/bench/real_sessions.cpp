@@ -1,16 +1,21 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <numeric>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+#include <random>
 
 #include "camera_calibration.h"
 #include "images/board_detection.h"
+#include "quality/figures.h"
 #include "scan_calibration/calibration_run.h"
 #include "scan_cell_common/errors/errors.h"
+#include "sequential.h"
 #include "session_figures.h"
 #include "tecnogamma_camera/grey_image_file.h"
 
@@ -18,6 +23,89 @@ namespace fs = std::filesystem;
 
 namespace scan_calibration {
 namespace {
+
+/// A model's state, for views that it was not fitted to.
+ScannerState state_of(const scan_cell_common::ScannerModel& model,
+                      const Eigen::Isometry3d& base_to_board, const Eigen::Vector3d& bend) {
+  ScannerState state;
+  state.width = model.camera.width;
+  state.height = model.camera.height;
+  state.camera = camera_vector(model.camera);
+  state.flange_to_camera = model.flange_to_camera;
+  state.base_to_board = base_to_board;
+  state.bend = bend;
+  for (const auto& laser : model.lasers)
+    state.planes.emplace_back(laser->normal / laser->distance);
+  return state;
+}
+
+/// RMS distance [mm] of the first laser's points from its plane.
+double plane_rms_mm(const ScannerState& state, const Board& board, const BoardViews& views) {
+  SquareSum sum;
+  for (const JudgedView& view : judge(state, BoardSurface(board), views))
+    sum.add(view.planes.front());
+  return 1e3 * sum.rms();
+}
+
+/// Both ways on some views of a session that are drawn by chance, judged on all its others.
+struct FewViews {
+  int fitted = 0, refused = 0, worse = 0;
+  double joint = 0, sequential = 0;  // sums of logarithms
+  double worst = 0;                  // joint over sequential
+
+  void add(double joint_mm, double sequential_mm) {
+    ++fitted;
+    worse += joint_mm > sequential_mm ? 1 : 0;
+    worst = std::max(worst, joint_mm / sequential_mm);
+    joint += std::log(joint_mm);
+    sequential += std::log(sequential_mm);
+  }
+};
+
+FewViews try_few_views(const Observations& used, std::size_t count) {
+  constexpr int kDraws = 30;  // chosen
+  std::mt19937 generator(static_cast<unsigned>(count));
+  FewViews result;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    std::vector<std::size_t> order(used.views.size());
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = order.size() - 1; i > 0; --i)
+      std::swap(order[i], order[generator() % (i + 1)]);
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+    Observations some = used;
+    some.views.clear();
+    BoardViews others;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i < count) some.views.push_back(used.views[order[i]]);
+      if (i >= count) others.push_back(board_view(used, order[i]));
+    }
+    try {
+      const Calibration joint = calibrate(some, {});
+      const SequentialCalibration steps = calibrate_sequentially(used_views(some, joint), 5);
+      result.add(plane_rms_mm(state_of(joint.scanner, joint.base_to_board, joint.board_bend),
+                              used.board, others),
+                 plane_rms_mm(state_of(steps.scanner, steps.base_to_board, {0, 0, 0}), used.board,
+                              others));
+    } catch (const scan_cell_common::UnusableInput&) {
+      ++result.refused;
+    }
+  }
+  return result;
+}
+
+void print_few_views(const Observations& used) {
+  std::printf("few of its views, laser plane on all others [mm RMS, geometric mean]\n");
+  for (const std::size_t count : {6, 7, 8, 10}) {
+    if (count + 3 > used.views.size()) continue;
+    const FewViews few = try_few_views(used, count);
+    if (few.fitted == 0) continue;
+    std::printf(
+        "  %2zu views: joint %.3f, step by step %.3f; joint worse in %d of %d, "
+        "at most %.2f times; %d draws refused\n",
+        count, std::exp(few.joint / few.fitted), std::exp(few.sequential / few.fitted), few.worse,
+        few.fitted, few.worst, few.refused);
+  }
+}
 
 void print_session(const fs::path& folder) {
   const CalibrationRun run = run_calibration(folder.string(), {}, {}, {});
@@ -41,6 +129,7 @@ void print_session(const fs::path& folder) {
           [i](const Figures& f) { return f.laser_plane_rms_mm.at(i); });
   }
   print("board's centre [mm RMS]", [](const Figures& f) { return f.board_scatter_mm; });
+  if (!run.observations.lasers.empty()) print_few_views(used_views(run.observations, joint));
 }
 
 /// How OpenCV's sample finds the corners that its published figure is of.
