@@ -19,7 +19,7 @@ struct Motion {
     kAlongArc,  //!< MOVE_CIRCULAR
     kToJoints,  //!< MOVE_JOINT
   };
-  Kind kind = Kind::kToPose;
+  Kind kind = Kind::kToPose;                                 //!< where it goes, and how
   Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< at its end, but for kToJoints
   Eigen::Isometry3d via = Eigen::Isometry3d::Identity();     //!< of kAlongArc, on the way
   std::vector<double> joints;                                //!< of kToJoints, six [rad]

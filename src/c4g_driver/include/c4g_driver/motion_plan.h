@@ -12,7 +12,7 @@ namespace c4g_driver {
 
 /// A motion among several that will be carried out one after the other.
 struct PlannedMotion {
-  Motion motion;
+  Motion motion;                       //!< as it will be asked for
   std::optional<double> linear_speed;  //!< [m/s] at which it will be run; none: as the settings say
 };
 

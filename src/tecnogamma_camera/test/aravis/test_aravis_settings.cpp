@@ -150,7 +150,7 @@ TEST(AravisCamera, DrivesTheStrobeWhileItRunsAndSetsTheLineBack) {
   std::filesystem::remove(file);
 }
 
-TEST(AravisCamera, DrivesFourStrobesAtOnceAndIsTriggeredByAnyOfFourInputs) {
+TEST(AravisCamera, DrivesFourStrobesAtOnceAndListsItsInputs) {
   const std::string file = genicam_file();
   constexpr unsigned kLines = 8, kMode = 1, kSource = kMode + kLines;  // registers
   const std::vector<std::string> lines = {"In0",  "In1",  "In2",  "In3",
