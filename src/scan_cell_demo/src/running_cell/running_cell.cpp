@@ -28,6 +28,10 @@ constexpr double kLook = 0.01;    // [s] between two checks
 constexpr int kStill = 3;         // messages in a row
 constexpr int kSteps = 8;         // of a scan
 
+scan_cell::ScanProgram shipped(const std::string& name) {
+  return scan_cell::load_scan_program(ros::package::getPath("scan_cell") + "/config/" + name);
+}
+
 bool grabs_an_image() {
   try {
     return scan_cell::ask<scan_cell_msgs::GrabImage>("/scan_cell/grab_image", {}, kPatience)
@@ -41,8 +45,8 @@ bool grabs_an_image() {
 
 RunningCell::RunningCell(ros::NodeHandle node)
     : node_(node),
-      program_(scan_cell::load_scan_program(ros::package::getPath("scan_cell") +
-                                            "/config/scan_line.yaml")),
+      line_(shipped("scan_line.yaml")),
+      program_(shipped("three_passes.yaml")),
       base_link_(scan_cell_sim::load_base_link_in_world(ros::package::getPath("scan_cell_sim") +
                                                         "/config/cell.yaml")) {
   feedback_ = node_.subscribe("/scan_cell/scan/feedback", 10, &RunningCell::on_feedback, this);
@@ -69,7 +73,7 @@ void RunningCell::wait_until_well() {
 }
 
 scan_cell::ScanProgram RunningCell::line() const {
-  scan_cell::ScanProgram program = program_;
+  scan_cell::ScanProgram program = line_;
   std::vector<Eigen::Isometry3d>& poses = program.passes.front().poses;
   const Eigen::Vector3d place = look().place;
   if ((poses.front().translation() - place).norm() < (poses.back().translation() - place).norm())
@@ -79,14 +83,26 @@ scan_cell::ScanProgram RunningCell::line() const {
 
 void RunningCell::forget_last_scan() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  step_ = 0;
+  step_ = {};
   progress_ = 0;
   result_.reset();
 }
 
 void RunningCell::start_scan(const std::string& scan_id) {
+  start(line(), scan_id);
+}
+
+void RunningCell::start_program(const std::string& scan_id) {
+  start(program_, scan_id);
+}
+
+void RunningCell::start(const scan_cell::ScanProgram& program, const std::string& scan_id) {
   forget_last_scan();
-  scan_.sendGoal(scan_cell::scan_goal(line(), scan_id));
+  scan_.sendGoal(scan_cell::scan_goal(program, scan_id));
+}
+
+void RunningCell::stop_scan() {
+  scan_.cancelGoal();
 }
 
 void RunningCell::start_videe_scan(std::uint16_t port) {
@@ -108,11 +124,28 @@ void RunningCell::start_videe_scan(std::uint16_t port) {
 void RunningCell::wait_for_step(int step, double share) {
   const double wanted = (step - 1 + share) / kSteps;
   wait_until(fmt::format("step {}", step), [&] {
-    const auto end = result();
-    if (end) throw EndedBefore("the scan", "ended before the blow", end->result.message);
+    throw_if_ended();
     const std::lock_guard<std::mutex> lock(mutex_);
-    return step_ == step && progress_ >= wanted;
+    return step_.step == step && progress_ >= wanted;
   });
+}
+
+void RunningCell::wait_in_scan(double time) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(time);
+  wait_until("the moment of the blow", [&] {
+    throw_if_ended();
+    return ros::WallTime::now() >= deadline;
+  });
+}
+
+void RunningCell::throw_if_ended() const {
+  const auto end = result();
+  if (end) throw EndedBefore("the scan", "ended before the blow", end->result.message);
+}
+
+RunningCell::Step RunningCell::step() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return step_;
 }
 
 scan_cell_msgs::ScanResultConstPtr RunningCell::end() {
@@ -175,7 +208,7 @@ bool RunningCell::connected() const {
 
 void RunningCell::on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  step_ = feedback.feedback.step;
+  step_ = {feedback.feedback.pass_number, feedback.feedback.step};
   progress_ = feedback.feedback.progress;
 }
 

@@ -9,6 +9,7 @@
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/SetFaults.h>
 
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -38,6 +39,12 @@ class RunningCell {
   /// Starts to scan the shipped line from its farther end.
   void start_scan(const std::string& scan_id);
 
+  /// Starts to scan the shipped program of three passes.
+  void start_program(const std::string& scan_id);
+
+  /// Cancels the scan that one of these two started; returns at once.
+  void stop_scan();
+
   /// The same as a client of videe_node, once that is up. The scan is named after the time.
   /// @throw scan_cell_common::Error if it refuses
   void start_videe_scan(std::uint16_t port);
@@ -45,6 +52,17 @@ class RunningCell {
   /// Waits until the running scan has done `share` (0 .. 1) of `step` (1 .. 8).
   /// @throw EndedBefore if the scan ends before that
   void wait_for_step(int step, double share);
+
+  /// Waits `time` [s] while the scan runs.
+  /// @throw EndedBefore if the scan ends before that
+  void wait_in_scan(double time);
+
+  /// The step of the running scan, as it was last heard.
+  struct Step {
+    std::uint32_t pass = 0;  // from 1; 0: none yet
+    int step = 0;            // 1 .. 8; 0: none yet
+  };
+  Step step() const;
 
   /// Waits for the end of the scan.
   /// @return null if scan_cell_node died, and the result with it
@@ -69,8 +87,10 @@ class RunningCell {
   void on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback);
   void on_result(const scan_cell_msgs::ScanActionResultConstPtr& result);
   void forget_last_scan();
+  void start(const scan_cell::ScanProgram& program, const std::string& scan_id);
   scan_cell::ScanProgram line() const;
   scan_cell_msgs::ScanActionResultConstPtr result() const;
+  void throw_if_ended() const;
   void on_flange(const geometry_msgs::PoseStamped& flange);
   void on_status(const scan_cell_msgs::RobotStatus& status);
 
@@ -84,11 +104,12 @@ class RunningCell {
   Seen look() const;
 
   ros::NodeHandle node_;
+  const scan_cell::ScanProgram line_;
   const scan_cell::ScanProgram program_;
   const Eigen::Isometry3d base_link_;  // in world
   mutable std::mutex mutex_;
   bool connected_ = false;
-  int step_ = 0;
+  Step step_;
   double progress_ = 0;                              // 0 .. 1, of the whole scan
   scan_cell_msgs::ScanActionResultConstPtr result_;  // none: it has not ended
   Seen flange_seen_;

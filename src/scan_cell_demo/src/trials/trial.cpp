@@ -27,6 +27,7 @@ constexpr double kWatch = 1.5;    // [s] in which no motion may start
 constexpr double kMaxWay = 1e-4;  // [m] of a robot that stands still
 constexpr int kStepOfMove = 2;    // of a scan
 constexpr int kStepOfCapture = 6;
+constexpr int kStepAfterPasses = 7;
 constexpr double kMillisecond = 1e3;  // [ms] per second
 
 /// Which node dies; empty: none.
@@ -42,6 +43,7 @@ std::string victim(Blow blow) {
       return "/videe";
     case Blow::kEmergencyStop:
     case Blow::kCablePulled:
+    case Blow::kStop:
       break;
   }
   return "";
@@ -50,9 +52,10 @@ std::string victim(Blow blow) {
 }  // namespace
 
 const std::vector<Blow>& every_blow() {
-  static const std::vector<Blow> blows = {Blow::kEmergencyStop,    Blow::kCablePulled,
-                                          Blow::kControllerKilled, Blow::kDriverKilled,
-                                          Blow::kCellKilled,       Blow::kVideeKilled};
+  static const std::vector<Blow> blows = {
+      Blow::kEmergencyStop, Blow::kCablePulled, Blow::kControllerKilled,
+      Blow::kDriverKilled,  Blow::kCellKilled,  Blow::kVideeKilled,
+      Blow::kStop};
   return blows;
 }
 
@@ -70,12 +73,22 @@ std::string name_of(Blow blow) {
       return "cell killed";
     case Blow::kVideeKilled:
       return "videe killed";
+    case Blow::kStop:
+      return "stop";
   }
   return "";
 }
 
 std::string name_of(Moment moment) {
-  return moment == Moment::kMidMove ? "mid move" : "mid scan";
+  switch (moment) {
+    case Moment::kMidMove:
+      return "mid move";
+    case Moment::kMidScan:
+      return "mid scan";
+    case Moment::kMidProgram:
+      return "mid program";
+  }
+  return "";
 }
 
 TrialBench::TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder,
@@ -87,14 +100,8 @@ void TrialBench::begin(const Trial& trial, const std::string& name) {
   for (int tries = 1;; ++tries) {
     cell_.wait_until_well();
     cell_.wait_until_standing();
-    if (trial.blow == Blow::kVideeKilled) {
-      cell_.start_videe_scan(videe_);
-    } else {
-      cell_.start_scan(name);
-    }
     try {
-      cell_.wait_for_step(trial.moment == Moment::kMidScan ? kStepOfCapture : kStepOfMove,
-                          trial.share);
+      begin_once(trial, name);
       return;
     } catch (const EndedBefore&) {
       ++begun_anew_;
@@ -103,19 +110,52 @@ void TrialBench::begin(const Trial& trial, const std::string& name) {
   }
 }
 
+void TrialBench::begin_once(const Trial& trial, const std::string& name) {
+  if (trial.moment == Moment::kMidProgram) {
+    const double time = time_of_program();
+    cell_.start_program(name);
+    cell_.wait_in_scan(trial.share * time);
+    return;
+  }
+  if (trial.blow == Blow::kVideeKilled) {
+    cell_.start_videe_scan(videe_);
+  } else {
+    cell_.start_scan(name);
+  }
+  cell_.wait_for_step(trial.moment == Moment::kMidScan ? kStepOfCapture : kStepOfMove, trial.share);
+}
+
+/// [s] from the goal to the end of the last pass, as a whole scan took it.
+double TrialBench::time_of_program() {
+  if (time_of_program_ > 0) return time_of_program_;
+  const Nanoseconds start = host_now();
+  cell_.start_program("whole_program");
+  cell_.wait_for_step(kStepAfterPasses, 0);
+  const double time = scan_cell_common::to_seconds(host_now() - start);
+  const auto scan = cell_.end();
+  if (!scan || scan->outcome != scan_cell_msgs::ScanResult::FINISHED)
+    throw EndedBefore("the program", "was not scanned whole", scan ? scan->message : "no result");
+  time_of_program_ = time;
+  cell_.wait_until_standing();
+  return time;
+}
+
 TrialResult TrialBench::make(const Trial& trial, const std::string& name) {
   begin(trial, name);
   const bool scanning = trial.moment == Moment::kMidScan;
   TrialResult result;
   if (scanning && !tap_.wait_until_on(kPatience)) result.failures.push_back("no laser in the scan");
-  const std::uint64_t switched_on = tap_.switched_on();
+  const RunningCell::Step step = cell_.step();
+  result.place = fmt::format("pass {}, step {}, lasers {}", step.pass, step.step,
+                             tap_.lasers() == 0 ? "off" : "on");
   const Nanoseconds struck = strike(trial.blow);
-  const auto on = tap_.on_for(struck, kPatience);
-  result.lasers_on = on.value_or(kPatience);
+  check_end(trial, step, result);
+  // A scan that ended switches no laser on; what it switched on after the blow counts as still on.
+  result.lasers_on = tap_.on_for(struck, kPatience).value_or(kPatience);
   if (result.lasers_on > max_on_)
     result.failures.push_back(
         fmt::format("lasers on for {:.1f} ms", kMillisecond * result.lasers_on));
-  check_end(trial, result);
+  const std::uint64_t switched_on = tap_.switched_on();
   make_well(trial);
   const double way = cell_.way_within(kWatch);
   if (way > kMaxWay) result.failures.push_back(fmt::format("moved by {:g} m", way));
@@ -126,6 +166,11 @@ TrialResult TrialBench::make(const Trial& trial, const std::string& name) {
 }
 
 Nanoseconds TrialBench::strike(Blow blow) {
+  if (blow == Blow::kStop) {
+    const Nanoseconds struck = host_now();
+    cell_.stop_scan();
+    return struck;
+  }
   killed_node_ = victim(blow);
   if (!killed_node_.empty()) {
     killed_ = checked_process_of(killed_node_);
@@ -141,7 +186,8 @@ Nanoseconds TrialBench::strike(Blow blow) {
   return struck;
 }
 
-void TrialBench::check_end(const Trial& trial, TrialResult& result) {
+void TrialBench::check_end(const Trial& trial, const RunningCell::Step& struck_at,
+                           TrialResult& result) {
   const auto scan = cell_.end();
   if (!scan) {
     result.outcome = "no result";
@@ -151,7 +197,21 @@ void TrialBench::check_end(const Trial& trial, TrialResult& result) {
   result.outcome = scan->message;
   if (scan->outcome == scan_cell_msgs::ScanResult::FINISHED)
     result.failures.push_back("the scan was reported as whole");
-  if (trial.moment == Moment::kMidScan) check_cloud(*scan, result);
+  if (trial.blow == Blow::kStop && scan->outcome != scan_cell_msgs::ScanResult::CANCELLED)
+    result.failures.push_back("the scan was not reported as cancelled");
+  if (trial.moment == Moment::kMidProgram) check_passes(*scan, struck_at, result);
+  if (trial.moment == Moment::kMidScan || scan->audit.frames_bound > 0) check_cloud(*scan, result);
+}
+
+/// The passes before that in which the blow came are finished, and their pulses are accounted for.
+void TrialBench::check_passes(const scan_cell_msgs::ScanResult& scan,
+                              const RunningCell::Step& struck_at, TrialResult& result) {
+  const std::uint32_t before = struck_at.pass > 0 ? struck_at.pass - 1 : 0;
+  if (scan.passes_finished != before && scan.passes_finished != before + 1)
+    result.failures.push_back(fmt::format("{} passes finished, after pass {} had begun",
+                                          scan.passes_finished, before + 1));
+  if (scan.passes_finished > 0 && scan.audit.frames_bound == 0)
+    result.failures.push_back("nothing is left of the passes that were finished");
 }
 
 void TrialBench::check_cloud(const scan_cell_msgs::ScanResult& scan, TrialResult& result) {

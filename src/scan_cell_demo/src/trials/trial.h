@@ -18,10 +18,12 @@ enum class Blow {
   kControllerKilled,
   kDriverKilled,
   kCellKilled,
-  kVideeKilled  //!< while a scan of its own client runs
+  kVideeKilled,  //!< while a scan of its own client runs
+  kStop,         //!< nothing breaks: its client cancels the scan
 };
-/// When: on the way to the start of a line with the lasers off, or while the line is scanned.
-enum class Moment { kMidMove, kMidScan };
+/// When: on the way to the start of a line with the lasers off, while the line is scanned, or at
+/// any time in a program of three passes.
+enum class Moment { kMidMove, kMidScan, kMidProgram };
 
 const std::vector<Blow>& every_blow();
 std::string name_of(Blow blow);
@@ -31,13 +33,14 @@ std::string name_of(Moment moment);
 struct Trial {
   Blow blow = Blow::kEmergencyStop;
   Moment moment = Moment::kMidScan;
-  double share = 0.5;  //!< 0 .. 1 of the motion done by then
+  double share = 0.5;  //!< 0 .. 1 of the motion done by then; of a program, of its time
   double pause = 2;    //!< [s] the blow lasts: until the button or the cable is back
 };
 
 /// How the cell reacted. `failures` is empty if it kept every promise.
 struct TrialResult {
-  double lasers_on = 0;               //!< [s] after the blow
+  double lasers_on = 0;               //!< [s] after the blow, until none was on any more
+  std::string place;                  //!< where in the scan the blow came
   std::string outcome;                //!< message of the scan's result
   std::vector<std::string> failures;  //!< promises that were broken
 };
@@ -65,12 +68,16 @@ class TrialBench {
 
  private:
   void begin(const Trial& trial, const std::string& name);
+  void begin_once(const Trial& trial, const std::string& name);
+  double time_of_program();
 
   /// @return host time just before the blow
   scan_cell_common::Nanoseconds strike(Blow blow);
   void make_well(const Trial& trial);
-  void check_end(const Trial& trial, TrialResult& result);
+  void check_end(const Trial& trial, const RunningCell::Step& struck_at, TrialResult& result);
   void check_cloud(const scan_cell_msgs::ScanResult& scan, TrialResult& result);
+  static void check_passes(const scan_cell_msgs::ScanResult& scan,
+                           const RunningCell::Step& struck_at, TrialResult& result);
 
   RunningCell& cell_;
   const LaserTap& tap_;
@@ -80,6 +87,7 @@ class TrialBench {
   std::string killed_node_;
   pid_t killed_ = -1;
   int begun_anew_ = 0;
+  double time_of_program_ = 0;                   // [s] 0: not measured yet
   std::map<std::string, std::uintmax_t> files_;  // whole clouds and their sizes [bytes]
 };
 

@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Disturbs the simulated cell at random times during moves and scans: emergency stop, cable pulled,
-// controller, driver, cell or videe_node killed. Reports how long the lasers stayed on, and which
-// promise was broken.
+// controller, driver, cell or videe_node killed; or stops a scan of three passes. Reports how long
+// the lasers stayed on, and which promise was broken.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -38,7 +38,8 @@ struct Options {
 /// All kinds in equal numbers, in an order that the seed decides.
 std::vector<Trial> mix(const Options& options) {
   std::mt19937 random(options.seed);
-  std::uniform_real_distribution<double> share(0.1, 0.7), pause(0, 2);
+  std::uniform_real_distribution<double> share(0.1, 0.7), pause(0, 2),
+      anywhere(0, 0.97);  // a scan that is slower than the first one must not end before
   std::vector<Blow> wanted;
   for (const Blow blow : every_blow()) {
     if (std::count(options.blows.begin(), options.blows.end(), name_of(blow)) > 0)
@@ -48,8 +49,13 @@ std::vector<Trial> mix(const Options& options) {
   for (int i = 0; i < options.count; ++i) {
     const auto blows = static_cast<int>(wanted.size());
     const Blow blow = wanted[static_cast<std::size_t>(i % blows)];
-    const Moment moment = i / blows % 2 == 0 ? Moment::kMidScan : Moment::kMidMove;
-    trials.push_back({blow, moment, share(random), pause(random)});
+    Moment moment = i / blows % 2 == 0 ? Moment::kMidScan : Moment::kMidMove;
+    double part = share(random);
+    if (blow == Blow::kStop) {
+      moment = Moment::kMidProgram;
+      part = anywhere(random);
+    }
+    trials.push_back({blow, moment, part, pause(random)});
   }
   std::shuffle(trials.begin(), trials.end(), random);
   return trials;
@@ -65,7 +71,7 @@ TrialResult make_safely(TrialBench& bench, const Trial& trial, const std::string
   try {
     return bench.make(trial, name);
   } catch (const scan_cell_common::Error& error) {
-    return {0, "", {error.what()}};
+    return {0, "", "", {error.what()}};
   }
 }
 
@@ -99,9 +105,9 @@ int run(const Options& options) {
     Tally& tally = tallies[kind];
     tally.lasers_on.push_back(result.lasers_on);
     if (!result.failures.empty()) ++tally.broken, ++broken;
-    std::printf("%d of %d: %s at %.0f %%: lasers on for %.1f ms; %s\n", number, options.count,
-                kind.c_str(), 100 * trial.share, kMilliseconds * result.lasers_on,
-                result.outcome.c_str());
+    std::printf("%d of %d: %s at %.0f %% (%s): lasers on for %.1f ms; %s\n", number, options.count,
+                kind.c_str(), 100 * trial.share, result.place.c_str(),
+                kMilliseconds * result.lasers_on, result.outcome.c_str());
     for (const std::string& failure : result.failures)
       std::printf("  BROKEN: %s\n", failure.c_str());
     std::fflush(stdout);
