@@ -49,6 +49,15 @@ struct FakeRobot : scan_cell::Robot {
   explicit FakeRobot(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return cell.trouble("robot"); }
   void set_linear_motion(double) override { cell.note("speed"); }
+  std::optional<scan_cell::MovesCheck> check(
+      const std::vector<scan_cell::PlannedMove>& moves) override {
+    checked = moves;
+    if (cell.throws_at == "check") cell.note("check");
+    if (!impossible)
+      return checks ? std::optional(scan_cell::MovesCheck{moves.size(), "", {}}) : std::nullopt;
+    return scan_cell::MovesCheck{*impossible, "line: passes a singular posture",
+                                 Eigen::Vector3d(1, 2, 3)};
+  }
   void start_move(const scan_cell::MoveTarget& target, double) override {
     targets.push_back(target);
     cell.looks = 0;
@@ -73,6 +82,9 @@ struct FakeRobot : scan_cell::Robot {
   void stop() noexcept override { cell.log.emplace_back("stop robot"); }
   FakeCell& cell;
   std::vector<scan_cell::MoveTarget> targets;
+  std::vector<scan_cell::PlannedMove> checked;
+  bool checks = true;                     // its driver has the service
+  std::optional<std::size_t> impossible;  // motion of those that are checked
   bool fails = false;
   bool stuck = false;
   int unseen_from = 0, unseen_until = 0;  // in looks for it

@@ -42,6 +42,9 @@ struct FakeRobot : scan_cell::Robot {
   explicit FakeRobot(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return trouble_from == cell.pose ? "robot is lost" : ""; }
   void set_linear_motion(double) override { cell.note("speed"); }
+  std::optional<scan_cell::MovesCheck> check(const std::vector<scan_cell::PlannedMove>&) override {
+    return std::nullopt;
+  }
   void start_move(const scan_cell::MoveTarget& to, double) override {
     target = to.flange;
     ++cell.pose;

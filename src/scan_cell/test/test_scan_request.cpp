@@ -104,3 +104,26 @@ TEST(ScanRequest, AddsUpTheLinesOfAPolyline) {
   way.poses = {at(0, 0), at(0.3, 0), at(0.3, 0.4), at(0, 0)};
   EXPECT_NEAR(length(way), 1.2, 1e-12);
 }
+
+TEST(ScanRequest, IsRefusedWhereTheFlangeWouldTurnBackOnALongArc) {
+  const auto arc_over = [](double via, double end, double share_of_turn) {
+    const auto on_circle = [&](double degrees) {
+      const double angle = degrees * M_PI / 180;
+      Eigen::Isometry3d pose = at(0.8 + 0.2 * std::cos(angle), 0.1 + 0.2 * std::sin(angle));
+      pose.rotate(Eigen::AngleAxisd(share_of_turn * angle, Eigen::Vector3d::UnitZ()));
+      return pose;
+    };
+    return refused([&](ScanRequest& request) {
+      request.passes[1].kind = PassKind::kArc;
+      request.passes[1].poses = {on_circle(0), on_circle(via), on_circle(end)};
+    });
+  };
+  EXPECT_EQ(arc_over(135, 270, 1), "nothing");
+  EXPECT_EQ(arc_over(170, 340, 1), "nothing");
+  EXPECT_EQ(arc_over(60, 270, 1), "pass 2: arc from pose 2 to pose 3") << "150 degrees back";
+  EXPECT_EQ(arc_over(210, 270, 1), "pass 2: arc from pose 1 to pose 2") << "150 degrees back";
+  EXPECT_EQ(arc_over(-60, -270, 1), "pass 2: arc from pose 2 to pose 3") << "the other way round";
+  EXPECT_EQ(arc_over(60, 270, 0), "nothing") << "it does not turn at all";
+  EXPECT_EQ(arc_over(60, 270, 0.2), "nothing") << "it turns along, less than the arc";
+  EXPECT_EQ(arc_over(60, 150, -1), "nothing") << "against the arc, but by less than half a turn";
+}

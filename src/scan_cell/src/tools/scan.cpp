@@ -38,6 +38,8 @@ void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
               result.scan_id.c_str(), result.audit.triggers, result.audit.frames,
               result.audit.frames_bound, result.audit.frames_dropped,
               result.audit.frames_never_arrived);
+  for (const std::string& warning : result.warnings)
+    std::printf("warning: %s\n", warning.c_str());
   if (!result.cloud_file.empty()) {
     std::printf("%s: %lu points, too many for a message\n", result.cloud_file.c_str(),
                 result.statistics.points);
@@ -79,9 +81,8 @@ void scan(const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   scan_cell_common::Outputs outputs;
-  CLI::App app("Scans one line with the running cell and saves the cloud");
-  app.add_option("--program", options.program, "scan program (YAML): poses, speed, rate, laser")
-      ->required();
+  CLI::App app("Scans a program with the running cell and saves the cloud");
+  app.add_option("--program", options.program, "scan program (YAML)")->required();
   app.add_option("--id", options.scan_id, "name of the scan; made from the time if not given");
   outputs.add(app, "--output", options.output, "whole cloud as it was scanned (.ply, .pcd)");
   outputs.add(app, "--clean", options.clean, "clean cloud of one object (.ply, .pcd)");

@@ -19,6 +19,20 @@ struct MoveTarget {
   std::optional<Eigen::Isometry3d> via;  //!< on the arc to it; none: it goes along a line
 };
 
+/// A motion that is not begun yet.
+struct PlannedMove {
+  MoveTarget target;
+  double speed = 0;        //!< [m/s]
+  double camera_rate = 0;  //!< [Hz] told to the controller with it; 0: none
+};
+
+/// How far the robot could get in several motions.
+struct MovesCheck {
+  std::size_t possible = 0;              //!< of the first motions
+  std::string refusal;                   //!< why not the one after those; empty: all are possible
+  std::optional<Eigen::Vector3d> place;  //!< [m] of the flange there, in the robot's base frame
+};
+
 /// How the motion that was started last stands.
 struct Motion {
   enum class State {
@@ -48,6 +62,11 @@ class Robot : public Device {
  public:
   /// Linear motion with linear interpolation, at this speed of the flange [m/s].
   virtual void set_linear_motion(double speed) = 0;
+
+  /// Whether it could carry out motions, each from where the one before ends and the first from
+  /// where it stands; nothing moves.
+  /// @return none where its driver cannot tell
+  virtual std::optional<MovesCheck> check(const std::vector<PlannedMove>& moves) = 0;
 
   /// Starts to move the flange; returns once the goal was handed over.
   /// @param camera_rate [Hz] frame rate told to the controller with the motion; 0: none

@@ -18,6 +18,20 @@ using scan_cell_common::Refused;
 constexpr std::size_t kMaxPasses = 200;  // chosen; a point of the cloud has a byte for its pass
 constexpr std::size_t kMaxPoses = 1000;  // of a pass; chosen
 
+constexpr double kTurnsBack = M_PI / 180;  // [rad] about the arc's axis; chosen
+
+double degrees(double angle) {
+  return angle * 180 / M_PI;
+}
+
+/// [rad] at a corner of the triangle with two others. The arc between those, seen from the circle's
+/// centre, is twice that.
+double angle_at(const Eigen::Vector3d& corner, const Eigen::Vector3d& one,
+                const Eigen::Vector3d& other) {
+  const Eigen::Vector3d first = one - corner, second = other - corner;
+  return std::atan2(first.cross(second).norm(), first.dot(second));
+}
+
 /// One pass with its name, to refuse.
 class PassCheck {
  public:
@@ -30,6 +44,7 @@ class PassCheck {
     check_range("frame rate", pass_.rate, limits_.min_rate, limits_.max_rate, "Hz",
                 ": the loss of a slower camera would be noticed too late");
     check_length();
+    if (pass_.kind == PassKind::kArc) check_turn();
   }
 
  private:
@@ -81,6 +96,25 @@ class PassCheck {
     }
   }
 
+  /// Between two poses the flange turns the shorter way round. Where they are more than half of the
+  /// circle apart, a flange that was to turn with the arc would turn back.
+  void check_turn() const {
+    const auto& poses = pass_.poses;
+    const auto point = [&poses](std::size_t i) { return poses[i].translation(); };
+    const Eigen::Vector3d axis = (point(1) - point(0)).cross(point(2) - point(0)).normalized();
+    for (std::size_t i = 1; i < 3; ++i) {
+      const std::size_t third = i == 1 ? 2 : 0;
+      const double sweep = 2 * angle_at(point(third), point(i - 1), point(i));
+      const Eigen::AngleAxisd turn(poses[i].linear() * poses[i - 1].linear().transpose());
+      const double back = -turn.angle() * turn.axis().dot(axis);
+      if (sweep <= M_PI || back < kTurnsBack) continue;
+      refuse(fmt::format("arc from pose {} to pose {}", i, i + 1),
+             fmt::format("goes round by {:.0f} deg while the flange turns back by {:.0f} deg",
+                         degrees(sweep), degrees(back)),
+             "put via near the middle, or make two passes of it");
+    }
+  }
+
   const ScanPass& pass_;
   const std::string name_;
   const ScanLimits& limits_;
@@ -91,9 +125,7 @@ class PassCheck {
 double arc_length(const Eigen::Vector3d& start, const Eigen::Vector3d& via,
                   const Eigen::Vector3d& end) {
   constexpr double kStraight = 1e-3;  // [rad] chosen: 0.1 m of it bulge by 25 um
-  const Eigen::Vector3d to_start = start - via;
-  const Eigen::Vector3d to_end = end - via;
-  const double at_via = std::atan2(to_start.cross(to_end).norm(), to_start.dot(to_end));
+  const double at_via = angle_at(via, start, end);
   const double half = M_PI - at_via;  // half of the arc's angle at the centre
   if (half < kStraight || at_via < kStraight) return std::numeric_limits<double>::quiet_NaN();
   const double radius = (end - start).norm() / (2 * std::sin(at_via));

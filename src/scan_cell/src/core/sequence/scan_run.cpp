@@ -39,8 +39,10 @@ std::vector<ScanRun> runs_of(const std::vector<ScanPass>& passes) {
   for (std::size_t i = 0; i < passes.size(); ++i) {
     std::vector<Eigen::Isometry3d> poses = passes[i].poses;
     for (const Lighting& lighting : lightings_of(passes[i].lasers)) {
-      runs.push_back({i, pass_name(passes[i], i), poses.front(), moves_along(passes[i].kind, poses),
-                      passes[i].speed, passes[i].rate, lighting});
+      const bool there = !runs.empty() && runs.back().moves.back().flange.isApprox(poses.front());
+      runs.push_back({i, pass_name(passes[i], i), !there, poses.front(),
+                      moves_along(passes[i].kind, poses), passes[i].speed, passes[i].rate,
+                      lighting});
       std::reverse(poses.begin(), poses.end());
     }
   }

@@ -14,6 +14,7 @@ namespace scan_cell {
 struct ScanRun {
   std::size_t pass = 0;           //!< from 0
   std::string name;               //!< of the pass, for a person
+  bool approach = true;           //!< it does not begin where the run before it ends
   Eigen::Isometry3d start;        //!< of the flange
   std::vector<MoveTarget> moves;  //!< from there on, one after the other
   double speed = 0;               //!< [m/s]

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "scan_cell_common/errors/errors.h"
+#include "sequence/program_check.h"
 
 namespace scan_cell {
 
@@ -33,6 +34,8 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
     for (const ScanRun& run : runs_)
       on_stages([&] { stages_.check_run(run); });
     supervisor_.wait_until_well();
+    warnings_ = on(Outcome::kRefused, Outcome::kRobotLost,
+                   [&] { return check_reach(robot_, runs_, timing_.approach_speed); });
     for (run_ = 0; run_ < runs_.size(); ++run_) {
       approach(runs_[run_]);
       start_stages(request.scan_id);
@@ -50,7 +53,7 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
 void ScanSequence::begin() {
   runs_.clear();
   run_ = passes_finished_ = 0;
-  flange_.reset();
+  warnings_.clear();
   armings_.clear();
   progress_ = {};
   capturing_ = stages_started_ = false;
@@ -59,7 +62,7 @@ void ScanSequence::begin() {
 void ScanSequence::approach(const ScanRun& run) {
   passes_finished_ = run.pass;
   step(2, "move to the start");
-  if (!flange_ || !flange_->isApprox(run.start)) {
+  if (run.approach) {
     on_robot([&] { robot_.set_linear_motion(timing_.approach_speed); });
     supervisor_.start_move({run.start, std::nullopt}, 0);
     wait_for_motion();
@@ -92,7 +95,6 @@ void ScanSequence::capture(const ScanRun& run) {
     supervisor_.start_move(run.moves[i], run.rate);
     wait_for_motion(static_cast<double>(i) * part, part);
   }
-  flange_ = run.moves.back().flange;
   camera_.expect_profiles(0);
   const std::string trouble = disarm();
   if (!trouble.empty()) throw EndEarly{Outcome::kTriggerLost, trouble};

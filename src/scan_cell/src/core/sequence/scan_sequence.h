@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +35,7 @@ class ScanObserver {
 /// speed, linear motion and interpolation; prepare binder and triangulation; start the camera; move
 /// to the end while the trigger pulses; stop; bind and triangulate. Of a scan with several passes
 /// each does the steps 2 to 6; binder, triangulation and camera are started once. Between passes
-/// the lasers are off.
+/// the lasers are off. Before anything moves all motions of all passes are checked.
 ///
 /// Whatever goes wrong, the lasers go off first, the robot stops, and what was captured is still
 /// made into a cloud.
@@ -56,6 +55,9 @@ class ScanSequence {
 
   /// Of the latest scan, those that were scanned to their end.
   std::size_t passes_finished() const { return passes_finished_; }
+
+  /// Of the latest scan: what else a person should know.
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   void begin();
@@ -82,7 +84,7 @@ class ScanSequence {
   std::vector<ScanRun> runs_;
   std::size_t run_ = 0;  // of them, the one under way
   std::size_t passes_finished_ = 0;
-  std::optional<Eigen::Isometry3d> flange_;  // where the latest motion ended
+  std::vector<std::string> warnings_;
   std::vector<ArmingPulses> armings_;
   ScanProgress progress_;
   bool stages_started_ = false;

@@ -49,17 +49,23 @@ auto on(Outcome outcome, const Call& call) {
   }
 }
 
+/// The same, and tells a device that refuses from one that is lost.
+template <class Call>
+auto on(Outcome refused, Outcome lost, const Call& call) {
+  try {
+    return call();
+  } catch (const scan_cell_common::Refused& refusal) {
+    throw EndEarly{refused, refusal.what()};
+  } catch (const scan_cell_common::Error& error) {
+    throw EndEarly{lost, error.what()};
+  }
+}
+
 /// Carries out what the robot is asked for: where it refuses no motion comes, and any other error
 /// loses it.
 template <class Call>
 auto on_robot(const Call& call) {
-  try {
-    return call();
-  } catch (const scan_cell_common::Refused& refusal) {
-    throw EndEarly{Outcome::kMotionFailed, refusal.what()};
-  } catch (const scan_cell_common::Error& error) {
-    throw EndEarly{Outcome::kRobotLost, error.what()};
-  }
+  return on(Outcome::kMotionFailed, Outcome::kRobotLost, call);
 }
 
 /// Carries out what the stages are asked for before anything moves: what they refuse is refused,

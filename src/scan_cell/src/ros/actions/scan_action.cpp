@@ -10,6 +10,8 @@
 #include "scan_cell/ros/scan_goal.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "scan_cell_common/ros/service_answer.h"
+#include "sequence/program_check.h"
 
 namespace scan_cell {
 
@@ -20,6 +22,7 @@ using scan_cell_msgs::ScanResult;
 ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
                        CellInUse& cell, const StateTopic& state)
     : parameters_(parameters),
+      robot_(devices.robot),
       camera_(devices.camera),
       stages_(parameters.binder, parameters.triangulation, parameters.call_timeout,
               parameters.base_frame),
@@ -34,6 +37,7 @@ ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellD
   cloud_subscriber_ =
       node.subscribe<sensor_msgs::PointCloud2>(parameters.triangulation + "/cloud", 100, count);
   publish_state(CellState::IDLE, "");
+  check_program_ = node.advertiseService("check_program", &ScanAction::check_program, this);
   action_.start();
 }
 
@@ -42,7 +46,10 @@ ScanAction::~ScanAction() {
 }
 
 std::string ScanAction::accept(const scan_cell_msgs::ScanGoal& goal) {
-  request_ = request_from(goal);
+  request_ = request_from(goal.passes, goal.frame);
+  request_.scan_id = goal.scan_id.empty()
+                         ? fmt::format("scan_{}", ros::Time::now().toNSec() / 1000000)
+                         : goal.scan_id;
   points_ = 0;
   camera_.clear();
   stages_.clear();
@@ -63,26 +70,38 @@ ScanResult ScanAction::run(const WhyToCancel& why_to_cancel) {
   result.seconds = (ros::WallTime::now() - start).toSec();
   const bool finished = end.outcome == Outcome::kFinished;
   result.message = finished ? stages_.binding() : end.message;
+  result.warnings = sequence_.warnings();
+  for (const std::string& warning : result.warnings)
+    ROS_WARN("Scan '%s': %s", request_.scan_id.c_str(), warning.c_str());
   publish_state(finished ? CellState::FINISHED : CellState::FAILED, end.message);
   if (!finished)
     ROS_WARN("Scan '%s' ended early: %s", request_.scan_id.c_str(), end.message.c_str());
   return result;
 }
 
-ScanRequest ScanAction::request_from(const scan_cell_msgs::ScanGoal& goal) const {
+ScanRequest ScanAction::request_from(const std::vector<scan_cell_msgs::ScanPass>& passes,
+                                     const std::string& frame) const {
   ScanRequest request;
-  request.scan_id = goal.scan_id.empty()
-                        ? fmt::format("scan_{}", ros::Time::now().toNSec() / 1000000)
-                        : goal.scan_id;
-  for (std::size_t i = 0; i < goal.passes.size(); ++i)
-    request.passes.push_back(pass_from(goal.passes[i], fmt::format("pass {}", i + 1)));
+  for (std::size_t i = 0; i < passes.size(); ++i)
+    request.passes.push_back(pass_from(passes[i], fmt::format("pass {}", i + 1)));
   check(request, parameters_.limits);
-  const Eigen::Isometry3d base = base_to(goal.frame);
+  const Eigen::Isometry3d base = base_to(frame);
   for (ScanPass& pass : request.passes) {
     for (Eigen::Isometry3d& pose : pass.poses)
       pose = base * pose;
   }
   return request;
+}
+
+bool ScanAction::check_program(scan_cell_msgs::CheckProgram::Request& request,
+                               scan_cell_msgs::CheckProgram::Response& response) {
+  return scan_cell_common::answer(response, [&] {
+    const auto runs = runs_of(request_from(request.passes, request.frame).passes);
+    const std::string trouble = robot_.trouble();
+    if (!trouble.empty())
+      throw scan_cell_common::ConnectionError("program", "not checked", trouble);
+    response.warnings = check_reach(robot_, runs, parameters_.timing.approach_speed);
+  });
 }
 
 /// @throw Refused where tf does not know the frame

@@ -4,12 +4,14 @@
 
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/CellState.h>
+#include <scan_cell_msgs/CheckProgram.h>
 #include <scan_cell_msgs/ScanAction.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 #include "actions/cell_action.h"
 #include "actions/cell_devices.h"
@@ -19,7 +21,7 @@
 
 namespace scan_cell {
 
-/// The action ~scan.
+/// The action ~scan, and the service ~check_program.
 class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::ScanAction>::Work {
  public:
   /// @param node the private node handle
@@ -33,8 +35,12 @@ class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::Scan
   std::string accept(const scan_cell_msgs::ScanGoal& goal) override;
   scan_cell_msgs::ScanResult run(const WhyToCancel& why_to_cancel) override;
 
+  bool check_program(scan_cell_msgs::CheckProgram::Request& request,
+                     scan_cell_msgs::CheckProgram::Response& response);
+
   /// @throw scan_cell_common::Refused
-  ScanRequest request_from(const scan_cell_msgs::ScanGoal& goal) const;
+  ScanRequest request_from(const std::vector<scan_cell_msgs::ScanPass>& passes,
+                           const std::string& frame) const;
   Eigen::Isometry3d base_to(const std::string& frame) const;
 
   void on_progress(const ScanProgress& progress) override;
@@ -45,6 +51,7 @@ class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::Scan
   const Parameters parameters_;
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_{transforms_};
+  RosRobot& robot_;
   RosCamera& camera_;
   RosStages stages_;
   ScanSequence sequence_;
@@ -54,6 +61,7 @@ class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::Scan
   ros::WallTime last_feedback_;
   int last_step_ = 0;
   ScanRequest request_;
+  ros::ServiceServer check_program_;
   CellAction<scan_cell_msgs::ScanAction> action_;  // last: its callbacks use all the rest
 };
 

@@ -24,8 +24,10 @@ void describe_names(ParameterTable& table, Parameters& p) {
             "frame the robot's driver takes targets in; goals in other frames are transformed by "
             "tf");
   table.add("flange_frame", p.flange_frame, "frame that the robot's driver publishes on `/tf`");
-  table.add("robot", p.robot,
-            "node with the action `~move`, the topic `~status` and the speed services");
+  table.add(
+      "robot", p.robot,
+      "node with the action `~move`, the topic `~status`, the speed services and, for the check "
+      "of a program, `~check_motions`");
   table.add("camera", p.camera, "node with `~set_acquisition` and `~profiles`");
   table.add("trigger", p.trigger,
             "node with `~arm`, `~disarm`, `~keep_alive`, `~events`, `~state`");

@@ -28,6 +28,7 @@ class RosRobot : public Robot {
 
   std::string trouble() const override;
   void set_linear_motion(double speed) override;
+  std::optional<MovesCheck> check(const std::vector<PlannedMove>& moves) override;
   void start_move(const MoveTarget& target, double camera_rate) override;
   Motion motion() const override;
   std::string unseen() const override;
@@ -43,6 +44,7 @@ class RosRobot : public Robot {
  private:
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::MoveAction>;
 
+  scan_cell_msgs::MoveGoal goal_of(const MoveTarget& target, double camera_rate) const;
   void on_status(const scan_cell_msgs::RobotStatus& status);
   void on_transforms(const tf2_msgs::TFMessage& transforms);
   void on_done(std::uint64_t move, const actionlib::SimpleClientGoalState& state,

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 #include <ros/this_node.h>
+#include <scan_cell_msgs/CheckMotions.h>
 #include <scan_cell_msgs/GetStaticPose.h>
 #include <scan_cell_msgs/SetControllerParameter.h>
 #include <scan_cell_msgs/SetLinearSpeed.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "devices/ros_devices.h"
 #include "scan_cell/ros/service_call.h"
@@ -16,6 +20,8 @@ using scan_cell_msgs::MoveGoal;
 using scan_cell_msgs::MoveResult;
 
 namespace {
+
+constexpr double kCheckOfAMotion = 0.05;  // [s] many times what the check of a motion takes; chosen
 
 /// How a motion ended that did not reach its target.
 Motion::State state_of(std::uint8_t outcome) {
@@ -110,7 +116,7 @@ void RosRobot::set_linear_motion(double speed) {
   }
 }
 
-void RosRobot::start_move(const MoveTarget& target, double camera_rate) {
+MoveGoal RosRobot::goal_of(const MoveTarget& target, double camera_rate) const {
   MoveGoal goal;
   goal.kind = target.via ? MoveGoal::CIRCULAR : MoveGoal::CARTESIAN;
   goal.pose.header.frame_id = parameters_.base_frame;
@@ -120,6 +126,28 @@ void RosRobot::start_move(const MoveTarget& target, double camera_rate) {
   goal.via.pose = scan_cell_common::to_ros_pose(target.via.value_or(target.flange));
   goal.camera_rate = camera_rate;
   goal.watcher = ros::this_node::getName();
+  return goal;
+}
+
+std::optional<MovesCheck> RosRobot::check(const std::vector<PlannedMove>& moves) {
+  const std::string service = parameters_.robot + "/check_motions";
+  if (!ros::service::exists(service, false)) return std::nullopt;
+  scan_cell_msgs::CheckMotions::Request request;
+  request.linear = 1;
+  for (const PlannedMove& move : moves) {
+    request.motions.push_back(goal_of(move.target, move.camera_rate));
+    request.speeds.push_back(move.speed);
+  }
+  const double timeout = parameters_.call_timeout + kCheckOfAMotion * double(moves.size());
+  const auto answer = call_driver<scan_cell_msgs::CheckMotions>(service, request, timeout);
+  MovesCheck check{std::min<std::size_t>(answer.possible, moves.size()), answer.message, {}};
+  if (std::isfinite(answer.way))
+    check.place = scan_cell_common::from_ros(answer.pose.pose).translation();
+  return check;
+}
+
+void RosRobot::start_move(const MoveTarget& target, double camera_rate) {
+  const MoveGoal goal = goal_of(target, camera_rate);
   std::uint64_t move = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
