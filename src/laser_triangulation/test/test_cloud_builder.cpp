@@ -176,3 +176,23 @@ TEST(CloudOfTwoLasers, IsTheSameWhetherTheyAlternateOrScanInSeparatePasses) {
     EXPECT_EQ(builder->statistics("scan").points_of_laser, counted);
   }
 }
+
+TEST(CloudOfTwoLasers, NamesThePassAndTheLaserThatGaveNoLine) {
+  CloudBuilder builder(two_lasers(), {}, 1000);
+  const auto add = [&builder](std::uint32_t pass, std::uint8_t laser, bool lit) {
+    BoundProfile bound = profile_of(laser);
+    bound.pass_index = pass;
+    if (!lit) bound.profile.position.assign(kRows, std::numeric_limits<float>::quiet_NaN());
+    builder.add(bound);
+  };
+  EXPECT_EQ(builder.find_dark_sweep(), "") << "nothing was scanned yet";
+  add(0, 0, true);
+  add(0, 1, true);
+  add(1, 0, true);
+  for (int i = 0; i < 3; ++i)
+    add(1, 1, false);
+  EXPECT_EQ(builder.find_dark_sweep().find("pass 2: laser_1 gave no line in 3 profiles"), 0U)
+      << builder.find_dark_sweep();
+  add(1, 1, true);
+  EXPECT_EQ(builder.find_dark_sweep(), "") << "one line is one";
+}

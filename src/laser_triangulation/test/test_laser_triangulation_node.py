@@ -15,7 +15,7 @@ import rospy
 import rostest
 from scan_cell_common.ply import read_vertices
 from scan_cell_msgs.msg import BoundProfile
-from scan_cell_msgs.srv import FinishCloud, StartScan
+from scan_cell_msgs.srv import FinishCloud, StartRun, StartRunRequest, StartScan
 from sensor_msgs.msg import PointCloud2
 
 ROWS = 50
@@ -167,6 +167,27 @@ class LaserTriangulationNode(unittest.TestCase):
         overlap, = answer.statistics.overlaps
         self.assertEqual((overlap.pass_one, overlap.pass_other), (0, 3))
         self.assertLess(overlap.most, 1e-6, 'the same places twice')
+
+    def test_refuses_a_run_with_a_laser_that_is_not_calibrated(self):
+        check = rospy.ServiceProxy('/triangulation/check_run', StartRun)
+        self.assertTrue(check(StartRunRequest(lasers=1)).success)
+        self.assertTrue(check(StartRunRequest(lasers=0)).success, 'pulses in the dark')
+        for lasers in (2, 3):
+            answer = check(StartRunRequest(lasers=lasers))
+            self.assertFalse(answer.success)
+            self.assertIn('laser_1: not calibrated', answer.message)
+
+    def test_does_not_take_a_scan_for_whole_in_which_a_laser_stayed_dark_in_a_pass(self):
+        dark = [profile(n, pass_index=1) for n in range(5)]
+        for bound in dark:
+            bound.profile.position = [float('nan')] * ROWS
+        lit = [profile(n) for n in range(5)]
+        answer = self.scan(lit + dark)
+        self.assertFalse(answer.success)
+        self.assertIn('pass 2: laser_0 gave no line in 5 profiles', answer.message)
+        self.assertEqual(len(points_of(answer.cloud)), 5 * ROWS * 4 // 5, 'what was captured is kept')
+        answer = self.scan(lit + dark, partial=True)
+        self.assertTrue(answer.success, 'a scan that ended early may have had no time for a line')
 
     def test_gives_the_same_bytes_for_the_same_profiles(self):
         profiles = [profile(n) for n in range(20)]

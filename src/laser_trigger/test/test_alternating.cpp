@@ -54,7 +54,9 @@ class Alternating : public testing::Test {
                                 pulses_.push_back(pulse);
                               },
                               [] {}});
-    generator.arm(alternating(rate));
+    PulseGenerator::Arming arming = alternating(rate);
+    arming.exposure = exposure_;
+    generator.arm(arming);
     EXPECT_TRUE(wait_for([&] { return generator.status().pulses >= kPulses; }));
     return generator.disarm("enough");
   }
@@ -62,7 +64,8 @@ class Alternating : public testing::Test {
   /// Each laser that is lit was put there after the exposure of the frame before was over, and is
   /// on for long enough before its own pulse.
   void expect_turns_between_exposures() {
-    const auto exposure = scan_cell_common::from_seconds(settings_.exposure);
+    const auto exposure =
+        scan_cell_common::from_seconds(exposure_ > 0 ? exposure_ : settings_.exposure);
     const auto rise = scan_cell_common::from_seconds(settings_.laser_rise);
     const std::vector<TestCircuit::Write> writes = port_.written();
     std::int64_t edge = 0, turn = 0;
@@ -84,6 +87,7 @@ class Alternating : public testing::Test {
 
   RecordingPort port_;
   PulseGenerator::Settings settings_;
+  double exposure_ = 0;  // [s] of the arming
   std::mutex mutex_;
   std::vector<Pulse> pulses_;
 };
@@ -179,6 +183,31 @@ TEST_F(Alternating, RefusesWhatMakesNoSenseByNameAndSwitchesNothingOn) {
   EXPECT_EQ(refusal(alternating(250)), "");
   generator.disarm("enough");
   EXPECT_EQ(refusal({251, kBoth, 0}), "") << "both at once need no turn";
+}
+
+TEST_F(Alternating, HoldsTheLasersForTheExposureThatTheArmingTells) {
+  settings_.exposure = 0.0005;
+  exposure_ = 0.004;  // more than half of the period of 6.7 ms
+  run(150);
+  expect_turns_between_exposures();
+}
+
+TEST_F(Alternating, RefusesAnExposureThatDoesNotFitBetweenTwoPulses) {
+  PulseGenerator generator(port_, nullptr, settings_, {[](const Pulse&) {}, [] {}});
+  const auto refusal = [&generator](double exposure) -> std::string {
+    PulseGenerator::Arming arming = alternating(150);
+    arming.exposure = exposure;
+    try {
+      generator.arm(arming);
+    } catch (const Refused& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal(0.0066).find("the exposure of 6.7 ms"), std::string::npos) << "with its delay";
+  EXPECT_NE(refusal(-1).find("exposure: -1 s"), std::string::npos);
+  EXPECT_NE(refusal(std::nan("")).find("exposure: nan s"), std::string::npos);
+  EXPECT_EQ(refusal(0.006), "");
 }
 
 TEST_F(Alternating, SaysSoInItsStatusOnlyWhileItIsArmed) {

@@ -95,12 +95,23 @@ struct FakeRobot : scan_cell::Robot {
 struct FakeCamera : scan_cell::Camera {
   explicit FakeCamera(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return cell.trouble("camera"); }
-  void start() override { cell.note("start camera"); }
+  void start(const scan_cell::PassCamera& wanted) override {
+    EXPECT_FALSE(cell.armed) << "no frame may be exposed half way between two settings";
+    settings.push_back(wanted);
+    cell.note("start camera");
+  }
+  double exposure() const override { return settings.back().exposure.value_or(0.001); }
   void expect_profiles(double rate) override {
     if (rate > 0) cell.note("expect profiles");
   }
   void stop() noexcept override { cell.log.emplace_back("stop camera"); }
+  std::string restore() noexcept override {
+    cell.log.emplace_back("restore camera");
+    return restores ? "" : "camera: not as before";
+  }
   FakeCell& cell;
+  std::vector<scan_cell::PassCamera> settings;  // of each start
+  bool restores = true;
 };
 
 struct FakeTrigger : scan_cell::Trigger {

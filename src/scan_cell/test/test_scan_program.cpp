@@ -93,6 +93,21 @@ TEST_F(ScanProgram, GivesItsPassesInTheirFrame) {
   EXPECT_EQ(program.passes[2].rate, 100);
 }
 
+TEST_F(ScanProgram, GivesTheSettingsOfTheCameraOfAPass) {
+  std::string text = kPasses;
+  EXPECT_TRUE(load(text).passes[0].camera.empty());
+  const std::string name = "    name: flank\n";
+  text.replace(text.find(name), name.size(),
+               name +
+                   "    camera: {exposure: 0.0005, region: {x: 8, y: 16, width: 640, height: 480}, "
+                   "detector: threshold}\n");
+  const scan_cell::PassCamera camera = load(text).passes[0].camera;
+  EXPECT_EQ(camera.exposure, 0.0005);
+  EXPECT_TRUE(camera.region == (scan_cell::CameraRegion{8, 16, 640, 480}));
+  EXPECT_EQ(camera.detector, "threshold");
+  EXPECT_TRUE(load(text).passes[1].camera.empty());
+}
+
 TEST_F(ScanProgram, OfTheTimeBeforePassesIsOneLine) {
   const scan_cell::ScanProgram program = load(kGood);
   EXPECT_EQ(program.frame, "world");
@@ -124,6 +139,10 @@ TEST_F(ScanProgram, IsRefusedByTheNameOfTheBadEntryOfAPass) {
   EXPECT_EQ(of_passes("    name: flank\n", "    poses: []\n"), "passes[0]") << "two ways";
   EXPECT_EQ(of_passes("{translation: [0.2, 0, 0.6], ", "{"), "passes[2].poses[1].translation");
   EXPECT_EQ(of_passes("frame: world\n", "frame: world\nspeed: 1\n"), "speed");
+  EXPECT_EQ(of_passes("    name: flank\n", "    frame: base_link\n"), "passes[0].frame");
+  EXPECT_EQ(of_passes("    name: flank\n", "    camera: {gain: 1}\n"), "passes[0].camera.gain");
+  EXPECT_EQ(of_passes("    name: flank\n", "    camera: {region: {x: 1}}\n"),
+            "passes[0].camera.region.y");
 }
 
 TEST_F(ScanProgram, IsRefusedWithoutAPass) {

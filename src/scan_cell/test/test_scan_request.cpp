@@ -56,6 +56,10 @@ TEST(ScanRequest, IsRefusedByThePassAndTheNameOfWhatIsOutsideTheLimits) {
   EXPECT_EQ(in_second([&](ScanPass& p) { p.speed = nan; }), "pass 2: speed");
   EXPECT_EQ(in_second([](ScanPass& p) { p.rate = 501; }), "pass 2: frame rate");
   EXPECT_EQ(in_second([](ScanPass& p) { p.rate = 1.9; }), "pass 2: frame rate");
+  EXPECT_EQ(in_second([](ScanPass& p) { p.camera.exposure = 0.0099; }), "nothing");
+  EXPECT_EQ(in_second([](ScanPass& p) { p.camera.exposure = 0.01; }), "pass 2: exposure");
+  EXPECT_EQ(in_second([](ScanPass& p) { p.camera.exposure = 0; }), "pass 2: exposure");
+  EXPECT_EQ(in_second([&](ScanPass& p) { p.camera.exposure = nan; }), "pass 2: exposure");
   EXPECT_EQ(in_second([](ScanPass& p) { p.poses[1] = p.poses[0]; }), "pass 2: pose 2");
   EXPECT_EQ(in_second([](ScanPass& p) { p.poses[1] = at(5, 0); }), "pass 2: length");
   EXPECT_EQ(in_second([&](ScanPass& p) { p.poses[0] = at(nan, 0); }), "pass 2: pose 1");

@@ -16,7 +16,7 @@ TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
   EXPECT_EQ(once, (std::vector<std::string>{"speed", "move 1", "speed", "start stages", "start run",
                                             "capture begins", "start camera", "move 2", "arm",
                                             "expect profiles", "disarm", "bind", "triangulate",
-                                            "stop camera", "capture ends"}));
+                                            "stop camera", "restore camera", "capture ends"}));
   EXPECT_TRUE(stages_.whole_cloud);
   EXPECT_EQ(stages_.finished_pulses, 77U);
   EXPECT_TRUE(cell_.noted("keep alive"));

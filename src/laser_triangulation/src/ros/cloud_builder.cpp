@@ -78,6 +78,9 @@ void CloudBuilder::add(const BoundProfile& bound) {
                     pose, profile_);
   points_.append(profile_);
   points_of_laser_[profile.laser] += profile_.size();
+  Sweep& sweep = sweeps_[{pass, profile.laser}];
+  ++sweep.profiles;
+  sweep.points += profile_.size();
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -130,6 +133,18 @@ std::vector<std::string> CloudBuilder::overlap_lines(
         kMillimetres * overlap.median, kMillimetres * overlap.most));
   }
   return lines;
+}
+
+std::string CloudBuilder::find_dark_sweep() const {
+  for (const auto& [name, sweep] : sweeps_) {
+    if (sweep.points > 0) continue;
+    return fmt::format(
+        "pass {}: {} gave no line in {} profiles; is it on, is the part within its range, and is "
+        "the "
+        "camera's exposure long enough?",
+        name.first + 1, scan_cell_common::laser_name(name.second), sweep.profiles);
+  }
+  return "";
 }
 
 std::string CloudBuilder::summary() const {

@@ -6,7 +6,9 @@
 #include <scan_cell_msgs/CloudStatistics.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scan_cloud.h"
@@ -37,12 +39,21 @@ class CloudBuilder {
   /// For a person: what became of every row.
   std::string summary() const;
 
+  /// For a person: the pass and the laser that had profiles but no point in any; empty: all had.
+  std::string find_dark_sweep() const;
+
   /// For a person, one line a pair: how far the passes lie apart.
   static std::vector<std::string> overlap_lines(const scan_cell_msgs::CloudStatistics& statistics);
 
  private:
   Triangulator triangulator_;
+  /// A pass with one of its lasers.
+  struct Sweep {
+    std::uint64_t profiles = 0;
+    std::uint64_t points = 0;
+  };
   std::vector<std::uint64_t> points_of_laser_;
+  std::map<std::pair<std::uint8_t, std::uint8_t>, Sweep> sweeps_;  // by pass and laser
   std::size_t max_points_;
   ScanCloud points_;
   std::vector<ScanPoint> profile_;  // the points of the last

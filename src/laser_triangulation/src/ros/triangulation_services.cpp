@@ -11,10 +11,12 @@
 
 #include "cloud_file.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/service_answer.h"
 
 namespace laser_triangulation {
 
 using scan_cell_msgs::FinishCloud;
+using scan_cell_msgs::StartRun;
 using scan_cell_msgs::StartScan;
 
 namespace {
@@ -52,6 +54,7 @@ TriangulationServices::TriangulationServices(ros::NodeHandle node, ros::NodeHand
                                             publish_increment();
                                           });
   start_ = private_node.advertiseService("start", &TriangulationServices::start, this);
+  check_run_ = private_node.advertiseService("check_run", &TriangulationServices::check_run, this);
   finish_ = private_node.advertiseService("finish", &TriangulationServices::finish, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("triangulation", this, &TriangulationServices::diagnose);
@@ -95,6 +98,17 @@ bool TriangulationServices::start(StartScan::Request& request, StartScan::Respon
   published_ = 0;
   ignored_ = 0;
   return true;
+}
+
+bool TriangulationServices::check_run(StartRun::Request& request, StartRun::Response& response) {
+  return scan_cell_common::answer(response, [&] {
+    for (std::size_t laser = 0; request.lasers >> laser != 0; ++laser) {
+      if ((request.lasers >> laser) % 2 == 0 || model_.has_laser(laser)) continue;
+      throw scan_cell_common::Refused(
+          scan_cell_common::laser_name(laser), "not calibrated",
+          "calibrate it, or scan with a laser that the scanner model has");
+    }
+  });
 }
 
 void TriangulationServices::wait_for(std::uint64_t profiles, double timeout,
@@ -151,6 +165,7 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
     return true;
   }
   failure_ = find_fault(request.profiles);
+  if (failure_.empty() && request.partial == 0) failure_ = scan_->find_dark_sweep();
   response.success = failure_.empty();
   response.message = response.success ? scan_->summary() : failure_;
   if (!response.file.empty()) response.message += "; too many for a message: " + response.file;

@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 #include <scan_cell_msgs/FinishCloud.h>
+#include <scan_cell_msgs/StartRun.h>
 #include <scan_cell_msgs/StartScan.h>
 
 #include <condition_variable>
@@ -30,6 +31,8 @@ class TriangulationServices {
  private:
   bool start(scan_cell_msgs::StartScan::Request& request,
              scan_cell_msgs::StartScan::Response& response);
+  bool check_run(scan_cell_msgs::StartRun::Request& request,
+                 scan_cell_msgs::StartRun::Response& response);
   bool finish(scan_cell_msgs::FinishCloud::Request& request,
               scan_cell_msgs::FinishCloud::Response& response);
   void on_profile(const scan_cell_msgs::BoundProfile& profile);
@@ -56,6 +59,7 @@ class TriangulationServices {
   ros::Publisher whole_cloud_;
   ros::Subscriber profiles_;
   ros::ServiceServer start_;
+  ros::ServiceServer check_run_;
   ros::ServiceServer finish_;
   ros::WallTimer increment_timer_;
   diagnostic_updater::Updater diagnostics_;

@@ -47,7 +47,7 @@ struct TriggerStatus {
 /// period is left out and counted as missed, so two pulses are never closer than half a period.
 ///
 /// Lasers that alternate take turns, laser_0 with the first pulse: they change places with one
-/// write of the register, half a period after the pulse's deadline, or `exposure` after its edge
+/// write of the register, half a period after the pulse's deadline, or the exposure after its edge
 /// where that is later. So never both are on, the frame before is exposed, and the next pulse waits
 /// until its laser is steady. The first pulses are twice as far apart, so that whoever matches
 /// frames with pulses can see that he is not one off.
@@ -68,8 +68,10 @@ class PulseGenerator {
     double keep_alive_timeout = 0.5;  //!< [s]
     double longest_on = 300;          //!< [s] the longest an arming lasts, whatever was asked for
     int realtime_priority = 50;       //!< of SCHED_FIFO, where the rights allow it; 0: never
-    double exposure =
-        0.001;  //!< [s] after a pulse, in which lasers that alternate stay as they are
+    /// [s] after a pulse, in which lasers that alternate stay as they are, where an arming gives no
+    /// exposure
+    double exposure = 0.001;
+    double exposure_delay = 100e-6;  //!< [s] of the camera's trigger input, added to an arming's
     double laser_rise = 200e-6;  //!< [s] a laser is on for before the pulse, where they alternate
   };
   /// What an arming asks for.
@@ -79,6 +81,7 @@ class PulseGenerator {
     double longest_on = 0;    //!< [s] 0: the settings'
     bool pulses = true;       //!< false: the lasers alone; the rate is not used
     bool alternate = false;   //!< both lasers take turns, pulse by pulse
+    double exposure = 0;      //!< [s] of the camera; 0: the settings'
   };
   /// Called for pulses and changes.
   struct Observer {

@@ -38,14 +38,15 @@ void check_rate(const PulseGenerator::Arming& arming, const PulseGenerator::Sett
                   fmt::format("give a rate from {:g} to {:g} Hz", kMinRate, most));
   }
   // They change places half a period after the pulse, or once the exposure is over.
-  const double turn = std::max(settings.exposure, settings.laser_rise) + settings.laser_rise;
+  const double exposure = exposure_of(arming, settings);
+  const double turn = std::max(exposure, settings.laser_rise) + settings.laser_rise;
   if (arming.alternate && arming.rate * turn > 1) {
     constexpr double kMilliseconds = 1e3;
     throw Refused(
         "rate", fmt::format("{:g} Hz to alternate", arming.rate),
         fmt::format("give up to {:g} Hz: the exposure of {:g} ms and the {:g} ms in which a laser "
                     "comes up must fit between two pulses",
-                    std::floor(1 / turn), settings.exposure * kMilliseconds,
+                    std::floor(1 / turn), exposure * kMilliseconds,
                     settings.laser_rise * kMilliseconds));
   }
 }
@@ -53,12 +54,20 @@ void check_rate(const PulseGenerator::Arming& arming, const PulseGenerator::Sett
 }  // namespace
 
 void check(const PulseGenerator::Arming& arming, const PulseGenerator::Settings& settings) {
+  if (!std::isfinite(arming.exposure) || arming.exposure < 0) {
+    throw Refused("exposure", fmt::format("{:g} s", arming.exposure),
+                  "give that of the camera, or 0 for the trigger's own parameter");
+  }
   if (arming.pulses) check_rate(arming, settings);
   check_lasers(arming);
   if (!std::isfinite(arming.longest_on) || arming.longest_on < 0) {
     throw Refused("longest_on", fmt::format("{:g} s", arming.longest_on),
                   "give 0 for the trigger's own limit, or more");
   }
+}
+
+double exposure_of(const PulseGenerator::Arming& arming, const PulseGenerator::Settings& settings) {
+  return arming.exposure > 0 ? arming.exposure + settings.exposure_delay : settings.exposure;
 }
 
 std::uint8_t lasers_of(const PulseGenerator::Arming& arming, std::uint64_t count) {

@@ -10,6 +10,9 @@ namespace laser_trigger {
 /// that take turns too little time
 void check(const PulseGenerator::Arming& arming, const PulseGenerator::Settings& settings);
 
+/// [s] after a pulse in which lasers that take turns stay as they are.
+double exposure_of(const PulseGenerator::Arming& arming, const PulseGenerator::Settings& settings);
+
 /// Mask of the lasers that are on with the pulse of this count, from 1.
 std::uint8_t lasers_of(const PulseGenerator::Arming& arming, std::uint64_t count);
 

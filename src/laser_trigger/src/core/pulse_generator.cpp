@@ -220,13 +220,15 @@ void PulseGenerator::generate() {
     return;
   }
   const nanoseconds period = seconds(1 / arming.rate);
+  const nanoseconds exposure = seconds(exposure_of(arming, settings_));
   Clock::time_point deadline = Clock::now() + period;
   Clock::time_point steady = deadline;  // the next pulse's laser, from then on
   while (wait_until(std::max(deadline, steady), begin.arming)) {
     const auto late = Clock::now() - deadline;
     if (late * 2 < period) {
       send_pulse(deadline, begin.arming);
-      if (arming.alternate) steady = take_turns(deadline + period / 2, begin.arming);
+      if (arming.alternate)
+        steady = take_turns(std::max(deadline + period / 2, edge_ + exposure), begin.arming);
       deadline += period * periods_after(arming, status().pulses);
     } else {
       const auto missed = (late + period / 2) / period;
@@ -250,7 +252,7 @@ std::string PulseGenerator::write_or_disarm(std::uint8_t data) {
 PulseGenerator::Clock::time_point PulseGenerator::take_turns(Clock::time_point earliest,
                                                              std::uint32_t arming) {
   std::string failure;
-  if (wait_until(std::max(earliest, edge_ + seconds(settings_.exposure)), arming)) {
+  if (wait_until(earliest, arming)) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (status_.armed && status_.arming == arming) {
       lit_ = lasers_of(arming_, status_.pulses + 1);

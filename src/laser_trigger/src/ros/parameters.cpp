@@ -21,8 +21,10 @@ void describe(scan_cell_common::ParameterTable& table, Parameters& parameters) {
             "SCHED_FIFO priority of the pulse thread where the rights allow it, else it says so at "
             "its start and in the diagnostics; 0: never");
   table.add("exposure", pulses.exposure, {1e-5, 1, "s"},
-            "where the lasers alternate they stay as they are for so long after a pulse: at least "
-            "the camera's exposure, with its delay");
+            "where the lasers alternate they stay as they are for so long after a pulse, where the "
+            "client does not tell the camera's exposure: at least that, with its delay");
+  table.add("exposure_delay", pulses.exposure_delay, {0, 0.1, "s"},
+            "of the camera's trigger input: added to an exposure that the client tells");
   table.add("laser_rise", pulses.laser_rise, {0, 0.1, "s"},
             "where the lasers alternate each is on for so long before its pulse, to be steady");
   table.add("hang_timeout", parameters.hang_timeout, {0.5, 10, "s"},

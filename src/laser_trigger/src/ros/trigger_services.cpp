@@ -62,7 +62,7 @@ bool TriggerServices::arm(ArmEvent& event) {
   return scan_cell_common::answer(response, [&] {
     constexpr bool kPulses = true;
     response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec(),
-                                       kPulses, request.alternate != 0});
+                                       kPulses, request.alternate != 0, request.exposure});
     client_ = listened ? caller : "";
     if (listened && !listeners_.contains(caller)) end_of_client();
   });

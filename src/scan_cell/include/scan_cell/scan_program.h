@@ -20,6 +20,10 @@ namespace scan_cell {
 ///         speed: 0.05              # [m/s]
 ///         rate: 100                # [Hz]
 ///         laser: 0                 # 0, 1, each or alternate
+///         camera:                  # may be left out, and each of its entries
+///           exposure: 0.0005       # [s]
+///           region: {x: 336, y: 599, width: 1024, height: 512}   # [px] of the sensor
+///           detector: fir_derivative   # of the camera's node
 ///
 /// In place of `line`: `arc` with start, via and end, or `poses` with a list. A file with start,
 /// end, speed, rate and laser in place of `passes` is one line.

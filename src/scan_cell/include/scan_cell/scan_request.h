@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,27 @@ enum class PassLasers : std::uint8_t {
   kAlternate = 3,  //!< both in turns, pulse by pulse
 };
 
+/// Columns and rows of the sensor that are read out [px], as in CameraSettings.
+struct CameraRegion {
+  std::uint32_t x = 0;       //!< first column
+  std::uint32_t y = 0;       //!< first row
+  std::uint32_t width = 0;   //!< 0: to the right edge
+  std::uint32_t height = 0;  //!< 0: to the lower edge
+};
+
+/// How the camera is set for a pass; what is left out is as it was before the scan.
+struct PassCamera {
+  std::optional<double> exposure;      //!< [s]
+  std::optional<CameraRegion> region;  //!< that is read out
+  std::string detector;                //!< of the laser's line, as in CameraSettings; may be empty
+
+  /// Whether all is left out.
+  bool empty() const { return !exposure && !region && detector.empty(); }
+};
+
+bool operator==(const CameraRegion& one, const CameraRegion& other);  //!< each number
+bool operator==(const PassCamera& one, const PassCamera& other);      //!< each setting
+
 /// One stretch of a scan along which the camera is pulsed.
 struct ScanPass {
   std::string name;                         //!< for a person; may be empty
@@ -32,6 +54,7 @@ struct ScanPass {
   double speed = 0;                         //!< [m/s]
   double rate = 0;                          //!< [Hz] frames
   PassLasers lasers = PassLasers::kLaser0;  //!< its light
+  PassCamera camera;                        //!< its settings
 };
 
 /// What is to be scanned into one cloud.

@@ -8,6 +8,7 @@ silent      device that goes silent after ten pulses
 hangs       service of the trigger that answers late: arm or disarm
 speed       refused: the driver refuses one; lost: it has no link to the controller
 binder      missing: it misses trigger events; no end: the frames of the last pulses; broken: its service fails
+uncalibrated lasers that the scanner model does not have (mask)
 move_time   [s] a motion takes (default 1.5)
 """
 
@@ -70,8 +71,13 @@ class FakeCell:
             rospy.Service('/%s/start' % node, srv.StartScan, lambda _: {'success': True})
         for name in ('check_run', 'start_run'):
             rospy.Service('/pose_frame_binder/' + name, srv.StartRun, lambda _: {'success': True})
+        rospy.Service('/laser_triangulation/check_run', srv.StartRun, self.on_check_run)
         rospy.Service('/pose_frame_binder/finish', srv.FinishBinding, self.on_finish_binding)
         rospy.Service('/laser_triangulation/finish', srv.FinishCloud, self.on_finish_cloud)
+
+    def on_check_run(self, request):
+        unfit = request.lasers & fake('uncalibrated', 0)
+        return {'success': unfit == 0, 'message': 'laser mask %d is not calibrated' % unfit}
 
     def silent(self, device):
         return self.armed and self.pulses > 10 and fake('silent') == device

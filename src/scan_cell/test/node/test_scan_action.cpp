@@ -243,6 +243,28 @@ TEST_F(ScanClient, RefusesWhatMakesNoSense) {
   EXPECT_NE(run(bad).message.find("speed"), std::string::npos);
 }
 
+TEST_F(ScanClient, RefusesALaserThatIsNotCalibratedByItsPassBeforeAnythingMoves) {
+  ros::param::set("/fake/uncalibrated", 2);
+  scan_cell_msgs::ScanGoal program = goal("not calibrated");
+  program.passes.push_back(program.passes.front());
+  program.passes[1].name = "flank";
+  program.passes[1].lasers = scan_cell_msgs::ScanPass::ALTERNATE;
+  const ScanResult result = run(program);
+  EXPECT_EQ(result.outcome, ScanResult::REFUSED);
+  EXPECT_EQ(result.message,
+            "pass 2 (flank): refused by /laser_triangulation; laser mask 2 is not calibrated");
+  EXPECT_EQ(result.audit.triggers, 0U);
+}
+
+TEST_F(ScanClient, SaysThatTheReachWasNotCheckedWhereTheDriverCannot) {
+  const ScanResult result = run(goal("not checked"));
+  EXPECT_EQ(result.outcome, ScanResult::FINISHED) << result.message;
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_NE(result.warnings[0].find("were not checked"), std::string::npos) << result.warnings[0];
+  ChildProcess tool({CHECK_PROGRAM_TOOL, "--program", SCAN_PROGRAM});
+  EXPECT_EQ(tool.wait(), 0);
+}
+
 TEST_F(ScanClient, RunsEachPassOfAProgramIntoOneCloud) {
   scan_cell_msgs::ScanGoal program = goal("program");
   program.passes.push_back(program.passes.front());

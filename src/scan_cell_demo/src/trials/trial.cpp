@@ -27,7 +27,7 @@ constexpr double kWatch = 1.5;    // [s] in which no motion may start
 constexpr double kMaxWay = 1e-4;  // [m] of a robot that stands still
 constexpr int kStepOfMove = 2;    // of a scan
 constexpr int kStepOfCapture = 6;
-constexpr int kStepAfterPasses = 7;
+constexpr int kStepAfterPasses = 8;   // the one between is over at once
 constexpr double kMillisecond = 1e3;  // [ms] per second
 
 /// Which node dies; empty: none.

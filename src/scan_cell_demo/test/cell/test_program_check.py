@@ -62,6 +62,10 @@ class ProgramCheck(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('program_check')
+        # Binder and triangulation, of which nothing else is needed before anything moves: of laser_0 alone.
+        rospy.Service('/pose_frame_binder/check_run', srv.StartRun, lambda _: {'success': True})
+        rospy.Service('/laser_triangulation/check_run', srv.StartRun,
+                      lambda run: {'success': run.lasers == 1, 'message': 'laser_1: not calibrated'})
         cls.scan = actionlib.SimpleActionClient('/scan_cell/scan', msg.ScanAction)
         assert cls.scan.wait_for_server(rospy.Duration(TIMEOUT))
         deadline = rospy.get_time() + TIMEOUT
@@ -79,6 +83,11 @@ class ProgramCheck(unittest.TestCase):
         finally:
             os.unlink(file.name)
         return done.returncode, done.stdout
+
+    def test_names_the_second_pass_whose_laser_is_not_calibrated(self):
+        self.expect_refused('pass 2 (number 2): refused by /laser_triangulation; laser_1: not calibrated',
+                            text=program((GOOD, 0.1), (GOOD, 0.1)).replace('laser: 0', 'laser: 1')
+                            .replace('laser: 1', 'laser: 0', 1))
 
     def expect_refused(self, *words, text):
         before = standing()

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scan_cell/scan_request.h"
 #include "tecnogamma_camera/peak_profile.h"
 
 namespace scan_cell {
@@ -92,13 +93,22 @@ class Robot : public Device {
 /// The camera, through its driver.
 class Camera : public Device {
  public:
-  /// Profiles on external trigger.
-  virtual void start() = 0;
+  /// Profiles on external trigger, with these settings; what they leave out is as it was before.
+  /// Where the settings change, frames that are on their way still count as exposed before.
+  /// @throw scan_cell_common::Refused if it cannot be set so
+  virtual void start(const PassCamera& settings) = 0;
+
+  /// [s] as it was started; 0 where it does not tell
+  virtual double exposure() const = 0;
 
   /// From here on trouble() watches for profiles.
   /// @param rate [Hz] 0: none are expected any more
   virtual void expect_profiles(double rate) = 0;
   virtual void stop() noexcept = 0;
+
+  /// Undoes the settings of start().
+  /// @return why they could not be undone; empty: they were, or none were made
+  virtual std::string restore() noexcept = 0;
 };
 
 /// One frame: the image and the laser line that was found in it.
@@ -134,6 +144,7 @@ class SnapshotCamera {
 struct Lighting {
   std::uint8_t lasers = 0;  //!< bit mask, TriggerEvent.LASER_*
   bool alternate = false;   //!< both take turns, pulse by pulse, laser_0 first
+  double exposure = 0;      //!< [s] of the camera; 0: not known
 };
 
 /// How a trigger circuit left off.
@@ -170,6 +181,7 @@ class Stages : public Device {
   virtual void start(const std::string& scan_id) = 0;
 
   /// Whether start_run() would take it; nothing is begun.
+  /// @throw scan_cell_common::Refused such as for a laser that is not calibrated
   virtual void check_run(const ScanRun& run) = 0;
 
   /// What is pulsed from here on belongs to this run.

@@ -41,10 +41,27 @@ void read_way(const YamlEntry& entry, PassKind kind, ScanPass& pass) {
     pass.poses.push_back(entry[key].pose());
 }
 
+PassCamera read_camera(const YamlEntry& entry) {
+  entry.refuse_unknown({"exposure", "region", "detector"});
+  PassCamera camera;
+  if (entry.has("detector")) camera.detector = entry["detector"].as<std::string>();
+  if (entry.has("exposure")) camera.exposure = entry["exposure"].as<double>();
+  if (!entry.has("region")) return camera;
+  const YamlEntry region = entry["region"];
+  region.refuse_unknown({"x", "y", "width", "height"});
+  const auto pixels = [&region](const char* key) { return region[key].as<std::uint32_t>(); };
+  camera.region = CameraRegion{pixels("x"), pixels("y"), pixels("width"), pixels("height")};
+  return camera;
+}
+
 ScanPass read_pass(const YamlEntry& entry) {
   const std::pair<const char*, PassKind> ways[] = {
       {"line", PassKind::kLine}, {"arc", PassKind::kArc}, {"poses", PassKind::kPolyline}};
-  entry.refuse_unknown({"name", "line", "arc", "poses", "speed", "rate", "laser"});
+  if (entry.has("frame")) {
+    entry["frame"].refuse("a pass has none of its own",
+                          "give all poses in the program's frame, or make two programs");
+  }
+  entry.refuse_unknown({"name", "line", "arc", "poses", "speed", "rate", "laser", "camera"});
   ScanPass pass;
   for (const auto& [key, kind] : ways) {
     if (!entry.has(key)) continue;
@@ -53,6 +70,7 @@ ScanPass read_pass(const YamlEntry& entry) {
   }
   if (pass.poses.empty()) entry.refuse("no way", "give line, arc or poses");
   if (entry.has("name")) pass.name = entry["name"].as<std::string>();
+  if (entry.has("camera")) pass.camera = read_camera(entry["camera"]);
   read_motion(entry, pass);
   return pass;
 }

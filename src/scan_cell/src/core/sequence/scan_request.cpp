@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "scan_cell_common/errors/errors.h"
 
@@ -43,6 +44,7 @@ class PassCheck {
     check_range("speed", pass_.speed, 0, limits_.max_speed, "m/s", "");
     check_range("frame rate", pass_.rate, limits_.min_rate, limits_.max_rate, "Hz",
                 ": the loss of a slower camera would be noticed too late");
+    check_exposure();
     check_length();
     if (pass_.kind == PassKind::kArc) check_turn();
   }
@@ -74,6 +76,14 @@ class PassCheck {
     refuse(what, fmt::format("{:g} {}", value, unit),
            least > 0 ? fmt::format("give one from {:g} to {:g} {}{}", least, most, unit, why)
                      : fmt::format("give one above 0, up to {:g} {}", most, unit));
+  }
+
+  void check_exposure() const {
+    if (!pass_.camera.exposure) return;
+    const double exposure = *pass_.camera.exposure, period = 1 / pass_.rate;
+    if (exposure > 0 && exposure < period) return;  // refuses NaN too
+    refuse("exposure", fmt::format("{:g} s", exposure),
+           fmt::format("give one above 0, below the {:g} s from frame to frame", period));
   }
 
   void check_length() const {
@@ -133,6 +143,16 @@ double arc_length(const Eigen::Vector3d& start, const Eigen::Vector3d& via,
 }
 
 }  // namespace
+
+bool operator==(const CameraRegion& one, const CameraRegion& other) {
+  return std::tie(one.x, one.y, one.width, one.height) ==
+         std::tie(other.x, other.y, other.width, other.height);
+}
+
+bool operator==(const PassCamera& one, const PassCamera& other) {
+  return one.exposure == other.exposure && one.region == other.region &&
+         one.detector == other.detector;
+}
 
 std::string pass_name(const ScanPass& pass, std::size_t index) {
   return fmt::format("pass {}{}", index + 1, pass.name.empty() ? "" : " (" + pass.name + ")");

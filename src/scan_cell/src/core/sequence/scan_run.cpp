@@ -41,8 +41,8 @@ std::vector<ScanRun> runs_of(const std::vector<ScanPass>& passes) {
     for (const Lighting& lighting : lightings_of(passes[i].lasers)) {
       const bool there = !runs.empty() && runs.back().moves.back().flange.isApprox(poses.front());
       runs.push_back({i, pass_name(passes[i], i), !there, poses.front(),
-                      moves_along(passes[i].kind, poses), passes[i].speed, passes[i].rate,
-                      lighting});
+                      moves_along(passes[i].kind, poses), passes[i].speed, passes[i].rate, lighting,
+                      passes[i].camera});
       std::reverse(poses.begin(), poses.end());
     }
   }

@@ -20,6 +20,7 @@ struct ScanRun {
   double speed = 0;               //!< [m/s]
   double rate = 0;                //!< [Hz]
   Lighting lighting;              //!< while it moves
+  PassCamera camera;              //!< its settings
 };
 
 /// A pass with each laser is two runs, there and back.

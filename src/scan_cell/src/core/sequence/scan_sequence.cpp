@@ -36,6 +36,7 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
     supervisor_.wait_until_well();
     warnings_ = on(Outcome::kRefused, Outcome::kRobotLost,
                    [&] { return check_reach(robot_, runs_, timing_.approach_speed); });
+    try_cameras();
     for (run_ = 0; run_ < runs_.size(); ++run_) {
       approach(runs_[run_]);
       start_stages(request.scan_id);
@@ -54,9 +55,33 @@ void ScanSequence::begin() {
   runs_.clear();
   run_ = passes_finished_ = 0;
   warnings_.clear();
+  camera_settings_.reset();
   armings_.clear();
   progress_ = {};
   capturing_ = stages_started_ = false;
+}
+
+/// Each setting that a pass asks for, once: the camera knows best what it can be set to.
+void ScanSequence::try_cameras() {
+  std::vector<PassCamera> tried;
+  for (const ScanRun& run : runs_) {
+    if (run.camera.empty() || std::count(tried.begin(), tried.end(), run.camera) > 0) continue;
+    on(Outcome::kRefused, Outcome::kCameraLost, [&] {
+      try {
+        start_camera(run.camera);
+      } catch (const scan_cell_common::Refused& refused) {
+        throw scan_cell_common::Refused(run.name + ": camera", "cannot be set so", refused.what());
+      }
+    });
+    tried.push_back(run.camera);
+  }
+}
+
+void ScanSequence::start_camera(const PassCamera& settings) {
+  if (camera_settings_ == settings) return;
+  camera_settings_ = PassCamera();  // whatever comes of it, it is to be restored
+  camera_.start(settings);
+  camera_settings_ = settings;
 }
 
 void ScanSequence::approach(const ScanRun& run) {
@@ -77,17 +102,18 @@ void ScanSequence::start_stages(const std::string& scan_id) {
   stages_started_ = true;
   on(Outcome::kStageFailed, [&] { stages_.start_run(runs_[run_]); });
   step(5, "start the camera");
-  if (capturing_) return;
-  observer_.on_capture_begins();
+  if (!capturing_) observer_.on_capture_begins();
   capturing_ = true;
-  on(Outcome::kCameraLost, [&] { camera_.start(); });
+  on(Outcome::kCameraLost, [&] { start_camera(runs_[run_].camera); });
 }
 
 void ScanSequence::capture(const ScanRun& run) {
   step(6, "scan");
   supervisor_.start_move(run.moves.front(), run.rate);
   supervisor_.wait_until_moving();
-  supervisor_.arm(run.rate, run.lighting);
+  Lighting lighting = run.lighting;
+  lighting.exposure = camera_.exposure();
+  supervisor_.arm(run.rate, lighting);
   camera_.expect_profiles(run.rate);
   const double part = 1 / static_cast<double>(run.moves.size());
   wait_for_motion(0, part);
@@ -106,10 +132,12 @@ SequenceEnd ScanSequence::finish(SequenceEnd end) {
   supervisor_.stop_robot();
   if (capturing_) step(7, "stop");
   if (stages_started_) finish_stages(end);
-  if (capturing_) {
+  if (camera_settings_) {
     camera_.stop();
-    observer_.on_capture_ends();
+    const std::string left = camera_.restore();
+    if (!left.empty()) warnings_.push_back(left);
   }
+  if (capturing_) observer_.on_capture_ends();
   capturing_ = false;
   return end;
 }

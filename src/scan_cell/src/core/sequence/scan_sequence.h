@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,8 @@ class ScanObserver {
 /// speed, linear motion and interpolation; prepare binder and triangulation; start the camera; move
 /// to the end while the trigger pulses; stop; bind and triangulate. Of a scan with several passes
 /// each does the steps 2 to 6; binder, triangulation and camera are started once. Between passes
-/// the lasers are off. Before anything moves all motions of all passes are checked.
+/// the lasers are off. Before anything moves all motions of all passes are checked, and all
+/// settings of the camera are tried. A pass with other settings starts the camera anew.
 ///
 /// Whatever goes wrong, the lasers go off first, the robot stops, and what was captured is still
 /// made into a cloud.
@@ -61,6 +63,8 @@ class ScanSequence {
 
  private:
   void begin();
+  void try_cameras();
+  void start_camera(const PassCamera& settings);
   void approach(const ScanRun& run);
   void start_stages(const std::string& scan_id);
   void capture(const ScanRun& run);
@@ -87,6 +91,7 @@ class ScanSequence {
   std::vector<std::string> warnings_;
   std::vector<ArmingPulses> armings_;
   ScanProgress progress_;
+  std::optional<PassCamera> camera_settings_;  // with which it was started; none: it was not
   bool stages_started_ = false;
   bool capturing_ = false;
 };

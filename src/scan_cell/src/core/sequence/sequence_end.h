@@ -72,13 +72,7 @@ auto on_robot(const Call& call) {
 /// and any other error fails them.
 template <class Call>
 auto on_stages(const Call& call) {
-  try {
-    return call();
-  } catch (const scan_cell_common::Refused& refusal) {
-    throw EndEarly{Outcome::kRefused, refusal.what()};
-  } catch (const scan_cell_common::Error& error) {
-    throw EndEarly{Outcome::kStageFailed, error.what()};
-  }
+  return on(Outcome::kRefused, Outcome::kStageFailed, call);
 }
 
 /// Adds what went wrong besides, or after all was well.

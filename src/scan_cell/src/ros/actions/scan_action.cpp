@@ -97,6 +97,8 @@ bool ScanAction::check_program(scan_cell_msgs::CheckProgram::Request& request,
                                scan_cell_msgs::CheckProgram::Response& response) {
   return scan_cell_common::answer(response, [&] {
     const auto runs = runs_of(request_from(request.passes, request.frame).passes);
+    for (const ScanRun& run : runs)
+      stages_.check_run(run);
     const std::string trouble = robot_.trouble();
     if (!trouble.empty())
       throw scan_cell_common::ConnectionError("program", "not checked", trouble);

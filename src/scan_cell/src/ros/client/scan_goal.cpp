@@ -22,6 +22,14 @@ scan_cell_msgs::ScanPass to_message(const ScanPass& pass) {
   message.speed = pass.speed;
   message.rate = pass.rate;
   message.lasers = static_cast<std::uint8_t>(pass.lasers);
+  message.exposure = pass.camera.exposure.value_or(0);
+  message.detector = pass.camera.detector;
+  message.own_region = static_cast<std::uint8_t>(pass.camera.region.has_value());
+  const CameraRegion region = pass.camera.region.value_or(CameraRegion());
+  message.region_x = region.x;
+  message.region_y = region.y;
+  message.region_width = region.width;
+  message.region_height = region.height;
   return message;
 }
 
@@ -56,6 +64,12 @@ ScanPass pass_from(const scan_cell_msgs::ScanPass& message, const std::string& n
   pass.speed = message.speed;
   pass.rate = message.rate;
   pass.lasers = static_cast<PassLasers>(message.lasers);
+  pass.camera.detector = message.detector;
+  if (message.exposure != 0) pass.camera.exposure = message.exposure;
+  if (message.own_region != 0) {
+    pass.camera.region = CameraRegion{message.region_x, message.region_y, message.region_width,
+                                      message.region_height};
+  }
   return pass;
 }
 

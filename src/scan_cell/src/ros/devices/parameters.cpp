@@ -32,7 +32,8 @@ void describe_names(ParameterTable& table, Parameters& p) {
   table.add("trigger", p.trigger,
             "node with `~arm`, `~disarm`, `~keep_alive`, `~events`, `~state`");
   table.add("binder", p.binder, "node with `~start`, `~check_run`, `~start_run` and `~finish`");
-  table.add("triangulation", p.triangulation, "node with `~start`, `~finish` and `~cloud`");
+  table.add("triangulation", p.triangulation,
+            "node with `~start`, `~check_run`, `~finish` and `~cloud`");
 }
 
 void describe_scan(ParameterTable& table, Parameters& p) {

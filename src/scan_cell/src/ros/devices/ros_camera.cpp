@@ -28,16 +28,53 @@ std::string RosCamera::trouble() const {
       profile_.age(), profiles_);
 }
 
-void RosCamera::set_acquisition(std::uint8_t mode, double timeout) const {
+SetAcquisition::Response RosCamera::set_acquisition(std::uint8_t mode, double timeout,
+                                                    const std::optional<Settings>& settings) const {
   SetAcquisition::Request request;
   request.mode = mode;
   request.trigger = SetAcquisition::Request::EXTERNAL_TRIGGER;
-  call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, timeout);
+  request.change_settings = static_cast<unsigned char>(settings.has_value());
+  request.settings = settings.value_or(Settings());
+  return call<SetAcquisition>(parameters_.camera + "/set_acquisition", request, timeout);
 }
 
-void RosCamera::start() {
+void RosCamera::start(const PassCamera& settings) {
   silence_allowed_ = 0;
-  set_acquisition(SetAcquisition::Request::RELIEF_ONLY, parameters_.call_timeout);
+  const bool changes = before_ || !settings.empty();
+  if (changes) wait_for_late_profiles();
+  if (changes && !before_)
+    before_ = set_acquisition(SetAcquisition::Request::STOP, parameters_.call_timeout).settings;
+  const auto wanted = changes ? std::optional(changed_to(settings)) : std::nullopt;
+  const auto answer =
+      set_acquisition(SetAcquisition::Request::RELIEF_ONLY, parameters_.call_timeout, wanted);
+  exposure_ = answer.taken.exposure > 0 ? answer.taken.exposure : answer.settings.exposure;
+}
+
+RosCamera::Settings RosCamera::changed_to(const PassCamera& settings) const {
+  Settings changed = *before_;
+  if (settings.exposure && changed.exposure <= 0) {
+    throw scan_cell_common::Refused("camera",
+                                    "its exposure is its own, and could not be restored afterwards",
+                                    "start its node with the parameter exposure");
+  }
+  changed.exposure = settings.exposure.value_or(changed.exposure);
+  if (!settings.detector.empty()) changed.detector = settings.detector;
+  if (!settings.region) return changed;
+  changed.region_x = settings.region->x;
+  changed.region_y = settings.region->y;
+  changed.region_width = settings.region->width;
+  changed.region_height = settings.region->height;
+  return changed;
+}
+
+/// Those of the pass before: a camera that is stopped drops what it has not sent.
+void RosCamera::wait_for_late_profiles() const {
+  constexpr double kQuiet = 0.2;   // [s] without one; chosen, above what a frame takes on its way
+  constexpr double kLongest = 1;   // [s] chosen
+  constexpr double kLook = 0.005;  // [s] chosen
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kLongest);
+  while (profile_.age() < kQuiet && ros::WallTime::now() < deadline)
+    ros::WallDuration(kLook).sleep();
 }
 
 void RosCamera::expect_profiles(double rate) {
@@ -53,6 +90,18 @@ void RosCamera::stop() noexcept {
   } catch (const scan_cell_common::Error& error) {
     ROS_WARN("The camera was not stopped: %s", error.what());
   }
+}
+
+std::string RosCamera::restore() noexcept {
+  if (!before_) return "";
+  try {
+    set_acquisition(SetAcquisition::Request::STOP, parameters_.call_timeout, before_);
+  } catch (const scan_cell_common::Error& error) {
+    return "camera: region and exposure are not as before; the next scan tries again: " +
+           std::string(error.what());
+  }
+  before_.reset();
+  return "";
 }
 
 }  // namespace scan_cell

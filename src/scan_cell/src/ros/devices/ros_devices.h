@@ -7,12 +7,14 @@
 #include <scan_cell_msgs/MoveAction.h>
 #include <scan_cell_msgs/PeakProfile.h>
 #include <scan_cell_msgs/RobotStatus.h>
+#include <scan_cell_msgs/SetAcquisition.h>
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <scan_cell_msgs/TriggerState.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "devices/last_heard.h"
@@ -72,19 +74,28 @@ class RosCamera : public Camera {
   RosCamera(ros::NodeHandle node, const Parameters& parameters);
 
   std::string trouble() const override;
-  void start() override;
+  void start(const PassCamera& settings) override;
+  double exposure() const override { return exposure_; }
   void expect_profiles(double rate) override;
   void stop() noexcept override;
+  std::string restore() noexcept override;
 
   /// Profiles since clear().
   std::uint64_t profiles() const { return profiles_; }
   void clear() { profiles_ = 0; }
 
  private:
-  void set_acquisition(std::uint8_t mode, double timeout) const;
+  using Settings = scan_cell_msgs::CameraSettings;
+
+  scan_cell_msgs::SetAcquisition::Response set_acquisition(
+      std::uint8_t mode, double timeout, const std::optional<Settings>& settings = {}) const;
+  Settings changed_to(const PassCamera& settings) const;
+  void wait_for_late_profiles() const;
 
   const Parameters parameters_;
   LastHeard profile_;
+  std::optional<Settings> before_;  // a pass had its own; none: nothing is to be restored
+  double exposure_ = 0;             // [s]
   std::atomic<std::uint64_t> profiles_{0};
   std::atomic<double> silence_allowed_{0};  // [s]; 0: nothing is expected
   ros::Subscriber subscriber_;              // last: its callbacks use all the rest

@@ -5,13 +5,13 @@
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/FinishCloud.h>
-#include <scan_cell_msgs/StartRun.h>
 #include <scan_cell_msgs/StartScan.h>
 
 #include <set>
 #include <utility>
 
 #include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace scan_cell {
@@ -65,15 +65,7 @@ void RosStages::start(const std::string& scan_id) {
   under_way_ = true;
 }
 
-void RosStages::check_run(const ScanRun& run) {
-  tell("/check_run", run);
-}
-
-void RosStages::start_run(const ScanRun& run) {
-  tell("/start_run", run);
-}
-
-void RosStages::tell(const std::string& service, const ScanRun& run) const {
+StartRun::Request RosStages::request_for(const ScanRun& run) const {
   StartRun::Request request;
   request.pass_index = static_cast<std::uint32_t>(run.pass);
   request.straight = run.moves.size() == 1 && !run.moves.front().via;
@@ -82,7 +74,20 @@ void RosStages::tell(const std::string& service, const ScanRun& run) const {
   request.end.pose = scan_cell_common::to_ros_pose(run.moves.back().flange);
   request.speed = run.speed;
   request.rate = run.rate;
-  call<StartRun>(binder_ + service, request, call_timeout_);
+  request.lasers = run.lighting.lasers;
+  return request;
+}
+
+void RosStages::check_run(const ScanRun& run) {
+  for (const std::string& node : {binder_, triangulation_}) {
+    const auto answer = ask<StartRun>(node + "/check_run", request_for(run), call_timeout_);
+    if (answer.success != 0) continue;
+    throw scan_cell_common::Refused(run.name, "refused by " + node, answer.message);
+  }
+}
+
+void RosStages::start_run(const ScanRun& run) {
+  call<StartRun>(binder_ + "/start_run", request_for(run), call_timeout_);
 }
 
 std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armings,

@@ -5,6 +5,7 @@
 #include <ros/service_client.h>
 #include <scan_cell_msgs/BindingAudit.h>
 #include <scan_cell_msgs/CloudStatistics.h>
+#include <scan_cell_msgs/StartRun.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <string>
@@ -18,7 +19,7 @@ namespace scan_cell {
 class RosStages : public Stages {
  public:
   /// @param binder node with ~start, ~check_run, ~start_run and ~finish
-  /// @param triangulation node with ~start and ~finish
+  /// @param triangulation node with ~start, ~check_run and ~finish
   /// @param call_timeout [s] the longest a call may take beyond what it waits for late data
   /// @param base_frame of the robot's poses, for check_run() and start_run()
   RosStages(const std::string& binder, const std::string& triangulation, double call_timeout,
@@ -44,8 +45,8 @@ class RosStages : public Stages {
   const std::string& cloud_file() const { return cloud_file_; }
 
  private:
+  scan_cell_msgs::StartRun::Request request_for(const ScanRun& run) const;
   double longest(double patience) const;  // [s] that a call may take
-  void tell(const std::string& service, const ScanRun& run) const;
   std::string finish_binding() const { return binder_ + "/finish"; }
   std::string finish_cloud() const { return triangulation_ + "/finish"; }
 

@@ -58,6 +58,7 @@ void RosTrigger::arm(double rate, const Lighting& lighting) {
   request.rate = rate;
   request.lasers = lighting.lasers;
   request.alternate = static_cast<unsigned char>(lighting.alternate);
+  request.exposure = lighting.exposure;
   const auto response = call<ArmTrigger>(parameters_.trigger + "/arm", request, kCallTimeout);
   event_.now();
   const std::lock_guard<std::mutex> lock(mutex_);
