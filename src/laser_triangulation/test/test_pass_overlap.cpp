@@ -36,17 +36,17 @@ class Scan {
 }  // namespace
 
 TEST(PassOverlap, IsNoneOfOneSweep) {
-  EXPECT_TRUE(compare_sweeps(ScanCloud()).empty());
+  EXPECT_TRUE(compare_sweeps(find_shared_places(ScanCloud())).empty());
   Scan scan;
   scan.sweep(0, 0, 0, 0);
-  EXPECT_TRUE(compare_sweeps(scan.cloud).empty());
+  EXPECT_TRUE(compare_sweeps(find_shared_places(scan.cloud)).empty());
 }
 
 TEST(PassOverlap, IsHowFarTheSweepsLieApartAlongTheNormal) {
   Scan scan;
   scan.sweep(0, 0, 0, 0);
   scan.sweep(1, 1, 0.01, 0.25e-3);
-  const auto overlaps = compare_sweeps(scan.cloud);
+  const auto overlaps = compare_sweeps(find_shared_places(scan.cloud));
   ASSERT_EQ(overlaps.size(), 1U);
   EXPECT_EQ(overlaps[0].one.pass, 0);
   EXPECT_EQ(overlaps[0].other.pass, 1);
@@ -60,7 +60,7 @@ TEST(PassOverlap, IsOfEachPairAndOfTheLasersOfAPass) {
   scan.sweep(0, 0, 0, 0);
   scan.sweep(0, 1, 0, 0.1e-3);
   scan.sweep(1, 0, 0, -0.1e-3);
-  const auto overlaps = compare_sweeps(scan.cloud);
+  const auto overlaps = compare_sweeps(find_shared_places(scan.cloud));
   ASSERT_EQ(overlaps.size(), 3U);
   EXPECT_NEAR(overlaps[0].median, 0.1e-3, 2e-6);
   EXPECT_NEAR(overlaps[1].median, 0.1e-3, 2e-6);
@@ -71,7 +71,7 @@ TEST(PassOverlap, IsLeftOutWhereTheSweepsShareNothing) {
   Scan scan;
   scan.sweep(0, 0, 0, 0);
   scan.sweep(1, 0, 0.2, 0);
-  EXPECT_TRUE(compare_sweeps(scan.cloud).empty());
+  EXPECT_TRUE(compare_sweeps(find_shared_places(scan.cloud)).empty());
 }
 
 TEST(PassOverlap, IsTheNoiseWhereTheSweepsAgree) {
@@ -79,9 +79,27 @@ TEST(PassOverlap, IsTheNoiseWhereTheSweepsAgree) {
   Scan scan;
   scan.sweep(0, 0, 0, 0, kNoise);
   scan.sweep(1, 0, 0, 0, kNoise);
-  const auto overlaps = compare_sweeps(scan.cloud);
+  const auto overlaps = compare_sweeps(find_shared_places(scan.cloud));
   ASSERT_EQ(overlaps.size(), 1U);
   // Of a normal deviation half are within 0.674, 95 % within 1.96; the patch adds about a tenth.
   EXPECT_NEAR(overlaps[0].median, 0.674 * kNoise, 0.15 * kNoise);
   EXPECT_NEAR(overlaps[0].most, 1.96 * kNoise, 0.3 * kNoise);
+}
+
+TEST(PassOverlap, IsFoundAmongHundredsOfSweepsWithoutComparingEachWithEach) {
+  Scan scan;
+  for (int pass = 0; pass < 200; ++pass)
+    scan.sweep(static_cast<std::uint8_t>(pass), 0, 0, pass == 77 ? 0.3e-3 : 0);
+  const SharedPlaces shared = find_shared_places(scan.cloud);
+  std::size_t patches = 0;
+  for (const auto& place : shared.places)
+    patches += place.size();
+  EXPECT_LE(patches, 500000U) << "a budget for all pairs";
+  const auto overlaps = compare_sweeps(shared);
+  EXPECT_GT(overlaps.size(), 1000U);
+  for (const PassOverlap& overlap : overlaps) {
+    const bool lifted = overlap.one.pass == 77 || overlap.other.pass == 77;
+    ASSERT_NEAR(overlap.median, lifted ? 0.3e-3 : 0, 5e-6);
+  }
+  EXPECT_TRUE(sweeps_alone(shared, overlaps).empty());
 }

@@ -161,6 +161,8 @@ struct FakeStages : scan_cell::Stages {
     whole_cloud = whole;
     cell.note("triangulate");
   }
+  std::string disagreement() const override { return apart; }
+  std::string apart;
   FakeCell& cell;
   std::vector<std::size_t> passes;  // of the runs
   std::uint64_t missing_at_the_end = 0;

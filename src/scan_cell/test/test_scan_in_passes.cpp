@@ -107,3 +107,11 @@ TEST_F(ScanInPasses, NamesThePassWhoseLastFramesAreMissing) {
   EXPECT_EQ(end.outcome, Outcome::kCameraLost);
   EXPECT_NE(end.message.find("of 77 pulses of pass 1"), std::string::npos) << end.message;
 }
+
+TEST_F(ScanInPasses, EndsWhereThePassesMakeNoSingleSurface) {
+  stages_.apart = "the passes disagree: 2 mm";
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::kPassesDisagree);
+  EXPECT_NE(end.message.find("2 mm"), std::string::npos) << end.message;
+  EXPECT_TRUE(cell_.noted("triangulate")) << "what was captured is kept";
+}

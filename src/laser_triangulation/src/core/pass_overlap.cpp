@@ -2,107 +2,139 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_overlap.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "scan_cell_common/geometry/kd_tree.h"
-
 namespace laser_triangulation {
 namespace {
 
-using Points = std::vector<Eigen::Vector3f>;
+constexpr std::size_t kMinCompared = 100;  // fewer say nothing; chosen
+constexpr std::size_t kMaxPartners = 8;    // of a sweep, at one place; chosen
+constexpr std::size_t kMaxRays = 20'000;   // from surfaces to the camera; chosen
+constexpr double kBeside = 0.7e-3;         // [m] of a point that lies above or below; chosen
+constexpr std::size_t kMinApart = 20;      // points; chosen: a patch of several mm
+constexpr double kMinShareApart = 0.02;    // of the points of a pair; chosen
 
-struct Coordinate {
-  float operator()(const Eigen::Vector3f& point, std::size_t axis) const {
-    return point[static_cast<Eigen::Index>(axis)];
-  }
-};
-using KdTree = scan_cell_common::KdTree<Points, Coordinate, float>;
-
-constexpr std::size_t kMaxInTree = 500'000;   // points of a sweep; chosen: a second to build
-constexpr std::size_t kMaxCompared = 20'000;  // points of a pair; chosen: 95 % known to 0.2 %
-constexpr std::size_t kMinCompared = 100;     // fewer say nothing; chosen
-constexpr std::size_t kNeighbours = 24;       // several profiles of a dense scan; chosen
-constexpr float kReach = 2e-3F;               // [m] to the nearest neighbour; chosen
-constexpr float kMaxRoughness = 1e-4F;        // [m] RMS of a patch that is no edge; chosen
-constexpr float kMinBreadth = 1e-4F;          // [m] RMS across a patch that is no line; chosen
-
-std::map<std::pair<std::uint8_t, std::uint8_t>, Points> sweeps_of(const ScanCloud& cloud) {
-  std::map<std::pair<std::uint8_t, std::uint8_t>, Points> sweeps;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const ScanPoint& point = cloud[i];
-    sweeps[{point.pass, point.laser}].emplace_back(point.x, point.y, point.z);
-  }
-  return sweeps;
-}
-
-/// Every n-th point, so that at most so many are left.
-Points thinned(const Points& points, std::size_t most) {
-  const std::size_t step = std::max<std::size_t>(1, (points.size() + most - 1) / most);
-  Points result;
-  for (std::size_t i = 0; i < points.size(); i += step)
-    result.push_back(points[i]);
-  return result;
-}
-
-/// [m] of a point from the flat patch of its neighbours; none where there is no such patch.
-std::optional<float> distance_to_surface(const Eigen::Vector3f& point, const KdTree& tree,
-                                         const Points& surface) {
-  std::array<KdTree::Index, kNeighbours> indices{};
-  std::array<float, kNeighbours> squared{};
-  const std::size_t found = tree.nearest(point.data(), kNeighbours, indices.data(), squared.data());
-  if (found < kNeighbours || squared[0] > kReach * kReach) return std::nullopt;
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  for (const KdTree::Index index : indices)
-    mean += surface[index] / static_cast<float>(kNeighbours);
-  Eigen::Matrix3f scatter = Eigen::Matrix3f::Zero();
-  for (const KdTree::Index index : indices) {
-    const Eigen::Vector3f off = surface[index] - mean;
-    scatter += off * off.transpose() / static_cast<float>(kNeighbours);
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> axes(scatter);
-  if (axes.eigenvalues()[0] > kMaxRoughness * kMaxRoughness) return std::nullopt;
-  if (axes.eigenvalues()[1] < kMinBreadth * kMinBreadth) return std::nullopt;
-  return std::abs(axes.eigenvectors().col(0).dot(point - mean));
+/// [m] of two sweeps at a place; none where they cannot be compared there.
+std::optional<double> distance(const SweepPatch& one, const SweepPatch& other) {
+  if (one.whole && other.whole) return std::abs(one.normal.dot(other.nearest - one.mean));
+  if (!one.whole && !other.whole) return std::nullopt;
+  const SweepPatch& surface = one.whole ? one : other;
+  const Eigen::Vector3d offset = (one.whole ? other : one).nearest - surface.mean;
+  const double height = surface.normal.dot(offset);
+  const double beside = (offset - height * surface.normal).norm();
+  // Nearer, or beside it, is a rim; above or below a whole surface is another surface.
+  if (std::abs(height) < kApart || beside > kBeside) return std::nullopt;
+  return std::abs(height);
 }
 
 /// The value below which this share of them is.
-float quantile(std::vector<float>& values, double share) {
+double quantile(std::vector<double>& values, double share) {
   const auto place =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
 
-}  // namespace
+using Distances = std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>;
 
-std::vector<PassOverlap> compare_sweeps(const ScanCloud& cloud) {
-  const auto sweeps = sweeps_of(cloud);
-  std::vector<PassOverlap> overlaps;
-  for (auto one = sweeps.begin(); one != sweeps.end(); ++one) {
-    if (std::next(one) == sweeps.end()) break;  // a tree for nobody
-    const Points surface = thinned(one->second, kMaxInTree);
-    const KdTree tree(surface);
-    for (auto other = std::next(one); other != sweeps.end(); ++other) {
-      std::vector<float> distances;
-      for (const Eigen::Vector3f& point : thinned(other->second, kMaxCompared)) {
-        const auto distance = distance_to_surface(point, tree, surface);
-        if (distance) distances.push_back(*distance);
+/// @param place number of the place
+void compare_at(const std::vector<SweepPatch>& patches, std::size_t place, Distances& distances) {
+  const auto compare = [&](const SweepPatch& one, const SweepPatch& other) {
+    const auto found = distance(one, other);
+    if (found) distances[{one.sweep, other.sweep}].push_back(*found);
+  };
+  const std::size_t count = patches.size();
+  const std::size_t half = count / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (half > kMaxPartners) {  // other ones at each place
+      for (std::size_t k = 0; k < kMaxPartners; ++k) {
+        const std::size_t j = (i + 1 + (place * kMaxPartners + k) % half) % count;
+        compare(patches[std::min(i, j)], patches[std::max(i, j)]);
       }
-      if (distances.size() < kMinCompared) continue;
-      overlaps.push_back({{one->first.first, one->first.second},
-                          {other->first.first, other->first.second},
-                          distances.size(),
-                          static_cast<double>(quantile(distances, 0.5)),
-                          static_cast<double>(quantile(distances, 0.95))});
+    } else {
+      for (std::size_t j = i + 1; j < count; ++j)
+        compare(patches[i], patches[j]);
     }
   }
+}
+
+/// Whether the camera saw a point through a whole patch of another sweep: of two surfaces that far
+/// apart that they are not compared, one was not there.
+void look_through(const SharedPlaces& shared, const PlaceGrid& grid, const SweepPatch& seen,
+                  Distances& distances) {
+  constexpr double kBegin = 3e-3;        // [m] before the point; chosen
+  constexpr double kEnd = 40e-3;         // [m] chosen: further off, the parts are not small
+  constexpr double kMiddle = 1e-3;       // [m] half of a patch's reach, well within it
+  constexpr double kMinIncidence = 0.3;  // cosine; chosen: no ray along a surface
+  const Eigen::Vector3d towards = (seen.from - seen.nearest).normalized();
+  for (double at = SharedPlaces::kSearch; at < kEnd; at += SharedPlaces::kSearch) {
+    const Eigen::Vector3d on_ray = seen.nearest + at * towards;
+    for (const std::size_t place : grid.near(on_ray)) {
+      if ((shared.centres[place] - on_ray).norm() > SharedPlaces::kSearch) continue;
+      for (const SweepPatch& patch : shared.places[place]) {
+        const double incidence = patch.normal.dot(towards);
+        if (!patch.whole || patch.sweep == seen.sweep || std::abs(incidence) < kMinIncidence)
+          continue;
+        const double depth = patch.normal.dot(patch.mean - seen.nearest) / incidence;
+        const bool beside = (seen.nearest + depth * towards - patch.mean).norm() > kMiddle;
+        // Of the steps along the ray, the one that is nearest to the crossing.
+        if (beside || depth < kBegin || std::abs(depth - at) > SharedPlaces::kSearch / 2) continue;
+        distances[std::minmax(patch.sweep, seen.sweep)].push_back(depth);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<PassOverlap> compare_sweeps(const SharedPlaces& shared) {
+  Distances distances;
+  for (std::size_t p = 0; p < shared.places.size(); ++p)
+    compare_at(shared.places[p], p, distances);
+  const PlaceGrid grid(shared.centres);
+  std::size_t patches = 0;
+  for (const std::vector<SweepPatch>& place : shared.places)
+    patches += place.size();
+  const std::size_t step = std::max<std::size_t>(1, patches / kMaxRays);
+  std::size_t number = 0;
+  for (const std::vector<SweepPatch>& place : shared.places) {
+    for (const SweepPatch& seen : place)
+      if (number++ % step == 0 && seen.whole) look_through(shared, grid, seen, distances);
+  }
+  std::vector<PassOverlap> overlaps;
+  for (auto& [pair, values] : distances) {
+    if (values.size() < kMinCompared) continue;
+    const auto apart = std::count_if(values.begin(), values.end(),
+                                     [](double distance) { return distance > kApart; });
+    overlaps.push_back({shared.sweeps[pair.first], shared.sweeps[pair.second], values.size(),
+                        quantile(values, 0.5), quantile(values, 0.95),
+                        static_cast<std::size_t>(apart)});
+  }
   return overlaps;
+}
+
+std::vector<Sweep> sweeps_alone(const SharedPlaces& shared,
+                                const std::vector<PassOverlap>& overlaps) {
+  const auto same = [](const Sweep& a, const Sweep& b) {
+    return a.pass == b.pass && a.laser == b.laser;
+  };
+  std::vector<Sweep> alone;
+  for (const Sweep& sweep : shared.sweeps) {
+    const bool compared = std::any_of(overlaps.begin(), overlaps.end(), [&](const auto& overlap) {
+      return same(overlap.one, sweep) || same(overlap.other, sweep);
+    });
+    if (!compared && shared.sweeps.size() > 1) alone.push_back(sweep);
+  }
+  return alone;
+}
+
+bool disagree(const PassOverlap& overlap) {
+  return overlap.apart >= kMinApart &&
+         static_cast<double>(overlap.apart) >= kMinShareApart * static_cast<double>(overlap.points);
 }
 
 }  // namespace laser_triangulation

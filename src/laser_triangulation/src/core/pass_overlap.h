@@ -2,18 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "scan_cloud.h"
+#include "shared_places.h"
 
 namespace laser_triangulation {
-
-/// One laser's points of one pass.
-struct Sweep {
-  std::uint8_t pass = 0;   //!< from 0
-  std::uint8_t laser = 0;  //!< its index
-};
 
 /// How far two sweeps lie apart where both saw the surface.
 struct PassOverlap {
@@ -22,11 +15,22 @@ struct PassOverlap {
   std::size_t points = 0;  //!< of the other that were compared
   double median = 0;       //!< [m] distance along the surface's normal, without its sign
   double most = 0;         //!< [m] the same of 95 %
+  std::size_t apart = 0;   //!< of the points: those further off than kApart
 };
 
-/// Compares each sweep with each other: points of one against the plane through their neighbours in
-/// the other. Edges, and what only one of them saw, are passed over. Pairs that share too little
-/// are left out.
-std::vector<PassOverlap> compare_sweeps(const ScanCloud& cloud);
+/// [m] Passes of the worst scanner that was ever calibrated agree to a third of it; chosen.
+constexpr double kApart = 1e-3;
+
+/// Compares the sweeps in pairs: a point of one with the plane through the other's surface around
+/// it. Edges, rims of shadows, and what only one of them saw are passed over. Pairs that share too
+/// little are left out.
+std::vector<PassOverlap> compare_sweeps(const SharedPlaces& shared);
+
+/// Sweeps that could be compared with no other.
+std::vector<Sweep> sweeps_alone(const SharedPlaces& shared,
+                                const std::vector<PassOverlap>& overlaps);
+
+/// Whether so many points of a pair lie apart that no rim of a shadow explains it.
+bool disagree(const PassOverlap& overlap);
 
 }  // namespace laser_triangulation

@@ -26,6 +26,15 @@ class ScanCloud {
     return blocks_[index / kBlock][index % kBlock];
   }
 
+  /// Calls change(point) with each point.
+  template <class Change>
+  void for_each(const Change& change) {
+    for (std::vector<ScanPoint>& block : blocks_) {
+      for (ScanPoint& point : block)
+        change(point);
+    }
+  }
+
   /// Copies the points from `first` to the end, as they lie in memory.
   void copy(std::size_t first, std::uint8_t* bytes) const;
 

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
-#include "pass_overlap.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/conversions.h"
@@ -30,13 +30,43 @@ Eigen::Isometry3d pose_of(const BoundProfile& bound, const std::string& name) {
   return scan_cell_common::checked_from_ros(bound.pose, name, kCure);
 }
 
+void add_agreement(const PassAgreement& agreement, scan_cell_msgs::CloudStatistics& statistics) {
+  statistics.agreement = static_cast<std::uint8_t>(agreement.agreement);
+  statistics.agreement_message = agreement.message;
+  for (const PassOverlap& overlap : agreement.overlaps) {
+    scan_cell_msgs::PassOverlap& message = statistics.overlaps.emplace_back();
+    message.pass_one = overlap.one.pass;
+    message.laser_one = overlap.one.laser;
+    message.pass_other = overlap.other.pass;
+    message.laser_other = overlap.other.laser;
+    message.points = overlap.points;
+    message.median = overlap.median;
+    message.most = overlap.most;
+    message.apart = overlap.apart;
+  }
+  if (!agreement.correction) return;
+  const auto vector = [](const Eigen::Vector3d& from) {
+    geometry_msgs::Vector3 to;
+    to.x = from.x(), to.y = from.y(), to.z = from.z();
+    return to;
+  };
+  for (std::size_t i = 0; i < agreement.sweeps.size(); ++i) {
+    scan_cell_msgs::PassCorrection& message = statistics.corrections.emplace_back();
+    message.pass_index = agreement.sweeps[i].pass;
+    message.laser = agreement.sweeps[i].laser;
+    message.shift = vector(agreement.correction->motions[i].shift);
+    message.turn = vector(agreement.correction->motions[i].turn);
+  }
+}
+
 }  // namespace
 
 CloudBuilder::CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
-                           std::size_t max_points)
+                           std::size_t max_points, const std::vector<double>& deviations)
     : triangulator_(model, limits),
       points_of_laser_(model.lasers.size()),
-      max_points_(max_points) {}
+      max_points_(max_points),
+      deviations_(deviations) {}
 
 void CloudBuilder::add(const BoundProfile& bound) {
   const scan_cell_msgs::PeakProfile& profile = bound.profile;
@@ -77,6 +107,7 @@ void CloudBuilder::add(const BoundProfile& bound) {
                      profile.width.data(), profile.intensity.data(), pass},
                     pose, profile_);
   points_.append(profile_);
+  agreement_.reset();
   points_of_laser_[profile.laser] += profile_.size();
   Sweep& sweep = sweeps_[{pass, profile.laser}];
   ++sweep.profiles;
@@ -108,29 +139,38 @@ scan_cell_msgs::CloudStatistics CloudBuilder::statistics(const std::string& scan
   statistics.outside_sensor = counts.outside_sensor;
   statistics.points_of_laser = points_of_laser_;
   statistics.seconds = seconds_;
-  for (const PassOverlap& overlap : compare_sweeps(points_)) {
-    scan_cell_msgs::PassOverlap message;
-    message.pass_one = overlap.one.pass;
-    message.laser_one = overlap.one.laser;
-    message.pass_other = overlap.other.pass;
-    message.laser_other = overlap.other.laser;
-    message.points = overlap.points;
-    message.median = overlap.median;
-    message.most = overlap.most;
-    statistics.overlaps.push_back(message);
-  }
+  if (agreement_) add_agreement(*agreement_, statistics);
   return statistics;
 }
 
-std::vector<std::string> CloudBuilder::overlap_lines(
+void CloudBuilder::bring_together() {
+  if (!agreement_) agreement_ = laser_triangulation::bring_together(points_, deviations_);
+}
+
+std::vector<std::string> CloudBuilder::agreement_lines(
     const scan_cell_msgs::CloudStatistics& statistics) {
   constexpr double kMillimetres = 1e3;
+  constexpr double kDegrees = 180 / M_PI;
+  constexpr std::size_t kMaxPairs = 10;  // chosen
   std::vector<std::string> lines;
-  for (const scan_cell_msgs::PassOverlap& overlap : statistics.overlaps) {
+  if (!statistics.agreement_message.empty()) lines.push_back(statistics.agreement_message);
+  const std::size_t pairs = std::min(kMaxPairs, statistics.overlaps.size());
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const scan_cell_msgs::PassOverlap& overlap = statistics.overlaps[i];
     lines.push_back(fmt::format(
         "pass {} laser_{} and pass {} laser_{}: {:.3f} mm apart, 95 % within {:.3f} mm",
         overlap.pass_one + 1, overlap.laser_one, overlap.pass_other + 1, overlap.laser_other,
         kMillimetres * overlap.median, kMillimetres * overlap.most));
+  }
+  if (pairs < statistics.overlaps.size())
+    lines.push_back(fmt::format("and {} more pairs", statistics.overlaps.size() - pairs));
+  for (const scan_cell_msgs::PassCorrection& correction : statistics.corrections) {
+    const geometry_msgs::Vector3& shift = correction.shift;
+    const geometry_msgs::Vector3& turn = correction.turn;
+    lines.push_back(fmt::format("pass {} laser_{} was moved by {:.3f} mm and {:.4f} degrees",
+                                correction.pass_index + 1, correction.laser,
+                                kMillimetres * std::hypot(shift.x, shift.y, shift.z),
+                                kDegrees * std::hypot(turn.x, turn.y, turn.z)));
   }
   return lines;
 }

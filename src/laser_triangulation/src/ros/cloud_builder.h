@@ -7,11 +7,12 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scan_cloud.h"
+#include "pass_agreement.h"
 
 namespace laser_triangulation {
 
@@ -19,8 +20,10 @@ namespace laser_triangulation {
 class CloudBuilder {
  public:
   /// @param max_points held in memory (36 bytes each)
+  /// @param deviations [m] of a scanned point, by laser, as the calibration leaves them; none: the
+  /// passes are compared, not mended
   CloudBuilder(const scan_cell_common::ScannerModel& model, const PeakLimits& limits,
-               std::size_t max_points);
+               std::size_t max_points, const std::vector<double>& deviations = {});
 
   /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame are
   /// invalid; nothing is added
@@ -33,7 +36,11 @@ class CloudBuilder {
   /// The points from `first` on. Frame: the profiles'; stamp: the last pulse's.
   sensor_msgs::PointCloud2 cloud(std::size_t first = 0) const;
 
-  /// Compares the passes besides, which takes a second or two of a large scan.
+  /// Compares the passes, once, and mends what the calibration's uncertainty explains. Takes a
+  /// second or two of a large scan.
+  void bring_together();
+
+  /// With the agreement of the passes, after bring_together().
   scan_cell_msgs::CloudStatistics statistics(const std::string& scan_id) const;
 
   /// For a person: what became of every row.
@@ -42,8 +49,9 @@ class CloudBuilder {
   /// For a person: the pass and the laser that had profiles but no point in any; empty: all had.
   std::string find_dark_sweep() const;
 
-  /// For a person, one line a pair: how far the passes lie apart.
-  static std::vector<std::string> overlap_lines(const scan_cell_msgs::CloudStatistics& statistics);
+  /// For a person: whether the passes agree, one line a pair (at most ten), one a correction.
+  static std::vector<std::string> agreement_lines(
+      const scan_cell_msgs::CloudStatistics& statistics);
 
  private:
   Triangulator triangulator_;
@@ -55,8 +63,10 @@ class CloudBuilder {
   std::vector<std::uint64_t> points_of_laser_;
   std::map<std::pair<std::uint8_t, std::uint8_t>, Sweep> sweeps_;  // by pass and laser
   std::size_t max_points_;
+  std::vector<double> deviations_;
   ScanCloud points_;
-  std::vector<ScanPoint> profile_;  // the points of the last
+  std::optional<PassAgreement> agreement_;  // once they were compared
+  std::vector<ScanPoint> profile_;          // the points of the last
   std_msgs::Header header_;
   double seconds_ = 0;
 };

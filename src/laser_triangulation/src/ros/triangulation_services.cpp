@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cctype>
 #include <chrono>
@@ -12,6 +13,7 @@
 #include "cloud_file.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/service_answer.h"
+#include "scan_cell_common/scanner/point_deviations.h"
 
 namespace laser_triangulation {
 
@@ -36,6 +38,7 @@ TriangulationServices::TriangulationServices(ros::NodeHandle node, ros::NodeHand
                                              const Parameters& parameters)
     : parameters_(parameters),
       model_(scan_cell_common::load_scanner_model(parameters.scanner)),
+      deviations_(scan_cell_common::load_point_deviations(parameters.scanner)),
       diagnostics_(node, private_node, private_node.getNamespace()) {
   Triangulator(model_, parameters.limits);  // refuses limits that contradict each other
 
@@ -92,8 +95,10 @@ bool TriangulationServices::start(StartScan::Request& request, StartScan::Respon
     response.message = "scan " + scan_id_ + " is not finished yet; wait for its cloud";
     return true;
   }
-  scan_ = std::make_unique<CloudBuilder>(model_, parameters_.limits, parameters_.max_points);
+  scan_ = std::make_unique<CloudBuilder>(model_, parameters_.limits, parameters_.max_points,
+                                         deviations_);
   scan_id_ = request.scan_id;
+  last_ = {};
   failure_.clear();
   published_ = 0;
   ignored_ = 0;
@@ -113,7 +118,6 @@ bool TriangulationServices::check_run(StartRun::Request& request, StartRun::Resp
 
 void TriangulationServices::wait_for(std::uint64_t profiles, double timeout,
                                      std::unique_lock<std::mutex>& lock) {
-  finishing_ = true;
   const auto all = [this, profiles] {
     return scan_->profiles() >= profiles || !failure_.empty() || !ros::ok();
   };
@@ -122,70 +126,103 @@ void TriangulationServices::wait_for(std::uint64_t profiles, double timeout,
     heard = scan_->profiles();
   } while (!news_.wait_for(lock, std::chrono::duration<double>(timeout), all) &&
            scan_->profiles() > heard);
-  finishing_ = false;
 }
 
-std::string TriangulationServices::find_fault(std::uint64_t profiles) const {
+std::string TriangulationServices::find_fault(const CloudBuilder& scan,
+                                              std::uint64_t profiles) const {
   if (!failure_.empty()) return failure_;
-  if (scan_->profiles() < profiles) {
-    return fmt::format("only {} of {} bound profiles arrived", scan_->profiles(), profiles);
+  if (scan.profiles() < profiles) {
+    return fmt::format("only {} of {} bound profiles arrived", scan.profiles(), profiles);
   }
-  return scan_->points().empty() ? "no points: " + scan_->summary() : "";
+  return scan.points().empty() ? "no points: " + scan.summary() : "";
 }
 
-void TriangulationServices::give_cloud(FinishCloud::Response& response) const {
-  if (scan_->points().size() <= parameters_.max_message_points) {
-    response.cloud = scan_->cloud();
+void TriangulationServices::give_cloud(CloudBuilder& scan, FinishCloud::Response& response) const {
+  scan.bring_together();
+  response.statistics = scan.statistics(scan_id_);
+  if (scan.points().size() <= parameters_.max_message_points) {
+    response.cloud = scan.cloud();
     return;
   }
-  response.cloud = scan_->cloud(scan_->points().size());
+  response.cloud = scan.cloud(scan.points().size());
   const std::string name = file_name(scan_id_, response.cloud.header.stamp);
   response.file = std::filesystem::absolute(parameters_.cloud_folder) / name;
-  save_ply(response.file, scan_->points());
+  save_ply(response.file, scan.points());
+}
+
+void TriangulationServices::tell(const FinishCloud::Response& response) const {
+  ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
+  const bool apart = response.statistics.agreement == scan_cell_msgs::CloudStatistics::DISAGREE;
+  for (const std::string& line : CloudBuilder::agreement_lines(response.statistics))
+    ROS_LOG(apart ? ros::console::levels::Warn : ros::console::levels::Info,
+            ROSCONSOLE_DEFAULT_NAME, "scan %s: %s", scan_id_.c_str(), line.c_str());
 }
 
 bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::Response& response) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (!scan_ || finishing_) {
     response.success = false;
-    response.message = scan_ ? "scan " + scan_id_ + " is not finished yet; wait for its cloud"
-                             : "no scan is running; call start first";
+    response.message = finishing_ ? "scan " + scan_id_ + " is not finished yet; wait for its cloud"
+                                  : "no scan is running; call start first";
     return true;
   }
+  finishing_ = true;  // until the end: nobody starts another one
   wait_for(request.profiles, request.timeout.toSec(), lock);
   publish_increment();
-  response.statistics = scan_->statistics(scan_id_);
+  std::unique_ptr<CloudBuilder> scan = std::move(scan_);
+  lock.unlock();  // profiles, diagnostics and the timer do not wait for the passes' comparison
+  std::string fault;
   try {
-    give_cloud(response);
+    give_cloud(*scan, response);
   } catch (const std::exception& error) {  // the points are kept
+    fault = std::string(error.what()) + ", and call finish again";
+  }
+  lock.lock();
+  finishing_ = false;
+  if (!fault.empty()) {
+    scan_ = std::move(scan);
     response.file.clear();
     response.success = false;
-    response.message = std::string(error.what()) + ", and call finish again";
+    response.message = fault;
     ROS_ERROR("scan %s: %s", scan_id_.c_str(), response.message.c_str());
     return true;
   }
-  failure_ = find_fault(request.profiles);
-  if (failure_.empty() && request.partial == 0) failure_ = scan_->find_dark_sweep();
+  last_ = response.statistics;
+  failure_ = find_fault(*scan, request.profiles);
+  if (failure_.empty() && request.partial == 0) failure_ = scan->find_dark_sweep();
   response.success = failure_.empty();
-  response.message = response.success ? scan_->summary() : failure_;
+  response.message = response.success ? scan->summary() : failure_;
   if (!response.file.empty()) response.message += "; too many for a message: " + response.file;
-  if (response.success && response.file.empty() && !request.partial)
+  const bool apart = last_.agreement == scan_cell_msgs::CloudStatistics::DISAGREE;
+  if (response.success && response.file.empty() && !request.partial && !apart)
     whole_cloud_.publish(response.cloud);
-  ROS_INFO("scan %s: %s", scan_id_.c_str(), response.message.c_str());
-  for (const std::string& line : CloudBuilder::overlap_lines(response.statistics))
-    ROS_INFO("scan %s: %s", scan_id_.c_str(), line.c_str());
-  scan_.reset();
+  tell(response);
   return true;
 }
 
 void TriangulationServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Level = diagnostic_msgs::DiagnosticStatus;
+  using Statistics = scan_cell_msgs::CloudStatistics;
   const std::lock_guard<std::mutex> lock(mutex_);
-  status.summary(failure_.empty() ? Level::OK : Level::ERROR,
-                 failure_.empty() ? (scan_ ? "building scan " + scan_id_ : "idle") : failure_);
+  const std::string doing = scan_        ? "building scan " + scan_id_
+                            : finishing_ ? "comparing the passes of scan " + scan_id_
+                                         : "idle";
+  status.summary(failure_.empty() ? Level::OK : Level::ERROR, failure_.empty() ? doing : failure_);
+  if (last_.agreement == Statistics::DISAGREE)
+    status.mergeSummary(Level::WARN, "the passes of scan " + last_.scan_id + " disagree");
   status.add("profiles", scan_ ? scan_->profiles() : 0);
   status.add("points", scan_ ? scan_->points().size() : 0);
   status.add("profiles outside of a scan", ignored_);
+  double median = 0, most = 0;  // [mm] of the pair that is worst
+  for (const scan_cell_msgs::PassOverlap& overlap : last_.overlaps) {
+    constexpr double kMillimetres = 1e3;
+    median = std::max(median, kMillimetres * overlap.median);
+    most = std::max(most, kMillimetres * overlap.most);
+  }
+  status.add("pairs of passes compared, of the last scan", last_.overlaps.size());
+  status.add("their disagreement at most [mm], median", median);
+  status.add("their disagreement at most [mm], 95 %", most);
+  status.add("passes of the last scan", last_.agreement_message);
 }
 
 }  // namespace laser_triangulation

@@ -37,22 +37,25 @@ class TriangulationServices {
               scan_cell_msgs::FinishCloud::Response& response);
   void on_profile(const scan_cell_msgs::BoundProfile& profile);
   void wait_for(std::uint64_t profiles, double timeout, std::unique_lock<std::mutex>& lock);
-  std::string find_fault(std::uint64_t profiles) const;
-  void give_cloud(scan_cell_msgs::FinishCloud::Response& response) const;
+  std::string find_fault(const CloudBuilder& scan, std::uint64_t profiles) const;
+  void give_cloud(CloudBuilder& scan, scan_cell_msgs::FinishCloud::Response& response) const;
+  void tell(const scan_cell_msgs::FinishCloud::Response& response) const;
   void publish_increment();  // call with the mutex held
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const Parameters parameters_;
   const scan_cell_common::ScannerModel model_;
+  const std::vector<double> deviations_;  // [m] of a scanned point, by laser
   ros::CallbackQueue data_queue_;
 
   std::mutex mutex_;
   std::condition_variable news_;
-  std::unique_ptr<CloudBuilder> scan_;  // none between scans
+  std::unique_ptr<CloudBuilder> scan_;  // none between scans, and while its passes are compared
   std::string scan_id_;
   std::string failure_;        // why the scan's cloud is incomplete
   std::size_t published_ = 0;  // points on ~cloud
   bool finishing_ = false;
+  scan_cell_msgs::CloudStatistics last_;  // of the scan that was finished last
   std::uint64_t ignored_ = 0;
 
   ros::Publisher cloud_;

@@ -12,6 +12,7 @@
 #include "scan_cell_common/parameters/parameter_options.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/bag_errors.h"
+#include "scan_cell_common/scanner/point_deviations.h"
 #include "scan_cell_common/tools/tool_main.h"
 
 namespace {
@@ -27,12 +28,13 @@ struct Options {
 };
 
 void triangulate(const Options& options) {
+  using laser_triangulation::CloudBuilder;
   using scan_cell_msgs::BoundProfile;
   constexpr std::size_t kMaxPoints = 500'000'000;  // 18 GB; chosen
   laser_triangulation::check_ply_output(options.output);
   const double unit = scan_cell_common::metres_per(options.units);
-  laser_triangulation::CloudBuilder builder(scan_cell_common::load_scanner_model(options.scanner),
-                                            options.limits, kMaxPoints);
+  CloudBuilder builder(scan_cell_common::load_scanner_model(options.scanner), options.limits,
+                       kMaxPoints, scan_cell_common::load_point_deviations(options.scanner));
   scan_cell_common::name_bag_in_errors(options.bag, [&] {
     const rosbag::Bag bag(options.bag, rosbag::bagmode::Read);
     rosbag::View view(bag, rosbag::TopicQuery(options.topic));
@@ -45,8 +47,11 @@ void triangulate(const Options& options) {
     throw scan_cell_common::UnusableInput(options.bag, "no points (" + builder.summary() + ")",
                                           "check that " + options.topic + " has bound profiles");
   }
+  builder.bring_together();
   laser_triangulation::save_ply(options.output, builder.points(), unit);
   std::cout << builder.summary() << '\n';
+  for (const std::string& line : CloudBuilder::agreement_lines(builder.statistics("")))
+    std::cout << line << '\n';
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "scan_cell_common/scanner/point_deviations.h"
 #include "session/rendered_session.h"
 
 namespace fs = std::filesystem;
@@ -55,6 +56,12 @@ class CalibrateTool : public testing::Test {
 TEST_F(CalibrateTool, FindsTheScannerThatTheImagesWereTakenWith) {
   ASSERT_EQ(run(session()), 0) << text("out.txt");
   const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
+  const auto deviations = scan_cell_common::load_point_deviations(path("scanner.yaml"));
+  EXPECT_EQ(deviations.size(), model.lasers.size());
+  for (const double deviation : deviations) {
+    EXPECT_GT(deviation, 0);
+    EXPECT_LT(deviation, 1e-3) << "of a good session";
+  }
   const RenderedSession rendered = example_session(kViews);
   const scan_cell_common::ScannerModel& truth = rendered.truth;
   EXPECT_NEAR(model.camera.fx, truth.camera.fx, 0.5);

@@ -30,7 +30,8 @@ int adapt(const Options& options) {
       [&bar](const std::string& what, double share) { bar.show(what, 0.7 * share); }, scan);
   const auto verdict = scan_cell::adapt(
       client, options.files, object, options.timeout,
-      [&bar](const std::string& what, double share) { bar.show(what, 0.7 + 0.3 * share); });
+      [&bar](const std::string& what, double share) { bar.show(what, 0.7 + 0.3 * share); },
+      scan.statistics);
   if (verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED) return 0;
   std::fprintf(stderr, "\nadapt: refused: %s: %s\n", verdict.name.c_str(), verdict.message.c_str());
   return 2;

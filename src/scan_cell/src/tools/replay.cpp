@@ -48,12 +48,16 @@ void replay(const Parameters& parameters) {
   watch.forget();
   stages.bind({{0, bag.pulses()}}, parameters.patience);  // of all armings
   stages.triangulate(true, parameters.patience);
+  if (!stages.disagreement().empty())
+    throw scan_cell_common::Refused("scan '" + bag.scan().scan_id + "'", "no single surface",
+                                    stages.disagreement());
   bar.show("clean", 0.6);
   scan_cell::check_published(stages.cloud_file());
   const auto object = watch.wait(stages.cloud().header.stamp, parameters.timeout);
   const auto verdict = scan_cell::adapt(
       client, parameters.files, object, parameters.timeout,
-      [&bar](const std::string& stage, double share) { bar.show(stage, 0.7 + 0.3 * share); });
+      [&bar](const std::string& stage, double share) { bar.show(stage, 0.7 + 0.3 * share); },
+      stages.statistics());
   std::printf("%lu frames bound, %lu dropped, %lu never arrived; path %s\n",
               stages.audit().frames_bound, stages.audit().frames_dropped,
               stages.audit().frames_never_arrived, verdict.name.c_str());

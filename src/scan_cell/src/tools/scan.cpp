@@ -40,6 +40,8 @@ void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
               result.audit.frames_never_arrived);
   for (const std::string& warning : result.warnings)
     std::printf("warning: %s\n", warning.c_str());
+  if (!result.statistics.agreement_message.empty())
+    std::printf("passes: %s\n", result.statistics.agreement_message.c_str());
   if (!result.cloud_file.empty()) {
     std::printf("%s: %lu points, too many for a message\n", result.cloud_file.c_str(),
                 result.statistics.points);

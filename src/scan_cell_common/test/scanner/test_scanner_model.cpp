@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/scanner/point_deviations.h"
 #include "scan_cell_common/scanner/scanner_model.h"
 
 namespace fs = std::filesystem;
@@ -126,6 +127,18 @@ TEST_F(ScannerModelFile, HoldsALaserThatWasNotCalibrated) {
     EXPECT_NE(std::string(error.what()).find("laser_0: not calibrated"), std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(ScannerModelFile, MayHoldHowWellAPointIsKnown) {
+  scan_cell_common::save_scanner_model(path_, example());
+  EXPECT_TRUE(scan_cell_common::load_point_deviations(path_).empty()) << "it need not";
+  const std::vector<double> deviations = {80e-6, 0};
+  scan_cell_common::save_scanner_model(path_, example(), "", deviations);
+  EXPECT_EQ(scan_cell_common::load_point_deviations(path_), deviations);
+  EXPECT_EQ(scan_cell_common::load_scanner_model(path_).laser(0).distance,
+            example().laser(0).distance);
+  scan_cell_common::save_scanner_model(path_, example(), "", {-1});
+  EXPECT_THROW(scan_cell_common::load_point_deviations(path_), scan_cell_common::UnusableInput);
 }
 
 TEST_F(ScannerModelFile, HoldsACameraAlone) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <set>
@@ -12,6 +13,7 @@
 #include "report/report.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
+#include "scan_cell_common/scanner/point_deviations.h"
 
 namespace fs = std::filesystem;
 
@@ -63,13 +65,23 @@ void save_camera_info(const std::string& path, const scan_cell_common::CameraInt
           matrix_text("projection_matrix", 3, 4, {fx, 0, cx, 0, 0, fy, cy, 0, 0, 0, 1, 0})));
 }
 
-void save_scanner(const CalibrationRun& run, const std::string& path) {
-  const scan_cell_common::ScannerModel& scanner = run.calibration->scanner;
-  if (run.existing) {
-    scan_cell_common::save_scanner_model(path, scanner, run.existing->text);
-  } else {
-    scan_cell_common::save_scanner_model(path, scanner);
+/// [m] of a scanned point, by the laser's index: the worst of the depths that were seen. None where
+/// no laser was calibrated.
+std::vector<double> point_deviations(const Calibration& calibration) {
+  constexpr double kMetres = 1e-3;
+  if (calibration.uncertainty.empty()) return {};
+  std::vector<double> deviations(calibration.scanner.lasers.size());
+  for (const PointUncertainty& point : calibration.uncertainty) {
+    double& deviation = deviations.at(scan_cell_common::laser_index(point.laser));
+    deviation = std::max(deviation, kMetres * point.deviation_mm);
   }
+  return deviations;
+}
+
+void save_scanner(const CalibrationRun& run, const std::string& path) {
+  scan_cell_common::save_scanner_model(path, run.calibration->scanner,
+                                       run.existing ? run.existing->text : "",
+                                       point_deviations(*run.calibration));
 }
 
 }  // namespace

@@ -197,6 +197,9 @@ class Stages : public Device {
   /// Makes the cloud of all that was bound, also where bind() failed.
   /// @param whole the scan did not end early: its cloud may go on to preprocessing
   virtual void triangulate(bool whole, double patience) = 0;
+
+  /// After triangulate(): why the passes make no single surface; empty where they do.
+  virtual std::string disagreement() const { return ""; }
 };
 
 }  // namespace scan_cell

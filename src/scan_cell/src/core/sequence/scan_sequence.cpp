@@ -160,6 +160,8 @@ void ScanSequence::finish_stages(SequenceEnd& end) {
   }
   try {
     stages_.triangulate(end.outcome == Outcome::kFinished, patience);
+    const std::string apart = stages_.disagreement();
+    if (!apart.empty()) worsen(end, Outcome::kPassesDisagree, apart);
   } catch (const scan_cell_common::Error& error) {
     worsen(end, Outcome::kStageFailed, error.what());
   }

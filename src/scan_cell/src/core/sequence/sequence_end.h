@@ -21,6 +21,7 @@ enum class Outcome : std::uint8_t {
   kTriggerLost = 6,
   kMotionFailed = 7,
   kStageFailed = 8,  //!< what the data goes to: binder and triangulation, or the session's folder
+  kPassesDisagree = 9,  //!< of a scan
 };
 
 struct SequenceEnd {

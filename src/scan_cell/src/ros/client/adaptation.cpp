@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "client/adaptation.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
@@ -20,6 +24,37 @@ namespace fs = std::filesystem;
 using scan_cell_common::FileError;
 
 namespace {
+
+/// The stretcher's report with how the passes of the scan agree.
+std::string with_passes(const std::string& report, const scan_cell_msgs::CloudStatistics& scan) {
+  if (scan.agreement_message.empty()) return report;  // of one sweep
+  constexpr double kMillimetres = 1e3;
+  constexpr double kDegrees = 180 / M_PI;
+  nlohmann::ordered_json all = nlohmann::ordered_json::parse(report);
+  nlohmann::ordered_json& passes = all["passes"];
+  const char* const names[] = {"not compared", "agree", "mended", "disagree"};
+  passes["agreement"] = names[std::min<std::size_t>(scan.agreement, std::size(names) - 1)];
+  passes["message"] = scan.agreement_message;
+  passes["overlaps"] = nlohmann::ordered_json::array();
+  for (const scan_cell_msgs::PassOverlap& pair : scan.overlaps) {
+    passes["overlaps"].push_back({{"passes", {pair.pass_one + 1, pair.pass_other + 1}},
+                                  {"lasers", {pair.laser_one, pair.laser_other}},
+                                  {"places", pair.points},
+                                  {"median_mm", kMillimetres * pair.median},
+                                  {"within_95_percent_mm", kMillimetres * pair.most}});
+  }
+  passes["corrections"] = nlohmann::ordered_json::array();
+  for (const scan_cell_msgs::PassCorrection& each : scan.corrections) {
+    const double shift = std::hypot(each.shift.x, each.shift.y, each.shift.z);
+    const double turn = std::hypot(each.turn.x, each.turn.y, each.turn.z);
+    passes["corrections"].push_back({{"pass", each.pass_index + 1},
+                                     {"laser", each.laser},
+                                     {"shift_mm", kMillimetres * shift},
+                                     {"turn_degrees", kDegrees * turn}});
+  }
+  constexpr int kIndent = 2;
+  return all.dump(kIndent) + "\n";
+}
 
 const char* const kObject = "object.ply";
 const char* const kPath = "adapted_path.csv";
@@ -44,7 +79,8 @@ void clear_results(const AdaptationFiles& files) {
 
 scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& files,
                                      const sensor_msgs::PointCloud2& object, double timeout,
-                                     const CellClient::Progress& progress) {
+                                     const CellClient::Progress& progress,
+                                     const scan_cell_msgs::CloudStatistics& scan) {
   scan_cell_msgs::StretchToolPathGoal goal;
   goal.reference =
       scan_cell_common::to_message(scan_cell_common::load_cloud(files.reference), object.header);
@@ -60,7 +96,7 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
     tool_path_stretcher::save_tool_path(
         (output / kPath).string(), tool_path_stretcher::from_message(result.path), path.layout);
   }
-  scan_cell_common::save_text((output / kReport).string(), result.report);
+  scan_cell_common::save_text((output / kReport).string(), with_passes(result.report, scan));
   return result.verdict;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <scan_cell_msgs/CloudStatistics.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <string>
@@ -29,10 +30,12 @@ void clear_results(const AdaptationFiles& files);
 
 /// Adapts the path to an object with the running stretcher and writes the results; a refusal leaves
 /// no path.
+/// @param scan of the object: how its passes agree goes into the report
 /// @return the verdict
 /// @throw scan_cell_common::Error if a file cannot be used, or the stretcher is not there
 scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& files,
                                      const sensor_msgs::PointCloud2& object, double timeout,
-                                     const CellClient::Progress& progress);
+                                     const CellClient::Progress& progress,
+                                     const scan_cell_msgs::CloudStatistics& scan = {});
 
 }  // namespace scan_cell

@@ -129,4 +129,9 @@ void RosStages::triangulate(bool whole, double patience) {
   check_answer(finish_cloud(), response);
 }
 
+std::string RosStages::disagreement() const {
+  if (statistics_.agreement != scan_cell_msgs::CloudStatistics::DISAGREE) return "";
+  return "the passes disagree: " + statistics_.agreement_message;
+}
+
 }  // namespace scan_cell

@@ -32,6 +32,7 @@ class RosStages : public Stages {
   std::vector<std::uint64_t> bind(const std::vector<ArmingPulses>& armings,
                                   double patience) override;
   void triangulate(bool whole, double patience) override;
+  std::string disagreement() const override;
 
   /// Forgets the results of the last scan.
   void clear();

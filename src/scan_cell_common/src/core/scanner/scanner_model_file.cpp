@@ -1,6 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/scanner/point_deviations.h"
 #include "scan_cell_common/scanner/scanner_model.h"
 
 namespace scan_cell_common {
@@ -72,8 +75,27 @@ void save(const std::string& path, const YAML::Node& root) {
   scan_cell_common::save_text(path, std::string(out.c_str()) + "\n");
 }
 
+const char* const kUncertainty = "uncertainty";
+
+std::vector<double> read_deviations(const YamlEntry& root) {
+  constexpr double kMost = 0.1;  // [m] chosen: nobody scans with more
+  if (!root.has(kUncertainty)) return {};
+  const YamlEntry entry = root[kUncertainty];
+  entry.refuse_unknown({"points"});
+  std::vector<double> deviations;
+  for (const YamlEntry& each : entry["points"].elements()) {
+    deviations.push_back(each.as<double>());
+    if (!(deviations.back() >= 0 && deviations.back() <= kMost)) {
+      each.refuse(fmt::format("{:g} m", deviations.back()),
+                  fmt::format("give 0 (not known) to {:g} m", kMost));
+    }
+  }
+  return deviations;
+}
+
 ScannerModel read_model(const YamlEntry& root) {
-  root.refuse_unknown({"camera", "flange_to_camera", "lasers"});
+  root.refuse_unknown({"camera", "flange_to_camera", "lasers", kUncertainty});
+  read_deviations(root);
   ScannerModel model;
   model.camera = read_camera(root["camera"]);
   model.flange_to_camera = root["flange_to_camera"].pose();
@@ -93,20 +115,34 @@ ScannerModel parse_scanner_model(const std::string& text, const std::string& nam
   return read_model(YamlEntry::parse(text, name));
 }
 
+std::vector<double> load_point_deviations(const std::string& path) {
+  return read_deviations(YamlEntry::load(path));
+}
+
 void save_scanner_model(const std::string& path, const ScannerModel& model) {
-  check(model);
-  save(path, to_yaml(model));
+  save_scanner_model(path, model, "", {});
 }
 
 void save_scanner_model(const std::string& path, const ScannerModel& model,
                         const std::string& existing) {
+  save_scanner_model(path, model, existing, {});
+}
+
+void save_scanner_model(const std::string& path, const ScannerModel& model,
+                        const std::string& existing, const std::vector<double>& deviations) {
   check(model);
   YAML::Node root = to_yaml(model);
-  const char* const name = "existing scanner model";
-  const ScannerModel other = parse_scanner_model(existing, name);
-  // Numbers come back from text as they were; a quaternion does not come back from a matrix.
-  if (model.flange_to_camera.matrix() == other.flange_to_camera.matrix())
-    root["flange_to_camera"] = scan_cell_common::parse_yaml(existing, name)["flange_to_camera"];
+  if (!existing.empty()) {
+    const char* const name = "existing scanner model";
+    const ScannerModel other = parse_scanner_model(existing, name);
+    // Numbers come back from text as they were; a quaternion does not come back from a matrix.
+    if (model.flange_to_camera.matrix() == other.flange_to_camera.matrix())
+      root["flange_to_camera"] = scan_cell_common::parse_yaml(existing, name)["flange_to_camera"];
+  }
+  if (!deviations.empty()) {
+    root[kUncertainty]["points"] = numbers(Eigen::Map<const Eigen::VectorXd>(
+        deviations.data(), static_cast<Eigen::Index>(deviations.size())));
+  }
   save(path, root);
 }
 

@@ -1,0 +1,143 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass_agreement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace laser_triangulation {
+namespace {
+
+constexpr double kMillimetres = 1e3;
+constexpr std::size_t kMaxMended = 64;  // sweeps; chosen: a system of 384 unknowns
+// [m] from the middle of the range of depths in which a laser's points are as uncertain as that;
+// chosen: half of it at the usual distance
+constexpr double kLever = 0.1;
+constexpr double kMaxDeviations = 3;  // of a motion along each axis; chosen, as 99.7 %
+
+std::string name_of(const Sweep& sweep) {
+  return fmt::format("pass {} laser_{}", sweep.pass + 1, sweep.laser);
+}
+
+/// Variances of a sweep's shift [m2] and turn [rad2] along and about each axis. Those of the sweeps
+/// are taken as independent, which allows more than the lasers' common errors would.
+std::optional<Eigen::MatrixXd> covariance_of(const std::vector<Sweep>& sweeps,
+                                             const std::vector<double>& deviations) {
+  if (sweeps.size() > kMaxMended) return std::nullopt;
+  Eigen::VectorXd variances(static_cast<Eigen::Index>(6 * sweeps.size()));
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const std::size_t laser = sweeps[i].laser;
+    if (laser >= deviations.size() || !(deviations[laser] > 0)) return std::nullopt;
+    const double shift = deviations[laser] * deviations[laser] / 3;
+    const auto first = static_cast<Eigen::Index>(6 * i);
+    variances.segment<3>(first).setConstant(shift);
+    variances.segment<3>(first + 3).setConstant(shift / (kLever * kLever));
+  }
+  return Eigen::MatrixXd(variances.asDiagonal());
+}
+
+/// The first sweep whose motion is more than its covariance explains.
+std::optional<std::size_t> beyond(const PassCorrection& correction,
+                                  const Eigen::MatrixXd& covariance) {
+  for (std::size_t i = 0; i < correction.motions.size(); ++i) {
+    Eigen::Matrix<double, 6, 1> motion;
+    motion << correction.motions[i].shift, correction.motions[i].turn;
+    const auto variances = covariance.diagonal().segment<6>(static_cast<Eigen::Index>(6 * i));
+    const Eigen::ArrayXd deviations = motion.array().abs() / variances.array().sqrt();
+    if ((deviations > kMaxDeviations).any()) return i;
+  }
+  return std::nullopt;
+}
+
+SharedPlaces moved(const SharedPlaces& shared, const PassCorrection& correction) {
+  std::vector<Eigen::Isometry3d> transforms;
+  for (const SweepMotion& motion : correction.motions)
+    transforms.push_back(transform(motion, correction.centre));
+  SharedPlaces result = shared;
+  for (std::vector<SweepPatch>& patches : result.places) {
+    for (SweepPatch& patch : patches) {
+      const Eigen::Isometry3d& move = transforms[patch.sweep];
+      patch.nearest = move * patch.nearest;
+      patch.from = move * patch.from;
+      patch.mean = move * patch.mean;
+      patch.normal = move.linear() * patch.normal;
+    }
+  }
+  return result;
+}
+
+std::string figures(const PassOverlap& overlap) {
+  std::string text = fmt::format("{} and {} lie {:.3f} mm apart, 95 % within {:.3f} mm",
+                                 name_of(overlap.one), name_of(overlap.other),
+                                 kMillimetres * overlap.median, kMillimetres * overlap.most);
+  if (overlap.apart > 0)
+    text += fmt::format(", {} of {} places more than {:g} mm", overlap.apart, overlap.points,
+                        kMillimetres * kApart);
+  return text;
+}
+
+/// The pair that disagrees the most.
+const PassOverlap& worst_of(const std::vector<PassOverlap>& overlaps) {
+  return *std::max_element(overlaps.begin(), overlaps.end(), [](const auto& a, const auto& b) {
+    return a.apart != b.apart ? a.apart < b.apart : a.median < b.median;
+  });
+}
+
+bool any_disagree(const std::vector<PassOverlap>& overlaps) {
+  return std::any_of(overlaps.begin(), overlaps.end(), disagree);
+}
+
+std::string alone_text(const std::vector<Sweep>& alone) {
+  std::string names;
+  for (const Sweep& sweep : alone)
+    names += (names.empty() ? "" : ", ") + name_of(sweep);
+  if (names.empty()) return "";
+  return "; not compared, since it shares too little of the surface with the others: " + names;
+}
+
+constexpr const char* kLookAt =
+    "; look at the calibration, at the time offset between poses and pulses, and whether a part "
+    "moved between the passes";
+
+}  // namespace
+
+PassAgreement bring_together(ScanCloud& cloud, const std::vector<double>& deviations) {
+  PassAgreement result;
+  const SharedPlaces shared = find_shared_places(cloud);
+  result.sweeps = shared.sweeps;
+  result.overlaps = compare_sweeps(shared);
+  if (shared.sweeps.size() < 2) return result;
+  const std::string alone = alone_text(sweeps_alone(shared, result.overlaps));
+  if (result.overlaps.empty()) {
+    result.message = "the passes cannot be compared" + alone;
+    return result;
+  }
+  result.agreement = any_disagree(result.overlaps) ? Agreement::kDisagree : Agreement::kAgree;
+  result.message = figures(worst_of(result.overlaps));
+  const auto covariance = covariance_of(shared.sweeps, deviations);
+  if (covariance) {
+    const PassCorrection correction = find_correction(shared, *covariance);
+    const std::optional<std::size_t> too_far = beyond(correction, *covariance);
+    std::vector<PassOverlap> after = compare_sweeps(moved(shared, correction));
+    if (too_far) {
+      result.agreement = Agreement::kDisagree;
+      result.message += fmt::format(
+          "; {} would have to move further than the calibration's "
+          "uncertainty explains",
+          name_of(shared.sweeps[*too_far]));
+    } else if (!any_disagree(after)) {
+      apply(correction, shared.sweeps, cloud);
+      result.agreement = Agreement::kMended;
+      result.overlaps = std::move(after);
+      result.message += "; corrected: " + figures(worst_of(result.overlaps));
+      result.correction = correction;
+    }
+  }
+  if (result.agreement == Agreement::kDisagree) result.message += kLookAt;
+  result.message += alone;
+  return result;
+}
+
+}  // namespace laser_triangulation

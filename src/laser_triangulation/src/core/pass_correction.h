@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "shared_places.h"
+
+namespace laser_triangulation {
+
+/// A small rigid motion of one sweep.
+struct SweepMotion {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  //!< [m] of the centre
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();   //!< [rad] rotation vector, about the centre
+};
+
+/// The motions that bring the sweeps together.
+struct PassCorrection {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  //!< [m] of the shared places
+  std::vector<SweepMotion> motions;                  //!< one a sweep
+  /// Of the whole correction, by the covariance it was given: the root of the squared deviations
+  /// over their number. About 1 where the covariance is right.
+  double deviations = 0;
+};
+
+/// [m] the mean of the places where sweeps can be compared; what a covariance refers to.
+Eigen::Vector3d centre_of(const SharedPlaces& shared);
+
+/// Finds all motions at once: the surfaces of each pair come to lie in each other (point to plane,
+/// robust against what does not fit), and the motions stay as small as their covariance wants them.
+/// That holds what the surfaces do not: they do not slide along a plane.
+/// @param covariance of all motions about centre_of() in their order: shift [m], turn [rad] of
+/// each sweep
+PassCorrection find_correction(const SharedPlaces& shared, const Eigen::MatrixXd& covariance);
+
+/// The motion as a transform of points.
+Eigen::Isometry3d transform(const SweepMotion& motion, const Eigen::Vector3d& centre);
+
+/// Moves each sweep, and where it was seen from.
+void apply(const PassCorrection& correction, const std::vector<Sweep>& sweeps, ScanCloud& cloud);
+
+}  // namespace laser_triangulation

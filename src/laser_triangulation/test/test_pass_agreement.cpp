@@ -1,0 +1,210 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <random>
+
+#include "pass_agreement.h"
+
+using namespace laser_triangulation;  // NOLINT
+
+namespace {
+
+constexpr double kNoise = 20e-6;       // [m] of a point
+constexpr double kDeviation = 0.2e-3;  // [m] of a scanned point, by the calibration
+
+/// A table with a block on it, 60 x 40 x 20 mm with flanks that lean by 45 degrees, as passes see
+/// it from above.
+class Table {
+ public:
+  static constexpr double kHeight = 0.02;
+  static constexpr double kHalfLength = 0.03;
+  static constexpr double kHalfWidth = 0.02;
+
+  double block_at = 0;  // [m] along x
+
+  double height(double x, double y) const {
+    const double out = std::max(std::abs(x - block_at) - kHalfLength, std::abs(y) - kHalfWidth);
+    return std::clamp(kHeight - out, 0., kHeight);
+  }
+};
+
+class Passes {
+ public:
+  /// Profiles 0.6 mm apart, a point every 0.3 mm.
+  /// @param error of the whole pass, in the frame of the cloud
+  void scan(std::uint8_t pass, std::uint8_t laser, const std::function<double(double, double)>& z,
+            const Eigen::Isometry3d& error = Eigen::Isometry3d::Identity(), double begin = -0.08,
+            double end = 0.08) {
+    std::mt19937 random(pass * 7U + laser + 1);
+    std::normal_distribution<double> noise(0, kNoise);
+    std::vector<ScanPoint> points;
+    for (double x = begin + 1e-4 * pass; x < end; x += 0.6e-3) {
+      for (double y = -0.06; y < 0.06; y += 0.3e-3) {
+        const double height = z(x, y);
+        if (std::isnan(height)) continue;
+        const Eigen::Vector3f p =
+            (error * Eigen::Vector3d(x, y, height + noise(random))).cast<float>();
+        points.push_back({p.x(), p.y(), p.z(), 100, laser, pass, {0, 0}, 3, 0, 0, 0.5F});
+      }
+    }
+    cloud.append(points);
+  }
+  void scan(std::uint8_t pass, const Table& table,
+            const Eigen::Isometry3d& error = Eigen::Isometry3d::Identity()) {
+    scan(
+        pass, 0, [&table](double x, double y) { return table.height(x, y); }, error);
+  }
+
+  PassAgreement mend() { return bring_together(cloud, {kDeviation, kDeviation}); }
+  PassAgreement measure() { return bring_together(cloud, {}); }
+
+  /// [m] RMS of the heights above the table and the block.
+  double error(const Table& table) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const double off = static_cast<double>(cloud[i].z) -
+                         table.height(static_cast<double>(cloud[i].x), cloud[i].y);
+      sum += off * off;
+    }
+    return std::sqrt(sum / static_cast<double>(cloud.size()));
+  }
+
+  ScanCloud cloud;
+};
+
+Eigen::Isometry3d small_motion(const Eigen::Vector3d& shift, const Eigen::Vector3d& turn) {
+  const double angle = turn.norm();
+  return Eigen::Translation3d(shift) *
+         Eigen::AngleAxisd(angle, angle > 0 ? turn / angle : Eigen::Vector3d::UnitX().eval());
+}
+
+}  // namespace
+
+TEST(PassAgreement, OfOneSweepIsNotAsked) {
+  Passes passes;
+  passes.scan(0, Table());
+  const PassAgreement result = passes.mend();
+  EXPECT_EQ(result.agreement, Agreement::kNotCompared);
+  EXPECT_TRUE(result.message.empty());
+}
+
+TEST(PassAgreement, IsThereWhereTheScannerIsCalibratedAndMendingMakesItNoWorse) {
+  Passes passes;
+  for (const std::uint8_t pass : {0, 1, 2})
+    passes.scan(pass, Table());
+  const double before = passes.error(Table());
+  EXPECT_EQ(passes.measure().agreement, Agreement::kAgree);
+  const PassAgreement result = passes.mend();
+  EXPECT_EQ(result.agreement, Agreement::kMended) << result.message;
+  ASSERT_TRUE(result.correction);
+  for (const SweepMotion& motion : result.correction->motions) {
+    EXPECT_LE(motion.shift.norm(), 3e-6) << "a seventh of the noise of one point";
+    EXPECT_LE(motion.turn.norm(), 5e-5);
+  }
+  EXPECT_LE(passes.error(Table()), 1.01 * before);
+}
+
+TEST(PassAgreement, ComesBackWhereThePassesAreTurnedWithinTheUncertainty) {
+  Passes passes;
+  passes.scan(0, Table(), small_motion({0, 0, 0.08e-3}, {0.6e-3, 0, 0}));
+  passes.scan(1, Table(), small_motion({0.1e-3, 0, -0.08e-3}, {-0.6e-3, 0, 0}));
+  const double before = passes.error(Table());
+  const PassAgreement result = passes.mend();
+  ASSERT_EQ(result.agreement, Agreement::kMended) << result.message;
+  ASSERT_EQ(result.overlaps.size(), 1U);
+  EXPECT_LE(result.overlaps[0].median, 1.2 * 0.674 * kNoise) << "what is left is the noise";
+  EXPECT_LE(passes.error(Table()), 0.6 * before);
+}
+
+TEST(PassAgreement, IsMeasuredButNotMendedWithoutAnUncertainty) {
+  Passes passes;
+  passes.scan(0, Table());
+  passes.scan(1, Table(), small_motion({0, 0, 0.3e-3}, {0, 0, 0}));
+  const float first = passes.cloud[0].z;
+  const PassAgreement result = passes.measure();
+  EXPECT_EQ(result.agreement, Agreement::kAgree);
+  ASSERT_EQ(result.overlaps.size(), 1U);
+  EXPECT_NEAR(result.overlaps[0].median, 0.3e-3, 0.02e-3);
+  EXPECT_FALSE(result.correction);
+  EXPECT_EQ(passes.cloud[0].z, first);
+}
+
+TEST(PassAgreement, EndsWhereMoreWouldHaveToMoveThanTheUncertaintyExplains) {
+  Passes passes;
+  passes.scan(0, Table());
+  passes.scan(1, Table(), small_motion({0, 0, 0.9e-3}, {0, 0, 0}));
+  const float last = passes.cloud[passes.cloud.size() - 1].z;
+  const PassAgreement result = passes.mend();
+  EXPECT_EQ(result.agreement, Agreement::kDisagree);
+  EXPECT_NE(result.message.find("0.9"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("time offset"), std::string::npos);
+  EXPECT_FALSE(result.correction);
+  EXPECT_EQ(passes.cloud[passes.cloud.size() - 1].z, last) << "as it was captured";
+}
+
+TEST(PassAgreement, EndsWhereAPartMovedOnATableThatDidNot) {
+  for (const double by : {2e-3, 4e-3, -10e-3}) {
+    Table moved;
+    moved.block_at = by;
+    Passes passes;
+    passes.scan(0, Table());
+    passes.scan(1, moved);
+    EXPECT_EQ(passes.measure().agreement, Agreement::kDisagree) << by;
+    const PassAgreement result = passes.mend();
+    EXPECT_EQ(result.agreement, Agreement::kDisagree) << by << ": " << result.message;
+    EXPECT_NE(result.message.find("a part moved"), std::string::npos) << result.message;
+  }
+}
+
+TEST(PassAgreement, DoesNotSlideAPlane) {
+  const auto plane = [](double, double) { return 0.; };
+  Passes passes;
+  passes.scan(0, 0, plane);
+  passes.scan(1, 0, plane, small_motion({0, 0, 0.1e-3}, {0, 0, 0}));
+  const PassAgreement result = passes.mend();
+  ASSERT_TRUE(result.correction) << result.message;
+  for (const SweepMotion& motion : result.correction->motions) {
+    EXPECT_LE(motion.shift.head<2>().norm(), 6e-6)
+        << "a twentieth of what the calibration would allow";
+    EXPECT_LE(std::abs(motion.turn.z()), 60e-6);
+    EXPECT_NEAR(std::abs(motion.shift.z()), 0.05e-3, 0.01e-3) << "each its half";
+  }
+}
+
+TEST(PassAgreement, IsNotComparedWherePassesHardlyShareASurface) {
+  const auto plane = [](double, double) { return 0.; };
+  Passes passes;
+  passes.scan(0, 0, plane, Eigen::Isometry3d::Identity(), -0.08, 0);
+  passes.scan(1, 0, plane, Eigen::Isometry3d::Identity(), -0.05, 0);
+  passes.scan(2, 0, plane, Eigen::Isometry3d::Identity(), 0.03, 0.08);
+  const PassAgreement result = passes.mend();
+  EXPECT_NE(result.agreement, Agreement::kDisagree);
+  EXPECT_NE(result.message.find("not compared, since"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("pass 3 laser_0"), std::string::npos) << result.message;
+  Passes apart;
+  apart.scan(0, 0, plane, Eigen::Isometry3d::Identity(), -0.08, -0.03);
+  apart.scan(1, 0, plane, Eigen::Isometry3d::Identity(), 0.03, 0.08);
+  EXPECT_EQ(apart.mend().agreement, Agreement::kNotCompared);
+}
+
+TEST(PassAgreement, RaisesNoAlarmAtTheEdgesOfShadows) {
+  // A wall of 20 mm: one pass sees what lies left of its shadow, the other what lies right of it.
+  const auto wall = [](double x) { return std::abs(x) < 0.005 ? 0.02 : 0.; };
+  const auto from_left = [&](double x, double) {
+    return x > 0.005 && x < 0.02 ? std::nan("") : wall(x);
+  };
+  const auto from_right = [&](double x, double) {
+    return x < -0.005 && x > -0.02 ? std::nan("") : wall(x);
+  };
+  Passes passes;
+  passes.scan(0, 0, from_left);
+  passes.scan(1, 1, from_right);
+  EXPECT_EQ(passes.measure().agreement, Agreement::kAgree);
+  const PassAgreement result = passes.mend();
+  EXPECT_EQ(result.agreement, Agreement::kMended) << result.message;
+  ASSERT_EQ(result.overlaps.size(), 1U);
+  EXPECT_EQ(result.overlaps[0].apart, 0U);
+}
