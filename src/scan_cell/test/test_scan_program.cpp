@@ -75,6 +75,25 @@ class ScanProgram : public testing::Test {
 
 }  // namespace
 
+TEST_F(ScanProgram, IsReadBackAsItWasWritten) {
+  const scan_cell::ScanProgram program = load(kPasses);
+  scan_cell::save_scan_program(path_, program);
+  const scan_cell::ScanProgram again = scan_cell::load_scan_program(path_);
+  EXPECT_EQ(again.frame, program.frame);
+  ASSERT_EQ(again.passes.size(), program.passes.size());
+  for (std::size_t i = 0; i < program.passes.size(); ++i) {
+    const scan_cell::ScanPass &one = program.passes[i], &other = again.passes[i];
+    EXPECT_EQ(other.name, one.name);
+    EXPECT_EQ(other.kind, one.kind);
+    EXPECT_EQ(other.speed, one.speed);
+    EXPECT_EQ(other.rate, one.rate);
+    EXPECT_EQ(other.lasers, one.lasers);
+    ASSERT_EQ(other.poses.size(), one.poses.size());
+    for (std::size_t k = 0; k < one.poses.size(); ++k)
+      EXPECT_TRUE(other.poses[k].isApprox(one.poses[k], 1e-15)) << i << " " << k;
+  }
+}
+
 TEST_F(ScanProgram, GivesItsPassesInTheirFrame) {
   const scan_cell::ScanProgram program = load(kPasses);
   EXPECT_EQ(program.frame, "world");

@@ -36,4 +36,9 @@ struct ScanProgram {
 /// @throw scan_cell_common::UnusableInput naming the entry that is missing or makes no sense
 ScanProgram load_scan_program(const std::string& path);
 
+/// Writes it as load_scan_program() reads it, to the last digit; whole or not at all.
+/// @param program with passes that check() takes
+/// @throw scan_cell_common::FileError if it cannot be written
+void save_scan_program(const std::string& path, const ScanProgram& program);
+
 }  // namespace scan_cell

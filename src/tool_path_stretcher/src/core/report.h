@@ -6,19 +6,10 @@
 #include <string>
 
 #include "tool_path_stretcher/path_conventions.h"
+#include "tool_path_stretcher/reported_verdict.h"
 #include "tool_path_stretcher/stretcher.h"
 
 namespace tool_path_stretcher {
-
-/// A file that a run read or wrote.
-struct FileRecord {
-  std::string name;
-  std::string sha256;  //!< of its bytes, in lower case hexadecimal digits
-  std::string units;   //!< of its lengths: m, mm or inch
-};
-
-/// @throw scan_cell_common::FileError if it cannot be read
-FileRecord record_of(const std::string& file, const std::string& units);
 
 /// What belongs to a run besides its result.
 struct RunRecord {

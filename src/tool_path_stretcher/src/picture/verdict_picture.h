@@ -6,31 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "report.h"
-#include "tool_path_stretcher/similarity.h"
+#include "tool_path_stretcher/reported_verdict.h"
 #include "tool_path_stretcher/surface.h"
 #include "tool_path_stretcher/tool_path.h"
 
 namespace tool_path_stretcher {
-
-/// What a report says that can be shown, and by which it can be told whose report it is.
-struct ReportedVerdict {
-  bool accepted = false;
-  std::string reason;
-  std::string message;
-  std::vector<std::size_t> waypoints;    //!< concerned, counted over all segments
-  std::vector<Similarity> similarities;  //!< best first; empty where it did not come to that
-
-  // None where the run was not from files
-  std::optional<FileRecord> reference, object, path, output;
-  std::size_t reference_points = 0;   //!< after reduction; 0: not known
-  std::size_t object_points = 0;      //!< the same
-  std::size_t waypoints_given = 0;    //!< of the path on the reference; 0: not known
-  std::vector<double> displacements;  //!< [m] a waypoint; empty where it did not come to that
-};
-
-/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the file is no report
-ReportedVerdict load_report(const std::string& path);
 
 /// The files that a picture is to show; without a name: there is none.
 struct PictureFiles {

@@ -61,14 +61,6 @@ Hindrance lost(const std::string& path, double way) {
   return {path, "the posture cannot follow it from " + at(way), kOtherWay, way};
 }
 
-/// Of a few millimetres and a degree at most.
-double steps_along(const Path::Stretch& stretch) {
-  constexpr double kStepLength = 0.005;  // [m] chosen
-  constexpr double kStepAngle = 0.0175;  // [rad] one degree; chosen
-  return std::ceil(std::max({1.0, stretch.length / kStepLength, stretch.angle / kStepAngle}) -
-                   kRounding);
-}
-
 void take(Strain& strain, const RobotModel& robot, const Joints& rate, double way) {
   int joint = 0;
   const double share = rate.cwiseQuotient(robot.speed()).maxCoeff(&joint);
@@ -76,6 +68,13 @@ void take(Strain& strain, const RobotModel& robot, const Joints& rate, double wa
 }
 
 }  // namespace
+
+double steps_along(const Path::Stretch& stretch) {
+  constexpr double kStepLength = 0.005;  // [m] chosen
+  constexpr double kStepAngle = 0.0175;  // [rad] one degree; chosen
+  return std::ceil(std::max({1.0, stretch.length / kStepLength, stretch.angle / kStepAngle}) -
+                   kRounding);
+}
 
 PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path& path,
                  const Joints& joints, double seconds) {

@@ -41,6 +41,9 @@ struct PathCheck {
 PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path& path,
                  const Joints& joints, double seconds);
 
+/// Into which follow() cuts a stretch: of a few millimetres and a degree at most.
+double steps_along(const Path::Stretch& stretch);
+
 /// @param slack [m] that the place may be off
 /// @param way 0 .. 1 of the motion
 std::optional<Hindrance> outside_workspace(const Eigen::Vector3d& place, const RobotLimits& limits,

@@ -3,10 +3,10 @@
 #include "scan_cell/scan_program.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 
 #include "scan_cell_common/files/yaml_file.h"
+#include "sequence/pass_words.h"
 
 namespace scan_cell {
 namespace {
@@ -14,11 +14,10 @@ namespace {
 using scan_cell_common::YamlEntry;
 
 PassLasers read_lasers(const YamlEntry& entry) {
-  const std::string words[] = {"0", "1", "each", "alternate"};  // in the order of PassLasers
   const auto word = entry.as<std::string>();
-  const auto found = std::find(std::begin(words), std::end(words), word);
-  if (found == std::end(words)) entry.refuse(word, "give 0, 1, each or alternate");
-  return static_cast<PassLasers>(found - std::begin(words));
+  const auto found = std::find(kLaserWords.begin(), kLaserWords.end(), word);
+  if (found == kLaserWords.end()) entry.refuse(word, "give 0, 1, each or alternate");
+  return static_cast<PassLasers>(found - kLaserWords.begin());
 }
 
 void read_motion(const YamlEntry& entry, ScanPass& pass) {
@@ -55,18 +54,16 @@ PassCamera read_camera(const YamlEntry& entry) {
 }
 
 ScanPass read_pass(const YamlEntry& entry) {
-  const std::pair<const char*, PassKind> ways[] = {
-      {"line", PassKind::kLine}, {"arc", PassKind::kArc}, {"poses", PassKind::kPolyline}};
   if (entry.has("frame")) {
     entry["frame"].refuse("a pass has none of its own",
                           "give all poses in the program's frame, or make two programs");
   }
   entry.refuse_unknown({"name", "line", "arc", "poses", "speed", "rate", "laser", "camera"});
   ScanPass pass;
-  for (const auto& [key, kind] : ways) {
-    if (!entry.has(key)) continue;
+  for (const PassKind kind : {PassKind::kLine, PassKind::kArc, PassKind::kPolyline}) {
+    if (!entry.has(word_of(kind))) continue;
     if (!pass.poses.empty()) entry.refuse("more than one way", "give line, arc or poses");
-    read_way(entry[key], kind, pass);
+    read_way(entry[word_of(kind)], kind, pass);
   }
   if (pass.poses.empty()) entry.refuse("no way", "give line, arc or poses");
   if (entry.has("name")) pass.name = entry["name"].as<std::string>();

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scan_cell_common/geometry/nearest_on_triangle.h"
+
 namespace scan_cell_sim {
 namespace {
 
@@ -22,28 +24,6 @@ Mesh floor_mesh(const Floor& floor) {
   const double y = floor.size.y() / 2;
   const double z = floor.height;
   return {{{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}}, {{0, 1, 2}, {0, 2, 3}}};
-}
-
-/// Nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
-Vector3d nearest_on_triangle(const Vector3d& p, const Vector3d& a, const Vector3d& b,
-                             const Vector3d& c) {
-  const Vector3d ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Vector3d bp = p - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  const Vector3d cp = p - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
-  const double sum = va + vb + vc;
-  return a + vb / sum * ab + vc / sum * ac;
 }
 
 RTCRay make_ray(const Vector3d& origin, const Vector3d& direction, float near, float far) {
@@ -196,7 +176,8 @@ double Scene::distance_to_surface(const Vector3d& point) const {
   const auto look = [](RTCPointQueryFunctionArguments* arguments) {
     auto& s = *static_cast<Search*>(arguments->userPtr);
     const auto [a, b, c] = s.scene->corners(arguments->geomID, arguments->primID);
-    const double distance = (s.point - nearest_on_triangle(s.point, a, b, c)).norm();
+    const double distance =
+        (s.point - scan_cell_common::nearest_on_triangle(s.point, a, b, c)).norm();
     if (distance >= s.best) return false;
     s.best = distance;
     constexpr double kSinglePrecision = 1e-6;  // [m] checks triangles at the same distance; chosen

@@ -1,11 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_stretcher/reported_verdict.h"
+
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/errors/errors.h"
-#include "verdict_picture.h"
 
 namespace tool_path_stretcher {
 namespace {
