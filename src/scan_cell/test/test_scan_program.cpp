@@ -76,7 +76,8 @@ class ScanProgram : public testing::Test {
 }  // namespace
 
 TEST_F(ScanProgram, IsReadBackAsItWasWritten) {
-  const scan_cell::ScanProgram program = load(kPasses);
+  scan_cell::ScanProgram program = load(kPasses);
+  program.passes[1].camera = {0.0005, scan_cell::CameraRegion{8, 16, 640, 480}, "threshold"};
   scan_cell::save_scan_program(path_, program);
   const scan_cell::ScanProgram again = scan_cell::load_scan_program(path_);
   EXPECT_EQ(again.frame, program.frame);
@@ -88,6 +89,7 @@ TEST_F(ScanProgram, IsReadBackAsItWasWritten) {
     EXPECT_EQ(other.speed, one.speed);
     EXPECT_EQ(other.rate, one.rate);
     EXPECT_EQ(other.lasers, one.lasers);
+    EXPECT_EQ(other.camera, one.camera);
     ASSERT_EQ(other.poses.size(), one.poses.size());
     for (std::size_t k = 0; k < one.poses.size(); ++k)
       EXPECT_TRUE(other.poses[k].isApprox(one.poses[k], 1e-15)) << i << " " << k;

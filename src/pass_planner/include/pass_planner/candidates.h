@@ -1,0 +1,41 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pass_planner/sight.h"
+#include "scan_cell/scan_request.h"
+
+namespace scan_cell_common {
+class ParameterTable;
+}
+
+namespace pass_planner {
+
+/// Of plan_passes(); docs/pass_planner.md says what each does.
+struct PlanParameters {
+  int max_passes = 20;       //!< that may be proposed
+  double good_angle = 1.05;  //!< [rad] of light and sight to the normal, of a planned pass
+  double margin = 0.02;      //!< [m] that a pass goes on beyond the outermost waypoints
+  double clearance = 0.1;    //!< [m] of flange, camera and lasers from part and floor
+  double floor_height = 0;   //!< [m] in the program's frame
+  double stand_off = 0;      //!< [m] of the camera; 0: where the light crosses its axis
+  double speed = 0.06;       //!< [m/s] of the passes
+  double rate = 100;         //!< [Hz] frames a laser
+};
+
+/// With range, unit and meaning of each.
+void describe(scan_cell_common::ParameterTable& table, PlanParameters& parameters);
+
+/// Passes over these places from many sides: lines, arcs over the part, and arcs around it. Each is
+/// as long as the lasers need to pass over all of the places. Their lasers mean nothing yet.
+/// @param places at least one
+/// @param image what of the sensor is read out
+std::vector<scan_cell::ScanPass> candidate_passes(const std::vector<Surface::Place>& places,
+                                                  const scan_cell_common::ScannerModel& scanner,
+                                                  const SightParameters& image,
+                                                  const PlanParameters& parameters);
+
+}  // namespace pass_planner

@@ -1,0 +1,39 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pass_planner/surface.h"
+
+namespace pass_planner {
+
+/// The files of a part that is to be scanned.
+struct PartFiles {
+  std::string reference;         //!< mesh or cloud
+  std::string path;              //!< tool path on the reference: CSV or YAML
+  std::string report;            //!< of stretch, which tells where the part lies; empty: as it is
+  double reference_metres = 1;   //!< per unit of the reference's file
+  std::string path_units = "m";  //!< of the path's file: m, mm or inch
+};
+
+/// A part and the waypoints on it, in the frame of the scan program.
+struct PlacedPart {
+  SurfaceShape shape;                      //!< [m]
+  std::vector<Eigen::Vector3d> waypoints;  //!< [m] over all segments
+  std::vector<std::size_t> wanted;  //!< those to be seen: those that the report names, or all
+};
+
+/// Reads them. With a report of stretch, shape and waypoints go to where its similarity puts them
+/// on the scanned object, and the waypoints it names are wanted.
+/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput, also if the report is about
+/// other files, or says of no pose
+PlacedPart load_part(const PartFiles& files);
+
+/// The places on the surface nearest to the waypoints.
+/// @throw scan_cell_common::UnusableInput if a waypoint is farther than 20 mm off the surface
+std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
+                                      const Surface& surface);
+
+}  // namespace pass_planner

@@ -1,0 +1,40 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "c4g_driver/limits.h"
+#include "c4g_driver/robot_model.h"
+#include "scan_cell/scan_request.h"
+
+namespace pass_planner {
+
+/// Where the robot stands, and what it may do.
+struct RobotInCell {
+  std::string urdf;                //!< its text
+  c4g_driver::RobotLimits limits;  //!< as the driver has them
+  Eigen::Isometry3d base_link_in_world =
+      Eigen::Isometry3d::Identity();  //!< the base in the program's frame
+  /// [rad] before the first pass; by default looking down 0.8 m in front of the base
+  c4g_driver::Joints start = (c4g_driver::Joints() << 0, 0.14, -2.16, 0, 0.84, 0).finished();
+  double approach_speed = 0.2;  //!< [m/s] to the start of a pass
+};
+
+/// Whether the robot can run passes: by the driver's own check of whole programs.
+class Reach {
+ public:
+  /// @throw scan_cell_common::InvalidParameter if the URDF or a limit makes no sense
+  explicit Reach(const RobotInCell& robot);
+
+  /// Why the robot cannot run these passes one after the other, each after a line to its start;
+  /// empty: it can. Names pass and place on the way.
+  std::string refusal(const std::vector<scan_cell::ScanPass>& passes) const;
+
+ private:
+  RobotInCell robot_;
+  c4g_driver::RobotModel model_;
+};
+
+}  // namespace pass_planner

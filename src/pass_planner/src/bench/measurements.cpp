@@ -1,0 +1,133 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measurements.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawn_parts.h"
+#include "pass_planner/sight.h"
+#include "scan_cell_common/geometry/kd_tree.h"
+#include "simulated_scan.h"
+
+namespace pass_planner {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNear = 1e-3;  // [m] of a scanned point from a waypoint that was measured
+
+struct Coordinate {
+  double operator()(const Vector3d& point, std::size_t axis) const {
+    return point[static_cast<Eigen::Index>(axis)];
+  }
+};
+
+/// [m] from each place to the nearest scanned point.
+std::vector<double> distances(const std::vector<Vector3d>& places,
+                              const std::vector<Vector3d>& scan) {
+  std::vector<double> result(places.size(), std::numeric_limits<double>::infinity());
+  if (scan.empty()) return result;
+  using Tree = scan_cell_common::KdTree<std::vector<Vector3d>, Coordinate, double>;
+  const Tree tree(scan);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Tree::Index index = 0;
+    double squared = 0;
+    tree.nearest(places[i].data(), 1, &index, &squared);
+    result[i] = std::sqrt(squared);
+  }
+  return result;
+}
+
+SightParameters as_in_the_cell() {
+  SightParameters parameters;
+  parameters.region_x = kRegionX;
+  parameters.region_y = kRegionY;
+  parameters.region_width = kRegionWidth;
+  parameters.region_height = kRegionHeight;
+  return parameters;
+}
+
+}  // namespace
+
+Agreement measure_agreement(const std::string& scanner, std::uint64_t first_seed, int parts) {
+  const auto model = scan_cell_common::load_scanner_model(scanner);
+  constexpr double kTolerance = 5e-5;  // [m] of the mesh
+  Agreement result;
+  for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(parts);
+       ++seed) {
+    const DrawnPart drawn = draw_part(seed);
+    const Surface surface(shape_of(drawn.world.parts.front().mesh(kTolerance)));
+    const auto places = places_of(positions_of(drawn.true_path), surface);
+    const SightCheck check(model, surface, as_in_the_cell());
+    const PathSight sight = look_along(check, sweeps_of({draw_line(seed)}), places);
+    const scan_cell_sim::Scene scene(drawn.world);
+    std::vector<Vector3d> scan;
+    for (const Sweep& sweep : sight.sweeps) {
+      const auto points = simulated_scan(scene, model, sweep);
+      scan.insert(scan.end(), points.begin(), points.end());
+    }
+    const auto off = distances(positions_of(drawn.true_path), scan);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const bool there = off[i] <= kNear;
+      if (sight.best[i].sight == Sight::kSeen) {
+        ++result.seen;
+        result.seen_and_there += there;
+      } else {
+        ++result.not_seen;
+        result.not_seen_and_not_there += !there;
+      }
+    }
+  }
+  return result;
+}
+
+FaceAtAngle measure_face(const std::string& scanner, double lean, double roll) {
+  const auto model = scan_cell_common::load_scanner_model(scanner);
+  constexpr double kHalf = 0.03;  // [m] of the face's side; a margin of 5 mm is left out
+  constexpr double kInner = 0.025;
+  scan_cell_sim::Part box;
+  box.name = "face";
+  box.shape = scan_cell_sim::BoxShape{{2 * kHalf, 2 * kHalf, 0.001}};
+  box.pose = Eigen::Translation3d(0, 0, 0.02) * Eigen::AngleAxisd(-lean, Vector3d::UnitY()) *
+             Eigen::AngleAxisd(roll, Vector3d::UnitX()) * Eigen::Translation3d(0, 0, -0.001);
+  const scan_cell_sim::Scene scene({std::nullopt, std::nullopt, {box}});
+  std::vector<Vector3d> places;
+  for (double x = -kInner; x <= kInner; x += 0.005) {
+    for (double y = -kInner; y <= kInner; y += 0.005)
+      places.emplace_back(box.pose * Vector3d(x, y, 0.001));
+  }
+  scan_cell::ScanPass pass;
+  for (const double x : {-0.06, 0.06}) {
+    pass.poses.emplace_back(Eigen::Translation3d(x, 0, 0.595) *
+                            Eigen::AngleAxisd(M_PI, Vector3d::UnitX()));
+  }
+  const Sweep sweep = sweeps_of({pass}).front();
+  const Surface surface(shape_of(box.mesh(1e-5)));
+  SightParameters parameters = as_in_the_cell();
+  parameters.max_light_angle = parameters.max_sight_angle = 1.57;
+  const SightCheck check(model, surface, parameters);
+  const Sighting middle =
+      check.along(sweep, {surface.nearest(box.pose * Vector3d(0, 0, 0.001))}).front();
+
+  FaceAtAngle result;
+  result.light_angle = middle.light_angle;
+  result.sight_angle = middle.sight_angle;
+  double squares = 0;
+  double count = 0;
+  const auto scan = simulated_scan(scene, model, sweep);
+  for (const Vector3d& point : scan) {
+    const Vector3d on_box = box.pose.inverse() * point;
+    if (on_box.head<2>().cwiseAbs().maxCoeff() > kInner) continue;
+    squares += std::pow(on_box.z() - 0.001, 2);
+    ++count;
+  }
+  if (count > 0) result.rms = std::sqrt(squares / count);
+  const auto off = distances(places, scan);
+  result.measured = static_cast<double>(std::count_if(off.begin(), off.end(),
+                                                      [](double d) { return d <= kNear; })) /
+                    static_cast<double>(off.size());
+  return result;
+}
+
+}  // namespace pass_planner

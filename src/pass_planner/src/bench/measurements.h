@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pass_planner {
+
+/// What was said of waypoints, and what the simulated scan then gave.
+struct Agreement {
+  std::size_t seen = 0;                    //!< waypoints said to be seen
+  std::size_t seen_and_there = 0;          //!< of these, with a scanned point within 1 mm
+  std::size_t not_seen = 0;                //!< waypoints said not to be seen
+  std::size_t not_seen_and_not_there = 0;  //!< of these, without one
+};
+
+/// Scans drawn parts along drawn lines.
+/// @param scanner its model's file
+Agreement measure_agreement(const std::string& scanner, std::uint64_t first_seed, int parts);
+
+/// How a face that is turned away from the light or from the camera is measured.
+struct FaceAtAngle {
+  double light_angle = 0;  //!< [rad] to the normal
+  double sight_angle = 0;  //!< [rad] to the normal
+  double measured = 0;     //!< share of the face's places with a scanned point within 1 mm
+  double rms = 0;          //!< [m] of those points from the face
+};
+
+/// Scans a leaning face with laser_0: the light comes from the one side.
+/// @param lean [rad] of the face towards the light (above 0), or away from it
+/// @param roll [rad] of the face about the direction of travel
+FaceAtAngle measure_face(const std::string& scanner, double lean, double roll);
+
+}  // namespace pass_planner

@@ -1,0 +1,207 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass_planner/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+#include "plan/clearance.h"
+#include "plan/joined.h"
+#include "scan_cell_common/parameters/parameter_table.h"
+
+namespace pass_planner {
+namespace {
+
+using scan_cell::PassLasers;
+using scan_cell::ScanPass;
+
+constexpr int kMaxLines = 5;  // of one pass; chosen
+constexpr const char* kNotSeen = "no candidate sees it";
+
+/// A pass with its lasers, and what it sees.
+struct Choice {
+  ScanPass pass;
+  std::vector<std::size_t> seen;  // indices of the places
+  double quality = 0;             // sum of the cosines of the worse angle
+};
+
+bool is_better(const Choice& a, const Choice& b) {
+  return a.seen.size() != b.seen.size() ? a.seen.size() > b.seen.size() : a.quality > b.quality;
+}
+
+/// Chooses one pass after the other.
+class Planner {
+ public:
+  Planner(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
+          const std::vector<Surface::Place>& places, const SightParameters& sight,
+          const Reach& reach, const PlanParameters& parameters, const std::vector<ScanPass>& first,
+          bool lines_alone)
+      : scanner_(scanner),
+        places_(places),
+        sight_(sight),
+        reach_(reach),
+        parameters_(parameters),
+        check_(scanner, surface, sight),
+        clearance_(scanner, surface, parameters),
+        first_(first),
+        lines_alone_(lines_alone),
+        why_(places.size()) {}
+
+  PassPlan run() {
+    PassPlan plan;
+    plan.left.resize(places_.size());
+    std::iota(plan.left.begin(), plan.left.end(), 0);
+    while (!plan.left.empty()) {
+      if (plan.passes.size() == static_cast<std::size_t>(parameters_.max_passes)) {
+        plan.why.assign(plan.left.size(), "more passes are needed: raise max_passes");
+        return plan;
+      }
+      const auto choice = best_for(plan.left, plan.passes);
+      if (!choice) break;
+      plan.passes.push_back(choice->pass);
+      std::vector<std::size_t> left;
+      std::set_difference(plan.left.begin(), plan.left.end(), choice->seen.begin(),
+                          choice->seen.end(), std::back_inserter(left));
+      plan.left = left;
+    }
+    for (const std::size_t place : plan.left)
+      plan.why.push_back(why_[place]);
+    return plan;
+  }
+
+  /// What the robot cannot do in the last of these passes, or what comes too near in it; empty:
+  /// nothing.
+  std::string hindrance_of(const std::vector<ScanPass>& passes) const {
+    const std::string near = clearance_.refusal(passes);
+    return near.empty() ? reach_.refusal(passes) : near;
+  }
+
+ private:
+  /// The best choices of a candidate's lasers.
+  std::vector<Choice> choices_of(ScanPass pass, const std::vector<std::size_t>& left,
+                                 const std::vector<Surface::Place>& places) const {
+    pass.lasers = PassLasers::kAlternate;
+    std::vector<Choice> choices;
+    std::vector<std::vector<Sighting>> of_laser;
+    for (const Sweep& sweep : sweeps_of({pass})) {
+      if (!scanner_.has_laser(sweep.laser)) continue;
+      of_laser.push_back(check_.along(sweep, places));
+      pass.lasers = static_cast<PassLasers>(sweep.laser);
+      choices.push_back(choice_of(pass, left, of_laser.back()));
+    }
+    if (of_laser.size() < 2) return choices;
+    std::vector<Sighting> both = of_laser.front();
+    for (std::size_t i = 0; i < both.size(); ++i) {
+      if (pass_planner::is_better(of_laser.back()[i], both[i])) both[i] = of_laser.back()[i];
+    }
+    pass.lasers = PassLasers::kAlternate;
+    pass.rate = 2 * parameters_.rate;
+    choices.push_back(choice_of(pass, left, both));
+    // In turns only where that shows more.
+    const std::size_t most = std::max(choices[0].seen.size(), choices[1].seen.size());
+    if (choices.back().seen.size() <= most) choices.pop_back();
+    return choices;
+  }
+
+  static Choice choice_of(const ScanPass& pass, const std::vector<std::size_t>& left,
+                          const std::vector<Sighting>& sightings) {
+    Choice choice = {pass, {}, 0};
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (sightings[i].sight != Sight::kSeen) continue;
+      choice.seen.push_back(left[i]);
+      choice.quality += std::cos(std::max(sightings[i].light_angle, sightings[i].sight_angle));
+    }
+    return choice;
+  }
+
+  /// The best pass that can be run after those before; none if none sees any of the places.
+  std::optional<Choice> best_for(const std::vector<std::size_t>& left,
+                                 const std::vector<ScanPass>& before) {
+    std::vector<Surface::Place> places;
+    for (const std::size_t place : left)
+      places.push_back(places_[place]);
+    std::vector<Choice> choices;
+    for (const ScanPass& pass : candidate_passes(places, scanner_, sight_, parameters_)) {
+      if (lines_alone_ && pass.kind != scan_cell::PassKind::kLine) continue;
+      for (Choice& choice : choices_of(pass, left, places)) {
+        if (!choice.seen.empty()) choices.push_back(std::move(choice));
+      }
+    }
+    for (const std::size_t place : left)
+      why_[place] = kNotSeen;
+    std::stable_sort(choices.begin(), choices.end(), is_better);
+    std::vector<ScanPass> passes = first_;
+    passes.insert(passes.end(), before.begin(), before.end());
+    passes.emplace_back();
+    for (const Choice& choice : choices) {
+      passes.back() = choice.pass;
+      const std::string hindrance = hindrance_of(passes);
+      if (hindrance.empty()) return choice;
+      for (const std::size_t place : choice.seen) {
+        if (why_[place] == kNotSeen)
+          why_[place] = "seen only from where the robot cannot go: " + hindrance;
+      }
+    }
+    return std::nullopt;
+  }
+
+  const scan_cell_common::ScannerModel& scanner_;
+  const std::vector<Surface::Place>& places_;
+  const SightParameters sight_;
+  const Reach& reach_;
+  const PlanParameters parameters_;
+  const SightCheck check_;
+  const Clearance clearance_;
+  const std::vector<ScanPass> first_;
+  const bool lines_alone_;
+  std::vector<std::string> why_;  // a place is not seen
+};
+
+/// The light gets weaker with the distance, and the part lies a little otherwise than was thought.
+SightParameters on_the_safe_side(SightParameters sight) {
+  constexpr double kMargin = 0.1;  // [rad] chosen
+  sight.max_light_angle -= kMargin;
+  sight.max_sight_angle -= kMargin;
+  return sight;
+}
+
+SightParameters at_good_angles(SightParameters sight, const PlanParameters& parameters) {
+  sight.max_light_angle = std::min(sight.max_light_angle, parameters.good_angle);
+  sight.max_sight_angle = std::min(sight.max_sight_angle, parameters.good_angle);
+  return sight;
+}
+
+}  // namespace
+
+PassPlan plan_passes(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
+                     const std::vector<Surface::Place>& places, const SightParameters& sight,
+                     const Reach& reach, const PlanParameters& parameters,
+                     const std::vector<ScanPass>& first) {
+  scan_cell_common::check(parameters);
+  PassPlan best;
+  const SightParameters safe = on_the_safe_side(sight);
+  for (const SightParameters& limits : {at_good_angles(safe, parameters), safe}) {
+    const PassPlan plan =
+        Planner(scanner, surface, places, limits, reach, parameters, first, false).run();
+    if (plan.left.empty()) return plan;
+    if (best.passes.empty() || plan.left.size() < best.left.size()) best = plan;
+    if (parameters.max_passes > 1) continue;
+    // Lines that one pass can go through
+    PlanParameters some = parameters;
+    some.max_passes = kMaxLines;
+    Planner planner(scanner, surface, places, limits, reach, some, first, true);
+    const PassPlan lines = planner.run();
+    if (!lines.left.empty()) continue;
+    std::vector<ScanPass> passes = first;
+    passes.push_back(joined(lines.passes, parameters.rate));
+    const bool short_enough = length(passes.back()) <= scan_cell::ScanLimits().max_length;
+    if (short_enough && planner.hindrance_of(passes).empty()) return {{passes.back()}, {}, {}};
+  }
+  return best;
+}
+
+}  // namespace pass_planner

@@ -1,0 +1,61 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass_planner/reach.h"
+
+#include <fmt/format.h>
+
+#include "c4g_driver/motion_plan.h"
+
+namespace pass_planner {
+namespace {
+
+using c4g_driver::Motion;
+using c4g_driver::PlannedMotion;
+using scan_cell::PassKind;
+using scan_cell::ScanPass;
+
+/// The motions of a pass after the robot stands at its start.
+std::vector<Motion> motions_of(const ScanPass& pass, const Eigen::Isometry3d& world_to_base) {
+  std::vector<Motion> motions;
+  if (pass.kind == PassKind::kArc) {
+    Motion arc;
+    arc.kind = Motion::Kind::kAlongArc;
+    arc.via = world_to_base * pass.poses[1];
+    arc.flange = world_to_base * pass.poses[2];
+    return {arc};
+  }
+  for (std::size_t i = 1; i < pass.poses.size(); ++i) {
+    motions.emplace_back();
+    motions.back().flange = world_to_base * pass.poses[i];
+  }
+  return motions;
+}
+
+}  // namespace
+
+Reach::Reach(const RobotInCell& robot) : robot_(robot), model_(robot.urdf, "base_link", "flange") {
+  robot_.limits = narrowed(robot.limits, model_);
+}
+
+std::string Reach::refusal(const std::vector<ScanPass>& passes) const {
+  const Eigen::Isometry3d world_to_base = robot_.base_link_in_world.inverse();
+  std::vector<PlannedMotion> plan;
+  std::vector<std::size_t> pass_of;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    Motion approach;
+    approach.flange = world_to_base * passes[i].poses.front();
+    plan.push_back({approach, robot_.approach_speed});
+    for (const Motion& motion : motions_of(passes[i], world_to_base))
+      plan.push_back({motion, passes[i].speed});
+    pass_of.resize(plan.size(), i);
+  }
+  c4g_driver::RobotState from;
+  from.joints = robot_.start;
+  from.flange = model_.flange_at(robot_.start);
+  const c4g_driver::PlanCheck check = check_plan(model_, robot_.limits, from, {}, plan);
+  if (check.refusal.empty()) return "";
+  const std::size_t pass = pass_of[check.ends.size()];
+  return pass_name(passes[pass], pass) + ": " + check.refusal;
+}
+
+}  // namespace pass_planner

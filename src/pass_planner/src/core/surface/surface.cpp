@@ -1,0 +1,197 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass_planner/surface.h"
+
+#include <embree3/rtcore.h>
+#include <pcl/conversions.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/geometry/nearest_on_triangle.h"
+#include "tool_path_stretcher/surface.h"
+
+namespace pass_planner {
+namespace {
+
+using Eigen::Vector3d;
+
+SurfaceShape shape_of(const pcl::PolygonMesh& mesh) {
+  SurfaceShape shape;
+  scan_cell_common::Cloud corners;
+  pcl::fromPCLPointCloud2(mesh.cloud, corners);
+  shape.points = tool_path_stretcher::to_points(corners);
+  for (const pcl::Vertices& face : mesh.polygons) {
+    const auto corner = [&face](std::size_t i) {
+      return static_cast<std::uint32_t>(face.vertices.at(i));
+    };
+    shape.triangles.push_back({corner(0), corner(1), corner(2)});
+  }
+  return shape;
+}
+
+}  // namespace
+
+SurfaceShape squares_on(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
+                        double spacing) {
+  constexpr double kHalfSide = 0.75;  // spacings: those of a square grid cover it from 0.71 on
+  constexpr double kClearance = 2.5;  // spacings: beyond the squares that overlap; chosen
+  SurfaceShape shape;
+  shape.clearance = kClearance * spacing;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3d along = kHalfSide * spacing * normals[i].unitOrthogonal();
+    const Vector3d across = normals[i].cross(along);
+    const auto corner = static_cast<std::uint32_t>(shape.points.size());
+    for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      shape.points.emplace_back(points[i] + a * along + b * across);
+    shape.triangles.push_back({corner, corner + 1, corner + 2});
+    shape.triangles.push_back({corner, corner + 2, corner + 3});
+  }
+  return shape;
+}
+
+SurfaceShape load_shape(const std::string& path, const Vector3d& leaf, double metres_per_unit) {
+  if (scan_cell_common::is_mesh_file(path))
+    return shape_of(scan_cell_common::load_mesh(path, metres_per_unit));
+  const auto cloud = tool_path_stretcher::load_surface(path, leaf, metres_per_unit);
+  return squares_on(cloud.points, cloud.normals, cloud.spacing);
+}
+
+SurfaceShape placed(const SurfaceShape& shape, const tool_path_stretcher::Similarity& similarity) {
+  SurfaceShape result = shape;
+  for (Vector3d& point : result.points)
+    point = similarity * point;
+  result.clearance *= similarity.scale;
+  return result;
+}
+
+struct Surface::Implementation {
+  explicit Implementation(const SurfaceShape& given)
+      : shape(given), device(rtcNewDevice("threads=1")), scene(rtcNewScene(device)) {
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    fill(geometry);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+  }
+  ~Implementation() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  /// Room for `count` elements of three numbers.
+  template <class Number>
+  static Number* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                        std::size_t count) {
+    auto* const numbers = static_cast<Number*>(
+        rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(Number), count));
+    if (numbers == nullptr) throw std::bad_alloc();
+    return numbers;
+  }
+
+  void fill(RTCGeometry geometry) const {
+    auto* corner =
+        buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, shape.points.size());
+    for (const Vector3d& point : shape.points) {
+      Eigen::Map<Eigen::Vector3f>{corner} = point.cast<float>();
+      corner += 3;
+    }
+    auto* index = buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
+                                        shape.triangles.size());
+    for (const auto& triangle : shape.triangles)
+      index = std::copy(triangle.begin(), triangle.end(), index);
+  }
+
+  /// Of one triangle, by its number.
+  Place nearest_of(unsigned triangle, const Vector3d& point) const {
+    const auto& corner = shape.triangles[triangle];
+    const Vector3d &a = shape.points[corner[0]], &b = shape.points[corner[1]],
+                   &c = shape.points[corner[2]];
+    Place place;
+    place.normal = (b - a).cross(c - a).normalized();
+    place.point = scan_cell_common::nearest_on_triangle(point, a, b, c);
+    place.distance = (place.point - point).norm();
+    return place;
+  }
+
+  SurfaceShape shape;
+  RTCDevice device;
+  RTCScene scene;
+};
+
+Surface::Surface(const SurfaceShape& shape) {
+  if (shape.triangles.empty()) {
+    throw scan_cell_common::UnusableInput("surface", "it has no triangle",
+                                          "give a mesh or a cloud of the part");
+  }
+  implementation_ = std::make_unique<Implementation>(shape);
+}
+
+Surface::~Surface() = default;
+Surface::Surface(Surface&&) noexcept = default;
+Surface& Surface::operator=(Surface&&) noexcept = default;
+
+Surface::Place Surface::nearest(const Vector3d& point) const {
+  struct Search {
+    const Implementation* surface;
+    Vector3d point;
+    Place best;
+  } search{implementation_.get(), point, {}};
+  search.best.distance = std::numeric_limits<double>::infinity();
+
+  RTCPointQuery query{};
+  query.x = static_cast<float>(point.x());
+  query.y = static_cast<float>(point.y());
+  query.z = static_cast<float>(point.z());
+  query.radius = std::numeric_limits<float>::infinity();
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  const auto look = [](RTCPointQueryFunctionArguments* arguments) {
+    auto& s = *static_cast<Search*>(arguments->userPtr);
+    const Place place = s.surface->nearest_of(arguments->primID, s.point);
+    if (!(place.distance < s.best.distance)) return false;
+    s.best = place;
+    constexpr double kSinglePrecision = 1e-6;  // [m] looks at those equally far, too; chosen
+    arguments->query->radius = static_cast<float>(place.distance + kSinglePrecision);
+    return true;
+  };
+  rtcPointQuery(implementation_->scene, &query, &context, look, &search);
+  return search.best;
+}
+
+std::optional<Vector3d> Surface::obstacle(const Vector3d& on_surface, const Vector3d& eye) const {
+  const Vector3d way = eye - on_surface;
+  const double length = way.norm();
+  const Vector3d direction = way / length;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit ray{};
+  const Eigen::Vector3f from = on_surface.cast<float>(), along = direction.cast<float>();
+  ray.ray = {from.x(),
+             from.y(),
+             from.z(),
+             static_cast<float>(implementation_->shape.clearance),
+             along.x(),
+             along.y(),
+             along.z(),
+             0,
+             static_cast<float>(length),
+             0xFFFFFFFFU,
+             0,
+             0};
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(implementation_->scene, &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return on_surface + static_cast<double>(ray.ray.tfar) * direction;
+}
+
+}  // namespace pass_planner

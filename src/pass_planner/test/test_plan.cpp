@@ -1,0 +1,116 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "pass_planner/plan.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "wall_and_roof.h"
+
+namespace pass_planner {
+namespace {
+
+using Eigen::Vector3d;
+
+class Planning : public testing::Test {
+ protected:
+  Planning() {
+    robot.urdf = scan_cell_common::read_file(URDF_FILE);
+    robot.base_link_in_world.translation() = Vector3d(-0.8, 0, 0);
+  }
+
+  PassPlan plan(const std::vector<Vector3d>& waypoints) const {
+    return plan_passes(scanner, surface, places_on(waypoints), sight, Reach(robot), parameters);
+  }
+
+  std::vector<Surface::Place> places_on(const std::vector<Vector3d>& waypoints) const {
+    std::vector<Surface::Place> places;
+    for (const Vector3d& waypoint : waypoints)
+      places.push_back(surface.nearest(waypoint));
+    return places;
+  }
+
+  /// Both faces of the wall, and places on the plate at its foot and under the roof.
+  static std::vector<Vector3d> all_around() {
+    std::vector<Vector3d> waypoints;
+    for (const double y : {-0.06, 0.0, 0.06}) {
+      for (const double x : {0.0, 0.045, 0.06, 0.1})
+        waypoints.emplace_back(x, y, 0);
+      waypoints.emplace_back(0.05, y, 0.03);
+    }
+    return waypoints;
+  }
+
+  const scan_cell_common::ScannerModel scanner = ideal_scanner();
+  const Surface surface{mesh_of(wall_and_roof())};
+  SightParameters sight;
+  RobotInCell robot;
+  PlanParameters parameters;
+};
+
+TEST_F(Planning, FindsPassesThatSeeEveryWaypointAtAGoodAngle) {
+  const PassPlan found = plan(all_around());
+  EXPECT_TRUE(found.left.empty()) << found.why.front();
+  ASSERT_FALSE(found.passes.empty());
+  SightParameters good;
+  good.max_light_angle = good.max_sight_angle = parameters.good_angle;
+  const SightCheck check(scanner, surface, good);
+  const PathSight seen = look_along(check, sweeps_of(found.passes), places_on(all_around()));
+  EXPECT_EQ(seen.not_seen(), std::vector<std::size_t>());
+  EXPECT_EQ(Reach(robot).refusal(found.passes), "");
+  EXPECT_NO_THROW(scan_cell::check({"", found.passes}, scan_cell::ScanLimits()));
+}
+
+TEST_F(Planning, FindsTheSamePassesAgain) {
+  const PassPlan one = plan(all_around()), other = plan(all_around());
+  ASSERT_EQ(one.passes.size(), other.passes.size());
+  for (std::size_t i = 0; i < one.passes.size(); ++i) {
+    EXPECT_EQ(one.passes[i].name, other.passes[i].name);
+    for (std::size_t k = 0; k < one.passes[i].poses.size(); ++k)
+      EXPECT_EQ(one.passes[i].poses[k].matrix(), other.passes[i].poses[k].matrix());
+  }
+}
+
+TEST_F(Planning, OfOneOpenPlaceIsOnePass) {
+  const PassPlan found = plan({{-0.1, 0, 0}});
+  EXPECT_EQ(found.passes.size(), 1U);
+  EXPECT_NE(found.passes.front().lasers, scan_cell::PassLasers::kAlternate);
+}
+
+TEST_F(Planning, SaysThatTheRobotCannotGoThere) {
+  robot.base_link_in_world.translation() = Vector3d(-3, 0, 0);
+  const PassPlan found = plan({{-0.1, 0, 0}, {0.2, 0, 0}});
+  EXPECT_TRUE(found.passes.empty());
+  EXPECT_EQ(found.left, (std::vector<std::size_t>{0, 1}));
+  ASSERT_EQ(found.why.size(), 2U);
+  EXPECT_NE(found.why.front().find("where the robot cannot go"), std::string::npos);
+  EXPECT_NE(found.why.front().find("target x"), std::string::npos) << found.why.front();
+}
+
+TEST_F(Planning, SaysThatNoPassSeesAPlace) {
+  sight.max_range = 0.1;
+  const PassPlan found = plan({{-0.1, 0, 0}});
+  ASSERT_EQ(found.left.size(), 1U);
+  EXPECT_NE(found.why.front().find("no candidate sees it"), std::string::npos);
+}
+
+TEST_F(Planning, KeepsClearOfPartAndFloor) {
+  parameters.clearance = 0.9;
+  const PassPlan found = plan({{-0.1, 0, 0}});
+  ASSERT_EQ(found.left.size(), 1U);
+  EXPECT_NE(found.why.front().find("of the part or the floor"), std::string::npos)
+      << found.why.front();
+}
+
+TEST_F(Planning, KeepsToTheMostPasses) {
+  parameters.max_passes = 1;
+  EXPECT_LE(plan(all_around()).passes.size(), 1U);
+}
+
+TEST_F(Planning, RefusesParametersThatMakeNoSense) {
+  parameters.max_passes = 0;
+  EXPECT_THROW(plan({{-0.1, 0, 0}}), scan_cell_common::InvalidParameter);
+}
+
+}  // namespace
+}  // namespace pass_planner
