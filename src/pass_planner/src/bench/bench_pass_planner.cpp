@@ -38,10 +38,13 @@ void show_agreement(int parts) {
     return whole == 0 ? 100 : 100 * static_cast<double>(part) / static_cast<double>(whole);
   };
   std::printf("%d parts, one line each\n", parts);
-  std::printf("said to be seen:     %5zu waypoints, with a scanned point within 1 mm: %.1f %%\n",
-              found.seen, percent(found.seen_and_there, found.seen));
-  std::printf("said not to be seen: %5zu waypoints, without one:                      %.1f %%\n",
-              found.not_seen, percent(found.not_seen_and_not_there, found.not_seen));
+  std::printf(
+      "seen:                     %5zu waypoints, with a scanned point within 1 mm: %.1f %%\n",
+      found.seen, percent(found.seen_and_there, found.seen));
+  std::printf("shadowed or out of range: %5zu waypoints, without one: %.1f %%\n", found.hidden,
+              percent(found.hidden_and_gone, found.hidden));
+  std::printf("grazing:                  %5zu waypoints, without one: %.1f %%\n", found.grazing,
+              percent(found.grazing_and_gone, found.grazing));
 }
 
 }  // namespace

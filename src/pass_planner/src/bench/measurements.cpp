@@ -73,9 +73,12 @@ Agreement measure_agreement(const std::string& scanner, std::uint64_t first_seed
       if (sight.best[i].sight == Sight::kSeen) {
         ++result.seen;
         result.seen_and_there += there;
+      } else if (sight.best[i].sight == Sight::kGrazing) {
+        ++result.grazing;
+        result.grazing_and_gone += !there;
       } else {
-        ++result.not_seen;
-        result.not_seen_and_not_there += !there;
+        ++result.hidden;
+        result.hidden_and_gone += !there;
       }
     }
   }

@@ -11,10 +11,12 @@ namespace pass_planner {
 
 /// What was said of waypoints, and what the simulated scan then gave.
 struct Agreement {
-  std::size_t seen = 0;                    //!< waypoints said to be seen
-  std::size_t seen_and_there = 0;          //!< of these, with a scanned point within 1 mm
-  std::size_t not_seen = 0;                //!< waypoints said not to be seen
-  std::size_t not_seen_and_not_there = 0;  //!< of these, without one
+  std::size_t seen = 0;              //!< waypoints said to be seen
+  std::size_t seen_and_there = 0;    //!< of these, with a scanned point within 1 mm
+  std::size_t hidden = 0;            //!< waypoints said to be shadowed or out of range
+  std::size_t hidden_and_gone = 0;   //!< of these, without such a point
+  std::size_t grazing = 0;           //!< said to be at too grazing an angle: measured poorly or not
+  std::size_t grazing_and_gone = 0;  //!< of these, without such a point
 };
 
 /// Scans drawn parts along drawn lines.
