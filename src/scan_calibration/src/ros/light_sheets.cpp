@@ -37,6 +37,7 @@ Marker sheet_marker(const scan_cell_common::LaserPlane& laser, const std::string
     point.y = corner.y();
     point.z = corner.z();
     marker.points.push_back(point);
+    marker.colors.push_back(marker.color);  // with colours of its corners rviz does not shade it
   }
   return marker;
 }
