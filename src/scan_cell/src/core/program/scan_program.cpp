@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "program/pass_words.h"
 #include "scan_cell_common/files/yaml_file.h"
-#include "sequence/pass_words.h"
 
 namespace scan_cell {
 namespace {

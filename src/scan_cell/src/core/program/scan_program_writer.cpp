@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <yaml-cpp/yaml.h>
 
+#include "program/pass_words.h"
 #include "scan_cell/scan_program.h"
 #include "scan_cell_common/files/yaml_file.h"
-#include "sequence/pass_words.h"
 
 namespace scan_cell {
 namespace {
