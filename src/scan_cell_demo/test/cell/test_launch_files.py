@@ -14,6 +14,7 @@ import roslaunch.config
 import roslib.packages
 import rospkg
 import rostest
+import yaml
 
 FOLDER = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), '../../../../launch'))
 SIMULATOR = os.path.join(rospkg.RosPack().get_path('scan_cell_sim'), 'config')
