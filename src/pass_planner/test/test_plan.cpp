@@ -73,7 +73,7 @@ TEST_F(Planning, FindsTheSamePassesAgain) {
 
 TEST_F(Planning, OfOneOpenPlaceIsOnePass) {
   const PassPlan found = plan({{-0.1, 0, 0}});
-  EXPECT_EQ(found.passes.size(), 1U);
+  ASSERT_EQ(found.passes.size(), 1U);
   EXPECT_NE(found.passes.front().lasers, scan_cell::PassLasers::kAlternate);
 }
 
@@ -83,8 +83,63 @@ TEST_F(Planning, SaysThatTheRobotCannotGoThere) {
   EXPECT_TRUE(found.passes.empty());
   EXPECT_EQ(found.left, (std::vector<std::size_t>{0, 1}));
   ASSERT_EQ(found.why.size(), 2U);
-  EXPECT_NE(found.why.front().find("where the robot cannot go"), std::string::npos);
+  EXPECT_NE(found.why.front().find("passes that cannot be run"), std::string::npos);
   EXPECT_NE(found.why.front().find("target x"), std::string::npos) << found.why.front();
+}
+
+TEST_F(Planning, InTheRobotsBaseFrameFindsAPassForTheRobotWhereItStands) {
+  robot.base_link_in_world.translation() = Vector3d(-1.2, 0, 0.5);
+  robot.limits.workspace_min.z() = -0.5;  // [m] in base_link: where the floor is
+  const Eigen::Isometry3d base_link = robot.base_link_in_world;
+  tool_path_stretcher::Similarity to_base;
+  to_base.translation = -base_link.translation();
+  const Surface in_base(placed(mesh_of(wall_and_roof()), to_base));
+  robot.frame = "base_link";
+  PassPlan found = plan_passes(scanner, in_base, {in_base.nearest({1.1, 0, -0.5})}, sight,
+                               Reach(robot), parameters);
+  ASSERT_EQ(found.passes.size(), 1U) << found.why.front();
+  for (Eigen::Isometry3d& pose : found.passes.front().poses)
+    pose = base_link * pose;
+  robot.frame = "world";
+  EXPECT_EQ(Reach(robot).refusal(found.passes), "");
+}
+
+TEST_F(Planning, ProposesNoPassThatTheCellDoesNotAllow) {
+  // A pillar whose four faces an arc around it sees best: of 2.3 m, where 2 m are allowed.
+  const Surface pillar(mesh_of({{{-0.4, -0.4, 0}, {0.8, 0, 0}, {0, 0.8, 0}},
+                                {{-0.03, -0.03, 0}, {0.06, 0, 0}, {0, 0, 0.1}},
+                                {{-0.03, 0.03, 0}, {0.06, 0, 0}, {0, 0, 0.1}},
+                                {{-0.03, -0.03, 0}, {0, 0.06, 0}, {0, 0, 0.1}},
+                                {{0.03, -0.03, 0}, {0, 0.06, 0}, {0, 0, 0.1}}}));
+  std::vector<Surface::Place> places;
+  for (const double z : {0.04, 0.06, 0.08}) {
+    for (const auto& [x, y] : {std::pair{-0.03, 0.0}, {0.03, 0.0}, {0.0, -0.03}, {0.0, 0.03}})
+      places.push_back(pillar.nearest({x, y, z}));
+  }
+  robot.base_link_in_world.translation() = Vector3d(-0.9, 0, 0);
+  parameters.stand_off = 0.6;
+  const PassPlan found = plan_passes(scanner, pillar, places, sight, Reach(robot), parameters);
+  ASSERT_FALSE(found.passes.empty());
+  EXPECT_NO_THROW(scan_cell::check({"", found.passes}, scan_cell::ScanLimits()));
+}
+
+TEST_F(Planning, RefusesAFrameThatTheCellDoesNotTell) {
+  robot.frame = "table";
+  EXPECT_THROW(plan({{-0.1, 0, 0}}), scan_cell_common::InvalidParameter);
+}
+
+TEST_F(Planning, KeepsClearOfAWallOnTheWayToTheFirstPass) {
+  robot.start[0] = -1.0;  // [rad] beside the part, at y = 0.67 m or so
+  ASSERT_GT(Reach(robot).start().translation().y(), 0.5);
+  ASSERT_EQ(plan({{-0.1, 0, 0}}).passes.size(), 1U);
+  auto rectangles = wall_and_roof();
+  rectangles.push_back({{-2, 0.4, 0}, {4, 0, 0}, {0, 0, 2}});
+  const Surface walled(mesh_of(rectangles));
+  const PassPlan found =
+      plan_passes(scanner, walled, {walled.nearest({-0.1, 0, 0})}, sight, Reach(robot), parameters);
+  ASSERT_EQ(found.left.size(), 1U);
+  EXPECT_NE(found.why.front().find("of the part or the floor"), std::string::npos)
+      << found.why.front();
 }
 
 TEST_F(Planning, SaysThatNoPassSeesAPlace) {

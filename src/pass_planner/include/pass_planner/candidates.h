@@ -20,7 +20,7 @@ struct PlanParameters {
   double good_angle = 1.05;  //!< [rad] of light and sight to the normal, of a planned pass
   double margin = 0.02;      //!< [m] that a pass goes on beyond the outermost waypoints
   double clearance = 0.1;    //!< [m] of flange, camera and lasers from part and floor
-  double floor_height = 0;   //!< [m] in the program's frame
+  double floor_height = 0;   //!< [m] z of the floor in world
   double stand_off = 0;      //!< [m] of the camera; 0: where the light crosses its axis
   double speed = 0.06;       //!< [m/s] of the passes
   double rate = 100;         //!< [Hz] frames a laser

@@ -13,10 +13,10 @@ namespace pass_planner {
 
 /// Where the robot stands, and what it may do.
 struct RobotInCell {
-  std::string urdf;                //!< its text
-  c4g_driver::RobotLimits limits;  //!< as the driver has them
-  Eigen::Isometry3d base_link_in_world =
-      Eigen::Isometry3d::Identity();  //!< the base in the program's frame
+  std::string urdf;                                                      //!< its text
+  c4g_driver::RobotLimits limits;                                        //!< as the driver has them
+  Eigen::Isometry3d base_link_in_world = Eigen::Isometry3d::Identity();  //!< the base in the cell
+  std::string frame = "world";  //!< of the passes: world or base_link
   /// [rad] before the first pass; by default looking down 0.8 m in front of the base
   c4g_driver::Joints start = (c4g_driver::Joints() << 0, 0.14, -2.16, 0, 0.84, 0).finished();
   double approach_speed = 0.2;  //!< [m/s] to the start of a pass
@@ -25,16 +25,23 @@ struct RobotInCell {
 /// Whether the robot can run passes: by the driver's own check of whole programs.
 class Reach {
  public:
-  /// @throw scan_cell_common::InvalidParameter if the URDF or a limit makes no sense
+  /// @throw scan_cell_common::InvalidParameter if the URDF, the frame or a limit makes no sense
   explicit Reach(const RobotInCell& robot);
 
   /// Why the robot cannot run these passes one after the other, each after a line to its start;
   /// empty: it can. Names pass and place on the way.
   std::string refusal(const std::vector<scan_cell::ScanPass>& passes) const;
 
+  /// Of the flange in the passes' frame, before the first pass.
+  Eigen::Isometry3d start() const;
+
+  /// The passes' frame in world.
+  Eigen::Isometry3d frame_in_world() const;
+
  private:
   RobotInCell robot_;
   c4g_driver::RobotModel model_;
+  Eigen::Isometry3d base_link_;  // in the passes' frame
 };
 
 }  // namespace pass_planner

@@ -30,8 +30,9 @@ struct Options {
   scan_cell_common::ParameterOptions limits;
 };
 
-RobotInCell robot_of(const Options& options) {
+RobotInCell robot_of(const Options& options, const std::string& frame) {
   RobotInCell robot;
+  robot.frame = frame;
   robot.urdf = scan_cell_common::read_file(options.urdf);
   robot.base_link_in_world =
       scan_cell_common::YamlEntry::load(options.cell)["base_link_in_world"].pose();
@@ -78,8 +79,9 @@ void plan_and_save(const Options& options) {
   std::vector<Eigen::Vector3d> waypoints;
   for (const std::size_t waypoint : wanted)
     waypoints.push_back(part.waypoints[waypoint]);
-  const PassPlan plan = plan_passes(scanner, surface, places_of(waypoints, surface), sight,
-                                    Reach(robot_of(options)), parameters, program.passes);
+  const PassPlan plan =
+      plan_passes(scanner, surface, places_of(waypoints, surface), sight,
+                  Reach(robot_of(options, program.frame)), parameters, program.passes);
   if (!plan.left.empty()) {
     throw Refused(fmt::format("{} of {} waypoints", plan.left.size(), wanted.size()),
                   fmt::format("not seen by {} {}", plan.passes.size(),
@@ -100,7 +102,8 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
   add_part_options(app, options.part);
   app.add_option("--program", options.program,
                  "scan program (YAML) to which passes are added, for what it does not see");
-  app.add_option("--frame", options.frame, "of the new program, without --program")
+  app.add_option("--frame", options.frame,
+                 "of part and new program, without --program: world or base_link")
       ->capture_default_str();
   outputs.add(app, "--output", options.output, "scan program: YAML")->required();
   app.add_option("--urdf", options.urdf, "of the robot, as c4g_driver has it")->required();

@@ -217,7 +217,7 @@ void describe(scan_cell_common::ParameterTable& table, PlanParameters& parameter
             "that a pass goes on beyond the outermost waypoints");
   table.add("clearance", parameters.clearance, {0, 1, "m"},
             "of flange, camera and lasers from the part and the floor");
-  table.add("floor_height", parameters.floor_height, {-10, 10, "m"}, "in the program's frame");
+  table.add("floor_height", parameters.floor_height, {-10, 10, "m"}, "z of the floor in `world`");
   table.add("stand_off", parameters.stand_off, {0.05, 5, "m", scan_cell_common::Also::kZero},
             "of the camera; 0: where the planes of light cross its axis");
   table.add("speed", parameters.speed, {1e-3, 0.5, "m/s"}, "of the passes");

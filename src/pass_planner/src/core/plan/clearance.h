@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pass_planner/candidates.h"
+#include "pass_planner/reach.h"
 
 namespace pass_planner {
 
@@ -13,18 +14,21 @@ namespace pass_planner {
 class Clearance {
  public:
   /// @param scanner, surface must outlive it
+  /// @param reach where the robot stands before the first pass, and the floor's frame
   Clearance(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
-            const PlanParameters& parameters);
+            const Reach& reach, const PlanParameters& parameters);
 
-  /// What comes too near in the last of the passes, or on the line from the pass before to its
-  /// start; empty: nothing.
+  /// What comes too near in the last of the passes, or on the line to its start from where the
+  /// robot stands before; empty: nothing.
   std::string refusal(const std::vector<scan_cell::ScanPass>& passes) const;
 
  private:
   const scan_cell_common::ScannerModel& scanner_;
   const Surface& surface_;
-  const double clearance_;     // [m]
-  const double floor_height_;  // [m]
+  const Eigen::Isometry3d start_;     // of the flange, before the first pass
+  const Eigen::Isometry3d to_world_;  // from the passes' frame
+  const double clearance_;            // [m]
+  const double floor_height_;         // [m] in world
 };
 
 }  // namespace pass_planner

@@ -11,6 +11,7 @@
 
 #include "plan/clearance.h"
 #include "plan/joined.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/parameters/parameter_table.h"
 
 namespace pass_planner {
@@ -46,7 +47,7 @@ class Planner {
         reach_(reach),
         parameters_(parameters),
         check_(scanner, surface, sight),
-        clearance_(scanner, surface, parameters),
+        clearance_(scanner, surface, reach, parameters),
         first_(first),
         lines_alone_(lines_alone),
         why_(places.size()) {}
@@ -73,9 +74,14 @@ class Planner {
     return plan;
   }
 
-  /// What the robot cannot do in the last of these passes, or what comes too near in it; empty:
-  /// nothing.
+  /// Why the last of these passes cannot be run: what the cell does not allow or the robot cannot
+  /// do in it, or what comes too near; empty: it can.
   std::string hindrance_of(const std::vector<ScanPass>& passes) const {
+    try {
+      check({"", passes}, scan_cell::ScanLimits());
+    } catch (const scan_cell_common::Refused& error) {
+      return error.what();
+    }
     const std::string near = clearance_.refusal(passes);
     return near.empty() ? reach_.refusal(passes) : near;
   }
@@ -143,7 +149,7 @@ class Planner {
       if (hindrance.empty()) return choice;
       for (const std::size_t place : choice.seen) {
         if (why_[place] == kNotSeen)
-          why_[place] = "seen only from where the robot cannot go: " + hindrance;
+          why_[place] = "seen only by passes that cannot be run: " + hindrance;
       }
     }
     return std::nullopt;
@@ -198,8 +204,7 @@ PassPlan plan_passes(const scan_cell_common::ScannerModel& scanner, const Surfac
     if (!lines.left.empty()) continue;
     std::vector<ScanPass> passes = first;
     passes.push_back(joined(lines.passes, parameters.rate));
-    const bool short_enough = length(passes.back()) <= scan_cell::ScanLimits().max_length;
-    if (short_enough && planner.hindrance_of(passes).empty()) return {{passes.back()}, {}, {}};
+    if (planner.hindrance_of(passes).empty()) return {{passes.back()}, {}, {}};
   }
   return best;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "c4g_driver/motion_plan.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace pass_planner {
 namespace {
@@ -15,37 +16,57 @@ using scan_cell::PassKind;
 using scan_cell::ScanPass;
 
 /// The motions of a pass after the robot stands at its start.
-std::vector<Motion> motions_of(const ScanPass& pass, const Eigen::Isometry3d& world_to_base) {
+std::vector<Motion> motions_of(const ScanPass& pass, const Eigen::Isometry3d& to_base) {
   std::vector<Motion> motions;
   if (pass.kind == PassKind::kArc) {
     Motion arc;
     arc.kind = Motion::Kind::kAlongArc;
-    arc.via = world_to_base * pass.poses[1];
-    arc.flange = world_to_base * pass.poses[2];
+    arc.via = to_base * pass.poses[1];
+    arc.flange = to_base * pass.poses[2];
     return {arc};
   }
   for (std::size_t i = 1; i < pass.poses.size(); ++i) {
     motions.emplace_back();
-    motions.back().flange = world_to_base * pass.poses[i];
+    motions.back().flange = to_base * pass.poses[i];
   }
   return motions;
 }
 
+Eigen::Isometry3d base_link_in_frame(const RobotInCell& robot) {
+  if (robot.frame == "world") return robot.base_link_in_world;
+  if (robot.frame == "base_link") return Eigen::Isometry3d::Identity();
+  throw scan_cell_common::InvalidParameter(
+      "frame", robot.frame,
+      "give part and program in world or base_link: where the robot stands in another frame is not "
+      "known");
+}
+
 }  // namespace
 
-Reach::Reach(const RobotInCell& robot) : robot_(robot), model_(robot.urdf, "base_link", "flange") {
+Reach::Reach(const RobotInCell& robot)
+    : robot_(robot),
+      model_(robot.urdf, "base_link", "flange"),
+      base_link_(base_link_in_frame(robot)) {
   robot_.limits = narrowed(robot.limits, model_);
 }
 
+Eigen::Isometry3d Reach::start() const {
+  return base_link_ * model_.flange_at(robot_.start);
+}
+
+Eigen::Isometry3d Reach::frame_in_world() const {
+  return robot_.base_link_in_world * base_link_.inverse();
+}
+
 std::string Reach::refusal(const std::vector<ScanPass>& passes) const {
-  const Eigen::Isometry3d world_to_base = robot_.base_link_in_world.inverse();
+  const Eigen::Isometry3d to_base = base_link_.inverse();
   std::vector<PlannedMotion> plan;
   std::vector<std::size_t> pass_of;
   for (std::size_t i = 0; i < passes.size(); ++i) {
     Motion approach;
-    approach.flange = world_to_base * passes[i].poses.front();
+    approach.flange = to_base * passes[i].poses.front();
     plan.push_back({approach, robot_.approach_speed});
-    for (const Motion& motion : motions_of(passes[i], world_to_base))
+    for (const Motion& motion : motions_of(passes[i], to_base))
       plan.push_back({motion, passes[i].speed});
     pass_of.resize(plan.size(), i);
   }
