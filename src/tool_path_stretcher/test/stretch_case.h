@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/stretcher.h"
@@ -28,12 +29,14 @@ struct Case {
   Similarity moved = synthetic::similarity(1.08, about_vertical(30), {0.4, -0.2, 0.1});
   synthetic::Deformation deformation = synthetic::no_deformation();
   synthetic::Scan scan;
+  std::function<bool(const Eigen::Vector3d&)> reference_hole = {};  //!< not scanned of it
   StretchParameters parameters;
   ToolPath path = synthetic::path_on(part, kWaypoints);
 
   Surface reference() const {
     synthetic::Scan whole;
     whole.seed = 11;
+    whole.is_hole = reference_hole;
     return surface_from_cloud(synthetic::scan(part, {}, synthetic::no_deformation(), whole),
                               parameters.leaf, "reference");
   }

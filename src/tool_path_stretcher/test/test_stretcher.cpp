@@ -177,6 +177,15 @@ TEST(Stretcher, InfersWaypointsOverASmallHoleAndFlagsThem) {
   EXPECT_LE(inferred, 8);
 }
 
+TEST(Stretcher, KeepsTheOrientationOverASlotOfTheReference) {
+  constexpr double kHalfWidth = 0.0025;  // [m] lines that a camera lost
+  Case each;
+  each.reference_hole = [](const Eigen::Vector3d& at) {
+    return std::abs(at.x() + 0.0875) < kHalfWidth && std::abs(at.y()) < 0.06;
+  };
+  expect_adapted(each, 0.0001, 1.0 * kDegree);
+}
+
 TEST(Stretcher, CanBeCancelledAtEveryStage) {
   const Case each;
   std::vector<std::string> stages;

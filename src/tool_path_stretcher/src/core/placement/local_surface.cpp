@@ -65,7 +65,8 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
     const double agreement = reference_.normals[residual.reference].dot(local.normal);
     const bool same_face =
         reference_.oriented ? agreement > kSameFace : std::abs(agreement) > kSameFace;
-    if (!same_face || residual.beside > reference_.spacing) continue;
+    // Over a hole of the reference nothing tells how its surface runs on.
+    if (!same_face || residual.beside > 0) continue;
     const Eigen::Vector3d offset = residual.pulled_back - local.base;
     const double near = 1 - neighbour.squared_distance / (radius_ * radius_);
     heights.push_back(
