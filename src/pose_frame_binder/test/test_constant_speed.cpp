@@ -218,9 +218,16 @@ TEST(ConstantSpeed, RefusesAnArmingThatIsNoLine) {
   } catch (const Refused& refusal) {
     EXPECT_EQ(std::string(refusal.what()).find("pass 4: an arc or a poly-line"), 0U);
   }
-  EXPECT_NO_THROW(check(pose_frame_binder::Run{3, std::nullopt}, motion()))
+  EXPECT_NO_THROW(check(pose_frame_binder::Run{0, std::nullopt}, motion()))
       << "the settings give the motion";
   EXPECT_NO_THROW(check(pose_frame_binder::Run{3, std::nullopt}, {})) << "another method";
+}
+
+TEST(ConstantSpeed, RefusesASecondArmingWhereTheSettingsGiveTheMotion) {
+  EXPECT_THROW(check(pose_frame_binder::Run{1, motion().constant_speed}, motion()), Refused);
+  Binder binder(motion());
+  EXPECT_NO_THROW(binder.start_run({0, std::nullopt}));
+  EXPECT_THROW(binder.start_run({0, std::nullopt}), Refused) << "the same pass with another laser";
 }
 
 TEST(ConstantSpeed, RefusesPulsesWhoseMotionNobodyTold) {

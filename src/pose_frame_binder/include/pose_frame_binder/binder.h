@@ -32,6 +32,7 @@ class Binder {
   /// Tells of the next arming of the trigger. Call it before each, or never: then each arming is a
   /// pass.
   /// @throw as check(run, settings)
+  /// @throw scan_cell_common::Refused if it is not the first, and the settings give a motion
   void start_run(const Run& run);
 
   /// @throw scan_cell_common::Refused if the pose log is full

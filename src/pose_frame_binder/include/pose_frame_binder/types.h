@@ -125,7 +125,8 @@ void check(const Settings& settings);
 /// @throw scan_cell_common::InvalidParameter if the motion is not determined
 void check(const ConstantSpeed& motion);
 
-/// @throw scan_cell_common::Refused, InvalidParameter if the settings' method cannot bind the run
+/// @throw scan_cell_common::Refused, InvalidParameter if the settings' method cannot bind the run;
+/// a motion in the settings is that of pass 0
 void check(const Run& run, const Settings& settings);
 
 /// Whether anything of it was given.

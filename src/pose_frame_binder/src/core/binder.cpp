@@ -96,6 +96,13 @@ std::uint64_t Binder::progress() const {
 
 void Binder::start_run(const Run& run) {
   check(run, settings_);
+  if (settings_.method == Method::kConstantSpeed && is_given(settings_.constant_speed) &&
+      !passes_.empty()) {
+    throw scan_cell_common::Refused(
+        "second arming of the trigger",
+        "the parameters constant_speed/* give the first one's motion alone",
+        "remove them: each line's own motion is told; or scan once along one line");
+  }
   rule_->start_run(run.motion);
   passes_.push_back(run.pass);
 }

@@ -26,6 +26,15 @@ void check_number(const char* name, double value, double most) {
                                            fmt::format("give a number above 0, up to {}", most));
 }
 
+/// The settings' motion is that of one arming.
+void check_first(std::uint32_t pass) {
+  if (pass == 0) return;
+  throw scan_cell_common::Refused(
+      fmt::format("pass {}", pass + 1),
+      "the parameters constant_speed/* give the first one's motion alone",
+      "remove them: each line's own motion is told; or scan one pass");
+}
+
 }  // namespace
 
 void check(const ConstantSpeed& motion) {
@@ -53,7 +62,8 @@ void check(const ConstantSpeed& motion) {
 }
 
 void check(const Run& run, const Settings& settings) {
-  if (settings.method != Method::kConstantSpeed || is_given(settings.constant_speed)) return;
+  if (settings.method != Method::kConstantSpeed) return;
+  if (is_given(settings.constant_speed)) return check_first(run.pass);
   if (!run.motion) {
     throw scan_cell_common::Refused(
         fmt::format("pass {}", run.pass + 1),
