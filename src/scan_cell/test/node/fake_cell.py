@@ -7,7 +7,7 @@ Parameters under /fake:
 silent      device that goes silent after ten pulses
 hangs       service of the trigger that answers late: arm or disarm
 speed       refused: the driver refuses one; lost: it has no link to the controller
-binder      missing: it misses trigger events; no end: the frames of the last pulses; broken: its service fails
+binder      missing: it misses trigger events; no pose: the whole last arming is dropped; no end: the frames of the last pulses; broken: its service fails
 uncalibrated lasers that the scanner model does not have (mask)
 move_time   [s] a motion takes (default 1.5)
 """
@@ -120,6 +120,10 @@ class FakeCell:
                                  frames_bound=min(self.frames, request.triggers) - missing)
         audit.dropped = [msg.DroppedFrame(reason=msg.DroppedFrame.NEVER_ARRIVED, arming=self.arming, trigger_count=n)
                          for n in range(self.frames + 1, request.triggers + 1)]
+        if fake('binder') == 'no pose':
+            audit.dropped = [msg.DroppedFrame(reason=msg.DroppedFrame.NO_POSE_BEFORE, arming=self.arming,
+                                              trigger_count=n, detail='no pose before it')
+                             for n in range(1, self.pulses + 1)]
         return {'success': missing == 0, 'message': '%d events missing' % missing, 'audit': audit}
 
     def on_finish_cloud(self, request):

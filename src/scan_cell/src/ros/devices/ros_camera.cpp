@@ -97,7 +97,7 @@ std::string RosCamera::restore() noexcept {
   try {
     set_acquisition(SetAcquisition::Request::STOP, parameters_.call_timeout, before_);
   } catch (const scan_cell_common::Error& error) {
-    return "camera: region and exposure are not as before; the next scan tries again: " +
+    return "camera: exposure, region and detector are not as before; the next scan tries again: " +
            std::string(error.what());
   }
   before_.reset();

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "devices/ros_stages.h"
 
+#include <fmt/format.h>
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/FinishCloud.h>
 #include <scan_cell_msgs/StartScan.h>
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -34,6 +36,7 @@ double RosStages::longest(double patience) const {
 }
 
 void RosStages::clear() {
+  runs_.clear();
   under_way_ = false;
   audit_ = {};
   binding_.clear();
@@ -88,6 +91,7 @@ void RosStages::check_run(const ScanRun& run) {
 
 void RosStages::start_run(const ScanRun& run) {
   call<StartRun>(binder_ + "/start_run", request_for(run), call_timeout_);
+  runs_.push_back(run.name);
 }
 
 std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armings,
@@ -101,6 +105,7 @@ std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armi
   audit_ = bound.audit;
   binding_ = bound.message;
   check_answer(finish_binding(), bound);
+  check_each_bound(armings);
 
   std::set<std::pair<std::uint32_t, std::uint64_t>> without_frame;  // arming, pulse
   for (const scan_cell_msgs::DroppedFrame& dropped : audit_.dropped) {
@@ -115,6 +120,27 @@ std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armi
     missing.push_back(arming.pulses - last);
   }
   return missing;
+}
+
+/// An arming without any frame at all is left to bind(): there the camera was lost.
+void RosStages::check_each_bound(const std::vector<ArmingPulses>& armings) const {
+  using scan_cell_msgs::DroppedFrame;
+  std::map<std::uint32_t, std::set<std::uint64_t>> unbound;  // pulses by arming
+  std::map<std::uint32_t, std::string> why;                  // of the first frame
+  for (const DroppedFrame& dropped : audit_.dropped) {
+    unbound[dropped.arming].insert(dropped.trigger_count);
+    if (dropped.reason != DroppedFrame::NEVER_ARRIVED) why.emplace(dropped.arming, dropped.detail);
+  }
+  for (std::size_t i = 0; i < armings.size(); ++i) {
+    const auto reason = why.find(armings[i].arming);
+    if (reason == why.end() || unbound[armings[i].arming].size() < armings[i].pulses) continue;
+    // An arming without a pulse is not among them: then no name is certain.
+    const std::string name =
+        runs_.size() == armings.size() ? runs_[i] : fmt::format("arming {}", armings[i].arming);
+    throw scan_cell_common::Refused(
+        name, fmt::format("no frame of its {} pulses was bound", armings[i].pulses),
+        "the first: " + reason->second);
+  }
 }
 
 void RosStages::triangulate(bool whole, double patience) {

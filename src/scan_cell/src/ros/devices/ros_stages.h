@@ -9,6 +9,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <string>
+#include <vector>
 
 #include "sequence/scan_run.h"
 
@@ -29,6 +30,7 @@ class RosStages : public Stages {
   void start(const std::string& scan_id) override;
   void check_run(const ScanRun& run) override;
   void start_run(const ScanRun& run) override;
+  /// @throw scan_cell_common::Refused naming a pass of which no frame was bound, and why
   std::vector<std::uint64_t> bind(const std::vector<ArmingPulses>& armings,
                                   double patience) override;
   void triangulate(bool whole, double patience) override;
@@ -46,6 +48,7 @@ class RosStages : public Stages {
   const std::string& cloud_file() const { return cloud_file_; }
 
  private:
+  void check_each_bound(const std::vector<ArmingPulses>& armings) const;
   scan_cell_msgs::StartRun::Request request_for(const ScanRun& run) const;
   double longest(double patience) const;  // [s] that a call may take
   std::string finish_binding() const { return binder_ + "/finish"; }
@@ -55,6 +58,7 @@ class RosStages : public Stages {
   const std::string triangulation_;
   const double call_timeout_;
   const std::string base_frame_;
+  std::vector<std::string> runs_;   // their names, since start()
   bool under_way_ = false;          // from start() to bind()
   ros::ServiceClient binder_line_;  // held from start() on: it breaks where the node dies
   ros::ServiceClient triangulation_line_;
