@@ -130,6 +130,18 @@ TEST_F(ScanClient, KeepsTheCloudWhereTheBinderFails) {
   EXPECT_TRUE(logged("cloud partial"));
 }
 
+TEST_F(ScanClient, IsNotFinishedWhereNoFrameOfAPassWasBound) {
+  node_.setParam("/fake/binder", "no pose");
+  scan_cell_msgs::ScanGoal program = goal("pass not bound");
+  program.passes.push_back(program.passes.front());
+  program.passes[1].name = "flank";
+  const ScanResult result = run(program);
+  EXPECT_EQ(result.outcome, ScanResult::STAGE_FAILED) << result.message;
+  EXPECT_EQ(result.message.find("pass 2 (flank): no frame of its "), 0U) << result.message;
+  EXPECT_NE(result.message.find("no pose before it"), std::string::npos) << result.message;
+  EXPECT_TRUE(logged("cloud partial"));
+}
+
 TEST_F(ScanClient, StopsWhereTheBinderDiesInMidScan) {
   using scan_cell_msgs::FinishBinding;
   using scan_cell_msgs::StartRun;
@@ -331,6 +343,11 @@ TEST_F(ScanClient, IsReachedByViDeE) {
   EXPECT_EQ(ask("WAIT_SCAN").substr(0, 5), "ERROR");
   EXPECT_EQ(ask("START_SCAN"), "OK");
   EXPECT_EQ(ask("WAIT_SCAN"), "OK");
+  const fs::path folder = ros::param::param<std::string>("/videe/cloud_folder", "");
+  const fs::path away = folder.string() + "_away";
+  fs::rename(folder, away);
+  EXPECT_NE(ask("STOP_SCAN").find("then send STOP_SCAN again"), std::string::npos);
+  fs::rename(away, folder);
   const std::string result = ask("STOP_SCAN");
   EXPECT_EQ(result.substr(0, 8), "OK scan=") << result;
   EXPECT_NE(result.find(" ended=whole "), std::string::npos) << result;

@@ -12,7 +12,6 @@
 
 #include "scan_cell/ros/scan_goal.h"
 #include "scan_cell/ros/service_call.h"
-#include "videe/kept_cloud.h"
 #include "videe/videe_wait.h"
 
 namespace scan_cell {
@@ -114,6 +113,7 @@ std::string VideeCell::start_scan() {
   client_.sendGoal(goal);
   wait_until_taken(client_, parameters_.scan, parameters_.call_timeout);
   running_ = true;
+  stopped_ = false;
   return "";
 }
 
@@ -128,18 +128,31 @@ std::string VideeCell::wait_scan(const VideeServer::ClientThere& client_there) {
 std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
   using scan_cell_msgs::ScanResult;
   if (!running_) throw Refused("STOP_SCAN", "no scan is running", "send START_SCAN first");
-  const bool stopped = !client_.getState().isDone();
-  if (stopped) client_.cancelGoal();
+  if (!client_.getState().isDone()) {
+    stopped_ = true;
+    client_.cancelGoal();
+  }
   const auto result = wait_for_result(client_, parameters_.scan, client_there, running_);
-  const KeptCloud kept = keep_cloud(*result, parameters_.cloud_folder, parameters_.triangulation);
+  const KeptCloud kept = keep(*result);
   const bool whole = result->outcome == ScanResult::FINISHED;
-  if (!whole && !(stopped && result->outcome == ScanResult::CANCELLED)) {
+  if (!whole && !(stopped_ && result->outcome == ScanResult::CANCELLED)) {
     throw Refused("scan '" + result->scan_id + "'", "ended early",
                   result->message + "; what came is in " + kept.file + " on " + kept.machine);
   }
   return fmt::format("scan={} frames={} points={} ended={} cloud={} machine={}", result->scan_id,
                      result->audit.frames_bound, result->statistics.points,
                      whole ? "whole" : "stopped", kept.file, kept.machine);
+}
+
+KeptCloud VideeCell::keep(const scan_cell_msgs::ScanResult& scan) {
+  try {
+    return keep_cloud(scan, parameters_.cloud_folder, parameters_.triangulation);
+  } catch (const scan_cell_common::FileError& error) {
+    running_ = true;  // the result stays with client_
+    const std::string ended = scan.message.empty() ? "" : "; the scan: " + scan.message;
+    throw scan_cell_common::FileError(error.thing(), error.value(),
+                                      error.cure() + ", then send STOP_SCAN again" + ended);
+  }
 }
 
 std::string VideeCell::grab_image() {

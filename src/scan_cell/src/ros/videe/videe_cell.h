@@ -13,6 +13,7 @@
 #include "scan_cell/scan_program.h"
 #include "scan_cell/videe_command.h"
 #include "videe/goals_under_way.h"
+#include "videe/kept_cloud.h"
 #include "videe/videe_calibration.h"
 #include "videe/videe_server.h"
 
@@ -39,6 +40,8 @@ class VideeCell {
   std::string start_scan();
   std::string wait_scan(const VideeServer::ClientThere& client_there);
   std::string stop_scan(const VideeServer::ClientThere& client_there);
+  /// @throw scan_cell_common::FileError if it cannot be saved; the next STOP_SCAN tries again
+  KeptCloud keep(const scan_cell_msgs::ScanResult& scan);
   void end_own();
   void end_all();
 
@@ -52,6 +55,7 @@ class VideeCell {
   VideeCalibration calibration_;
   std::vector<Eigen::Isometry3d> positions_;
   bool running_ = false;
+  bool stopped_ = false;  // by STOP_SCAN
   int images_ = 0;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "videe/videe_parameters.h"
 
+#include <filesystem>
+
 #include "scan_cell_common/parameters/parameter_table.h"
 
 namespace scan_cell {
@@ -39,9 +41,17 @@ void describe(scan_cell_common::ParameterTable& table, VideeParameters& paramete
   table.add("idle_time", parameters.server.idle_time, {1, 86400, "s"},
             "in which a whole command must come");
   table.require("program", parameters.program,
-                "scan program (YAML) whose frame, speed, rate and laser are used");
-  table.add("image_folder", parameters.image_folder, "where `GRAB_IMAGE` leaves its pictures");
-  table.add("cloud_folder", parameters.cloud_folder, "where `STOP_SCAN` leaves its clouds");
+                "scan program (YAML) whose frame is used, and speed, rate, laser and camera of its "
+                "first pass");
+  table.add("image_folder", parameters.image_folder,
+            "where `GRAB_IMAGE` leaves its pictures; must exist");
+  table.add("cloud_folder", parameters.cloud_folder,
+            "where `STOP_SCAN` leaves its clouds; must exist");
+  for (const auto& [name, folder] : {std::pair("image_folder", parameters.image_folder),
+                                     std::pair("cloud_folder", parameters.cloud_folder)}) {
+    if (!std::filesystem::is_directory(folder))
+      table.refuse(name, "'" + folder + "'", "give a folder that exists");
+  }
   table.add("scan", parameters.scan, "scan action");
   table.add("grab_image", parameters.grab_image, "service");
   table.add("calibrate", parameters.calibrate, "calibration action");
