@@ -234,6 +234,11 @@ void CameraNodelet::change_tuning(CameraConfig& config) {
     NODELET_ERROR("detector not changed: %s", error.what());
     config.detector = config_.detector;
     config.choice = config_.choice;
+    config.live_ratio = config_.live_ratio;
+    config.trigger_level = config_.trigger_level;
+    config.permanence = config_.permanence;
+    config.window = config_.window;
+    config.max_width = config_.max_width;
   }
 }
 

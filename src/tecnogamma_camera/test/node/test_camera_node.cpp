@@ -353,6 +353,22 @@ TEST_F(CameraNode, RefusesADetectorThatThereIsNotAndKeepsTheOneItHas) {
   refused("gain: 2000; give 0 .. 1000");
 }
 
+TEST_F(CameraNode, ChangesNothingThatComesWithADetectorThatThereIsNot) {
+  const int level = reconfigure("trigger_level", 60);
+  dynamic_reconfigure::Reconfigure call;
+  call.request.config.strs.resize(1);
+  call.request.config.strs[0].name = "detector";
+  call.request.config.strs[0].value = "parabola";
+  call.request.config.ints.resize(1);
+  call.request.config.ints[0].name = "trigger_level";
+  call.request.config.ints[0].value = level + 7;
+  ASSERT_TRUE(ros::service::call("camera/set_parameters", call));
+  int shown = -1;
+  for (const auto& entry : call.response.config.ints)
+    if (entry.name == "trigger_level") shown = entry.value;
+  EXPECT_EQ(shown, level) << "shown, but not in force";
+}
+
 TEST_F(CameraNode, TellsTheNumberOfEachImageBesideIt) {
   ASSERT_TRUE(set(SetAcquisition::Request::RELIEF_LIVE).success);
   std::map<std::int64_t, std::uint64_t> numbers;  // of the profiles, by their stamp
