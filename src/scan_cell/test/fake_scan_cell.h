@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include "scan_cell_common/errors/errors.h"
@@ -127,7 +128,8 @@ struct FakeTrigger : scan_cell::Trigger {
   scan_cell::Disarmed disarm() noexcept override {
     cell.log.emplace_back("disarm");
     cell.armed = false;
-    return {static_cast<std::uint32_t>(armings.size()), 77, answers ? "" : "trigger: no answer"};
+    return {static_cast<std::uint32_t>(armings.size()), armings.size() == silent_arming ? 0U : 77U,
+            answers ? "" : "trigger: no answer"};
   }
   void keep_alive() override { cell.note("keep alive"); }
   FakeCell& cell;
@@ -135,6 +137,7 @@ struct FakeTrigger : scan_cell::Trigger {
   std::vector<scan_cell::Lighting> armings;
   bool moving_when_armed = false;
   bool answers = true;
+  std::size_t silent_arming = 0;  // that sends no pulse, from 1; 0: each sends some
 };
 
 struct FakeStages : scan_cell::Stages {
@@ -155,6 +158,7 @@ struct FakeStages : scan_cell::Stages {
     for (const scan_cell::ArmingPulses& arming : armings)
       finished_pulses += arming.pulses;
     cell.note("bind");
+    if (breaks) throw std::system_error(std::make_error_code(std::errc::no_space_on_device));
     return std::vector<std::uint64_t>(armings.size(), missing_at_the_end);
   }
   void triangulate(bool whole, double) override {
@@ -166,6 +170,7 @@ struct FakeStages : scan_cell::Stages {
   FakeCell& cell;
   std::vector<std::size_t> passes;  // of the runs
   std::uint64_t missing_at_the_end = 0;
+  bool breaks = false;  // with an error that is none of the suite's
   bool whole_cloud = false;
   std::uint64_t finished_pulses = 0;
 };

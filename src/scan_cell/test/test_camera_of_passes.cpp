@@ -75,6 +75,13 @@ TEST_F(CameraOfPasses, AreUndoneWhereTheScanEndsEarly) {
   EXPECT_TRUE(cell_.noted("restore camera"));
 }
 
+TEST_F(CameraOfPasses, AreUndoneWhateverTheStagesThrow) {
+  stages_.breaks = true;
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::kStageFailed);
+  EXPECT_TRUE(cell_.noted("restore camera"));
+}
+
 TEST_F(CameraOfPasses, AreAWarningWhereTheyCannotBeUndone) {
   camera_.restores = false;
   scan_cell::ScanSequence sequence(robot_, camera_, trigger_, stages_, observer_, {}, timing_);

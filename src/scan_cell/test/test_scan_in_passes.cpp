@@ -108,6 +108,22 @@ TEST_F(ScanInPasses, NamesThePassWhoseLastFramesAreMissing) {
   EXPECT_NE(end.message.find("of 77 pulses of pass 1"), std::string::npos) << end.message;
 }
 
+TEST_F(ScanInPasses, NamesThatPassAlsoWhereOneBeforeItWasNotPulsed) {
+  request_.passes.erase(request_.passes.begin());
+  trigger_.silent_arming = 1;
+  stages_.missing_at_the_end = 5;
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_NE(end.message.find("of 77 pulses of pass 2"), std::string::npos) << end.message;
+}
+
+TEST_F(ScanInPasses, IsRefusedWhereTheTriggerRefusesToTakeTurnsSoFast) {
+  cell_.refused_at = "arm";
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::kRefused) << end.message;
+  EXPECT_TRUE(cell_.noted("disarm"));
+  EXPECT_TRUE(cell_.noted("stop robot"));
+}
+
 TEST_F(ScanInPasses, EndsWhereThePassesMakeNoSingleSurface) {
   stages_.apart = "the passes disagree: 2 mm";
   const scan_cell::SequenceEnd end = run();

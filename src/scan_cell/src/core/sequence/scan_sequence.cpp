@@ -32,7 +32,7 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
     on(Outcome::kRefused, [&] { check(request, limits_); });
     runs_ = runs_of(request.passes);
     for (const ScanRun& run : runs_)
-      on_stages([&] { stages_.check_run(run); });
+      on(Outcome::kRefused, Outcome::kStageFailed, [&] { stages_.check_run(run); });
     supervisor_.wait_until_well();
     warnings_ = on(Outcome::kRefused, Outcome::kRobotLost,
                    [&] { return check_reach(robot_, runs_, timing_.approach_speed); });
@@ -57,6 +57,7 @@ void ScanSequence::begin() {
   warnings_.clear();
   camera_settings_.reset();
   armings_.clear();
+  armed_for_.clear();
   progress_ = {};
   capturing_ = stages_started_ = false;
 }
@@ -144,7 +145,10 @@ SequenceEnd ScanSequence::finish(SequenceEnd end) {
 
 std::string ScanSequence::disarm() {
   const Disarmed disarmed = supervisor_.disarm();
-  if (disarmed.pulses > 0) armings_.push_back({disarmed.arming, disarmed.pulses});
+  if (disarmed.pulses > 0) {
+    armings_.push_back({disarmed.arming, disarmed.pulses});
+    armed_for_.push_back(runs_.at(run_).name);
+  }
   return disarmed.trouble;
 }
 
@@ -155,14 +159,14 @@ void ScanSequence::finish_stages(SequenceEnd& end) {
   try {
     const std::string lost = find_lost_frames(stages_.bind(armings_, patience));
     if (whole && !lost.empty()) worsen(end, Outcome::kCameraLost, lost);
-  } catch (const scan_cell_common::Error& error) {
+  } catch (const std::exception& error) {  // whatever it is: the camera is to be restored
     worsen(end, Outcome::kStageFailed, error.what());
   }
   try {
     stages_.triangulate(end.outcome == Outcome::kFinished, patience);
     const std::string apart = stages_.disagreement();
     if (!apart.empty()) worsen(end, Outcome::kPassesDisagree, apart);
-  } catch (const scan_cell_common::Error& error) {
+  } catch (const std::exception& error) {  // whatever it is: the camera is to be restored
     worsen(end, Outcome::kStageFailed, error.what());
   }
 }
@@ -174,7 +178,7 @@ std::string ScanSequence::find_lost_frames(const std::vector<std::uint64_t>& mis
     return fmt::format(
         "camera: no frame of the last {} of {} pulses{}; check the camera's cable and trigger "
         "input",
-        missing[i], armings_[i].pulses, runs_.size() > 1 ? " of " + runs_[i].name : "");
+        missing[i], armings_[i].pulses, runs_.size() > 1 ? " of " + armed_for_[i] : "");
   }
   return "";
 }

@@ -89,7 +89,8 @@ class ScanSequence {
   std::size_t run_ = 0;  // of them, the one under way
   std::size_t passes_finished_ = 0;
   std::vector<std::string> warnings_;
-  std::vector<ArmingPulses> armings_;
+  std::vector<ArmingPulses> armings_;   // those with pulses
+  std::vector<std::string> armed_for_;  // names of their runs
   ScanProgress progress_;
   std::optional<PassCamera> camera_settings_;  // with which it was started; none: it was not
   bool stages_started_ = false;

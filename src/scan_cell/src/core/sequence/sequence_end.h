@@ -69,13 +69,6 @@ auto on_robot(const Call& call) {
   return on(Outcome::kMotionFailed, Outcome::kRobotLost, call);
 }
 
-/// Carries out what the stages are asked for before anything moves: what they refuse is refused,
-/// and any other error fails them.
-template <class Call>
-auto on_stages(const Call& call) {
-  return on(Outcome::kRefused, Outcome::kStageFailed, call);
-}
-
 /// Adds what went wrong besides, or after all was well.
 inline void worsen(SequenceEnd& end, Outcome outcome, const std::string& why) {
   if (end.outcome == Outcome::kFinished) {
