@@ -10,15 +10,10 @@
 #include <vector>
 
 #include "scan_cell/scan_request.h"
+#include "scan_cell/scan_run.h"
 #include "tecnogamma_camera/peak_profile.h"
 
 namespace scan_cell {
-
-/// Where a motion goes.
-struct MoveTarget {
-  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0 in the robot's base frame
-  std::optional<Eigen::Isometry3d> via;  //!< on the arc to it; none: it goes along a line
-};
 
 /// A motion that is not begun yet.
 struct PlannedMove {
@@ -140,13 +135,6 @@ class SnapshotCamera {
   virtual std::string restore() noexcept = 0;
 };
 
-/// Which lasers burn while the camera is pulsed.
-struct Lighting {
-  std::uint8_t lasers = 0;  //!< bit mask, TriggerEvent.LASER_*
-  bool alternate = false;   //!< both take turns, pulse by pulse, laser_0 first
-  double exposure = 0;      //!< [s] of the camera; 0: not known
-};
-
 /// How a trigger circuit left off.
 struct Disarmed {
   std::uint32_t arming = 0;  //!< its number
@@ -166,8 +154,6 @@ class Trigger : public Device {
   /// Tells the circuit that somebody still watches; without it the lasers go off.
   virtual void keep_alive() = 0;
 };
-
-struct ScanRun;
 
 /// The pulses of one arming of the trigger.
 struct ArmingPulses {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scan_cell/scan_run.h"
 #include "sequence/devices.h"
-#include "sequence/scan_run.h"
 
 namespace scan_cell {
 

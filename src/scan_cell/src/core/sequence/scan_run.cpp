@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sequence/scan_run.h"
+#include "scan_cell/scan_run.h"
 
 #include <algorithm>
 

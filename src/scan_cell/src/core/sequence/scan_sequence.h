@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "scan_cell/scan_request.h"
+#include "scan_cell/scan_run.h"
 #include "sequence/devices.h"
-#include "sequence/scan_run.h"
 #include "sequence/sequence_end.h"
 #include "sequence/supervisor.h"
 

@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "sequence/scan_run.h"
+#include "scan_cell/scan_run.h"
+#include "sequence/devices.h"
 
 namespace scan_cell {
 

@@ -2,13 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scan_cell/scan_request.h"
-#include "sequence/devices.h"
 
 namespace scan_cell {
+
+/// Where a motion goes.
+struct MoveTarget {
+  Eigen::Isometry3d flange = Eigen::Isometry3d::Identity();  //!< tool0, in the frame of the passes
+  std::optional<Eigen::Isometry3d> via;  //!< on the arc to it; none: it goes along a line
+};
+
+/// Which lasers burn while the camera is pulsed.
+struct Lighting {
+  std::uint8_t lasers = 0;  //!< bit mask, TriggerEvent.LASER_*
+  bool alternate = false;   //!< both take turns, pulse by pulse, laser_0 first
+  double exposure = 0;      //!< [s] of the camera; 0: not known
+};
 
 /// Once along a pass with one setting of the lasers: the trigger is armed once.
 struct ScanRun {
