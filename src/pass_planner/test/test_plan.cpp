@@ -142,6 +142,38 @@ TEST_F(Planning, KeepsClearOfAWallOnTheWayToTheFirstPass) {
       << found.why.front();
 }
 
+/// There and back, from one side of the part to behind a wall beside it.
+scan_cell::ScanPass each_through_the_wall() {
+  scan_cell::ScanPass pass;
+  for (const double y : {0.0, 0.6})
+    pass.poses.push_back(Eigen::Translation3d(0, y, 0) * above(-0.1));
+  pass.speed = 0.1;
+  pass.rate = 100;
+  pass.lasers = scan_cell::PassLasers::kEach;
+  return pass;
+}
+
+TEST_F(Planning, AfterEachLaserGoesOnFromThePassesStart) {
+  auto rectangles = wall_and_roof();
+  rectangles.push_back({{-2, 0.35, 0}, {4, 0, 0}, {0, 0, 2}});
+  const Surface walled(mesh_of(rectangles));
+  const PassPlan found = plan_passes(scanner, walled, {walled.nearest({-0.1, -0.1, 0})}, sight,
+                                     Reach(robot), parameters, {each_through_the_wall()});
+  EXPECT_EQ(found.passes.size(), 1U) << found.why.front();
+}
+
+TEST_F(Planning, AfterEachLaserTheRobotNeedNotGetPastItself) {
+  robot.base_link_in_world = Eigen::Isometry3d::Identity();
+  const auto at = [](double x, double y) { return Eigen::Translation3d(0, y, 0) * above(x); };
+  scan_cell::ScanPass around = each_through_the_wall(), next = around;
+  around.kind = scan_cell::PassKind::kPolyline;
+  around.poses = {at(0.2, -0.8), at(0.9, 0), at(0.2, 0.8)};
+  next.poses = {at(0.3, -0.8), at(0.4, -0.8)};
+  EXPECT_EQ(Reach(robot).refusal({around, next}), "");
+  around.lasers = scan_cell::PassLasers::kLaser0;
+  EXPECT_NE(Reach(robot).refusal({around, next}), "");
+}
+
 TEST_F(Planning, SaysThatNoPassSeesAPlace) {
   sight.max_range = 0.1;
   const PassPlan found = plan({{-0.1, 0, 0}});

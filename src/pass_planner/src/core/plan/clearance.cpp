@@ -5,11 +5,36 @@
 #include <fmt/format.h>
 
 #include "c4g_driver/flange_way.h"
+#include "scan_cell/scan_run.h"
 
 namespace pass_planner {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
+
+namespace {
+
+/// Of the flange in the last of the passes, and to its start.
+/// @param start before the first pass
+std::vector<Isometry3d> way_of_last(const std::vector<scan_cell::ScanPass>& passes,
+                                    const Isometry3d& start) {
+  std::vector<Isometry3d> way;
+  Isometry3d at = start;
+  for (const scan_cell::ScanRun& run : runs_of(passes)) {
+    std::vector<scan_cell::MoveTarget> targets = run.moves;
+    if (run.approach) targets.insert(targets.begin(), {run.start, std::nullopt});
+    for (const scan_cell::MoveTarget& target : targets) {
+      if (run.pass + 1 == passes.size()) {
+        const auto motion = c4g_driver::flange_way(at, target.via, target.flange);
+        way.insert(way.end(), motion.begin(), motion.end());
+      }
+      at = target.flange;
+    }
+  }
+  return way;
+}
+
+}  // namespace
 
 Clearance::Clearance(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
                      const Reach& reach, const PlanParameters& parameters)
@@ -28,12 +53,7 @@ std::string Clearance::refusal(const std::vector<scan_cell::ScanPass>& passes) c
     bodies.emplace_back(scan_cell_common::laser_name(i),
                         scanner_.flange_to_camera * scanner_.lasers[i]->origin);
   }
-  const Isometry3d from = passes.size() > 1 ? passes[passes.size() - 2].poses.back() : start_;
-  std::vector<Isometry3d> way =
-      c4g_driver::flange_way(from, std::nullopt, passes.back().poses.front());
-  for (const Isometry3d& flange : sweeps_of({passes.back()}).front().flange)
-    way.push_back(flange);
-  for (const Isometry3d& flange : way) {
+  for (const Isometry3d& flange : way_of_last(passes, start_)) {
     for (const auto& [name, place] : bodies) {
       const Vector3d at = flange * place;
       const double distance =

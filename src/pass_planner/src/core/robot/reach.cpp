@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "c4g_driver/motion_plan.h"
+#include "scan_cell/scan_run.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace pass_planner {
@@ -12,24 +13,15 @@ namespace {
 
 using c4g_driver::Motion;
 using c4g_driver::PlannedMotion;
-using scan_cell::PassKind;
 using scan_cell::ScanPass;
 
-/// The motions of a pass after the robot stands at its start.
-std::vector<Motion> motions_of(const ScanPass& pass, const Eigen::Isometry3d& to_base) {
-  std::vector<Motion> motions;
-  if (pass.kind == PassKind::kArc) {
-    Motion arc;
-    arc.kind = Motion::Kind::kAlongArc;
-    arc.via = to_base * pass.poses[1];
-    arc.flange = to_base * pass.poses[2];
-    return {arc};
-  }
-  for (std::size_t i = 1; i < pass.poses.size(); ++i) {
-    motions.emplace_back();
-    motions.back().flange = to_base * pass.poses[i];
-  }
-  return motions;
+Motion motion_to(const scan_cell::MoveTarget& target, const Eigen::Isometry3d& to_base) {
+  Motion motion;
+  motion.flange = to_base * target.flange;
+  if (!target.via) return motion;
+  motion.kind = Motion::Kind::kAlongArc;
+  motion.via = to_base * *target.via;
+  return motion;
 }
 
 Eigen::Isometry3d base_link_in_frame(const RobotInCell& robot) {
@@ -62,13 +54,12 @@ std::string Reach::refusal(const std::vector<ScanPass>& passes) const {
   const Eigen::Isometry3d to_base = base_link_.inverse();
   std::vector<PlannedMotion> plan;
   std::vector<std::size_t> pass_of;
-  for (std::size_t i = 0; i < passes.size(); ++i) {
-    Motion approach;
-    approach.flange = to_base * passes[i].poses.front();
-    plan.push_back({approach, robot_.approach_speed});
-    for (const Motion& motion : motions_of(passes[i], to_base))
-      plan.push_back({motion, passes[i].speed});
-    pass_of.resize(plan.size(), i);
+  for (const scan_cell::ScanRun& run : runs_of(passes)) {
+    if (run.approach)
+      plan.push_back({motion_to({run.start, std::nullopt}, to_base), robot_.approach_speed});
+    for (const scan_cell::MoveTarget& target : run.moves)
+      plan.push_back({motion_to(target, to_base), run.speed});
+    pass_of.resize(plan.size(), run.pass);
   }
   c4g_driver::RobotState from;
   from.joints = robot_.start;
