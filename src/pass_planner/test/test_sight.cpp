@@ -99,6 +99,20 @@ TEST_P(SightOver, KeepsToTheRegionOfTheImage) {
   EXPECT_EQ(sight_of({-0.1, 0.04, 0}).sight, Sight::kSeen);
 }
 
+TEST_P(SightOver, KeepsToTheRegionOfAPass) {
+  const auto sight_with = [this](const scan_cell::CameraRegion& region) {
+    ScanPass pass = line(PassLasers::kLaser0);
+    pass.camera.region = region;
+    const SightCheck check(scanner, surface, parameters);
+    return look_along(check, sweeps_of({pass}), {surface.nearest({-0.1, 0.1, 0})}).best.front();
+  };
+  EXPECT_EQ(sight_with({0, 400, 0, 200}).fault, Fault::kImage);
+  EXPECT_THROW(sight_with({0, 900, 0, 200}), scan_cell_common::InvalidParameter);
+  parameters.region_y = 400;  // as the camera is set where a pass says nothing
+  parameters.region_height = 200;
+  EXPECT_EQ(sight_with({}).sight, Sight::kSeen);
+}
+
 INSTANTIATE_TEST_SUITE_P(AMeshAndACloud, SightOver, testing::Values(mesh_of, cloud_of));
 
 TEST(Sight, OnAnArcFollowsTheCircle) {

@@ -78,18 +78,25 @@ class SightCheck {
   /// passes over it.
   /// @param places as Surface::nearest() gives them
   /// @throw scan_cell_common::UnusableInput if the sweep's laser was not calibrated
+  /// @throw scan_cell_common::InvalidParameter if the sweep's region lies outside the sensor
   std::vector<Sighting> along(const Sweep& sweep, const std::vector<Surface::Place>& places) const;
 
  private:
+  /// Of the image, where a line is found.
+  struct Window {
+    Eigen::Vector2d least;  // [px]
+    Eigen::Vector2d most;   // [px]
+  };
+
+  Window window_of(const scan_cell::CameraRegion& region, const std::string& name) const;
   Sighting from(const Eigen::Isometry3d& camera, const scan_cell_common::LaserPlane& laser,
-                const Surface::Place& place) const;
-  Fault outside(const Eigen::Vector3d& in_camera) const;
+                const Surface::Place& place, const Window& window) const;
+  Fault outside(const Eigen::Vector3d& in_camera, const Window& window) const;
 
   const scan_cell_common::ScannerModel& scanner_;
   const Surface& surface_;
   const SightParameters parameters_;
-  Eigen::Vector2d least_;  // [px] of the region
-  Eigen::Vector2d most_;   // [px]
+  Window window_;  // of sweeps that have no region of their own
 };
 
 /// How a program sees a path.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "scan_cell/scan_request.h"
@@ -15,6 +16,7 @@ struct Sweep {
   std::size_t pass = 0;                   //!< of the program, from 0
   std::size_t laser = 0;                  //!< index into scan_cell_common::ScannerModel::lasers
   std::vector<Eigen::Isometry3d> flange;  //!< tool0 in the program's frame, in small steps
+  std::optional<scan_cell::CameraRegion> region;  //!< that is read out; none: as it is set before
 };
 
 /// One sweep for each laser of each pass, in their order.

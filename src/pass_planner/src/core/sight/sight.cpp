@@ -81,22 +81,29 @@ SightCheck::SightCheck(const scan_cell_common::ScannerModel& scanner, const Surf
                        const SightParameters& parameters)
     : scanner_(scanner), surface_(surface), parameters_(parameters) {
   scan_cell_common::check(parameters_);
-  const auto range = [](const char* name, int first, int count, int sensor) {
-    const int end = count == 0 ? sensor : first + count;
+  const auto pixels = [](int count) { return static_cast<std::uint32_t>(count); };
+  window_ = window_of({pixels(parameters.region_x), pixels(parameters.region_y),
+                       pixels(parameters.region_width), pixels(parameters.region_height)},
+                      "region");
+}
+
+SightCheck::Window SightCheck::window_of(const scan_cell::CameraRegion& region,
+                                         const std::string& name) const {
+  const auto range = [&name](const char* axis, double first, double count, double sensor) {
+    const double end = count == 0 ? sensor : first + count;
     if (end <= sensor && end - first > 2 * kBorder) return Vector2d(first, end - 1);
     throw scan_cell_common::InvalidParameter(
-        fmt::format("region_{}", name), fmt::format("{} .. {} px", first, end - 1),
-        fmt::format("give a region of the sensor, which has {} px, as the camera has it", sensor));
+        fmt::format("{}_{}", name, axis), fmt::format("{:g} .. {:g} px", first, end - 1),
+        fmt::format("give a region of the sensor, which has {:g} px, as the camera has it",
+                    sensor));
   };
-  const auto& camera = scanner.camera;
-  const Vector2d columns = range("x", parameters.region_x, parameters.region_width, camera.width);
-  const Vector2d rows = range("y", parameters.region_y, parameters.region_height, camera.height);
-  least_ = {columns[0] + kBorder, rows[0]};
-  most_ = {columns[1] - kBorder, rows[1]};
+  const Vector2d columns = range("x", region.x, region.width, scanner_.camera.width);
+  const Vector2d rows = range("y", region.y, region.height, scanner_.camera.height);
+  return {{columns[0] + kBorder, rows[0]}, {columns[1] - kBorder, rows[1]}};
 }
 
 /// Why a point is not in the image; none if it is.
-Fault SightCheck::outside(const Vector3d& in_camera) const {
+Fault SightCheck::outside(const Vector3d& in_camera, const Window& window) const {
   constexpr double kSameRay = 1e-6;  // beyond some angle the lens's model folds over; chosen
   if (in_camera.z() < parameters_.min_range || in_camera.z() > parameters_.max_range)
     return Fault::kDepth;
@@ -104,7 +111,7 @@ Fault SightCheck::outside(const Vector3d& in_camera) const {
   Vector2d back = scanner_.camera.distort(ray);
   const Vector2d pixel = scanner_.camera.project(in_camera);
   const bool in_region =
-      (pixel.array() >= least_.array()).all() && (pixel.array() <= most_.array()).all();
+      (pixel.array() >= window.least.array()).all() && (pixel.array() <= window.most.array()).all();
   const bool one_ray = scanner_.camera.undistort(Vector2d(back), back) &&
                        (back - ray).norm() < kSameRay * (1 + ray.norm());
   return in_region && one_ray ? Fault::kNone : Fault::kImage;
@@ -112,9 +119,9 @@ Fault SightCheck::outside(const Vector3d& in_camera) const {
 
 /// With the camera where the laser's plane passes over the place.
 Sighting SightCheck::from(const Isometry3d& camera, const LaserPlane& laser,
-                          const Surface::Place& place) const {
+                          const Surface::Place& place, const Window& window) const {
   Sighting sighting;
-  sighting.fault = outside(camera.inverse() * place.point);
+  sighting.fault = outside(camera.inverse() * place.point, window);
   if (sighting.fault != Fault::kNone) return sighting;
   const Vector3d eye = camera.translation();
   const Vector3d light = camera * laser.origin;
@@ -143,6 +150,9 @@ Sighting SightCheck::from(const Isometry3d& camera, const LaserPlane& laser,
 std::vector<Sighting> SightCheck::along(const Sweep& sweep,
                                         const std::vector<Surface::Place>& places) const {
   const LaserPlane& laser = scanner_.laser(sweep.laser);
+  const Window window =
+      sweep.region ? window_of(*sweep.region, fmt::format("pass {}: region", sweep.pass + 1))
+                   : window_;
   std::vector<Light> lights;
   for (const Isometry3d& flange : sweep.flange)
     lights.emplace_back(laser, flange * scanner_.flange_to_camera);
@@ -154,7 +164,7 @@ std::vector<Sighting> SightCheck::along(const Sweep& sweep,
       if (i > 0 && (before < 0) != (now < 0)) {
         const Isometry3d flange = scan_cell_common::interpolate(
             sweep.flange[i - 1], sweep.flange[i], before / (before - now));
-        const Sighting found = from(flange * scanner_.flange_to_camera, laser, places[p]);
+        const Sighting found = from(flange * scanner_.flange_to_camera, laser, places[p], window);
         if (is_better(found, sightings[p])) sightings[p] = found;
       }
       before = now;

@@ -40,7 +40,7 @@ std::vector<Sweep> sweeps_of(const std::vector<ScanPass>& passes) {
     try {
       const std::vector<Isometry3d> way = way_of(passes[i]);
       for (const std::size_t laser : lasers_of(passes[i].lasers))
-        sweeps.push_back({i, laser, way});
+        sweeps.push_back({i, laser, way, passes[i].camera.region});
     } catch (const scan_cell_common::Refused& error) {
       throw scan_cell_common::Refused(pass_name(passes[i], i) + ": " + error.thing(), error.value(),
                                       error.cure());
