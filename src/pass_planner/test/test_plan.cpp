@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "pass_planner/part.h"
 #include "pass_planner/plan.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
@@ -197,6 +198,37 @@ TEST_F(Planning, KeepsClearOfPartAndFloor) {
 TEST_F(Planning, KeepsToTheMostPasses) {
   parameters.max_passes = 1;
   EXPECT_LE(plan(all_around()).passes.size(), 1U);
+}
+
+TEST_F(Planning, AlsoAtTheMostPassesTellsWhatNoPassSees) {
+  parameters.max_passes = 1;
+  auto places = places_on({{-0.1, 0, 0}});
+  places.push_back({{-0.1, 0.02, -0.05}, Vector3d::UnitZ(), 0});  // below the plate
+  const PassPlan found = plan_passes(scanner, surface, places, sight, Reach(robot), parameters);
+  EXPECT_EQ(found.passes.size(), 1U);
+  EXPECT_EQ(found.left, std::vector<std::size_t>{1});
+  EXPECT_EQ(found.why, std::vector<std::string>{"no candidate sees it"});
+}
+
+TEST_F(Planning, TakesAnglesDownToTheLeast) {
+  sight.max_light_angle = 0.15;
+  EXPECT_NO_THROW(plan({{-0.1, 0, 0}}));
+}
+
+TEST_F(Planning, RefusesAPartInAnotherUnit) {
+  const std::vector<Surface::Place> places = {{{0, 0, 0}, Vector3d::UnitZ(), 0},
+                                              {{50, 0, 0}, Vector3d::UnitZ(), 0}};
+  EXPECT_THROW(plan_passes(scanner, surface, places, sight, Reach(robot), parameters),
+               scan_cell_common::UnusableInput);
+}
+
+TEST_F(Planning, NamesTheWaypointOffTheSurfaceAmongThoseOfThePath) {
+  try {
+    places_of({{0, 0, 0}, {-0.1, 0, 0}, {-0.1, 0, 0.05}}, surface, {1, 2});
+    FAIL() << "50 mm off the surface is taken";
+  } catch (const scan_cell_common::UnusableInput& error) {
+    EXPECT_EQ(error.thing(), "waypoint 2");
+  }
 }
 
 TEST_F(Planning, RefusesParametersThatMakeNoSense) {

@@ -36,4 +36,10 @@ PlacedPart load_part(const PartFiles& files);
 std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
                                       const Surface& surface);
 
+/// The same of some of the waypoints.
+/// @param wanted their indices
+std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
+                                      const Surface& surface,
+                                      const std::vector<std::size_t>& wanted);
+
 }  // namespace pass_planner

@@ -24,6 +24,8 @@ struct PassPlan {
 /// @param places on the part
 /// @param first passes that are run before; the robot stands at the end of the last
 /// @throw scan_cell_common::InvalidParameter if the parameters make no sense
+/// @throw scan_cell_common::UnusableInput if the places are too far apart for passes, as of a part
+/// in another unit
 PassPlan plan_passes(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
                      const std::vector<Surface::Place>& places, const SightParameters& sight,
                      const Reach& reach, const PlanParameters& parameters,

@@ -76,11 +76,8 @@ void plan_and_save(const Options& options) {
   const SightParameters sight = options.part.sight();
   const auto wanted =
       wanted_of(options, part, SightCheck(scanner, surface, sight), surface, program);
-  std::vector<Eigen::Vector3d> waypoints;
-  for (const std::size_t waypoint : wanted)
-    waypoints.push_back(part.waypoints[waypoint]);
   const PassPlan plan =
-      plan_passes(scanner, surface, places_of(waypoints, surface), sight,
+      plan_passes(scanner, surface, places_of(part.waypoints, surface, wanted), sight,
                   Reach(robot_of(options, program.frame)), parameters, program.passes);
   if (!plan.left.empty()) {
     throw Refused(fmt::format("{} of {} waypoints", plan.left.size(), wanted.size()),
@@ -89,7 +86,10 @@ void plan_and_save(const Options& options) {
                   reasons_of(plan, wanted));
   }
   for (const scan_cell::ScanPass& pass : plan.passes) {
-    std::printf("%s, laser %d\n", pass.name.c_str(), static_cast<int>(pass.lasers));
+    const std::string lasers = pass.lasers == scan_cell::PassLasers::kAlternate
+                                   ? "both lasers in turns"
+                                   : fmt::format("laser {}", static_cast<int>(pass.lasers));
+    std::printf("%s, %s\n", pass.name.c_str(), lasers.c_str());
     program.passes.push_back(pass);
   }
   check({"", program.passes}, scan_cell::ScanLimits());

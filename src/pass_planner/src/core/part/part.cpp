@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "tool_path_stretcher/reported_verdict.h"
 #include "tool_path_stretcher/stretch_parameters.h"
 #include "tool_path_stretcher/tool_path_files.h"
@@ -18,9 +19,14 @@ using scan_cell_common::UnusableInput;
 using tool_path_stretcher::FileRecord;
 using tool_path_stretcher::ReportedVerdict;
 
-void check_same(const std::string& file, const std::optional<FileRecord>& reported,
+/// @param metres per unit of the file
+void check_same(const std::string& file, double metres, const std::optional<FileRecord>& reported,
                 const std::string& report) {
   if (!reported) return;
+  if (scan_cell_common::metres_per(reported->units) != metres) {
+    throw UnusableInput(file, fmt::format("taken to be in units of {:g} m", metres),
+                        fmt::format("give its unit as in {}: {}", report, reported->units));
+  }
   if (tool_path_stretcher::record_of(file, reported->units).sha256 == reported->sha256) return;
   throw UnusableInput(file, "not the file that " + report + " is about",
                       "give " + reported->name + " as it was then");
@@ -28,8 +34,9 @@ void check_same(const std::string& file, const std::optional<FileRecord>& report
 
 void place_as_reported(const PartFiles& files, PlacedPart& part) {
   const ReportedVerdict verdict = tool_path_stretcher::load_report(files.report);
-  check_same(files.reference, verdict.reference, files.report);
-  check_same(files.path, verdict.path, files.report);
+  check_same(files.reference, files.reference_metres, verdict.reference, files.report);
+  check_same(files.path, scan_cell_common::metres_per(files.path_units), verdict.path,
+             files.report);
   if (verdict.similarities.empty()) {
     throw UnusableInput(files.report, "says of no pose of the part (" + verdict.reason + ")",
                         "give the report of a run that found the part");
@@ -69,9 +76,17 @@ PlacedPart load_part(const PartFiles& files) {
 
 std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
                                       const Surface& surface) {
+  std::vector<std::size_t> all(waypoints.size());
+  std::iota(all.begin(), all.end(), 0);
+  return places_of(waypoints, surface, all);
+}
+
+std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
+                                      const Surface& surface,
+                                      const std::vector<std::size_t>& wanted) {
   constexpr double kFar = 0.02;  // [m] as the stretcher's max_path_distance
   std::vector<Surface::Place> places;
-  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+  for (const std::size_t i : wanted) {
     places.push_back(surface.nearest(waypoints[i]));
     if (places.back().distance <= kFar) continue;
     throw UnusableInput(fmt::format("waypoint {}", i),

@@ -22,6 +22,7 @@ using scan_cell::ScanPass;
 
 constexpr int kMaxLines = 5;  // of one pass; chosen
 constexpr const char* kNotSeen = "no candidate sees it";
+constexpr const char* kMore = "more passes are needed: raise max_passes";
 
 /// A pass with its lasers, and what it sees.
 struct Choice {
@@ -57,12 +58,8 @@ class Planner {
     plan.left.resize(places_.size());
     std::iota(plan.left.begin(), plan.left.end(), 0);
     while (!plan.left.empty()) {
-      if (plan.passes.size() == static_cast<std::size_t>(parameters_.max_passes)) {
-        plan.why.assign(plan.left.size(), "more passes are needed: raise max_passes");
-        return plan;
-      }
       const auto choice = best_for(plan.left, plan.passes);
-      if (!choice) break;
+      if (!choice || plan.passes.size() == static_cast<std::size_t>(parameters_.max_passes)) break;
       plan.passes.push_back(choice->pass);
       std::vector<std::size_t> left;
       std::set_difference(plan.left.begin(), plan.left.end(), choice->seen.begin(),
@@ -139,6 +136,10 @@ class Planner {
     }
     for (const std::size_t place : left)
       why_[place] = kNotSeen;
+    for (const Choice& choice : choices) {
+      for (const std::size_t place : choice.seen)
+        why_[place] = kMore;
+    }
     std::stable_sort(choices.begin(), choices.end(), is_better);
     std::vector<ScanPass> passes = first_;
     passes.insert(passes.end(), before.begin(), before.end());
@@ -148,7 +149,7 @@ class Planner {
       const std::string hindrance = hindrance_of(passes);
       if (hindrance.empty()) return choice;
       for (const std::size_t place : choice.seen) {
-        if (why_[place] == kNotSeen)
+        if (why_[place] == kMore)
           why_[place] = "seen only by passes that cannot be run: " + hindrance;
       }
     }
@@ -170,8 +171,9 @@ class Planner {
 /// The light gets weaker with the distance, and the part lies a little otherwise than was thought.
 SightParameters on_the_safe_side(SightParameters sight) {
   constexpr double kMargin = 0.1;  // [rad] chosen
-  sight.max_light_angle -= kMargin;
-  sight.max_sight_angle -= kMargin;
+  constexpr double kLeast = 0.1;   // [rad] of the parameters' range
+  sight.max_light_angle = std::max(kLeast, sight.max_light_angle - kMargin);
+  sight.max_sight_angle = std::max(kLeast, sight.max_sight_angle - kMargin);
   return sight;
 }
 
@@ -181,6 +183,19 @@ SightParameters at_good_angles(SightParameters sight, const PlanParameters& para
   return sight;
 }
 
+/// Candidates have as many lanes as the places are wide: those of a part in another unit would
+/// never end.
+void check_size(const std::vector<Surface::Place>& places) {
+  const double largest = 5 * scan_cell::ScanLimits().max_length;  // [m] factor chosen
+  Eigen::AlignedBox3d box;
+  for (const Surface::Place& place : places)
+    box.extend(place.point);
+  if (places.empty() || box.diagonal().norm() <= largest) return;
+  throw scan_cell_common::UnusableInput(
+      "path", fmt::format("its waypoints are {:g} m apart", box.diagonal().norm()),
+      fmt::format("give part and path in their unit: passes are made for up to {:g} m", largest));
+}
+
 }  // namespace
 
 PassPlan plan_passes(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
@@ -188,6 +203,7 @@ PassPlan plan_passes(const scan_cell_common::ScannerModel& scanner, const Surfac
                      const Reach& reach, const PlanParameters& parameters,
                      const std::vector<ScanPass>& first) {
   scan_cell_common::check(parameters);
+  check_size(places);
   PassPlan best;
   const SightParameters safe = on_the_safe_side(sight);
   for (const SightParameters& limits : {at_good_angles(safe, parameters), safe}) {
