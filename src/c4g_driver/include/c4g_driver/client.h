@@ -68,7 +68,8 @@ class Client {
   /// Moves all axes together to six joints [rad]. @throw as move()
   void move_to_joints(const std::vector<double>& joints, double camera_rate);
 
-  /// Whether the robot could carry out motions one after the other; nothing moves.
+  /// Whether the robot could carry out motions one after the other; nothing moves. From where it
+  /// stands: where a motion is under way, or still brakes, its end is awaited for up to 0.5 s.
   /// @param linear poses are gone to along lines, whatever is set on the controller
   /// @param joints six [rad], where the first one starts; empty: where the robot stands
   PlanCheck check(const std::vector<PlannedMotion>& plan, bool linear,

@@ -213,6 +213,16 @@ TEST_F(Together, KeepTheInstantsOfADriftingClock) {
   EXPECT_LT(median_error(), 0.25e-3);  // a millisecond at 0.25 m/s; usually 10 um
 }
 
+TEST_F(Together, CheckMotionsRightAfterAStopFromWhereTheRobotWillStand) {
+  start_long_move();
+  client_->stop();
+  c4g_driver::PlannedMotion motion;
+  motion.motion.flange = looking_down(0.8, 0, 0.6);
+  const c4g_driver::PlanCheck check = client_->check({motion}, true, {});
+  EXPECT_EQ(check.refusal, "");
+  expect_rest();
+}
+
 TEST_F(Together, NeverMoveAgainWhenTheEmergencyStopIsReleased) {
   start_long_move();
   controller_.press_e_stop();

@@ -101,6 +101,8 @@ void Client::move(const Motion& motion) {
 
 PlanCheck Client::check(const std::vector<PlannedMotion>& plan, bool linear,
                         const std::vector<double>& joints) {
+  constexpr double kBraking = 0.5;  // [s] more than a stopped robot takes to stand; chosen
+  if (joints.empty()) wait_for_goal(kBraking);
   const std::lock_guard<std::mutex> settled(settings_mutex_);
   MotionSettings settings = settings_in_force();
   RobotState from = joints.empty() ? standing() : current();
