@@ -58,6 +58,22 @@ class Passes {
         pass, 0, [&table](double x, double y) { return table.height(x, y); }, error);
   }
 
+  /// A flank of an upright sheet, 160 x 30 mm, seen from its side.
+  /// @param y [m] its place; the camera is on the side of this sign
+  void scan_flank(std::uint8_t pass, double y) {
+    std::mt19937 random(pass + 1U);
+    std::normal_distribution<double> noise(0, kNoise);
+    std::vector<ScanPoint> points;
+    for (double x = -0.08 + 1e-4 * pass; x < 0.08; x += 0.6e-3) {
+      for (double z = 0; z < 0.03; z += 0.3e-3) {
+        const Eigen::Vector3f p = Eigen::Vector3d(x, y + noise(random), z).cast<float>();
+        const float camera = y > 0 ? 0.3F : -0.3F;
+        points.push_back({p.x(), p.y(), p.z(), 100, 0, pass, {0, 0}, 3, 0, camera, 0.4F});
+      }
+    }
+    cloud.append(points);
+  }
+
   PassAgreement mend() { return bring_together(cloud, {kDeviation, kDeviation}); }
   PassAgreement measure() { return bring_together(cloud, {}); }
 
@@ -188,6 +204,48 @@ TEST(PassAgreement, IsNotComparedWherePassesHardlyShareASurface) {
   apart.scan(0, 0, plane, Eigen::Isometry3d::Identity(), -0.08, -0.03);
   apart.scan(1, 0, plane, Eigen::Isometry3d::Identity(), 0.03, 0.08);
   EXPECT_EQ(apart.mend().agreement, Agreement::kNotCompared);
+}
+
+TEST(PassAgreement, RaisesNoAlarmWhereASheetIsSeenFromBothSidesAndMovesNothing) {
+  for (const double thickness : {2e-3, 0.5e-3}) {
+    Passes passes;
+    passes.scan_flank(0, -thickness / 2);
+    passes.scan_flank(1, thickness / 2);
+    const std::vector<float> before = {passes.cloud[0].y, passes.cloud[passes.cloud.size() - 1].y};
+    const PassAgreement result = passes.mend();
+    EXPECT_NE(result.agreement, Agreement::kDisagree) << thickness << ": " << result.message;
+    EXPECT_EQ(passes.cloud[0].y, before[0]) << thickness;
+    EXPECT_EQ(passes.cloud[passes.cloud.size() - 1].y, before[1]) << thickness;
+  }
+}
+
+TEST(PassAgreement, LeavesAPassAloneThatSharesTooLittleToBeCompared) {
+  const auto plane = [](double, double) { return 0.; };
+  const Eigen::Isometry3d off = small_motion({0, 0, 0.2e-3}, {0, 0, 0});
+  Passes passes;
+  passes.scan(0, 0, plane, Eigen::Isometry3d::Identity(), -0.08, 0);
+  passes.scan(1, 0, plane, Eigen::Isometry3d::Identity(), -0.08, 0);
+  passes.scan(2, 0, plane, off, -0.0022, 0.3);
+  const float last = passes.cloud[passes.cloud.size() - 1].z;
+  const PassAgreement result = passes.mend();
+  ASSERT_EQ(result.agreement, Agreement::kMended) << result.message;
+  ASSERT_EQ(result.overlaps.size(), 1U);
+  EXPECT_NE(result.message.find("pass 3 laser_0"), std::string::npos) << result.message;
+  EXPECT_EQ(passes.cloud[passes.cloud.size() - 1].z, last);
+}
+
+TEST(PassAgreement, TellsOfAMotionThatTheRobotMayExplainAndDoesNotEnd) {
+  Passes passes;
+  passes.scan(0, Table());
+  passes.scan(1, Table(), small_motion({0, 0, 0.18e-3}, {0, 0, 0}));
+  constexpr double kFine = 0.025e-3;  // [m] three of them along an axis are a quarter of that
+  const float last = passes.cloud[passes.cloud.size() - 1].z;
+  const PassAgreement result = bring_together(passes.cloud, {kFine, kFine});
+  EXPECT_EQ(result.agreement, Agreement::kAgree) << result.message;
+  EXPECT_NE(result.message.find("not corrected: pass"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("time offset"), std::string::npos) << result.message;
+  EXPECT_FALSE(result.correction);
+  EXPECT_EQ(passes.cloud[passes.cloud.size() - 1].z, last) << "as it was captured";
 }
 
 TEST(PassAgreement, RaisesNoAlarmAtTheEdgesOfShadows) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -30,20 +31,41 @@ struct Pair {
   double distance;  // [m]
 };
 
+using SweepPairs = std::set<std::pair<std::size_t, std::size_t>>;  // indices, the lower one first
+
+SweepPairs indices_of(const std::vector<PassOverlap>& overlaps, const std::vector<Sweep>& sweeps) {
+  const auto index_of = [&](const Sweep& wanted) {
+    const auto found = std::find_if(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) {
+      return sweep.pass == wanted.pass && sweep.laser == wanted.laser;
+    });
+    return static_cast<std::size_t>(found - sweeps.begin());
+  };
+  SweepPairs pairs;
+  for (const PassOverlap& overlap : overlaps)
+    pairs.insert(std::minmax({index_of(overlap.one), index_of(overlap.other)}));
+  return pairs;
+}
+
 template <class Take>
-void for_each_pair(const SharedPlaces& shared, const Take& take) {
+void for_each_pair(const SharedPlaces& shared, const SweepPairs& compared, const Take& take) {
   constexpr std::size_t kMaxPartners = 8;  // of a sweep at a place; chosen
   for (const std::vector<SweepPatch>& patches : shared.places) {
     for (std::size_t i = 0; i < patches.size(); ++i) {
-      for (std::size_t j = i + 1; j < std::min(patches.size(), i + 1 + kMaxPartners); ++j)
-        if (patches[i].whole && patches[j].whole) take(patches[i], patches[j]);
+      for (std::size_t j = i + 1; j < std::min(patches.size(), i + 1 + kMaxPartners); ++j) {
+        const SweepPatch& one = patches[i];
+        const SweepPatch& other = patches[j];
+        if (one.whole && other.whole && same_side(one, other) &&
+            compared.count({one.sweep, other.sweep}) > 0)
+          take(one, other);
+      }
     }
   }
 }
 
-std::vector<Pair> pairs_of(const SharedPlaces& shared, const Eigen::Vector3d& centre) {
+std::vector<Pair> pairs_of(const SharedPlaces& shared, const SweepPairs& compared,
+                           const Eigen::Vector3d& centre) {
   std::vector<Pair> pairs;
-  for_each_pair(shared, [&](const SweepPatch& one, const SweepPatch& other) {
+  for_each_pair(shared, compared, [&](const SweepPatch& one, const SweepPatch& other) {
     const Eigen::Vector3d& normal = one.normal;
     const Eigen::Vector3d lever = (one.mean - centre).cross(normal);
     Row row;
@@ -60,22 +82,25 @@ double distance_after(const Pair& pair, const Eigen::VectorXd& motions) {
          pair.row.tail<6>().dot(motions.segment<6>(pair.other));
 }
 
-}  // namespace
-
-Eigen::Vector3d centre_of(const SharedPlaces& shared) {
+/// [m] the mean of the places where sweeps are compared.
+Eigen::Vector3d centre_of(const SharedPlaces& shared, const SweepPairs& compared) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double count = 0;
-  for_each_pair(shared, [&](const SweepPatch& one, const SweepPatch&) {
+  for_each_pair(shared, compared, [&](const SweepPatch& one, const SweepPatch&) {
     sum += one.mean;
     ++count;
   });
   return count > 0 ? (sum / count).eval() : sum;
 }
 
-PassCorrection find_correction(const SharedPlaces& shared, const Eigen::MatrixXd& covariance) {
+}  // namespace
+
+PassCorrection find_correction(const SharedPlaces& shared, const std::vector<PassOverlap>& overlaps,
+                               const Eigen::MatrixXd& covariance) {
   PassCorrection correction;
-  correction.centre = centre_of(shared);
-  const std::vector<Pair> pairs = pairs_of(shared, correction.centre);
+  const SweepPairs compared = indices_of(overlaps, shared.sweeps);
+  correction.centre = centre_of(shared, compared);
+  const std::vector<Pair> pairs = pairs_of(shared, compared, correction.centre);
   const Eigen::Index size = covariance.rows();
   // x = C (1 + H C)^-1 g instead of (C^-1 + H)^-1 g: C may lack directions that cannot move.
   Eigen::VectorXd motions = Eigen::VectorXd::Zero(size);

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "shared_places.h"
+#include "pass_overlap.h"
 
 namespace laser_triangulation {
 
@@ -24,15 +24,14 @@ struct PassCorrection {
   double deviations = 0;
 };
 
-/// [m] the mean of the places where sweeps can be compared; what a covariance refers to.
-Eigen::Vector3d centre_of(const SharedPlaces& shared);
-
 /// Finds all motions at once: the surfaces of each pair come to lie in each other (point to plane,
 /// robust against what does not fit), and the motions stay as small as their covariance wants them.
 /// That holds what the surfaces do not: they do not slide along a plane.
-/// @param covariance of all motions about centre_of() in their order: shift [m], turn [rad] of
-/// each sweep
-PassCorrection find_correction(const SharedPlaces& shared, const Eigen::MatrixXd& covariance);
+/// @param overlaps the pairs that are used; others share too little to tell a motion
+/// @param covariance of all motions about PassCorrection::centre in their order: shift [m], turn
+/// [rad] of each sweep
+PassCorrection find_correction(const SharedPlaces& shared, const std::vector<PassOverlap>& overlaps,
+                               const Eigen::MatrixXd& covariance);
 
 /// The motion as a transform of points.
 Eigen::Isometry3d transform(const SweepMotion& motion, const Eigen::Vector3d& centre);

@@ -20,10 +20,12 @@ constexpr double kMinShareApart = 0.02;    // of the points of a pair; chosen
 
 /// [m] of two sweeps at a place; none where they cannot be compared there.
 std::optional<double> distance(const SweepPatch& one, const SweepPatch& other) {
-  if (one.whole && other.whole) return std::abs(one.normal.dot(other.nearest - one.mean));
   if (!one.whole && !other.whole) return std::nullopt;
   const SweepPatch& surface = one.whole ? one : other;
-  const Eigen::Vector3d offset = (one.whole ? other : one).nearest - surface.mean;
+  const SweepPatch& second = one.whole ? other : one;
+  if (!same_side(surface, second)) return std::nullopt;
+  const Eigen::Vector3d offset = second.nearest - surface.mean;
+  if (second.whole) return std::abs(surface.normal.dot(offset));
   const double height = surface.normal.dot(offset);
   const double beside = (offset - height * surface.normal).norm();
   // Nearer, or beside it, is a rim; above or below a whole surface is another surface.

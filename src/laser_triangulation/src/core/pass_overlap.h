@@ -22,8 +22,8 @@ struct PassOverlap {
 constexpr double kApart = 1e-3;
 
 /// Compares the sweeps in pairs: a point of one with the plane through the other's surface around
-/// it. Edges, rims of shadows, and what only one of them saw are passed over. Pairs that share too
-/// little are left out.
+/// it. Edges, rims of shadows, the two sides of a wall, and what only one of them saw are passed
+/// over. Pairs that share too little are left out.
 std::vector<PassOverlap> compare_sweeps(const SharedPlaces& shared);
 
 /// Sweeps that could be compared with no other.

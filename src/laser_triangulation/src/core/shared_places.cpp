@@ -133,6 +133,13 @@ const std::vector<std::size_t>& PlaceGrid::near(const Eigen::Vector3d& point) co
   return found == cells_.end() ? none : found->second;
 }
 
+bool same_side(const SweepPatch& whole, const SweepPatch& other) {
+  const auto height_of_view = [&](const SweepPatch& patch) {
+    return whole.normal.dot(patch.from - patch.nearest);
+  };
+  return height_of_view(whole) * height_of_view(other) >= 0;
+}
+
 SharedPlaces find_shared_places(const ScanCloud& cloud) {
   SharedPlaces shared;
   shared.sweeps = sweeps_of(cloud);

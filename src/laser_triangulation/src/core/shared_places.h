@@ -28,6 +28,10 @@ struct SweepPatch {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  //!< of a whole patch
 };
 
+/// Whether a patch was seen from the side of a whole patch that this was seen from. Otherwise they
+/// are front and back of a wall or a sheet.
+bool same_side(const SweepPatch& whole, const SweepPatch& other);
+
 /// Places that are spread over the cloud, and what each sweep has there.
 struct SharedPlaces {
   static constexpr double kReach = 2e-3;  //!< [m] of a patch around its place; chosen
