@@ -6,6 +6,7 @@
 #include "pass_planner/plan.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
+#include "tool_path_stretcher/reported_verdict.h"
 #include "wall_and_roof.h"
 
 namespace pass_planner {
@@ -228,6 +229,35 @@ TEST_F(Planning, NamesTheWaypointOffTheSurfaceAmongThoseOfThePath) {
     FAIL() << "50 mm off the surface is taken";
   } catch (const scan_cell_common::UnusableInput& error) {
     EXPECT_EQ(error.thing(), "waypoint 2");
+  }
+}
+
+TEST(ReportedPart, IsRefusedInAnotherUnitThanTheReports) {
+  const std::string folder = testing::TempDir();
+  const PartFiles files = {folder + "unit.obj", folder + "unit.csv", folder + "unit.json", 1, "m"};
+  scan_cell_common::save_text(files.reference, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  scan_cell_common::save_text(files.path, "x,y,z\n0.1,0.1,0\n0.2,0.1,0\n");
+  const auto record = [](const std::string& file) {
+    const auto of = tool_path_stretcher::record_of(file, "mm");
+    return R"({"name": ")" + of.name + R"(", "sha256": ")" + of.sha256 + R"(", "units": "mm"})";
+  };
+  scan_cell_common::save_text(files.report,
+                              R"({"verdict": "refused", "reason": "path_not_scanned", "message": "",
+          "waypoints_concerned": [1], "candidates": [], "quality": [], "path": null,
+          "transform": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+          "reference_points": null, "object_points": null,
+          "files": {"object": null, "output": null, "reference": )" +
+                                  record(files.reference) + R"(, "path": )" + record(files.path) +
+                                  "}}");
+  PartFiles in_mm = files;
+  in_mm.reference_metres = 0.001;
+  in_mm.path_units = "mm";
+  EXPECT_EQ(load_part(in_mm).wanted, std::vector<std::size_t>{1});
+  try {
+    load_part(files);
+    FAIL() << "a part of millimetres is taken for one of metres";
+  } catch (const scan_cell_common::UnusableInput& error) {
+    EXPECT_NE(error.cure().find("mm"), std::string::npos) << error.what();
   }
 }
 
