@@ -69,31 +69,45 @@ void append_length(const std::uint8_t* metres, double per_metre, std::string& by
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+/// How one field of each point is written.
+struct Column {
+  std::size_t offset;  // [bytes] in a point
+  std::size_t size;    // [bytes]
+  bool is_scaled;      // a length, in another unit than metres
+};
+
+std::vector<Column> columns_of(const std::vector<CloudField>& fields, double metres_per_unit) {
+  std::vector<std::size_t> lengths;
+  for (const std::string& prefix : place_prefixes()) {
+    const std::vector<std::size_t> place = offsets_of(fields, prefix);
+    if (metres_per_unit != 1) lengths.insert(lengths.end(), place.begin(), place.end());
+  }
+  std::vector<Column> columns;
+  for (const CloudField& field : fields) {
+    const bool is_scaled = std::find(lengths.begin(), lengths.end(), field.offset) != lengths.end();
+    columns.push_back({field.offset, size_of(field.type), is_scaled});
+  }
+  return columns;
+}
+
 /// The fields one behind the other, without what lies between them in memory; in blocks: the cloud
 /// may take most of the memory.
 void write_points(std::ostream& file, const PointsToWrite& points, double metres_per_unit) {
   constexpr std::size_t kAtOnce = 65536;
   const double per_metre = 1 / metres_per_unit;
-  std::vector<std::size_t> lengths;
-  for (const std::string& prefix : place_prefixes()) {
-    const std::vector<std::size_t> place = offsets_of(points.fields, prefix);
-    if (metres_per_unit != 1) lengths.insert(lengths.end(), place.begin(), place.end());
-  }
-  const auto is_length = [&](const CloudField& field) {
-    return std::find(lengths.begin(), lengths.end(), field.offset) != lengths.end();
-  };
+  const std::vector<Column> columns = columns_of(points.fields, metres_per_unit);
   std::string bytes;
   const std::size_t count = points.width * points.height;
   for (std::size_t begin = 0; begin < count && file; begin += kAtOnce) {
     bytes.clear();
     for (std::size_t i = begin; i < std::min(begin + kAtOnce, count); ++i) {
       const std::uint8_t* const point = points.at(i);
-      for (const CloudField& field : points.fields) {
-        const std::uint8_t* const value = point + field.offset;
-        if (is_length(field)) {
+      for (const Column& column : columns) {
+        const std::uint8_t* const value = point + column.offset;
+        if (column.is_scaled) {
           append_length(value, per_metre, bytes);
         } else {
-          bytes.append(reinterpret_cast<const char*>(value), size_of(field.type));
+          bytes.append(reinterpret_cast<const char*>(value), column.size);
         }
       }
     }
