@@ -5,7 +5,7 @@ SHELL := /bin/bash
 export PATH := /usr/bin:$(PATH)
 export ROS_LANG_DISABLE := genlisp:geneus:gennodejs
 JOBS ?= $(shell nproc)
-# simulated cells side by side in make test; each needs about a tenth of a processor
+# rostests side by side in make test; a simulated cell counts as two
 CELLS ?= $(shell echo $$((2 * $(JOBS))))
 # of each reader, in make fuzz
 RUNS ?= 2000000

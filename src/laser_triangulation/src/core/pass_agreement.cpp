@@ -20,10 +20,6 @@ constexpr double kMaxDeviations = 3;  // of a motion along each axis; chosen, as
 // both passes have them. The calibration's uncertainty knows nothing of the robot.
 constexpr double kMinToEnd = 2 * (0.1e-3 + 0.05e-3);
 
-std::string name_of(const Sweep& sweep) {
-  return fmt::format("pass {} laser_{}", sweep.pass + 1, sweep.laser);
-}
-
 /// Variances of a sweep's shift [m2] and turn [rad2] along and about each axis. Those of the sweeps
 /// are taken as independent, which allows more than the lasers' common errors would.
 std::optional<Eigen::MatrixXd> covariance_of(const std::vector<Sweep>& sweeps,

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared_places.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "scan_cell_common/scanner/scanner_model.h"
 
 namespace laser_triangulation {
 namespace {
@@ -114,6 +118,10 @@ Sums& sums_of(std::vector<Sums>& of_place, std::size_t sweep) {
 }
 
 }  // namespace
+
+std::string name_of(const Sweep& sweep) {
+  return fmt::format("pass {} {}", sweep.pass + 1, scan_cell_common::laser_name(sweep.laser));
+}
 
 PlaceGrid::PlaceGrid(const std::vector<Eigen::Vector3d>& centres) {
   for (std::size_t i = 0; i < centres.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Sweep {
   std::uint8_t pass = 0;   //!< from 0
   std::uint8_t laser = 0;  //!< its index
 };
+
+/// For a person: "pass 2 laser_1".
+std::string name_of(const Sweep& sweep);
 
 /// What one sweep has near a place.
 struct SweepPatch {

@@ -157,18 +157,18 @@ std::vector<std::string> CloudBuilder::agreement_lines(
   const std::size_t pairs = std::min(kMaxPairs, statistics.overlaps.size());
   for (std::size_t i = 0; i < pairs; ++i) {
     const scan_cell_msgs::PassOverlap& overlap = statistics.overlaps[i];
-    lines.push_back(fmt::format(
-        "pass {} laser_{} and pass {} laser_{}: {:.3f} mm apart, 95 % within {:.3f} mm",
-        overlap.pass_one + 1, overlap.laser_one, overlap.pass_other + 1, overlap.laser_other,
-        kMillimetres * overlap.median, kMillimetres * overlap.most));
+    lines.push_back(fmt::format("{} and {}: {:.3f} mm apart, 95 % within {:.3f} mm",
+                                name_of({overlap.pass_one, overlap.laser_one}),
+                                name_of({overlap.pass_other, overlap.laser_other}),
+                                kMillimetres * overlap.median, kMillimetres * overlap.most));
   }
   if (pairs < statistics.overlaps.size())
     lines.push_back(fmt::format("and {} more pairs", statistics.overlaps.size() - pairs));
   for (const scan_cell_msgs::PassCorrection& correction : statistics.corrections) {
     const geometry_msgs::Vector3& shift = correction.shift;
     const geometry_msgs::Vector3& turn = correction.turn;
-    lines.push_back(fmt::format("pass {} laser_{} was moved by {:.3f} mm and {:.4f} degrees",
-                                correction.pass_index + 1, correction.laser,
+    lines.push_back(fmt::format("{} was moved by {:.3f} mm and {:.4f} degrees",
+                                name_of({correction.pass_index, correction.laser}),
                                 kMillimetres * std::hypot(shift.x, shift.y, shift.z),
                                 kDegrees * std::hypot(turn.x, turn.y, turn.z)));
   }
@@ -180,8 +180,7 @@ std::string CloudBuilder::find_dark_sweep() const {
     if (sweep.points > 0) continue;
     return fmt::format(
         "pass {}: {} gave no line in {} profiles; is it on, is the part within its range, and is "
-        "the "
-        "camera's exposure long enough?",
+        "the camera's exposure long enough?",
         name.first + 1, scan_cell_common::laser_name(name.second), sweep.profiles);
   }
   return "";
