@@ -81,9 +81,10 @@ class LaserTriggerNode(unittest.TestCase):
         rospy.Subscriber('/laser_trigger/events', TriggerEvent, cls.events.append)
         rospy.Subscriber('/laser_trigger/state', TriggerState, cls.states.append)
         cls.keep_alive = rospy.Publisher('/laser_trigger/keep_alive', Empty, queue_size=1)
-        for name in ('arm', 'disarm'):
+        for name in ('arm', 'check_arm', 'disarm'):
             rospy.wait_for_service('/laser_trigger/' + name, 30)
         cls.arm = rospy.ServiceProxy('/laser_trigger/arm', ArmTrigger)
+        cls.check_arm = rospy.ServiceProxy('/laser_trigger/check_arm', ArmTrigger)
         cls.disarm = rospy.ServiceProxy('/laser_trigger/disarm', DisarmTrigger)
         cls.keep_alive_wanted = True
         threading.Thread(target=cls.keep_it_alive, daemon=True).start()
@@ -167,6 +168,22 @@ class LaserTriggerNode(unittest.TestCase):
         self.assertFalse(answer.success)
         self.assertIn('already armed', answer.message)
         self.disarm()
+
+    def test_3b_tells_whether_it_would_be_armed_and_writes_no_line(self):
+        self.lines_go_low()
+        before = len(self.circuit.writes)
+        for request, word in ((dict(rate=900, lasers=3, alternate=True), '833 Hz'),
+                              (dict(rate=100, lasers=3, alternate=True, exposure=0.0098), 'exposure of 9.9 ms'),
+                              (dict(rate=100, lasers=3, alternate=True, exposure=0.0096), None)):
+            answer = self.check_arm(**request)
+            self.assertEqual(answer.success, word is None, answer.message)
+            self.assertIn(word or '', answer.message)
+            self.assertEqual(answer.arming, 0)
+        self.arm_and_wait(0)
+        self.assertIn('already armed', self.check_arm(rate=100, lasers=3).message)
+        self.disarm()
+        self.lines_go_low()
+        self.assertEqual([data for _, data in self.circuit.writes[before:] if data[0] & ~PULSE], [])
 
     def test_4_disarms_with_a_reason_without_keep_alive(self):
         self.arm_and_wait(3)

@@ -118,6 +118,11 @@ struct FakeCamera : scan_cell::Camera {
 struct FakeTrigger : scan_cell::Trigger {
   FakeTrigger(FakeCell& c, const FakeRobot& r) : cell(c), robot(r) {}
   std::string trouble() const override { return cell.trouble("trigger"); }
+  bool check(double, const scan_cell::Lighting& lighting) override {
+    if (lighting.alternate && lighting.exposure > most_to_alternate)
+      throw scan_cell_common::Refused("rate", "100 Hz to alternate", "expose for less");
+    return checks;
+  }
   void arm(double, const scan_cell::Lighting& lighting) override {
     moving_when_armed = robot.motion().progress > 0;
     EXPECT_FALSE(cell.armed) << "between passes the lasers are off";
@@ -135,6 +140,8 @@ struct FakeTrigger : scan_cell::Trigger {
   FakeCell& cell;
   const FakeRobot& robot;
   std::vector<scan_cell::Lighting> armings;
+  bool checks = true;            // its node has the service
+  double most_to_alternate = 1;  // [s] exposure
   bool moving_when_armed = false;
   bool answers = true;
   std::size_t silent_arming = 0;  // that sends no pulse, from 1; 0: each sends some

@@ -110,6 +110,12 @@ struct FakeCamera : scan_cell::SnapshotCamera {
 struct FakeTrigger : scan_cell::Trigger {
   explicit FakeTrigger(FakeCell& c) : cell(c) {}
   std::string trouble() const override { return lost && cell.armed ? "trigger is lost" : ""; }
+  bool check(double r, const scan_cell::Lighting& lighting) override {
+    if (r < least_rate)
+      throw scan_cell_common::Refused("rate", "laser mask " + std::to_string(lighting.lasers),
+                                      "pulse faster");
+    return true;
+  }
   void arm(double r, const scan_cell::Lighting& lighting) override {
     rates.push_back(r);
     cell.armed = true;
@@ -125,6 +131,7 @@ struct FakeTrigger : scan_cell::Trigger {
   void keep_alive() override { cell.note("keep alive"); }
   FakeCell& cell;
   std::vector<double> rates;
+  double least_rate = 0;  // [Hz] that it takes
   bool lost = false;
   bool answers = true;
 };

@@ -69,6 +69,28 @@ TEST_F(CameraOfPasses, AreRefusedByTheNameOfThePassBeforeAnythingMoves) {
   EXPECT_FALSE(cell_.noted("start stages"));
 }
 
+TEST_F(CameraOfPasses, AreRefusedWhereTheyLeaveLasersNoTimeToTakeTurnsBeforeAnythingMoves) {
+  trigger_.most_to_alternate = 0.003;
+  const scan_cell::SequenceEnd end = run();
+  EXPECT_EQ(end.outcome, Outcome::kRefused);
+  EXPECT_EQ(end.message,
+            "pass 2: trigger: cannot be armed so; rate: 100 Hz to alternate; expose for less");
+  EXPECT_EQ(cell_.moves, 0);
+  EXPECT_FALSE(cell_.noted("start stages"));
+  EXPECT_TRUE(cell_.noted("restore camera"));
+}
+
+TEST_F(CameraOfPasses, AreNotNeededToRefuseLasersThatHaveNoTimeToTakeTurns) {
+  trigger_.most_to_alternate = 0.0005;
+  request_.passes = {line(0.6, 0.9)};
+  EXPECT_EQ(run().outcome, Outcome::kFinished) << "one laser takes no turns";
+  cell_ = {};
+  observer_.last = 0;
+  request_.passes[0].lasers = PassLasers::kAlternate;
+  EXPECT_EQ(run().outcome, Outcome::kRefused) << "the camera's own 1 ms";
+  EXPECT_EQ(cell_.moves, 0);
+}
+
 TEST_F(CameraOfPasses, AreUndoneWhereTheScanEndsEarly) {
   robot_.fails = true;
   EXPECT_EQ(run().outcome, Outcome::kMotionFailed);

@@ -3,6 +3,7 @@
 
 /// A program is checked whole before anything moves.
 #include "fake_scan_cell.h"
+#include "sequence/program_check.h"
 
 using scan_cell::Outcome;
 using scan_cell::PassKind;
@@ -25,6 +26,11 @@ class ProgramCheck : public ScanSequence {
     way.kind = PassKind::kPolyline;
     way.poses = {at(0.7), at(0.8), at(0.8, 0.2)};
     request_.passes = {there_and_back, arc, way};
+  }
+
+  std::vector<std::string> check_at_rest() {
+    return scan_cell::check_at_rest({robot_, trigger_, stages_},
+                                    scan_cell::runs_of(request_.passes), 0.2);
   }
 
   std::string refusal_of(std::size_t motion) {
@@ -84,4 +90,51 @@ TEST_F(ProgramCheck, IsARobotThatIsLostWhereItDoesNotAnswer) {
   cell_.throws_at = "check";
   EXPECT_EQ(run().outcome, Outcome::kRobotLost);
   EXPECT_FALSE(cell_.noted("move 1"));
+}
+
+TEST_F(ProgramCheck, SaysSoWhereTheTriggerCannotTellWhetherItWouldBeArmed) {
+  trigger_.checks = false;
+  scan_cell::ScanSequence sequence(robot_, camera_, trigger_, stages_, observer_, {}, timing_);
+  EXPECT_EQ(sequence.run(request_, [] { return ""; }).outcome, Outcome::kFinished);
+  ASSERT_EQ(sequence.warnings().size(), 1U);
+  EXPECT_NE(sequence.warnings()[0].find("rates and lasers"), std::string::npos);
+}
+
+TEST_F(ProgramCheck, LeavesTheCameraAloneWhereNothingIsScannedAndSaysWhatThatLeavesOpen) {
+  EXPECT_EQ(check_at_rest(), std::vector<std::string>());
+  request_.passes[0].camera.detector = "threshold";
+  request_.passes[1].lasers = PassLasers::kAlternate;
+  const std::vector<std::string> warnings = check_at_rest();
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_NE(warnings[0].find("settings of its pass was not checked (pass 1 (flank)):"),
+            std::string::npos)
+      << warnings[0];
+  EXPECT_NE(warnings[1].find("take turns was not checked (pass 2):"), std::string::npos)
+      << warnings[1];
+  EXPECT_TRUE(camera_.settings.empty());
+  EXPECT_TRUE(cell_.log.empty());
+}
+
+TEST_F(ProgramCheck, RefusesAnExposureOfItsOwnThatLeavesLasersNoTimeAlsoWhereNothingIsScanned) {
+  trigger_.most_to_alternate = 0.003;
+  request_.passes[1].lasers = PassLasers::kAlternate;
+  EXPECT_NO_THROW(check_at_rest()) << "nobody knows the exposure";
+  request_.passes[1].camera.exposure = 0.004;
+  try {
+    check_at_rest();
+    FAIL() << "it was not refused";
+  } catch (const scan_cell::EndEarly& end) {
+    EXPECT_EQ(end.outcome, Outcome::kRefused);
+    EXPECT_EQ(end.message.find("pass 2: trigger: cannot be armed so"), 0U) << end.message;
+  }
+}
+
+TEST_F(ProgramCheck, TellsADeviceThatDoesNotAnswerFromOneThatRefuses) {
+  cell_.throws_at = "check";
+  try {
+    check_at_rest();
+    FAIL() << "nobody was asked";
+  } catch (const scan_cell::EndEarly& end) {
+    EXPECT_EQ(end.outcome, Outcome::kRobotLost);
+  }
 }

@@ -116,10 +116,11 @@ TEST_F(ScanInPasses, NamesThatPassAlsoWhereOneBeforeItWasNotPulsed) {
   EXPECT_NE(end.message.find("of 77 pulses of pass 2"), std::string::npos) << end.message;
 }
 
-TEST_F(ScanInPasses, IsRefusedWhereTheTriggerRefusesToTakeTurnsSoFast) {
+TEST_F(ScanInPasses, LosesATriggerThatRefusesInMidMotionWhatItTookBefore) {
   cell_.refused_at = "arm";
   const scan_cell::SequenceEnd end = run();
-  EXPECT_EQ(end.outcome, Outcome::kRefused) << end.message;
+  EXPECT_EQ(end.outcome, Outcome::kTriggerLost) << "refused is what was never begun";
+  EXPECT_EQ(end.message, "arm: refused; ask for less");
   EXPECT_TRUE(cell_.noted("disarm"));
   EXPECT_TRUE(cell_.noted("stop robot"));
 }

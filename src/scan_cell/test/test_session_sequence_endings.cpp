@@ -118,6 +118,14 @@ TEST_F(SessionSequence, SaysWhereTheCameraCouldNotBeRestored) {
   EXPECT_EQ(result.views, 4);
 }
 
+TEST_F(SessionSequence, RefusesARateThatTheTriggerDoesNotTakeBeforeAnythingMoves) {
+  trigger_.least_rate = 5;
+  const scan_cell::SessionEnd result = run();
+  EXPECT_EQ(result.end.outcome, Outcome::kRefused);
+  EXPECT_EQ(result.end.message, "rate: laser mask 0; pulse faster") << "2.5 Hz, with 0.2 s";
+  EXPECT_TRUE(cell_.log.empty());
+}
+
 TEST_F(SessionSequence, RefusesWhatMakesNoSenseBeforeAnythingMoves) {
   const std::vector<std::function<void(scan_cell::SessionRequest&)>> mistakes = {
       [](auto& request) { request.poses.clear(); }, [](auto& request) { request.lasers = 4; },

@@ -100,6 +100,10 @@ class PulseGenerator {
   /// @throw scan_cell_common::ConnectionError if circuit or guardian cannot be reached
   std::uint32_t arm(const Arming& arming);
 
+  /// Whether arm() would take it now, as far as that can be told without writing to the port.
+  /// @throw scan_cell_common::Refused as arm()
+  void check(const Arming& arming) const;
+
   /// Sets the lines low.
   /// @return state of the arming that ended; arming 0 if there was none
   TriggerStatus disarm(const std::string& reason);
@@ -114,6 +118,7 @@ class PulseGenerator {
   using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
 
   std::string set_realtime_priority();
+  void check_locked(const Arming& arming) const;
   void run();
   void generate();
   void send_pulse(Clock::time_point deadline, std::uint32_t arming);

@@ -72,12 +72,21 @@ std::string PulseGenerator::set_realtime_priority() {
       settings_.realtime_priority, std::strerror(error));
 }
 
+void PulseGenerator::check(const Arming& arming) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  check_locked(arming);
+}
+
+void PulseGenerator::check_locked(const Arming& arming) const {
+  laser_trigger::check(arming, settings_);
+  if (status_.armed) throw Refused("trigger", "already armed", "disarm it first");
+}
+
 std::uint32_t PulseGenerator::arm(const Arming& arming) {
   std::uint32_t number = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    check(arming, settings_);
-    if (status_.armed) throw Refused("trigger", "already armed", "disarm it first");
+    check_locked(arming);
     if (guardian_ != nullptr) guardian_->alive(true);
     const std::uint8_t first = lasers_of(arming, 1);
     try {

@@ -13,6 +13,16 @@ namespace laser_trigger {
 using scan_cell_msgs::ArmTrigger;
 using scan_cell_msgs::DisarmTrigger;
 
+namespace {
+
+PulseGenerator::Arming arming_of(const ArmTrigger::Request& request) {
+  constexpr bool kPulses = true;
+  return {request.rate, request.lasers,         request.longest_on.toSec(),
+          kPulses,      request.alternate != 0, request.exposure};
+}
+
+}  // namespace
+
 TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& parameters,
                                  TriggerPort& port, Guardian& guardian)
     : listeners_([this](const std::string& gone) { on_listener_gone(gone); }) {
@@ -29,6 +39,7 @@ TriggerServices::TriggerServices(ros::NodeHandle node, const Parameters& paramet
       [this](const std_msgs::EmptyConstPtr&) { generator_->keep_alive(); };
   keep_alive_ = node.subscribe<std_msgs::Empty>("keep_alive", 1, keep_alive);
   arm_ = node.advertiseService("arm", &TriggerServices::arm, this);
+  check_arm_ = node.advertiseService("check_arm", &TriggerServices::check_arm, this);
   disarm_ = node.advertiseService("disarm", &TriggerServices::disarm, this);
   diagnostics_.setHardwareID(parameters.port.name());
   diagnostics_.add("trigger", this, &TriggerServices::diagnose);
@@ -60,12 +71,14 @@ bool TriggerServices::arm(ArmEvent& event) {
   const std::string& caller = event.getCallerName();
   const bool listened = listeners_.contains(caller);
   return scan_cell_common::answer(response, [&] {
-    constexpr bool kPulses = true;
-    response.arming = generator_->arm({request.rate, request.lasers, request.longest_on.toSec(),
-                                       kPulses, request.alternate != 0, request.exposure});
+    response.arming = generator_->arm(arming_of(request));
     client_ = listened ? caller : "";
     if (listened && !listeners_.contains(caller)) end_of_client();
   });
+}
+
+bool TriggerServices::check_arm(ArmTrigger::Request& request, ArmTrigger::Response& response) {
+  return scan_cell_common::answer(response, [&] { generator_->check(arming_of(request)); });
 }
 
 bool TriggerServices::disarm(DisarmTrigger::Request&, DisarmTrigger::Response& response) {

@@ -32,6 +32,8 @@ class TriggerServices {
       ros::ServiceEvent<scan_cell_msgs::ArmTrigger::Request, scan_cell_msgs::ArmTrigger::Response>;
 
   bool arm(ArmEvent& event);
+  bool check_arm(scan_cell_msgs::ArmTrigger::Request& request,
+                 scan_cell_msgs::ArmTrigger::Response& response);
   bool disarm(scan_cell_msgs::DisarmTrigger::Request& request,
               scan_cell_msgs::DisarmTrigger::Response& response);
   void on_listener_gone(const std::string& node);
@@ -49,6 +51,7 @@ class TriggerServices {
   std::unique_ptr<PulseGenerator> generator_;
   ros::Subscriber keep_alive_;
   ros::ServiceServer arm_;
+  ros::ServiceServer check_arm_;
   ros::ServiceServer disarm_;
   diagnostic_updater::Updater diagnostics_;
   ros::Timer diagnostics_timer_;

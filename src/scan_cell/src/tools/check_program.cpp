@@ -12,14 +12,18 @@
 namespace {
 
 /// @throw Refused if the cell could not scan it, naming the pass
+/// @throw ConnectionError if nobody knows
 void check(const std::string& file, const std::string& cell, double timeout) {
   const scan_cell::ScanProgram program = scan_cell::load_scan_program(file);
   const scan_cell_msgs::ScanGoal goal = scan_cell::scan_goal(program, "");
   scan_cell_msgs::CheckProgram::Request request;
   request.frame = goal.frame;
   request.passes = goal.passes;
-  const auto answer =
-      scan_cell::call<scan_cell_msgs::CheckProgram>(cell + "/check_program", request, timeout);
+  const std::string service = cell + "/check_program";
+  const auto answer = scan_cell::ask<scan_cell_msgs::CheckProgram>(service, request, timeout);
+  if (answer.link_lost != 0)
+    throw scan_cell_common::ConnectionError(file, "not checked", answer.message);
+  scan_cell::check_answer(service, answer);
   for (const std::string& warning : answer.warnings)
     std::printf("%s: warning: %s\n", file.c_str(), warning.c_str());
   std::printf("%s: %zu %s, nothing stands in the way from where the robot stands now\n",

@@ -9,6 +9,7 @@ hangs       service of the trigger that answers late: arm or disarm
 speed       refused: the driver refuses one; lost: it has no link to the controller
 binder      missing: it misses trigger events; no pose: the whole last arming is dropped; no end: the frames of the last pulses; broken: its service fails
 uncalibrated lasers that the scanner model does not have (mask)
+exposure    [s] of the camera (default 0.001)
 move_time   [s] a motion takes (default 1.5)
 """
 
@@ -62,7 +63,8 @@ class FakeCell:
         rospy.Service('/c4g_driver/set_linear_speed', srv.SetLinearSpeed, self.on_speed)
         rospy.Service('/c4g_driver/set_parameter', srv.SetControllerParameter, lambda _: ok)
         rospy.Service('/c4g_driver/get_static_pose', srv.GetStaticPose, self.on_static_pose)
-        rospy.Service('/camera/set_acquisition', srv.SetAcquisition, lambda _: ok)
+        rospy.Service('/camera/set_acquisition', srv.SetAcquisition, self.on_set_acquisition)
+        rospy.Service('/laser_trigger/check_arm', srv.ArmTrigger, self.on_check_arm)
         rospy.Service('/laser_trigger/arm', srv.ArmTrigger, self.on_arm)
         rospy.Service('/laser_trigger/disarm', srv.DisarmTrigger, self.on_disarm)
 
@@ -92,6 +94,16 @@ class FakeCell:
         answer.pose.pose.position.x = fake('flange_x', 0.5)
         answer.pose.pose.orientation.x = 1
         return answer
+
+    @staticmethod
+    def on_set_acquisition(_):
+        answer = srv.SetAcquisitionResponse(success=True)
+        answer.taken.exposure = fake('exposure', 0.001)
+        return answer
+
+    def on_check_arm(self, request):
+        fits = not request.alternate or request.exposure * request.rate < 1
+        return {'success': fits, 'message': 'rate: %g Hz to alternate' % request.rate}
 
     def on_arm(self, request):
         if fake('hangs') == 'arm':

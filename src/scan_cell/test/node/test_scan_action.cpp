@@ -268,13 +268,35 @@ TEST_F(ScanClient, RefusesALaserThatIsNotCalibratedByItsPassBeforeAnythingMoves)
   EXPECT_EQ(result.audit.triggers, 0U);
 }
 
+TEST_F(ScanClient, RefusesLasersThatHaveNoTimeToTakeTurnsBeforeAnythingMoves) {
+  ros::param::set("/fake/exposure", 0.03);
+  scan_cell_msgs::ScanGoal program = goal("alternate");
+  program.passes.push_back(program.passes.front());
+  program.passes[1].lasers = scan_cell_msgs::ScanPass::ALTERNATE;
+  const ScanResult result = run(program);
+  EXPECT_EQ(result.outcome, ScanResult::REFUSED);
+  EXPECT_EQ(result.message,
+            "pass 2: trigger: cannot be armed so; /laser_trigger/check_arm: refused; rate: 50 Hz "
+            "to alternate");
+  EXPECT_EQ(result.audit.triggers, 0U) << "the first pass was not begun";
+}
+
 TEST_F(ScanClient, SaysThatTheReachWasNotCheckedWhereTheDriverCannot) {
   const ScanResult result = run(goal("not checked"));
   EXPECT_EQ(result.outcome, ScanResult::FINISHED) << result.message;
   ASSERT_EQ(result.warnings.size(), 1U);
   EXPECT_NE(result.warnings[0].find("were not checked"), std::string::npos) << result.warnings[0];
-  ChildProcess tool({CHECK_PROGRAM_TOOL, "--program", SCAN_PROGRAM});
-  EXPECT_EQ(tool.wait(), 0);
+}
+
+TEST_F(ScanClient, TellsAProgramThatCannotBeScannedFromOneThatNobodyChecked) {
+  const auto check = [](const std::string& cell) {
+    ChildProcess tool({CHECK_PROGRAM_TOOL, "--program", SCAN_PROGRAM, "--cell", cell});
+    return tool.wait();
+  };
+  EXPECT_EQ(check("/scan_cell"), 0);
+  ros::param::set("/fake/uncalibrated", 1);
+  EXPECT_EQ(check("/scan_cell"), 2);
+  EXPECT_EQ(check("/cell_with_own_binder"), 1) << "there is no such binder";
 }
 
 TEST_F(ScanClient, RunsEachPassOfAProgramIntoOneCloud) {

@@ -62,6 +62,7 @@ class ProgramCheck(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('program_check')
+        rospy.Service('/laser_trigger/check_arm', srv.ArmTrigger, lambda _: {'success': True})
         # Binder and triangulation, of which nothing else is needed before anything moves: of laser_0 alone.
         rospy.Service('/pose_frame_binder/check_run', srv.StartRun, lambda _: {'success': True})
         rospy.Service('/laser_triangulation/check_run', srv.StartRun,

@@ -145,6 +145,11 @@ struct Disarmed {
 /// The trigger circuit with the lasers.
 class Trigger : public Device {
  public:
+  /// Whether arm() would take it now; nothing is switched on.
+  /// @return false where its node cannot tell
+  /// @throw scan_cell_common::Refused with the reason why not
+  virtual bool check(double rate, const Lighting& lighting) = 0;
+
   /// @param rate [Hz] of the pulses
   virtual void arm(double rate, const Lighting& lighting) = 0;
 

@@ -16,6 +16,7 @@ ScanSequence::ScanSequence(Robot& robot, Camera& camera, Trigger& trigger, Stage
                            ScanObserver& observer, const ScanLimits& limits, const Timing& timing)
     : robot_(robot),
       camera_(camera),
+      trigger_(trigger),
       stages_(stages),
       observer_(observer),
       limits_(limits),
@@ -31,12 +32,9 @@ SequenceEnd ScanSequence::run(const ScanRequest& request, const WhyToCancel& why
     step(1, "read the positions");
     on(Outcome::kRefused, [&] { check(request, limits_); });
     runs_ = runs_of(request.passes);
-    for (const ScanRun& run : runs_)
-      on(Outcome::kRefused, Outcome::kStageFailed, [&] { stages_.check_run(run); });
     supervisor_.wait_until_well();
-    warnings_ = on(Outcome::kRefused, Outcome::kRobotLost,
-                   [&] { return check_reach(robot_, runs_, timing_.approach_speed); });
-    try_cameras();
+    warnings_ = check_runs({robot_, trigger_, stages_}, runs_, timing_.approach_speed);
+    try_devices();
     for (run_ = 0; run_ < runs_.size(); ++run_) {
       approach(runs_[run_]);
       start_stages(request.scan_id);
@@ -56,26 +54,39 @@ void ScanSequence::begin() {
   run_ = passes_finished_ = 0;
   warnings_.clear();
   camera_settings_.reset();
+  exposures_.clear();
   armings_.clear();
   armed_for_.clear();
   progress_ = {};
   capturing_ = stages_started_ = false;
 }
 
-/// Each setting that a pass asks for, once: the camera knows best what it can be set to.
-void ScanSequence::try_cameras() {
-  std::vector<PassCamera> tried;
+/// Settings that a pass asks for, on the camera itself, which knows best what it can be set to; and
+/// whether the trigger would be armed, which depends on the exposure where lasers take turns.
+void ScanSequence::try_devices() {
+  std::string unchecked;
   for (const ScanRun& run : runs_) {
-    if (run.camera.empty() || std::count(tried.begin(), tried.end(), run.camera) > 0) continue;
-    on(Outcome::kRefused, Outcome::kCameraLost, [&] {
-      try {
-        start_camera(run.camera);
-      } catch (const scan_cell_common::Refused& refused) {
-        throw scan_cell_common::Refused(run.name + ": camera", "cannot be set so", refused.what());
-      }
-    });
-    tried.push_back(run.camera);
+    const bool asks_camera = !run.camera.empty() || run.lighting.alternate;
+    unchecked = check_arming(trigger_, run, asks_camera ? try_camera(run) : 0);
   }
+  if (!unchecked.empty()) warnings_.push_back(unchecked);
+}
+
+/// Each setting once.
+/// @return [s] its exposure with it
+double ScanSequence::try_camera(const ScanRun& run) {
+  for (const auto& [settings, exposure] : exposures_) {
+    if (settings == run.camera) return exposure;
+  }
+  on(Outcome::kRefused, Outcome::kCameraLost, [&] {
+    try {
+      start_camera(run.camera);
+    } catch (const scan_cell_common::Refused& refused) {
+      throw scan_cell_common::Refused(run.name + ": camera", "cannot be set so", refused.what());
+    }
+  });
+  exposures_.emplace_back(run.camera, camera_.exposure());
+  return camera_.exposure();
 }
 
 void ScanSequence::start_camera(const PassCamera& settings) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scan_cell/scan_request.h"
@@ -36,8 +37,9 @@ class ScanObserver {
 /// speed, linear motion and interpolation; prepare binder and triangulation; start the camera; move
 /// to the end while the trigger pulses; stop; bind and triangulate. Of a scan with several passes
 /// each does the steps 2 to 6; binder, triangulation and camera are started once. Between passes
-/// the lasers are off. Before anything moves all motions of all passes are checked, and all
-/// settings of the camera are tried. A pass with other settings starts the camera anew.
+/// the lasers are off. Before anything moves all motions of all passes are checked, all settings of
+/// the camera are tried, and the trigger is asked about all armings. A pass with other settings
+/// starts the camera anew.
 ///
 /// Whatever goes wrong, the lasers go off first, the robot stops, and what was captured is still
 /// made into a cloud.
@@ -63,7 +65,8 @@ class ScanSequence {
 
  private:
   void begin();
-  void try_cameras();
+  void try_devices();
+  double try_camera(const ScanRun& run);
   void start_camera(const PassCamera& settings);
   void approach(const ScanRun& run);
   void start_stages(const std::string& scan_id);
@@ -79,6 +82,7 @@ class ScanSequence {
 
   Robot& robot_;
   Camera& camera_;
+  Trigger& trigger_;
   Stages& stages_;
   ScanObserver& observer_;
   ScanLimits limits_;
@@ -93,6 +97,7 @@ class ScanSequence {
   std::vector<std::string> armed_for_;  // names of their runs
   ScanProgress progress_;
   std::optional<PassCamera> camera_settings_;  // with which it was started; none: it was not
+  std::vector<std::pair<PassCamera, double>> exposures_;  // [s] with the settings that were tried
   bool stages_started_ = false;
   bool capturing_ = false;
 };

@@ -14,6 +14,12 @@ namespace {
 
 constexpr double kMoving = 0.5;  // of the time that a pose takes; a guess for the bar
 
+/// [Hz] of the pulses with an exposure [s]
+double rate_for(double exposure, double most) {
+  constexpr double kDuty = 0.5;  // of a period that may be exposure; chosen
+  return std::min(most, kDuty / exposure);
+}
+
 }  // namespace
 
 SessionSequence::SessionSequence(Robot& robot, SnapshotCamera& camera, Trigger& trigger,
@@ -21,6 +27,7 @@ SessionSequence::SessionSequence(Robot& robot, SnapshotCamera& camera, Trigger& 
                                  const Timing& timing)
     : robot_(robot),
       camera_(camera),
+      trigger_(trigger),
       observer_(observer),
       limits_(limits),
       timing_(timing),
@@ -47,6 +54,7 @@ void SessionSequence::record(const SessionRequest& request, SessionEnd& result) 
   poses_ = request.poses.size();
   tell("read the positions", 0);
   supervisor_.wait_until_well();
+  check_armings(request);
   prepared_ = true;
   on(Outcome::kCameraLost, [&] { camera_.prepare(); });
   on_robot([&] { robot_.set_linear_motion(timing_.speed); });
@@ -62,6 +70,18 @@ void SessionSequence::record(const SessionRequest& request, SessionEnd& result) 
       if (blind >= timing_.max_blind_poses) throw EndEarly{Outcome::kCameraLost, skip.reason};
     }
   }
+}
+
+/// A trigger that cannot tell is found out at the first pose.
+void SessionSequence::check_armings(const SessionRequest& request) {
+  const auto check_arming = [this](double exposure, std::uint8_t lasers) {
+    on(Outcome::kRefused, Outcome::kTriggerLost, [&] {
+      trigger_.check(rate_for(exposure, timing_.rate), {lasers, false});
+    });
+  };
+  check_arming(request.board_exposure, 0);
+  for (const int laser : lasers_in(request.lasers))
+    check_arming(request.line_exposure, static_cast<std::uint8_t>(1 << laser));
 }
 
 void SessionSequence::visit(const TaughtPose& pose, const SessionRequest& request) {
@@ -137,12 +157,11 @@ bool SessionSequence::is_same(const Eigen::Isometry3d& one, const Eigen::Isometr
 }
 
 Snapshot SessionSequence::grab(double exposure, std::uint8_t lasers, const std::string& what) {
-  constexpr double kDuty = 0.5;  // of a period that may be exposure; chosen
   std::optional<Snapshot> taken;
   std::string trouble = "no image came";
   try {
     camera_.start(exposure);
-    supervisor_.arm(std::min(timing_.rate, kDuty / exposure), {lasers, false});
+    supervisor_.arm(rate_for(exposure, timing_.rate), {lasers, false});
     supervisor_.wait_for(timing_.image_patience, [&] {
       taken = camera_.snapshot();
       return taken.has_value();

@@ -79,6 +79,7 @@ class SessionSequence {
   };
 
   void record(const SessionRequest& request, SessionEnd& result);
+  void check_armings(const SessionRequest& request);
   void visit(const TaughtPose& pose, const SessionRequest& request);
   void move_to(const Eigen::Isometry3d& flange);
   [[noreturn]] void skip_or_end(const EndEarly& failure);
@@ -91,6 +92,7 @@ class SessionSequence {
 
   Robot& robot_;
   SnapshotCamera& camera_;
+  Trigger& trigger_;
   SessionObserver& observer_;
   SessionLimits limits_;
   Timing timing_;

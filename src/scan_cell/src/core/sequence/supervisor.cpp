@@ -73,7 +73,7 @@ void Supervisor::wait_for_motion(const std::function<void(double)>& on_progress)
 void Supervisor::arm(double rate, const Lighting& lighting) {
   watch();
   armed_ = true;  // before: a circuit that did not answer may have heard it
-  on(Outcome::kRefused, Outcome::kTriggerLost, [&] { trigger_.arm(rate, lighting); });
+  on(Outcome::kTriggerLost, [&] { trigger_.arm(rate, lighting); });
 }
 
 Disarmed Supervisor::disarm() noexcept {

@@ -10,8 +10,6 @@
 #include "scan_cell/ros/scan_goal.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/conversions.h"
-#include "scan_cell_common/ros/service_answer.h"
-#include "sequence/program_check.h"
 
 namespace scan_cell {
 
@@ -22,10 +20,10 @@ using scan_cell_msgs::ScanResult;
 ScanAction::ScanAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
                        CellInUse& cell, const StateTopic& state)
     : parameters_(parameters),
-      robot_(devices.robot),
       camera_(devices.camera),
       stages_(parameters.binder, parameters.triangulation, parameters.call_timeout,
               parameters.base_frame),
+      asked_{devices.robot, devices.trigger, stages_},
       sequence_(devices.robot, devices.camera, devices.trigger, stages_, *this, parameters.limits,
                 parameters.timing),
       state_(state),
@@ -95,15 +93,17 @@ ScanRequest ScanAction::request_from(const std::vector<scan_cell_msgs::ScanPass>
 
 bool ScanAction::check_program(scan_cell_msgs::CheckProgram::Request& request,
                                scan_cell_msgs::CheckProgram::Response& response) {
-  return scan_cell_common::answer(response, [&] {
-    const auto runs = runs_of(request_from(request.passes, request.frame).passes);
-    for (const ScanRun& run : runs)
-      stages_.check_run(run);
-    const std::string trouble = robot_.trouble();
-    if (!trouble.empty())
-      throw scan_cell_common::ConnectionError("program", "not checked", trouble);
-    response.warnings = check_reach(robot_, runs, parameters_.timing.approach_speed);
-  });
+  try {
+    const auto runs = on(Outcome::kRefused, [&] {
+      return runs_of(request_from(request.passes, request.frame).passes);
+    });
+    response.warnings = check_at_rest(asked_, runs, parameters_.timing.approach_speed);
+  } catch (const EndEarly& end) {
+    response.message = end.message;
+    response.link_lost = static_cast<unsigned char>(end.outcome != Outcome::kRefused);
+  }
+  response.success = static_cast<unsigned char>(response.message.empty());
+  return true;
 }
 
 /// @throw Refused where tf does not know the frame

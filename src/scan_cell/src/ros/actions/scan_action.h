@@ -17,6 +17,7 @@
 #include "actions/cell_devices.h"
 #include "devices/parameters.h"
 #include "devices/ros_stages.h"
+#include "sequence/program_check.h"
 #include "sequence/scan_sequence.h"
 
 namespace scan_cell {
@@ -51,9 +52,9 @@ class ScanAction : private ScanObserver, private CellAction<scan_cell_msgs::Scan
   const Parameters parameters_;
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_{transforms_};
-  RosRobot& robot_;
   RosCamera& camera_;
   RosStages stages_;
+  const AskedBefore asked_;
   ScanSequence sequence_;
   const StateTopic& state_;
   std::atomic<std::uint64_t> points_{0};

@@ -29,8 +29,10 @@ void describe_names(ParameterTable& table, Parameters& p) {
       "node with the action `~move`, the topic `~status`, the speed services and, for the check "
       "of a program, `~check_motions`");
   table.add("camera", p.camera, "node with `~set_acquisition` and `~profiles`");
-  table.add("trigger", p.trigger,
-            "node with `~arm`, `~disarm`, `~keep_alive`, `~events`, `~state`");
+  table.add(
+      "trigger", p.trigger,
+      "node with `~arm`, `~disarm`, `~keep_alive`, `~events`, `~state` and, for the check of a "
+      "program, `~check_arm`");
   table.add("binder", p.binder, "node with `~start`, `~check_run`, `~start_run` and `~finish`");
   table.add("triangulation", p.triangulation,
             "node with `~start`, `~check_run`, `~finish` and `~cloud`");

@@ -107,6 +107,7 @@ class RosTrigger : public Trigger {
   RosTrigger(ros::NodeHandle node, const Parameters& parameters);
 
   std::string trouble() const override;
+  bool check(double rate, const Lighting& lighting) override;
   void arm(double rate, const Lighting& lighting) override;
   Disarmed disarm() noexcept override;
   void keep_alive() override;

@@ -21,6 +21,15 @@ namespace {
 /// switches the lasers off.
 constexpr double kCallTimeout = 0.75;  // [s] chosen
 
+ArmTrigger::Request request_for(double rate, const Lighting& lighting) {
+  ArmTrigger::Request request;
+  request.rate = rate;
+  request.lasers = lighting.lasers;
+  request.alternate = static_cast<unsigned char>(lighting.alternate);
+  request.exposure = lighting.exposure;
+  return request;
+}
+
 }  // namespace
 
 RosTrigger::RosTrigger(ros::NodeHandle node, const Parameters& parameters)
@@ -52,14 +61,18 @@ std::string RosTrigger::trouble() const {
                      parameters_.trigger);
 }
 
+bool RosTrigger::check(double rate, const Lighting& lighting) {
+  const std::string service = parameters_.trigger + "/check_arm";
+  const std::string arm = parameters_.trigger + "/arm";
+  if (!ros::service::exists(service, false) && ros::service::exists(arm, false)) return false;
+  call<ArmTrigger>(service, request_for(rate, lighting), parameters_.call_timeout);
+  return true;
+}
+
 void RosTrigger::arm(double rate, const Lighting& lighting) {
   keep_alive();
-  ArmTrigger::Request request;
-  request.rate = rate;
-  request.lasers = lighting.lasers;
-  request.alternate = static_cast<unsigned char>(lighting.alternate);
-  request.exposure = lighting.exposure;
-  const auto response = call<ArmTrigger>(parameters_.trigger + "/arm", request, kCallTimeout);
+  const auto response =
+      call<ArmTrigger>(parameters_.trigger + "/arm", request_for(rate, lighting), kCallTimeout);
   event_.now();
   const std::lock_guard<std::mutex> lock(mutex_);
   arming_ = response.arming;
