@@ -196,3 +196,54 @@ TEST(CloudOfTwoLasers, NamesThePassAndTheLaserThatGaveNoLine) {
   add(1, 1, true);
   EXPECT_EQ(builder.find_dark_sweep(), "") << "one line is one";
 }
+
+namespace {
+
+/// A flat strip that two passes scan, 60 x 60 mm.
+void scan_twice(CloudBuilder& builder) {
+  constexpr std::size_t kWide = 100;  // rows, 0.6 mm apart
+  for (std::uint32_t pass = 0; pass < 2; ++pass) {
+    for (int i = 0; i < 100; ++i) {
+      BoundProfile bound = profile();
+      bound.profile.position.assign(kWide, 500);
+      bound.profile.width.assign(kWide, 5);
+      bound.profile.intensity.assign(kWide, 100);
+      bound.pass_index = pass;
+      bound.pose.position.x = 0.6e-3 * i;
+      builder.add(bound);
+    }
+  }
+}
+
+}  // namespace
+
+TEST(CloudOfTwoPasses, TakesNoLateProfileAmongPointsThatWereMoved) {
+  CloudBuilder mended(scanner(), {}, 100000, {0.2e-3}), measured(scanner(), {}, 100000);
+  for (CloudBuilder* builder : {&mended, &measured}) {
+    scan_twice(*builder);
+    builder->bring_together();
+  }
+  ASSERT_EQ(mended.statistics("").corrections.size(), 2U);
+  const std::size_t before = mended.points().size();
+  try {
+    mended.add(profile());
+    FAIL() << "one cloud of points that were moved and of one that was not";
+  } catch (const Refused& error) {
+    EXPECT_NE(std::string(error.what()).find("after the passes were brought together"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(mended.points().size(), before);
+  measured.add(profile());
+  EXPECT_EQ(measured.points().size(), before + kRows) << "nothing was moved there";
+}
+
+TEST(AgreementLines, SayTheFiguresOfAPairOnce) {
+  scan_cell_msgs::CloudStatistics statistics;
+  statistics.agreement_message = "pass 1 laser_0 and pass 2 laser_0 lie 0.040 mm apart";
+  statistics.overlaps.resize(1);
+  EXPECT_EQ(CloudBuilder::agreement_lines(statistics),
+            std::vector<std::string>{statistics.agreement_message});
+  statistics.overlaps.resize(3);
+  EXPECT_EQ(CloudBuilder::agreement_lines(statistics).size(), 4U) << "the worst, and each";
+}

@@ -212,6 +212,19 @@ class LaserTriangulationNode(unittest.TestCase):
                     self.assertIn('--%s-%s: renamed; its name is --%s-%s now' %
                                   (old, name, now, name), run.stderr.decode())
 
+    def test_exits_with_2_where_the_passes_of_a_bag_disagree_and_leaves_the_cloud(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for apart, code in ((0, 0), (0.003, 2)):
+                with rosbag.Bag(folder + '/bound.bag', 'w') as bag:
+                    for n in range(400):
+                        bound = profile(n % 200, pass_index=n // 200)
+                        bound.pose.position.z += apart * (n // 200)
+                        bag.write('/pose_frame_binder/bound_profiles', bound)
+                run = triangulate(folder)
+                self.assertEqual(run.returncode, code, run.stderr.decode())
+                self.assertEqual('the passes disagree' in run.stderr.decode(), code == 2)
+                self.assertEqual(len(read_vertices(folder + '/cloud.ply')), 400 * ROWS * 4 // 5)
+
     def test_names_a_bag_that_is_damaged(self):
         whole = io.BytesIO()
         profile(0).serialize(whole)

@@ -148,6 +148,20 @@ TEST(PassAgreement, IsMeasuredButNotMendedWithoutAnUncertainty) {
   EXPECT_EQ(passes.cloud[0].z, first);
 }
 
+TEST(PassAgreement, SaysOfWhichLaserNobodyKnowsHowWellItsPointsAreKnown) {
+  const auto plane = [](double, double) { return 0.; };
+  Passes passes;
+  passes.scan(0, 0, plane);
+  passes.scan(0, 1, plane);
+  for (const std::vector<double>& deviations : {std::vector<double>{kDeviation, 0}, {kDeviation}}) {
+    const PassAgreement result = bring_together(passes.cloud, deviations);
+    EXPECT_EQ(result.agreement, Agreement::kAgree);
+    EXPECT_NE(result.message.find("not corrected: the scanner model has no uncertainty of laser_1"),
+              std::string::npos)
+        << result.message;
+  }
+}
+
 TEST(PassAgreement, EndsWhereMoreWouldHaveToMoveThanTheUncertaintyExplains) {
   Passes passes;
   passes.scan(0, Table());
@@ -217,6 +231,44 @@ TEST(PassAgreement, RaisesNoAlarmWhereASheetIsSeenFromBothSidesAndMovesNothing) 
     EXPECT_EQ(passes.cloud[0].y, before[0]) << thickness;
     EXPECT_EQ(passes.cloud[passes.cloud.size() - 1].y, before[1]) << thickness;
   }
+}
+
+namespace {
+
+/// Two pairs of passes over a plane, 1.4 m apart. What one of them did must not depend on the
+/// others.
+class PairsFarApart : public testing::Test {
+ protected:
+  /// @param error of the second pass, about its own middle
+  /// @param length [m] of each pass
+  PassAgreement mend(const Eigen::Isometry3d& error, double length) {
+    const auto plane = [](double, double) { return 0.; };
+    const Eigen::Translation3d middle(-0.7, 0, 0);
+    const auto right = Eigen::Isometry3d::Identity();
+    passes_.scan(0, 0, plane, right, -0.7 - length / 2, -0.7 + length / 2);
+    passes_.scan(1, 0, plane, middle * error * middle.inverse(), -0.7 - length / 2,
+                 -0.7 + length / 2);
+    passes_.scan(2, 0, plane, right, 0.7 - length / 2, 0.7 + length / 2);
+    passes_.scan(3, 0, plane, right, 0.7 - length / 2, 0.7 + length / 2);
+    return passes_.mend();
+  }
+
+  Passes passes_;
+};
+
+}  // namespace
+
+TEST_F(PairsFarApart, ComeTogetherWhereOneTurnedAboutItsOwnMiddle) {
+  const PassAgreement result = mend(small_motion({0, 0, 0}, {0, 1.6e-3, 0}), 0.16);
+  EXPECT_EQ(result.agreement, Agreement::kMended) << result.message;
+  for (const PassOverlap& overlap : result.overlaps)
+    EXPECT_LE(overlap.median, 1.5 * 0.674 * kNoise) << "what is left is the noise";
+}
+
+TEST_F(PairsFarApart, GetNoShiftForATurnAboutAPlaceFarAway) {
+  const PassAgreement result = mend(small_motion({0, 0, 0.9e-3}, {0, 0, 0}), 0.02);
+  EXPECT_EQ(result.agreement, Agreement::kDisagree)
+      << "as where the other pair is not there: " << result.message;
 }
 
 TEST(PassAgreement, LeavesAPassAloneThatSharesTooLittleToBeCompared) {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_cell_common/scanner/scanner_model.h"
+
 namespace laser_triangulation {
 namespace {
 
@@ -20,21 +22,31 @@ constexpr double kMaxDeviations = 3;  // of a motion along each axis; chosen, as
 // both passes have them. The calibration's uncertainty knows nothing of the robot.
 constexpr double kMinToEnd = 2 * (0.1e-3 + 0.05e-3);
 
+/// Why the sweeps cannot be mended, for a person; empty: they can.
+std::string why_not_mended(const std::vector<Sweep>& sweeps,
+                           const std::vector<double>& deviations) {
+  if (sweeps.size() > kMaxMended)
+    return fmt::format("{} sweeps are more than {}", sweeps.size(), kMaxMended);
+  for (const Sweep& sweep : sweeps) {
+    if (sweep.laser < deviations.size() && deviations[sweep.laser] > 0) continue;
+    return "the scanner model has no uncertainty of " + scan_cell_common::laser_name(sweep.laser);
+  }
+  return "";
+}
+
 /// Variances of a sweep's shift [m2] and turn [rad2] along and about each axis. Those of the sweeps
 /// are taken as independent, which allows more than the lasers' common errors would.
-std::optional<Eigen::MatrixXd> covariance_of(const std::vector<Sweep>& sweeps,
-                                             const std::vector<double>& deviations) {
-  if (sweeps.size() > kMaxMended) return std::nullopt;
+Eigen::MatrixXd covariance_of(const std::vector<Sweep>& sweeps,
+                              const std::vector<double>& deviations) {
   Eigen::VectorXd variances(static_cast<Eigen::Index>(6 * sweeps.size()));
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    const std::size_t laser = sweeps[i].laser;
-    if (laser >= deviations.size() || !(deviations[laser] > 0)) return std::nullopt;
-    const double shift = deviations[laser] * deviations[laser] / 3;
+    const double deviation = deviations[sweeps[i].laser];
+    const double shift = deviation * deviation / 3;
     const auto first = static_cast<Eigen::Index>(6 * i);
     variances.segment<3>(first).setConstant(shift);
     variances.segment<3>(first + 3).setConstant(shift / (kLever * kLever));
   }
-  return Eigen::MatrixXd(variances.asDiagonal());
+  return variances.asDiagonal();
 }
 
 /// The first sweep whose motion is more than its covariance explains.
@@ -53,7 +65,7 @@ std::optional<std::size_t> beyond(const PassCorrection& correction,
 SharedPlaces moved(const SharedPlaces& shared, const PassCorrection& correction) {
   std::vector<Eigen::Isometry3d> transforms;
   for (const SweepMotion& motion : correction.motions)
-    transforms.push_back(transform(motion, correction.centre));
+    transforms.push_back(transform(motion));
   SharedPlaces result = shared;
   for (std::vector<SweepPatch>& patches : result.places) {
     for (SweepPatch& patch : patches) {
@@ -121,10 +133,13 @@ PassAgreement bring_together(ScanCloud& cloud, const std::vector<double>& deviat
   result.agreement = any_disagree(result.overlaps) ? Agreement::kDisagree : Agreement::kAgree;
   result.message = figures(worst_of(result.overlaps));
   bool look = false;
-  const auto covariance = covariance_of(shared.sweeps, deviations);
-  if (covariance) {
-    const PassCorrection correction = find_correction(shared, result.overlaps, *covariance);
-    const std::optional<std::size_t> too_far = beyond(correction, *covariance);
+  const std::string why_not = why_not_mended(shared.sweeps, deviations);
+  if (!why_not.empty()) {
+    result.message += "; not corrected: " + why_not;
+  } else {
+    const Eigen::MatrixXd covariance = covariance_of(shared.sweeps, deviations);
+    const PassCorrection correction = find_correction(shared, result.overlaps, covariance);
+    const std::optional<std::size_t> too_far = beyond(correction, covariance);
     std::vector<PassOverlap> after = compare_sweeps(moved(shared, correction));
     if (too_far) {
       if (far_enough_to_end(result.overlaps)) result.agreement = Agreement::kDisagree;

@@ -63,13 +63,15 @@ void for_each_pair(const SharedPlaces& shared, const SweepPairs& compared, const
 }
 
 std::vector<Pair> pairs_of(const SharedPlaces& shared, const SweepPairs& compared,
-                           const Eigen::Vector3d& centre) {
+                           const std::vector<Eigen::Vector3d>& centres) {
   std::vector<Pair> pairs;
   for_each_pair(shared, compared, [&](const SweepPatch& one, const SweepPatch& other) {
     const Eigen::Vector3d& normal = one.normal;
-    const Eigen::Vector3d lever = (one.mean - centre).cross(normal);
+    const auto lever = [&](const SweepPatch& patch) -> Eigen::Vector3d {
+      return (one.mean - centres[patch.sweep]).cross(normal);
+    };
     Row row;
-    row << -normal, -lever, normal, lever;
+    row << -normal, -lever(one), normal, lever(other);
     pairs.push_back({static_cast<Eigen::Index>(6 * one.sweep),
                      static_cast<Eigen::Index>(6 * other.sweep), row,
                      normal.dot(other.mean - one.mean)});
@@ -82,15 +84,19 @@ double distance_after(const Pair& pair, const Eigen::VectorXd& motions) {
          pair.row.tail<6>().dot(motions.segment<6>(pair.other));
 }
 
-/// [m] the mean of the places where sweeps are compared.
-Eigen::Vector3d centre_of(const SharedPlaces& shared, const SweepPairs& compared) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double count = 0;
-  for_each_pair(shared, compared, [&](const SweepPatch& one, const SweepPatch&) {
-    sum += one.mean;
-    ++count;
-  });
-  return count > 0 ? (sum / count).eval() : sum;
+/// [m] the mean of each sweep's places, whether others share them or not.
+std::vector<Eigen::Vector3d> centres_of(const SharedPlaces& shared) {
+  std::vector<Eigen::Vector3d> centres(shared.sweeps.size(), Eigen::Vector3d::Zero());
+  std::vector<double> counts(shared.sweeps.size(), 0);
+  for (const std::vector<SweepPatch>& patches : shared.places) {
+    for (const SweepPatch& patch : patches) {
+      centres[patch.sweep] += patch.nearest;
+      ++counts[patch.sweep];
+    }
+  }
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    centres[i] /= std::max(1., counts[i]);
+  return centres;
 }
 
 }  // namespace
@@ -99,8 +105,8 @@ PassCorrection find_correction(const SharedPlaces& shared, const std::vector<Pas
                                const Eigen::MatrixXd& covariance) {
   PassCorrection correction;
   const SweepPairs compared = indices_of(overlaps, shared.sweeps);
-  correction.centre = centre_of(shared, compared);
-  const std::vector<Pair> pairs = pairs_of(shared, compared, correction.centre);
+  const std::vector<Eigen::Vector3d> centres = centres_of(shared);
+  const std::vector<Pair> pairs = pairs_of(shared, compared, centres);
   const Eigen::Index size = covariance.rows();
   // x = C (1 + H C)^-1 g instead of (C^-1 + H)^-1 g: C may lack directions that cannot move.
   Eigen::VectorXd motions = Eigen::VectorXd::Zero(size);
@@ -124,25 +130,27 @@ PassCorrection find_correction(const SharedPlaces& shared, const std::vector<Pas
     pull = system.partialPivLu().solve(gradient);
     motions = covariance * pull;
   }
-  for (Eigen::Index i = 0; i < size; i += 6)
-    correction.motions.push_back({motions.segment<3>(i), motions.segment<3>(i + 3)});
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const auto first = static_cast<Eigen::Index>(6 * i);
+    correction.motions.push_back(
+        {centres[i], motions.segment<3>(first), motions.segment<3>(first + 3)});
+  }
   // x' C^-1 x, without an inverse.
   correction.deviations = std::sqrt(std::max(0., pull.dot(motions)) / static_cast<double>(size));
   return correction;
 }
 
-Eigen::Isometry3d transform(const SweepMotion& motion, const Eigen::Vector3d& centre) {
+Eigen::Isometry3d transform(const SweepMotion& motion) {
   const double angle = motion.turn.norm();
   const Eigen::Vector3d axis = angle > 0 ? (motion.turn / angle).eval() : Eigen::Vector3d::UnitZ();
-  return Eigen::Translation3d(centre + motion.shift) * Eigen::AngleAxisd(angle, axis) *
-         Eigen::Translation3d(-centre);
+  return Eigen::Translation3d(motion.centre + motion.shift) * Eigen::AngleAxisd(angle, axis) *
+         Eigen::Translation3d(-motion.centre);
 }
 
 void apply(const PassCorrection& correction, const std::vector<Sweep>& sweeps, ScanCloud& cloud) {
   std::map<std::pair<std::uint8_t, std::uint8_t>, Eigen::Isometry3d> transforms;
   for (std::size_t i = 0; i < sweeps.size(); ++i)
-    transforms[{sweeps[i].pass, sweeps[i].laser}] =
-        transform(correction.motions[i], correction.centre);
+    transforms[{sweeps[i].pass, sweeps[i].laser}] = transform(correction.motions[i]);
   cloud.for_each([&](ScanPoint& point) {
     const Eigen::Isometry3d& move = transforms.at({point.pass, point.laser});
     const Eigen::Vector3f place = (move * Eigen::Vector3d(point.x, point.y, point.z)).cast<float>();

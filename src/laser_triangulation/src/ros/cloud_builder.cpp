@@ -71,6 +71,10 @@ CloudBuilder::CloudBuilder(const scan_cell_common::ScannerModel& model, const Pe
 void CloudBuilder::add(const BoundProfile& bound) {
   const scan_cell_msgs::PeakProfile& profile = bound.profile;
   const std::string name = fmt::format("profile of frame {}", profile.frame_counter);
+  if (agreement_ && agreement_->correction) {
+    throw scan_cell_common::Refused(name, "it came after the passes were brought together",
+                                    "wait longer for late profiles, or scan again");
+  }
   const std::size_t rows = profile.position.size();
   if (profile.width.size() != rows || profile.intensity.size() != rows) {
     throw UnusableInput(name, "arrays of different lengths", "check the camera node");
@@ -154,7 +158,9 @@ std::vector<std::string> CloudBuilder::agreement_lines(
   constexpr std::size_t kMaxPairs = 10;  // chosen
   std::vector<std::string> lines;
   if (!statistics.agreement_message.empty()) lines.push_back(statistics.agreement_message);
-  const std::size_t pairs = std::min(kMaxPairs, statistics.overlaps.size());
+  // The message has the figures of the worst pair.
+  const std::size_t overlaps = statistics.overlaps.size() > 1 ? statistics.overlaps.size() : 0;
+  const std::size_t pairs = std::min(kMaxPairs, overlaps);
   for (std::size_t i = 0; i < pairs; ++i) {
     const scan_cell_msgs::PassOverlap& overlap = statistics.overlaps[i];
     lines.push_back(fmt::format("{} and {}: {:.3f} mm apart, 95 % within {:.3f} mm",
@@ -162,8 +168,7 @@ std::vector<std::string> CloudBuilder::agreement_lines(
                                 name_of({overlap.pass_other, overlap.laser_other}),
                                 kMillimetres * overlap.median, kMillimetres * overlap.most));
   }
-  if (pairs < statistics.overlaps.size())
-    lines.push_back(fmt::format("and {} more pairs", statistics.overlaps.size() - pairs));
+  if (pairs < overlaps) lines.push_back(fmt::format("and {} more pairs", overlaps - pairs));
   for (const scan_cell_msgs::PassCorrection& correction : statistics.corrections) {
     const geometry_msgs::Vector3& shift = correction.shift;
     const geometry_msgs::Vector3& turn = correction.turn;

@@ -27,7 +27,8 @@ class CloudBuilder {
 
   /// @throw scan_cell_common::UnusableInput if the profile's arrays, laser, pose or frame are
   /// invalid; nothing is added
-  /// @throw scan_cell_common::Refused if the points do not fit
+  /// @throw scan_cell_common::Refused if the points do not fit, or after bring_together() has moved
+  /// some
   void add(const scan_cell_msgs::BoundProfile& profile);
 
   std::uint64_t profiles() const { return triangulator_.counts().profiles; }
@@ -49,7 +50,8 @@ class CloudBuilder {
   /// For a person: the pass and the laser that had profiles but no point in any; empty: all had.
   std::string find_dark_sweep() const;
 
-  /// For a person: whether the passes agree, one line a pair (at most ten), one a correction.
+  /// For a person: whether the passes agree, one line a pair where there are several (at most
+  /// ten), one a correction.
   static std::vector<std::string> agreement_lines(
       const scan_cell_msgs::CloudStatistics& statistics);
 

@@ -27,7 +27,8 @@ struct Options {
   scan_cell_common::ParameterOptions typed;
 };
 
-void triangulate(const Options& options) {
+/// @return exit code: refused where the passes disagree
+int triangulate(const Options& options) {
   using laser_triangulation::CloudBuilder;
   using scan_cell_msgs::BoundProfile;
   constexpr std::size_t kMaxPoints = 500'000'000;  // 18 GB; chosen
@@ -50,8 +51,13 @@ void triangulate(const Options& options) {
   builder.bring_together();
   laser_triangulation::save_ply(options.output, builder.points(), unit);
   std::cout << builder.summary() << '\n';
-  for (const std::string& line : CloudBuilder::agreement_lines(builder.statistics("")))
+  const scan_cell_msgs::CloudStatistics statistics = builder.statistics("");
+  for (const std::string& line : CloudBuilder::agreement_lines(statistics))
     std::cout << line << '\n';
+  if (statistics.agreement != scan_cell_msgs::CloudStatistics::DISAGREE) return 0;
+  std::cerr << "triangulate: the passes disagree; " << options.output
+            << " has them as they were captured\n";
+  return scan_cell_common::kRefused;
 }
 
 }  // namespace
@@ -72,8 +78,7 @@ int main(int argc, char** argv) {
       "triangulate", app, argc, argv,
       [&] {
         options.typed.read(options.limits);
-        triangulate(options);
-        return 0;
+        return triangulate(options);
       },
       scan_cell_common::kUnusable, outputs);
 }
