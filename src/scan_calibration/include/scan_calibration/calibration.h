@@ -18,6 +18,8 @@ struct ExistingScanner {
   std::string file;  //!< where it was read
   std::string text;  //!< of the file: what is kept is written back as it stands there
   scan_cell_common::ScannerModel model;  //!< as the file has it
+  /// [m] of a scanned point, by laser, as the file has it; 0: not known
+  std::vector<double> deviations = {};
 };
 
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput as load_scanner_model()

@@ -11,6 +11,7 @@
 #include "scan_calibration/calibration.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
+#include "scan_cell_common/scanner/point_deviations.h"
 
 namespace scan_calibration {
 namespace {
@@ -184,7 +185,8 @@ void note_parts(const CalibrationOptions& options, const Observations& observati
 
 ExistingScanner load_existing_scanner(const std::string& file) {
   const std::string text = scan_cell_common::read_file(file);
-  return {file, text, scan_cell_common::parse_scanner_model(text, file)};
+  return {file, text, scan_cell_common::parse_scanner_model(text, file),
+          scan_cell_common::parse_point_deviations(text, file)};
 }
 
 void check(const CalibrationOptions& options, const std::vector<std::string>& lasers) {

@@ -142,6 +142,7 @@ TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit
   ASSERT_EQ(run(session()), 0) << text("out.txt");
   const std::string before = text("scanner.yaml");
   const auto old = scan_cell_common::load_scanner_model(path("scanner.yaml"));
+  const auto known = scan_cell_common::load_point_deviations(path("scanner.yaml"));
   RenderedSession tilted = example_session(8);
   scan_cell_common::LaserPlane& laser = *tilted.truth.lasers[1];
   laser.normal = Eigen::AngleAxisd(0.06, Eigen::Vector3d::UnitY()) * laser.normal;
@@ -156,6 +157,11 @@ TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit
   const auto model = scan_cell_common::load_scanner_model(path("scanner.yaml"));
   EXPECT_EQ(model.laser(0).normal, old.laser(0).normal);
   EXPECT_EQ(model.laser(0).distance, old.laser(0).distance);
+  const auto deviations = scan_cell_common::load_point_deviations(path("scanner.yaml"));
+  ASSERT_EQ(deviations.size(), 2U);
+  EXPECT_EQ(deviations[0], known[0]);
+  EXPECT_GT(deviations[1], std::max(known[0], known[1])) << "camera and hand-eye are in it";
+  EXPECT_LT(deviations[1], 1e-3);
   // Either side of a plane is its normal's
   EXPECT_LT(model.laser(1).normal.cross(laser.normal).norm(), 2e-3);
   EXPECT_GT(old.laser(1).normal.cross(laser.normal).norm(), 0.05);

@@ -11,6 +11,7 @@
 
 #include "scan_calibration/calibration_files.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/scanner/point_deviations.h"
 
 namespace fs = std::filesystem;
 using namespace scan_calibration;
@@ -125,6 +126,37 @@ TEST_F(CalibrationResults, AreTheModelAndTheCameraAsRosReadsIt) {
   EXPECT_EQ(camera["distortion_coefficients"]["data"].as<std::vector<double>>(),
             (std::vector<double>{-0.1, 0.05, 1e-4, 2e-4, 0.003}));
   EXPECT_EQ(camera["projection_matrix"]["data"].as<std::vector<double>>().size(), 12U);
+}
+
+TEST_F(CalibrationResults, SayHowWellAPointIsKnownByAllThatItDependsOn) {
+  const auto deviations_of = [this](const CalibrationRun& run) {
+    save_calibration(run, files());
+    return scan_cell_common::load_point_deviations(path("scanner.yaml"));
+  };
+  CalibrationRun run = example_run();
+  run.calibration->uncertainty = {{"laser_0", 0.3, {320, 240}, 0.08}};
+  run.calibration->scanner.lasers.push_back(run.calibration->scanner.lasers[0]);
+  run.existing = ExistingScanner{"old.yaml", "", run.calibration->scanner, {0.05e-3, 0.06e-3}};
+  run.calibration->kept = {"laser_1"};
+  EXPECT_EQ(deviations_of(run), (std::vector<double>{0.08e-3, 0}))
+      << "nobody knows laser_1 behind another camera";
+  run.calibration->kept = {"camera", "flange_to_camera", "laser_1"};
+  std::vector<double> found = deviations_of(run);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_DOUBLE_EQ(found[0], 0.1e-3) << "the plane's 0.08, and what camera and hand-eye may add";
+  EXPECT_EQ(found[1], 0.06e-3) << "as it was";
+  run.existing->deviations.clear();
+  EXPECT_TRUE(deviations_of(run).empty()) << "a plane's share alone is no figure of a point";
+}
+
+TEST_F(CalibrationResults, DoNotSayHowWellAPointIsKnownWhereItHardlyIs) {
+  for (const double deviation : {150., std::nan("")}) {
+    CalibrationRun run = example_run();
+    run.calibration->uncertainty = {{"laser_0", 0.3, {320, 240}, deviation},
+                                    {"laser_0", 0.4, {320, 240}, 0.08}};
+    save_calibration(run, files());
+    EXPECT_TRUE(scan_cell_common::load_point_deviations(path("scanner.yaml")).empty()) << deviation;
+  }
 }
 
 TEST_F(CalibrationResults, ArePicturesOnAPage) {

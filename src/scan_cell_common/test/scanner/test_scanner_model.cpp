@@ -137,8 +137,17 @@ TEST_F(ScannerModelFile, MayHoldHowWellAPointIsKnown) {
   EXPECT_EQ(scan_cell_common::load_point_deviations(path_), deviations);
   EXPECT_EQ(scan_cell_common::load_scanner_model(path_).laser(0).distance,
             example().laser(0).distance);
-  scan_cell_common::save_scanner_model(path_, example(), "", {-1});
-  EXPECT_THROW(scan_cell_common::load_point_deviations(path_), scan_cell_common::UnusableInput);
+}
+
+TEST_F(ScannerModelFile, IsNotWrittenWithADeviationThatItsReaderRefuses) {
+  scan_cell_common::save_scanner_model(path_, example(), "", {80e-6});
+  for (const double bad : {-1., 0.2, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(scan_cell_common::save_scanner_model(path_, example(), "", {80e-6, bad}),
+                 scan_cell_common::UnusableInput)
+        << bad;
+    EXPECT_EQ(scan_cell_common::load_point_deviations(path_), std::vector<double>{80e-6})
+        << "the file that was there";
+  }
 }
 
 TEST_F(ScannerModelFile, HoldsACameraAlone) {

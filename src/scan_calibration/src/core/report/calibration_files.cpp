@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "report/report.h"
@@ -65,23 +67,49 @@ void save_camera_info(const std::string& path, const scan_cell_common::CameraInt
           matrix_text("projection_matrix", 3, 4, {fx, 0, cx, 0, 0, fy, cy, 0, 0, 0, 1, 0})));
 }
 
-/// [m] of a scanned point, by the laser's index: the worst of the depths that were seen. None where
-/// no laser was calibrated.
-std::vector<double> point_deviations(const Calibration& calibration) {
+/// [m] by the laser's index: the worst of the depths that were seen; 0 where it was not calibrated.
+std::vector<double> found_deviations(const Calibration& calibration) {
   constexpr double kMetres = 1e-3;
-  if (calibration.uncertainty.empty()) return {};
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
   std::vector<double> deviations(calibration.scanner.lasers.size());
   for (const PointUncertainty& point : calibration.uncertainty) {
     double& deviation = deviations.at(scan_cell_common::laser_index(point.laser));
-    deviation = std::max(deviation, kMetres * point.deviation_mm);
+    const double found = kMetres * point.deviation_mm;
+    deviation = std::max(deviation, std::isnan(found) ? kUnknown : found);
   }
   return deviations;
 }
 
+/// [m] of a scanned point by all that it depends on, by the laser's index; 0: not known. With the
+/// camera as it was, a laser that was not calibrated again is as uncertain as before. One that was
+/// has its new plane's share, and those of camera and hand-eye. The file has these only together
+/// with a plane, so the worst of its figures is taken for them: rather too large than too small.
+std::vector<double> point_deviations(const CalibrationRun& run) {
+  const std::vector<std::string>& kept = run.calibration->kept;
+  const auto is_kept = [&kept](const std::string& part) {
+    return std::find(kept.begin(), kept.end(), part) != kept.end();
+  };
+  std::vector<double> deviations = found_deviations(*run.calibration);
+  if (run.existing && is_kept("camera")) {
+    std::vector<double> before = run.existing->deviations;
+    before.resize(std::max(before.size(), deviations.size()));
+    const double camera = *std::max_element(before.begin(), before.end());
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+      const double again = camera > 0 ? std::hypot(deviations[i], camera) : 0;
+      deviations[i] = is_kept(scan_cell_common::laser_name(i)) ? before[i] : again;
+    }
+  }
+  for (double& deviation : deviations)
+    if (deviation > scan_cell_common::kMaxPointDeviation) deviation = 0;
+  return deviations;
+}
+
 void save_scanner(const CalibrationRun& run, const std::string& path) {
+  std::vector<double> deviations = point_deviations(run);
+  if (std::all_of(deviations.begin(), deviations.end(), [](double each) { return each == 0; }))
+    deviations.clear();
   scan_cell_common::save_scanner_model(path, run.calibration->scanner,
-                                       run.existing ? run.existing->text : "",
-                                       point_deviations(*run.calibration));
+                                       run.existing ? run.existing->text : "", deviations);
 }
 
 }  // namespace

@@ -69,28 +69,35 @@ YAML::Node to_yaml(const ScannerModel& model) {
   return root;
 }
 
-void save(const std::string& path, const YAML::Node& root) {
-  YAML::Emitter out;
-  out << root;
-  scan_cell_common::save_text(path, std::string(out.c_str()) + "\n");
-}
-
 const char* const kUncertainty = "uncertainty";
 
 std::vector<double> read_deviations(const YamlEntry& root) {
-  constexpr double kMost = 0.1;  // [m] chosen: nobody scans with more
   if (!root.has(kUncertainty)) return {};
   const YamlEntry entry = root[kUncertainty];
   entry.refuse_unknown({"points"});
   std::vector<double> deviations;
   for (const YamlEntry& each : entry["points"].elements()) {
     deviations.push_back(each.as<double>());
-    if (!(deviations.back() >= 0 && deviations.back() <= kMost)) {
+    if (!(deviations.back() >= 0 && deviations.back() <= kMaxPointDeviation)) {
       each.refuse(fmt::format("{:g} m", deviations.back()),
-                  fmt::format("give 0 (not known) to {:g} m", kMost));
+                  fmt::format("give 0 (not known) to {:g} m", kMaxPointDeviation));
     }
   }
   return deviations;
+}
+
+/// @throw UnusableInput where the reader would refuse a deviation; nothing is written then
+void save(const std::string& path, const YAML::Node& root) {
+  YAML::Emitter out;
+  if (root[kUncertainty])
+    out << YAML::Comment(
+               "uncertainty: [m] of a scanned point in tool0, by laser, as camera, its pose on the "
+               "flange and laser plane are known; 0: not known")
+        << YAML::Newline;
+  out << root;
+  const std::string text = std::string(out.c_str()) + "\n";
+  read_deviations(YamlEntry::parse(text, path));
+  scan_cell_common::save_text(path, text);
 }
 
 ScannerModel read_model(const YamlEntry& root) {
@@ -117,6 +124,10 @@ ScannerModel parse_scanner_model(const std::string& text, const std::string& nam
 
 std::vector<double> load_point_deviations(const std::string& path) {
   return read_deviations(YamlEntry::load(path));
+}
+
+std::vector<double> parse_point_deviations(const std::string& text, const std::string& name) {
+  return read_deviations(YamlEntry::parse(text, name));
 }
 
 void save_scanner_model(const std::string& path, const ScannerModel& model) {
