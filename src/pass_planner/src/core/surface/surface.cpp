@@ -7,12 +7,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <new>
 #include <utility>
 
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/geometry/nearest_in_scene.h"
 #include "scan_cell_common/geometry/nearest_on_triangle.h"
 #include "tool_path_stretcher/surface.h"
 
@@ -141,31 +141,10 @@ Surface::Surface(Surface&&) noexcept = default;
 Surface& Surface::operator=(Surface&&) noexcept = default;
 
 Surface::Place Surface::nearest(const Vector3d& point) const {
-  struct Search {
-    const Implementation* surface;
-    Vector3d point;
-    Place best;
-  } search{implementation_.get(), point, {}};
-  search.best.distance = std::numeric_limits<double>::infinity();
-
-  RTCPointQuery query{};
-  query.x = static_cast<float>(point.x());
-  query.y = static_cast<float>(point.y());
-  query.z = static_cast<float>(point.z());
-  query.radius = std::numeric_limits<float>::infinity();
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  const auto look = [](RTCPointQueryFunctionArguments* arguments) {
-    auto& s = *static_cast<Search*>(arguments->userPtr);
-    const Place place = s.surface->nearest_of(arguments->primID, s.point);
-    if (!(place.distance < s.best.distance)) return false;
-    s.best = place;
-    constexpr double kSinglePrecision = 1e-6;  // [m] looks at those equally far, too; chosen
-    arguments->query->radius = static_cast<float>(place.distance + kSinglePrecision);
-    return true;
-  };
-  rtcPointQuery(implementation_->scene, &query, &context, look, &search);
-  return search.best;
+  return scan_cell_common::nearest_in_scene<Place>(
+      implementation_->scene, point, [&](unsigned /*geometry*/, unsigned triangle) {
+        return implementation_->nearest_of(triangle, point);
+      });
 }
 
 std::optional<Vector3d> Surface::obstacle(const Vector3d& on_surface, const Vector3d& eye) const {

@@ -6,8 +6,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
+#include "scan_cell_common/geometry/nearest_in_scene.h"
 #include "scan_cell_common/geometry/nearest_on_triangle.h"
 
 namespace scan_cell_sim {
@@ -160,32 +162,14 @@ bool Scene::sees(const Vector3d& surface_point, const Vector3d& eye) const {
 }
 
 double Scene::distance_to_surface(const Vector3d& point) const {
-  struct Search {
-    const Implementation* scene;
-    Vector3d point;
-    double best;
-  } search{implementation_.get(), point, std::numeric_limits<double>::infinity()};
-
-  RTCPointQuery query{};
-  query.x = static_cast<float>(point.x());
-  query.y = static_cast<float>(point.y());
-  query.z = static_cast<float>(point.z());
-  query.radius = std::numeric_limits<float>::infinity();
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  const auto look = [](RTCPointQueryFunctionArguments* arguments) {
-    auto& s = *static_cast<Search*>(arguments->userPtr);
-    const auto [a, b, c] = s.scene->corners(arguments->geomID, arguments->primID);
-    const double distance =
-        (s.point - scan_cell_common::nearest_on_triangle(s.point, a, b, c)).norm();
-    if (distance >= s.best) return false;
-    s.best = distance;
-    constexpr double kSinglePrecision = 1e-6;  // [m] checks triangles at the same distance; chosen
-    arguments->query->radius = static_cast<float>(distance + kSinglePrecision);
-    return true;
+  struct Found {
+    double distance;
   };
-  rtcPointQuery(implementation_->scene, &query, &context, look, &search);
-  return search.best;
+  const auto measure = [&](unsigned geometry, unsigned triangle) -> Found {
+    const auto [a, b, c] = implementation_->corners(geometry, triangle);
+    return {(point - scan_cell_common::nearest_on_triangle(point, a, b, c)).norm()};
+  };
+  return scan_cell_common::nearest_in_scene<Found>(implementation_->scene, point, measure).distance;
 }
 
 const std::vector<Mesh>& Scene::meshes() const {
