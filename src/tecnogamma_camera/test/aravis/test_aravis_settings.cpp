@@ -165,7 +165,7 @@ TEST(AravisCamera, DrivesFourStrobesAtOnceAndListsItsInputs) {
   const auto camera = open();
   EXPECT_EQ(camera->describe().lines, lines);
   CameraSettings settings = small_region(50);
-  settings.strobe_line = "Out0, Out1,Out2, Out3";
+  settings.strobe_line = " Out0 , Out1,Out2,\tOut3 ";
   camera->configure(settings);
   camera->start(Trigger::kExternal);
   for (unsigned i = 0; i < kLines; ++i) {

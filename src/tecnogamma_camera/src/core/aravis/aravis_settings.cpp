@@ -176,6 +176,7 @@ StrobeOutputs::StrobeOutputs(ArvCamera* arv, const std::string& lines, const std
   try {
     std::istringstream names(lines);
     for (std::string line; std::getline(names >> std::ws, line, ',');) {
+      line.erase(line.find_last_not_of(" \t") + 1);
       change("LineSelector", line);
       change("LineMode", "Output");
       change("LineSource", source);
