@@ -16,6 +16,7 @@ using cloud_preprocess::Label;
 using cloud_preprocess::raw_scan;
 using cloud_preprocess::Scene;
 using cloud_preprocess::StageReport;
+using cloud_preprocess::TracedCloud;
 
 namespace {
 
@@ -61,6 +62,22 @@ TEST(Clean, KeepsTheReportsUpToTheStageThatFails) {
   EXPECT_EQ(reports.back().points_out, 0U);
 }
 
+TEST(Clean, LeavesEachObjectOfARawScan) {
+  const Scene scene = raw_scan();
+  CleanParameters parameters;
+  parameters.grid.reset();
+  std::vector<StageReport> reports;
+  TracedCloud cloud(scene.cloud());
+  std::vector<TracedCloud> objects;
+  clean(cloud, parameters, reports, objects);
+  ASSERT_EQ(objects.size(), 2U);  // along x: the frame, the box
+  EXPECT_GE(scene.share_in(objects[0].cloud(), Label::kPart), 0.9999);
+  EXPECT_EQ(scene.share_in(objects[0].cloud(), Label::kOtherPart), 0.0);
+  EXPECT_GE(scene.share_in(objects[1].cloud(), Label::kOtherPart), 0.99);
+  EXPECT_EQ(scene.share_in(objects[1].cloud(), Label::kPart), 0.0);
+  EXPECT_EQ(objects[0].sources(), cloud.sources());  // the larger one is the one asked for
+}
+
 TEST(CleanParameters, AreTheDefaultsInTheShippedFile) {
   const CleanParameters shipped = cloud_preprocess::load_clean_parameters(SHIPPED_CONFIG);
   const CleanParameters defaults;
@@ -76,6 +93,7 @@ TEST(CleanParameters, AreTheDefaultsInTheShippedFile) {
   EXPECT_EQ(shipped.outliers.deviations, defaults.outliers.deviations);
   EXPECT_EQ(shipped.isolate.select, defaults.isolate.select);
   EXPECT_EQ(shipped.isolate.gap, defaults.isolate.gap);
+  EXPECT_EQ(shipped.isolate.across_shadows, defaults.isolate.across_shadows);
   EXPECT_EQ(shipped.isolate.min_points, defaults.isolate.min_points);
   EXPECT_EQ(shipped.grid->leaf, defaults.grid->leaf);
 }
@@ -113,6 +131,18 @@ TEST_F(CleanCloudTool, CleansAFileAndPrintsAStageALine) {
   for (const char* stage : {"floor ", "outliers ", "isolate ", "grid "}) {
     EXPECT_NE(printed().find(stage), std::string::npos) << printed();
   }
+}
+
+TEST_F(CleanCloudTool, WritesEachObjectAsAFileOfItsOwn) {
+  const std::string files = "--input " + path("scan.ply") + " --output " + path("part.ply");
+  std::ofstream(path("all_0.ply")) << "of an earlier run";
+  std::ofstream(path("all_1.ply")) << "of an earlier run";
+  std::ofstream(path("all_2.ply")) << "of an earlier run";
+  ASSERT_EQ(run(files + " --objects " + path("all.ply")), 0) << printed();
+  EXPECT_EQ(scan_cell_common::load_cloud(path("all_0.ply")).size(),
+            scan_cell_common::load_cloud(path("part.ply")).size());
+  EXPECT_GT(scan_cell_common::load_cloud(path("all_1.ply")).size(), 200U);
+  EXPECT_FALSE(fs::exists(path("all_2.ply")));
 }
 
 TEST_F(CleanCloudTool, RunsEachStageAlone) {

@@ -4,8 +4,10 @@
 #include <ros/ros.h>
 #include <scan_cell_common/errors/errors.h>
 #include <scan_cell_common/ros/cloud_messages.h>
+#include <scan_cell_msgs/ObjectClouds.h>
 #include <scan_cell_msgs/PreprocessReport.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <std_srvs/Trigger.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -25,7 +27,8 @@ using sensor_msgs::PointCloud2;
 namespace {
 
 const char* const kStages[] = {"floor", "outliers", "isolate", "grid"};
-const char* const kNodelets[] = {"floor", "outliers", "isolate", "grid", "ceiling", "elsewhere"};
+const char* const kNodelets[] = {"floor",   "outliers",  "isolate", "grid",
+                                 "ceiling", "elsewhere", "whole"};
 
 /// The chain of nodelets.test, with everything it has published.
 class Chain : public testing::Test {
@@ -71,6 +74,8 @@ class Chain : public testing::Test {
   PointCloud2ConstPtr output(const std::string& stage) {
     return wait_for([&] { return of_this_test(clouds_[stage]); });
   }
+
+  void forget(const std::string& stage) { clouds_[stage].clear(); }
 
   bool has_output(const std::string& stage) { return of_this_test(clouds_[stage]) != nullptr; }
 
@@ -124,6 +129,63 @@ TEST_F(Chain, LeavesOneReducedObjectAndPassesTheHeaderOn) {
   EXPECT_EQ(scene.share_in(isolated, Label::kFloor), 0.0);
   EXPECT_EQ(scene.share_in(isolated, Label::kOutlier), 0.0);
   EXPECT_GE(scene.share_in(isolated, Label::kPart), 0.9999);
+}
+
+TEST_F(Chain, IsOneNodeletThatGivesEachObjectToo) {
+  const Scene::Rectangle left{-0.06, 0, 0.06, 0.08}, right{0.06, 0, 0.08, 0.08};
+  Scene scene;
+  scene.add_floor({0, 0, 0.30, 0.15}, {left, right});
+  scene.add_box(left, 0.03, Label::kOtherPart);
+  scene.add_box(right, 0.03);
+  send(scene.cloud());
+  const auto result = output("whole");
+  ASSERT_NE(result, nullptr);
+  const Cloud part = scan_cell_common::from_message(*result);
+  EXPECT_GE(scene.share_in(part, Label::kPart), 0.98);  // outliers take points off edges
+  EXPECT_EQ(scene.share_in(part, Label::kOtherPart), 0.0);
+  const auto objects =
+      ros::topic::waitForMessage<scan_cell_msgs::ObjectClouds>("whole/objects", ros::Duration(60));
+  ASSERT_NE(objects, nullptr);
+  EXPECT_EQ(objects->header.stamp, result->header.stamp);
+  ASSERT_EQ(objects->clouds.size(), 2U);
+  const Cloud other = scan_cell_common::from_message(objects->clouds[0]);
+  EXPECT_GE(scene.share_in(other, Label::kOtherPart), 0.98);
+  EXPECT_EQ(objects->clouds[1].data, result->data);
+}
+
+TEST_F(Chain, CleansTheLatestCloudAnewWithOtherParameters) {
+  const Scene::Rectangle box{0, 0, 0.06, 0.08};
+  Scene scene;
+  scene.add_floor({0, 0, 0.20, 0.15}, {box});
+  scene.add_box(box, 0.03);
+  send(scene.cloud());
+  ASSERT_NE(output("whole"), nullptr);
+  const auto apply = [] {
+    std_srvs::Trigger trigger;
+    EXPECT_TRUE(ros::service::call("whole/apply", trigger));
+    return trigger.response;
+  };
+  forget("whole");
+  ros::param::set("whole/floor/z_min", 0.02);
+  EXPECT_TRUE(apply().success);
+  const auto anew = output("whole");
+  ASSERT_NE(anew, nullptr);
+  for (const auto& point : scan_cell_common::from_message(*anew))
+    ASSERT_GE(point.z, 0.02);
+
+  forget("whole");
+  ros::param::set("whole/floor/z_min", 5.0);  // nothing is left
+  const auto nothing = apply();
+  EXPECT_FALSE(nothing.success);
+  EXPECT_NE(nothing.message.find("no point lies within them"), std::string::npos)
+      << nothing.message;
+  ros::param::del("whole/floor/z_min");
+  ros::param::set("whole/floor/margin", -1.0);
+  const auto refused = apply();
+  EXPECT_FALSE(refused.success);
+  EXPECT_NE(refused.message.find("floor/margin"), std::string::npos) << refused.message;
+  ros::param::set("whole/floor/margin", 0.002);
+  EXPECT_TRUE(apply().success);
 }
 
 TEST_F(Chain, KeepsWhatEachPointCarries) {

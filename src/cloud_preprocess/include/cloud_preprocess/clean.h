@@ -47,4 +47,9 @@ Cloud clean(Cloud cloud, const CleanParameters& parameters, std::vector<StageRep
 void clean(TracedCloud& cloud, const CleanParameters& parameters,
            std::vector<StageReport>& reports);
 
+/// The same, and each object that the stage isolate found is cleaned, too.
+/// @param[out] objects along `isolate/axis`; the one that is asked for is among them
+void clean(TracedCloud& cloud, const CleanParameters& parameters, std::vector<StageReport>& reports,
+           std::vector<TracedCloud>& objects);
+
 }  // namespace cloud_preprocess

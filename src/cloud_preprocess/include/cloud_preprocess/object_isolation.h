@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cloud_preprocess/limits.h"
 #include "cloud_preprocess/stage.h"
 
@@ -18,6 +21,7 @@ struct IsolationParameters {
   double gap = 0.01;                                //!< [m] objects are at least this far apart
   int min_points = 200;                             //!< fewer are no object
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  //!< [m] kNearest: the object nearest to this
+  bool across_shadows = true;                       //!< pieces without floor between are joined
   Axis axis = Axis::kX;                             //!< kIndex: objects are counted along this axis
   int index = 0;                                    //!< kIndex: which of them, the first is 0
   Limits limits;                                    //!< by hand, cut before all else
@@ -27,8 +31,9 @@ struct IsolationParameters {
 void describe(scan_cell_common::ParameterTable& table, IsolationParameters& parameters);
 
 /// Keeps one object of those that lie side by side: an object is a cluster of points with gaps
-/// below a given one. The largest is the one with the most points; along an axis, objects are
-/// ordered by the middle of their extent.
+/// below a given one, or several between which nothing was seen, not even the floor, where the
+/// stage floor has found one. The largest is the one with the most points; along an axis, objects
+/// are ordered by the middle of their extent.
 class ObjectIsolation final : public Stage {
  public:
   using Parameters = IsolationParameters;  //!< of this stage
@@ -37,6 +42,11 @@ class ObjectIsolation final : public Stage {
   explicit ObjectIsolation(const IsolationParameters& parameters);
 
   std::string name() const override { return "isolate"; }  //!< of the stage
+
+  /// Each object as a cloud of its own, along the axis; the whole cloud where all are kept.
+  /// @param cloud finite and not empty
+  /// @throw scan_cell_common::UnusableInput as run()
+  std::vector<TracedCloud> objects(TracedCloud cloud) const;
 
  private:
   std::string apply(TracedCloud& cloud) const override;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -10,6 +12,13 @@
 namespace cloud_preprocess {
 
 using scan_cell_common::Cloud;
+
+/// The floor that was removed: where it was seen nothing stands.
+struct SeenFloor {
+  Cloud points;           //!< [m] on or below it
+  Eigen::Vector3f point;  //!< [m] of its plane
+  Eigen::Vector3f up;     //!< of length 1, away from it
+};
 
 /// A cloud, and from which point of the cloud that went in each of its points comes: what a point
 /// carries besides its place is found there.
@@ -21,6 +30,11 @@ class TracedCloud {
 
   const Cloud& cloud() const { return cloud_; }                           //!< [m]
   const std::vector<std::uint32_t>& sources() const { return sources_; }  //!< one a point
+
+  /// None: it was not looked for or not found.
+  const SeenFloor* floor() const { return floor_.get(); }
+  /// Tells the stages that come after.
+  void set_floor(SeenFloor floor);
 
   /// Keeps the points for which `keep(index)` is true, in their order.
   /// @return how many went
@@ -45,6 +59,7 @@ class TracedCloud {
  private:
   Cloud cloud_;
   std::vector<std::uint32_t> sources_;
+  std::shared_ptr<const SeenFloor> floor_;
 };
 
 }  // namespace cloud_preprocess

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_preprocess/clean.h"
 
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -46,6 +47,37 @@ void read_section(const YamlEntry& root, const std::string& section, Parameters&
   table.refuse_unknown();
 }
 
+class Chain {
+ public:
+  explicit Chain(const CleanParameters& parameters)
+      : floor_(parameters.floor), outliers_(parameters.outliers), isolation_(parameters.isolate) {
+    if (parameters.grid) grid_.emplace(*parameters.grid);
+  }
+
+  void before_isolation(TracedCloud& cloud, std::vector<StageReport>& reports) const {
+    floor_.run(cloud, reports.emplace_back());
+    outliers_.run(cloud, reports.emplace_back());
+  }
+
+  void isolate(TracedCloud& cloud, std::vector<StageReport>& reports) const {
+    isolation_.run(cloud, reports.emplace_back());
+  }
+
+  std::vector<TracedCloud> objects(TracedCloud cloud) const {
+    return isolation_.objects(std::move(cloud));
+  }
+
+  void reduce(TracedCloud& cloud, std::vector<StageReport>& reports) const {
+    if (grid_) grid_->run(cloud, reports.emplace_back());
+  }
+
+ private:
+  FloorRemoval floor_;
+  OutlierRemoval outliers_;
+  ObjectIsolation isolation_;
+  std::optional<GridReduction> grid_;
+};
+
 }  // namespace
 
 void describe(scan_cell_common::ParameterTable& table, CleanParameters& parameters) {
@@ -81,14 +113,23 @@ Cloud clean(Cloud cloud, const CleanParameters& parameters, std::vector<StageRep
 
 void clean(TracedCloud& cloud, const CleanParameters& parameters,
            std::vector<StageReport>& reports) {
-  const FloorRemoval floor(parameters.floor);
-  const OutlierRemoval outliers(parameters.outliers);
-  const ObjectIsolation isolation(parameters.isolate);
-  const GridReduction grid(parameters.grid.value_or(GridParameters{}));
-  std::vector<const Stage*> stages = {&floor, &outliers, &isolation};
-  if (parameters.grid) stages.push_back(&grid);
-  for (const Stage* const stage : stages)
-    stage->run(cloud, reports.emplace_back());
+  const Chain chain(parameters);
+  chain.before_isolation(cloud, reports);
+  chain.isolate(cloud, reports);
+  chain.reduce(cloud, reports);
+}
+
+void clean(TracedCloud& cloud, const CleanParameters& parameters, std::vector<StageReport>& reports,
+           std::vector<TracedCloud>& objects) {
+  const Chain chain(parameters);
+  chain.before_isolation(cloud, reports);
+  TracedCloud scene = cloud;
+  chain.isolate(cloud, reports);
+  chain.reduce(cloud, reports);
+  objects = chain.objects(std::move(scene));
+  std::vector<StageReport> of_objects;
+  for (TracedCloud& object : objects)
+    chain.reduce(object, of_objects);
 }
 
 }  // namespace cloud_preprocess

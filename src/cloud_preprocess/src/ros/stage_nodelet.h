@@ -5,24 +5,13 @@
 #include <ros/ros.h>
 #include <scan_cell_common/ros/load_parameters.h>
 #include <scan_cell_common/ros/nodelet.h>
-#include <sensor_msgs/PointCloud2.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <memory>
-#include <string>
 
+#include "cloud_frames.h"
 #include "cloud_preprocess/stage.h"
 
 namespace cloud_preprocess {
-
-/// What every stage's nodelet has besides the stage's own parameters.
-struct TargetFrame {
-  std::string frame;   //!< empty: each cloud stays in its own
-  double timeout = 1;  //!< [s]
-};
-
-void describe(scan_cell_common::ParameterTable& table, TargetFrame& target);
 
 template <class StageParameters>
 struct NodeletParameters {
@@ -52,13 +41,8 @@ class StageNodelet : public scan_cell_common::Nodelet {
   void start() override;
   void on_cloud(const sensor_msgs::PointCloud2ConstPtr& message);
 
-  /// @throw scan_cell_common::Refused if /tf does not link the frames at the cloud's time
-  Eigen::Isometry3f to_target_frame(const std_msgs::Header& header) const;
-
-  TargetFrame target_;
+  CloudFrames frames_;
   std::unique_ptr<const Stage> stage_;
-  tf2_ros::Buffer transforms_;
-  std::unique_ptr<tf2_ros::TransformListener> listener_;  // none without a target frame
   ros::Publisher output_;
   ros::Publisher report_;
   ros::Subscriber input_;

@@ -5,25 +5,30 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "cloud_preprocess/clean.h"
 #include "input_check.h"
 #include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scan_cell_common/errors/text.h"
 #include "scan_cell_common/files/files.h"
+#include "scan_cell_common/files/outputs.h"
 #include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/parameters/parameter_table.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
 
 using cloud_preprocess::CleanParameters;
+using cloud_preprocess::Cloud;
 using cloud_preprocess::StageReport;
+using cloud_preprocess::TracedCloud;
 using scan_cell_common::InvalidParameter;
 
 namespace {
 
 struct Options {
   std::string input, output;
+  std::string objects;       // name of the files of all objects; empty: only one is kept
   std::string units;         // of both; empty: not given
   std::string output_units;  // of the output, if others
   scan_cell_common::CloudFormat format;
@@ -127,8 +132,56 @@ void print(const scan_cell_common::LoadedCloud& input, const CleanParameters& pa
     std::printf("%-9s %s\n", "", note.c_str());
 }
 
+/// The name of an object's file: part.ply, part_0.ply, part_1.ply, ...
+std::string numbered(const std::filesystem::path& file, std::size_t number) {
+  const std::string name =
+      fmt::format("{}_{}{}", file.stem().string(), number, file.extension().string());
+  return (file.parent_path() / name).string();
+}
+
+/// What an earlier run left.
+void remove_objects(const std::string& file) {
+  for (std::size_t i = 0; std::filesystem::exists(numbered(file, i)); ++i)
+    scan_cell_common::remove_old(numbered(file, i));
+}
+
+/// @param carried fields of the input
+void save(const std::string& path, const TracedCloud& cloud,
+          const scan_cell_common::FieldedCloud& carried, double metres_per_unit) {
+  if (carried.fields.empty()) {
+    scan_cell_common::save_cloud(path, cloud.cloud(), metres_per_unit);
+    return;
+  }
+  const auto fielded =
+      scan_cell_common::with_fields(cloud.cloud(), carried.view(), cloud.sources());
+  scan_cell_common::save_cloud(path, fielded.view(), metres_per_unit);
+}
+
+void clean_and_save(const Options& options, Cloud cloud,
+                    const scan_cell_common::FieldedCloud& carried,
+                    const CleanParameters& parameters, double metres_per_unit,
+                    std::vector<StageReport>& reports) {
+  TracedCloud part(std::move(cloud));
+  std::vector<TracedCloud> objects;
+  if (options.objects.empty()) {
+    cloud_preprocess::clean(part, parameters, reports);
+  } else {
+    cloud_preprocess::clean(part, parameters, reports, objects);
+  }
+  save(options.output, part, carried, metres_per_unit);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    save(numbered(options.objects, i), objects[i], carried, metres_per_unit);
+  if (!objects.empty())
+    std::printf("%-9s %8zu files from %s on\n", "objects", objects.size(),
+                numbered(options.objects, 0).c_str());
+}
+
 void run(Options& options, const CleanParameters& parameters) {
   scan_cell_common::check_cloud_output(options.output);
+  if (!options.objects.empty()) {
+    scan_cell_common::check_cloud_output(options.objects);
+    remove_objects(options.objects);
+  }
   const std::string units = options.units.empty() ? "m" : options.units;
   options.format.metres_per_unit = scan_cell_common::metres_per(units);
   const double output_unit =
@@ -140,14 +193,7 @@ void run(Options& options, const CleanParameters& parameters) {
   cloud_preprocess::check_input(input.cloud, parameters, options.units, options.input);
   std::vector<StageReport> reports;
   try {
-    cloud_preprocess::TracedCloud cloud(std::move(input.cloud));
-    cloud_preprocess::clean(cloud, parameters, reports);
-    if (carried.fields.empty()) {
-      scan_cell_common::save_cloud(options.output, cloud.cloud(), output_unit);
-    } else {
-      carried = scan_cell_common::with_fields(cloud.cloud(), carried.view(), cloud.sources());
-      scan_cell_common::save_cloud(options.output, carried.view(), output_unit);
-    }
+    clean_and_save(options, std::move(input.cloud), carried, parameters, output_unit, reports);
   } catch (const scan_cell_common::Error&) {
     print(reports);
     throw;
@@ -156,6 +202,9 @@ void run(Options& options, const CleanParameters& parameters) {
 }
 
 void add_files(CLI::App& app, Options& options, scan_cell_common::Outputs& outputs) {
+  app.add_option("--objects", options.objects,
+                 "part.ply: also every object that was found, along isolate/axis, as part_0.ply, "
+                 "part_1.ply, ...");
   const CLI::IsMember is_unit(scan_cell_common::length_units());
   app.add_option("--input", options.input, "cloud to clean (.ply, .pcd, .xyz, .csv, .txt, .asc)")
       ->required();

@@ -27,7 +27,7 @@ ACTIONS = ('/c4g_driver/move', '/scan_cell/scan', '/scan_cell/calibrate', '/tool
 ALWAYS = ('/c4g_driver/status', '/camera/parameter_updates', '/diagnostics', '/joint_states', '/laser_trigger/state',
           '/scan_cell/scan/status', '/scan_cell/state', '/tf', '/tf_static')
 # Its own, and the managers of its nodelets.
-NODES = ('/c4g_driver', '/chain', '/laser_trigger', '/preprocess/manager', '/scan_cell', '/scan_cell_sim',
+NODES = ('/c4g_driver', '/chain', '/laser_trigger', '/preprocess', '/scan_cell', '/scan_cell_sim',
          '/tool_path_stretcher', '/videe')
 # Called as a person would; none of them moves the robot or switches a laser on.
 HARMLESS = (('/c4g_driver/reset_alarms', []), ('/c4g_driver/set_drives', ['true']),

@@ -40,6 +40,7 @@ NODES = {
     ('tool_path_stretcher', 'tool_path_stretcher_node'): [],
 }
 NODELETS = {
+    'cloud_preprocess/Clean': [],
     'cloud_preprocess/Floor': [],
     'cloud_preprocess/Grid': [],
     'cloud_preprocess/Isolate': [],

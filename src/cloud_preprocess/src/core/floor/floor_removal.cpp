@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "floor/floor_plane.h"
 #include "scan_cell_common/errors/errors.h"
@@ -145,8 +146,13 @@ std::string FloorRemoval::apply(TracedCloud& cloud) const {
   const OrientedPoints sample = sample_with_normals(cloud.cloud());
   const std::optional<Plane> floor = floor_of(sample, parameters_, is_cut);
   if (!floor) return message + "no floor found";
-  const std::size_t removed = cloud.keep_if(
-      [&](std::size_t i) { return !(floor->height(cloud.cloud()[i]) <= parameters_.margin); });
+  SeenFloor seen{{}, floor->point.cast<float>(), floor->normal.cast<float>()};
+  const std::size_t removed = cloud.keep_if([&](std::size_t i) {
+    const bool is_above = !(floor->height(cloud.cloud()[i]) <= parameters_.margin);
+    if (!is_above) seen.points.push_back(cloud.cloud()[i]);
+    return is_above;
+  });
+  if (removed > 0) cloud.set_floor(std::move(seen));
   return fmt::format("{}{} on or below the floor through {} m, which leans {:.2f} deg", message,
                      removed, text_of(floor->point, "({:.4f}, {:.4f}, {:.4f})"),
                      degrees(angle_between(floor->normal, parameters_.up.normalized())));

@@ -12,6 +12,10 @@ TracedCloud::TracedCloud(Cloud cloud) : cloud_(std::move(cloud)), sources_(cloud
   std::iota(sources_.begin(), sources_.end(), 0U);
 }
 
+void TracedCloud::set_floor(SeenFloor floor) {
+  floor_ = std::make_shared<const SeenFloor>(std::move(floor));
+}
+
 void TracedCloud::replace(Cloud cloud, const std::vector<std::uint32_t>& points) {
   std::vector<std::uint32_t> sources;
   sources.reserve(points.size());

@@ -55,7 +55,7 @@ sensor_msgs::PointCloud2 CleanCloudWatch::wait(const ros::Time& stamp, double ti
   if (cloud == clouds_.end()) {
     throw scan_cell_common::ConnectionError(clean_cloud_,
                                             fmt::format("no clean cloud within {:g} s", timeout),
-                                            "are the preprocessing nodelets running?");
+                                            "is the nodelet of the preprocessing running?");
   }
   return *cloud->second;
 }
