@@ -13,15 +13,17 @@ class ParameterTable;
 
 namespace tool_path_stretcher {
 
-/// The thesis' two methods (9.2 and 9.7), corrected.
+/// The thesis' two methods (9.2 and 9.7), corrected and as it writes them.
 enum class Method {
-  kAffine,   //!< one similarity, its scale searched
-  kGeneral,  //!< similarity, smooth deformation, waypoints set on the scanned surface
+  kAffine,         //!< one similarity, its scale searched
+  kGeneral,        //!< similarity, smooth deformation, waypoints set on the scanned surface
+  kThesisAffine,   //!< RANSAC over scales about that of the principal axes
+  kThesisGeneral,  //!< ICP with that scale, then the nearest points of the object
 };
 
 std::string to_string(Method method);  //!< as parameters write it
 
-/// @throw scan_cell_common::InvalidParameter if it is neither affine nor general
+/// @throw scan_cell_common::InvalidParameter if it is none of them
 Method method_from_string(const std::string& name);
 
 /// What becomes of the distance of a path that does not touch the surface.
@@ -37,10 +39,11 @@ struct StretchParameters {
   Prior prior;                                    //!< what is known of size and pose before
   double min_scale = 0.45;                        //!< beyond: kScaleAtBound
   double max_scale = 2.2;                         //!< beyond: kScaleAtBound
-  double scale_range = 0.15;    //!< affine: searched about the initial scale, 0.15 = +-15 %
-  int scale_steps = 15;         //!< affine: to each side
-  int min_points = 200;         //!< of each surface after reduction
-  double resample_spacing = 0;  //!< [m] along the path; 0: its own waypoints
+  double scale_range =
+      0.15;              //!< affine, thesis_affine: searched about the initial scale, 0.15 = +-15 %
+  int scale_steps = 15;  //!< affine, thesis_affine: to each side
+  int min_points = 200;  //!< of each surface after reduction
+  double resample_spacing = 0;           //!< [m] along the path; 0: its own waypoints
   StandOff stand_off = StandOff::kKeep;  //!< of a path that does not touch the surface
   double max_path_distance = 0.02;       //!< [m] of a waypoint from the reference
   double inlier_distance = 0.002;        //!< [m] of a point that counts as explained

@@ -15,6 +15,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "search/candidates.h"
 #include "search/scale_search.h"
+#include "thesis/thesis_fit.h"
 #include "verdict/ambiguity.h"
 #include "verdict/checks.h"
 #include "verdict/handedness.h"
@@ -107,9 +108,12 @@ void prefer_given_pose(const PosePrior& given, const Eigen::Vector3d& middle,
   std::swap(fitted.front(), fitted[nearest]);
 }
 
-void tell(const Fitted& fitted, StretchResult& result) {
+void tell(const Surface& reference, const Fitted& fitted, StretchResult& result) {
   result.aligned = true;
   result.similarity = fitted.mapping.similarity;
+  result.mapped_reference = select(reference.points, reference.samples.many);
+  for (Eigen::Vector3d& point : result.mapped_reference)
+    point = fitted.mapping * point;
   result.deformation_nodes = fitted.mapping.graph.nodes().size();
   result.rms = fitted.explanation.rms;
   result.inlier_ratio = fitted.explanation.inlier_ratio;
@@ -149,13 +153,15 @@ class Adaptation {
   /// @throw Refusal
   void run(StretchResult& result) {
     std::vector<Fitted> fitted = choose();
-    tell(fitted.front(), result);
+    if (is_thesis(parameters_.method)) put_registration_first(fitted);
+    tell(surfaces_.reference, fitted.front(), result);
     bool partial_reference = false;
-    if (fitted.front().explanation.inlier_ratio < parameters_.min_inlier_ratio) {
+    if (!is_thesis(parameters_.method) &&
+        fitted.front().explanation.inlier_ratio < parameters_.min_inlier_ratio) {
       if (const auto pose = pose_of_partial_reference(path_, surfaces_, partial_, parameters_)) {
         fitted = {explained({*pose, {}})};
         partial_reference = true;
-        tell(fitted.front(), result);
+        tell(surfaces_.reference, fitted.front(), result);
       }
     }
     check_choice(fitted, partial_reference);
@@ -163,7 +169,7 @@ class Adaptation {
     Mapping mapping = fitted.front().mapping;
     if (parameters_.method == Method::kAffine) {
       mapping = affine_mapping(mapping.similarity);
-      tell(explained(mapping), result);
+      tell(surfaces_.reference, explained(mapping), result);
     }
     adapt(mapping, result);
   }
@@ -190,6 +196,21 @@ class Adaptation {
     deform(fitted);
     if (prior.pose) prefer_given_pose(*prior.pose, centroid_, fitted);
     return fitted;
+  }
+
+  /// What the thesis' registration finds, judged beside what the search found.
+  /// @throw Refusal
+  void put_registration_first(std::vector<Fitted>& fitted) const {
+    const Similarity registration =
+        register_as_thesis(surfaces_, parameters_, stages_.within("register", 0.7, 0.9));
+    if (!parameters_.prior.allows(registration, centroid_)) {
+      refuse_wrong_part(
+          "the registration ended farther from the initial pose or the known scale "
+          "than they may be off");
+    }
+    const Fitted registered = explained({registration, {}});
+    check_registration(surfaces_, registered, fitted);
+    fitted.insert(fitted.begin(), registered);
   }
 
   /// The candidates that may yet win with a coarse deformation graph, best first. A pose is judged
@@ -260,19 +281,22 @@ class Adaptation {
 
   void adapt(const Mapping& mapping, StretchResult& result) const {
     stages_.report("adapt", 0.9);
+    result.reference_path = path_;
     const double spacing =
         mapping.similarity.scale * surfaces_.reference.spacing + surfaces_.object.spacing;
     Placement placement = place(
         path_, surfaces_, mapping,
         {parameters_.support_radius, parameters_.min_support, max_stranger(parameters_, spacing),
          parameters_.method == Method::kGeneral, parameters_.stand_off == StandOff::kKeep});
+    const bool nearest_points = parameters_.method == Method::kThesisGeneral;
+    if (nearest_points) move_to_nearest_points(path_, surfaces_, mapping, placement);
     expect_errors(path_, {surfaces_, mapping, parameters_.prior}, placement);
+    if (nearest_points) expect_sampling_errors(surfaces_.object.spacing, placement);
     result.quality = placement.quality;
     check_fold_over(path_, placement.path, surfaces_, mapping);
     check_placement(placement.quality, spacing, parameters_);
     stages_.report("done", 1);
     result.path = std::move(placement.path);
-    result.reference_path = path_;
   }
 
   const SurfacePair surfaces_;

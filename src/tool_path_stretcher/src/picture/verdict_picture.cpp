@@ -12,6 +12,7 @@
 #include "canvas.h"
 #include "geometry/kd_tree.h"
 #include "mapping/residuals.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -76,14 +77,18 @@ double brightest_of(std::vector<double> deviations) {
   return std::max(*at, kLeast);
 }
 
-/// Turns of all that is shown, and the object's shift to the right of the reference, as seen.
+/// Turns and shifts of all that is shown, as seen: the object to the right of the reference, or the
+/// reference laid over it by the similarity.
 struct Layout {
   Eigen::Matrix3d reference_turn;
   Eigen::Matrix3d object_turn;
+  Eigen::Vector3d reference_shift = Eigen::Vector3d::Zero();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   Eigen::AlignedBox3d box;
 
-  Eigen::Vector3d of_reference(const Eigen::Vector3d& at) const { return reference_turn * at; }
+  Eigen::Vector3d of_reference(const Eigen::Vector3d& at) const {
+    return reference_turn * at + reference_shift;
+  }
   Eigen::Vector3d of_object(const Eigen::Vector3d& at) const { return object_turn * at + shift; }
 };
 
@@ -103,23 +108,39 @@ Eigen::AlignedBox3d box_of(const Points& points, const Eigen::Matrix3d& turn) {
   return box;
 }
 
-Layout lay_out(const PictureInput& input) {
+Layout side_by_side(const PictureInput& input, const Eigen::Matrix3d& axes) {
   constexpr double kGap = 0.12;  // of the reference's width
-  const View view = View::from(input.azimuth, input.elevation);
   const auto& similarities = input.verdict.similarities;
   Layout layout;
-  layout.reference_turn = view.axes;
-  layout.object_turn = similarities.empty()
-                           ? view.axes
-                           : Eigen::Matrix3d(view.axes * similarities[0].rotation.transpose());
+  layout.reference_turn = axes;
+  layout.object_turn =
+      similarities.empty() ? axes : Eigen::Matrix3d(axes * similarities[0].rotation.transpose());
   const Eigen::AlignedBox3d left = box_of(input.reference.points, layout.reference_turn);
   const Eigen::AlignedBox3d right = box_of(input.object.points, layout.object_turn);
   layout.shift = left.center() - right.center();
   layout.shift.x() = left.max().x() + kGap * left.sizes().x() - right.min().x();
   layout.box = left.merged(right.translated(layout.shift));
+  return layout;
+}
+
+Layout overlaid(const PictureInput& input, const Eigen::Matrix3d& axes) {
+  const Similarity& similarity = input.verdict.similarities[0];
+  Layout layout;
+  layout.object_turn = axes * similarity.rotation.transpose();
+  layout.reference_turn = similarity.scale * axes;
+  layout.reference_shift = layout.object_turn * similarity.translation;
+  layout.box = box_of(input.reference.points, layout.reference_turn)
+                   .translated(layout.reference_shift)
+                   .merged(box_of(input.object.points, layout.object_turn));
+  return layout;
+}
+
+Layout lay_out(const PictureInput& input) {
+  const View view = View::from(input.azimuth, input.elevation);
+  Layout layout = input.overlay ? overlaid(input, view.axes) : side_by_side(input, view.axes);
   for (const Eigen::Vector3d& at : positions_of(input.path)) {
     layout.box.extend(layout.of_reference(at));
-    for (const Similarity& similarity : similarities)
+    for (const Similarity& similarity : input.verdict.similarities)
       layout.box.extend(layout.of_object(similarity * at));
   }
   return layout;
@@ -246,10 +267,15 @@ void draw_legend(Canvas& canvas, double brightest, bool aligned) {
 void save_picture(const std::string& file, const PictureInput& input) {
   const auto& similarities = input.verdict.similarities;
   const bool aligned = !similarities.empty();
+  if (input.overlay && !aligned) {
+    throw scan_cell_common::UnusableInput(
+        "report", "no pose was found",
+        "leave --overlay out: nothing lays the reference on the object");
+  }
   const Layout layout = lay_out(input);
   Canvas canvas(kWidth, kHeight);
   canvas.fit(layout.box.min(), layout.box.max(), kTop, 40);
-  draw_surface(canvas, input.reference, layout.reference_turn, Eigen::Vector3d::Zero(),
+  draw_surface(canvas, input.reference, layout.reference_turn, layout.reference_shift,
                [](std::size_t) { return kGrey; });
   std::vector<double> deviations(input.object.points.size(), 0);
   if (aligned) deviations = deviations_of(input.reference, input.object, similarities[0]);

@@ -29,6 +29,7 @@ struct PictureInput {
   ToolPath path;
   std::optional<ToolPath> adapted;  //!< none: where the similarity puts the path
   ReportedVerdict verdict;
+  bool overlay = false;     //!< the reference laid over the object; false: beside it
   double azimuth = -1.05;   //!< [rad] of the eye about z
   double elevation = 0.75;  //!< [rad] of the eye above the x-y plane
 };
@@ -39,7 +40,9 @@ void check_figures(const PictureInput& input);
 
 /// Draws the reference with its path to the left, and the object to the right, turned as the
 /// reference lies: coloured by its distance from the aligned reference, with the path on it and
-/// lines between corresponding waypoints. Waypoints that the verdict names are red.
+/// lines between corresponding waypoints. Waypoints that the verdict names are red. As overlay the
+/// reference lies over the object, where the similarity puts it.
+/// @throw scan_cell_common::UnusableInput for an overlay if no pose was found
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_picture(const std::string& path, const PictureInput& input);
 

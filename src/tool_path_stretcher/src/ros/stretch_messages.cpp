@@ -40,29 +40,6 @@ StretchParameters with_goal(const StretchParameters& parameters,
   return result;
 }
 
-visualization_msgs::MarkerArray correspondence_markers(const ToolPath& from, const ToolPath& to,
-                                                       const std_msgs::Header& header) {
-  visualization_msgs::Marker lines;
-  lines.header = header;
-  lines.ns = "correspondences";
-  lines.type = visualization_msgs::Marker::LINE_LIST;
-  lines.action = visualization_msgs::Marker::ADD;
-  lines.pose.orientation.w = 1;
-  lines.scale.x = 0.0005;  // [m] chosen
-  lines.color.g = 1;
-  lines.color.a = 0.6F;
-  for (std::size_t s = 0; s < to.segments.size(); ++s) {
-    for (std::size_t w = 0; w < to.segments[s].waypoints.size(); ++w) {
-      lines.points.push_back(to_point(from.segments[s].waypoints[w].pose.translation()));
-      lines.points.push_back(to_point(to.segments[s].waypoints[w].pose.translation()));
-    }
-  }
-  if (lines.points.empty()) lines.action = visualization_msgs::Marker::DELETEALL;
-  visualization_msgs::MarkerArray markers;
-  markers.markers.push_back(lines);
-  return markers;
-}
-
 namespace {
 
 scan_cell_msgs::Similarity to_message(const Similarity& similarity) {

@@ -4,7 +4,6 @@
 
 #include <scan_cell_msgs/StretchToolPathGoal.h>
 #include <scan_cell_msgs/StretchToolPathResult.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include "report.h"
 
@@ -14,10 +13,6 @@ namespace tool_path_stretcher {
 /// @throw scan_cell_common::InvalidParameter naming what makes no sense
 StretchParameters with_goal(const StretchParameters& parameters,
                             const scan_cell_msgs::StretchToolPathGoal& goal);
-
-/// Green lines between corresponding waypoints of two paths of the same shape.
-visualization_msgs::MarkerArray correspondence_markers(const ToolPath& from, const ToolPath& to,
-                                                       const std_msgs::Header& header);
 
 /// @param header of the object's cloud
 scan_cell_msgs::StretchToolPathResult to_message(const StretchResult& result,

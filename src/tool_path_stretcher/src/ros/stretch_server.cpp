@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "result_markers.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/load_parameters.h"
@@ -21,6 +22,15 @@ void check_frame(const std::string& what, const std_msgs::Header& header,
       "give clouds and path in one frame; the reference is in '" + reference.frame_id + "'");
 }
 
+scan_cell_common::Cloud to_cloud(const Points& points) {
+  scan_cell_common::Cloud cloud;
+  for (const Eigen::Vector3d& point : points) {
+    cloud.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
+                     static_cast<float>(point.z())});
+  }
+  return cloud;
+}
+
 }  // namespace
 
 StretchServer::StretchServer(const ros::NodeHandle& private_node)
@@ -28,6 +38,7 @@ StretchServer::StretchServer(const ros::NodeHandle& private_node)
       parameters_(scan_cell_common::load_parameters<StretchParameters>(private_node)),
       reference_(node_.advertise<sensor_msgs::PointCloud2>("reference", 1, true)),
       object_(node_.advertise<sensor_msgs::PointCloud2>("object", 1, true)),
+      mapped_reference_(node_.advertise<sensor_msgs::PointCloud2>("mapped_reference", 1, true)),
       reference_path_(node_.advertise<nav_msgs::Path>("reference_path", 1, true)),
       adapted_path_(node_.advertise<nav_msgs::Path>("adapted_path", 1, true)),
       markers_(node_.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
@@ -41,11 +52,15 @@ void StretchServer::show_input(const scan_cell_msgs::StretchToolPathGoal& goal) 
   object_.publish(goal.object);
 }
 
-void StretchServer::show_paths(const ToolPath& reference, const ToolPath& adapted,
-                               const scan_cell_msgs::StretchToolPathGoal& goal) {
+void StretchServer::show_result(const StretchResult& result, const ToolPath& path,
+                                const scan_cell_msgs::StretchToolPathGoal& goal) {
+  const std_msgs::Header& header = goal.object.header;
+  const ToolPath& reference = result.verdict.accepted() ? result.reference_path : path;
+  mapped_reference_.publish(
+      scan_cell_common::to_message(to_cloud(result.mapped_reference), header));
   reference_path_.publish(to_path_message(reference, goal.reference.header));
-  adapted_path_.publish(to_path_message(adapted, goal.object.header));
-  markers_.publish(correspondence_markers(reference, adapted, goal.object.header));
+  adapted_path_.publish(to_path_message(result.path, header));
+  markers_.publish(result_markers(result, path, header));
 }
 
 bool StretchServer::on_progress(const std::string& stage, double progress) {
@@ -91,7 +106,7 @@ void StretchServer::execute(const scan_cell_msgs::StretchToolPathGoalConstPtr& g
   } catch (const scan_cell_common::Error& error) {
     result.verdict = {Reason::kUnusableInput, error.what(), {}};
   }
-  show_paths(result.verdict.accepted() ? result.reference_path : path, result.path, *goal);
+  show_result(result, path, *goal);
   const scan_cell_msgs::StretchToolPathResult message =
       to_message(result, goal->object.header, record);
   const Verdict& verdict = result.verdict;

@@ -23,13 +23,14 @@ class StretchServer {
                     RunRecord& record);
   bool on_progress(const std::string& stage, double progress);
   void show_input(const scan_cell_msgs::StretchToolPathGoal& goal);
-  void show_paths(const ToolPath& reference, const ToolPath& adapted,
-                  const scan_cell_msgs::StretchToolPathGoal& goal);
+  void show_result(const StretchResult& result, const ToolPath& path,
+                   const scan_cell_msgs::StretchToolPathGoal& goal);
 
   ros::NodeHandle node_;
   StretchParameters parameters_;
   ros::Publisher reference_;
   ros::Publisher object_;
+  ros::Publisher mapped_reference_;
   ros::Publisher reference_path_;
   ros::Publisher adapted_path_;
   ros::Publisher markers_;

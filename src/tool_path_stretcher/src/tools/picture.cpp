@@ -22,6 +22,7 @@ struct Options {
   std::string output;
   tool_path_stretcher::FileOptions files;
   std::vector<double> leaf = {0.002, 0.002, 0.0005};
+  bool overlay = false;
   double azimuth = -60;
   double elevation = 43;
 };
@@ -39,6 +40,8 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
   app.add_option("--leaf", options.leaf, "grid reduction x y z [m]")
       ->capture_default_str()
       ->expected(3);
+  app.add_flag("--overlay", options.overlay,
+               "the reference over the object, where the similarity puts it, not beside it");
   app.add_option("--azimuth", options.azimuth, "of the eye about z [deg]")->capture_default_str();
   app.add_option("--elevation", options.elevation, "of the eye over the x-y plane [deg]")
       ->capture_default_str();
@@ -73,6 +76,7 @@ void run(const Options& options) {
   input.object =
       load_surface(options.object, leaf, scan_cell_common::metres_per(files.units_of_object()));
   check_figures(input);
+  input.overlay = options.overlay;
   input.azimuth = options.azimuth * kDegree;
   input.elevation = options.elevation * kDegree;
   save_picture(options.output, input);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +22,7 @@
 #include "scan_cell_common/ros/conversions.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/ros/conversions.h"
+#include "tool_path_stretcher/surface.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 using scan_cell_msgs::StretchToolPathGoal;
@@ -62,6 +64,12 @@ scan_cell_msgs::ToolPath path_message(const synthetic::ToolPath& path) {
   return message;
 }
 
+/// The latest message of a latched topic.
+template <class Message>
+boost::shared_ptr<Message const> latched(const std::string& topic) {
+  return ros::topic::waitForMessage<Message>(topic, ros::Duration(kLong));
+}
+
 class StretchAction : public testing::Test {
  protected:
   StretchAction() : client_("/tool_path_stretcher/stretch", true) {
@@ -78,6 +86,24 @@ class StretchAction : public testing::Test {
     return goal;
   }
 
+  /// Each point of the reference as it was mapped, taken back by the truth, is one of its own.
+  void expect_reference_on_object() const {
+    const auto message = latched<sensor_msgs::PointCloud2>("/tool_path_stretcher/mapped_reference");
+    ASSERT_TRUE(message);
+    EXPECT_EQ(message->header.frame_id, "world");
+    const auto mapped = tool_path_stretcher::to_points(scan_cell_common::from_message(*message));
+    EXPECT_GT(mapped.size(), 1000u);
+    const auto reference =
+        tool_path_stretcher::to_points(scan_cell_common::from_message(goal(part_).reference));
+    for (const Eigen::Vector3d& point : mapped) {
+      const auto nearer = [back = moved_.inverse(point)](const auto& a, const auto& b) {
+        return (a - back).squaredNorm() < (b - back).squaredNorm();
+      };
+      const auto nearest = std::min_element(reference.begin(), reference.end(), nearer);
+      ASSERT_LT((*nearest - moved_.inverse(point)).norm(), 0.002);  // [m] the grid of the leaf
+    }
+  }
+
   /// The result, after exactly one terminal state.
   scan_cell_msgs::StretchToolPathResult finish(const StretchToolPathGoal& goal, State expected) {
     client_.sendGoal(goal);
@@ -92,12 +118,6 @@ class StretchAction : public testing::Test {
       1.08, Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitZ()).toRotationMatrix(), {0.3, 0.1, 0});
   Client client_;
 };
-
-/// The latest message of a latched topic.
-template <class Message>
-boost::shared_ptr<Message const> latched(const std::string& topic) {
-  return ros::topic::waitForMessage<Message>(topic, ros::Duration(kLong));
-}
 
 }  // namespace
 
@@ -129,8 +149,15 @@ TEST_F(StretchAction, AdaptsThePathAndShowsIt) {
   ASSERT_TRUE(markers);
   EXPECT_EQ(markers->markers.at(0).points.size(), 2 * kWaypoints);
   EXPECT_EQ(markers->markers.at(0).color.g, 1);
+  const auto& waypoints = markers->markers.at(1);
+  EXPECT_EQ(waypoints.ns, "waypoints");
+  ASSERT_EQ(waypoints.colors.size(), kWaypoints);
+  for (const auto& colour : waypoints.colors)  // errors of hundredths of a millimetre
+    EXPECT_LT(colour.r, colour.g);
+  EXPECT_EQ(markers->markers.at(2).action, visualization_msgs::Marker::DELETE);
   EXPECT_TRUE(latched<sensor_msgs::PointCloud2>("/tool_path_stretcher/object"));
   EXPECT_TRUE(latched<sensor_msgs::PointCloud2>("/tool_path_stretcher/reference"));
+  expect_reference_on_object();
 }
 
 TEST_F(StretchAction, RefusesAWrongPartWithAReasonAndNoPath) {
@@ -142,6 +169,22 @@ TEST_F(StretchAction, RefusesAWrongPartWithAReasonAndNoPath) {
   const auto shown = latched<nav_msgs::Path>("/tool_path_stretcher/adapted_path");
   ASSERT_TRUE(shown);
   EXPECT_TRUE(shown->poses.empty());
+}
+
+TEST_F(StretchAction, ShowsTheWaypointsThatAVerdictIsAbout) {
+  synthetic::Scan half;
+  half.is_hole = [](const Eigen::Vector3d& at) { return at.y() < -0.04; };
+  StretchToolPathGoal partial = goal(part_);
+  partial.object = cloud_message(synthetic::scan(part_, moved_, synthetic::no_deformation(), half));
+  const auto result = finish(partial, State::ABORTED);
+  EXPECT_EQ(result.verdict.name, "path_not_scanned");
+  ASSERT_FALSE(result.verdict.waypoints.empty());
+  const auto markers = latched<visualization_msgs::MarkerArray>("/tool_path_stretcher/markers");
+  ASSERT_TRUE(markers);
+  EXPECT_EQ(markers->markers.at(1).action, visualization_msgs::Marker::DELETE);
+  EXPECT_EQ(markers->markers.at(2).ns, "refused");
+  EXPECT_EQ(markers->markers.at(2).action, visualization_msgs::Marker::ADD);
+  EXPECT_EQ(markers->markers.at(2).points.size(), result.verdict.waypoints.size());
 }
 
 TEST_F(StretchAction, RefusesUnusableInputByName) {

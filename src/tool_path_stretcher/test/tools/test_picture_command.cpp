@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "report.h"
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -111,6 +112,15 @@ class PictureCommand : public testing::Test {
     return count_pixels([](int b, int g, int r) { return r > 200 && g < 80 && b < 80; });
   }
 
+  /// [px] from the leftmost to the rightmost red pixel.
+  int breadth_of_red() const {
+    const cv::Mat picture = cv::imread(file("picture.png"));
+    cv::Mat red;
+    cv::inRange(picture.rowRange(kWordsHigh, picture.rows), cv::Scalar(0, 0, 201),
+                cv::Scalar(79, 79, 255), red);
+    return cv::boundingRect(red).width;
+  }
+
   int count_orange() const {
     return count_pixels(
         [](int b, int g, int r) { return r > 200 && g > 100 && g < 180 && b < 80; });
@@ -132,6 +142,20 @@ TEST_F(PictureCommand, ShowsTheWaypointsThatTheVerdictNamesOnBothParts) {
   write_report("refused", {0, 1, 2});
   ASSERT_EQ(run(), 0);
   EXPECT_NEAR(count_red(), 3 * one, one);
+}
+
+TEST_F(PictureCommand, LaysTheReferenceOverTheObject) {
+  nlohmann::json report = report_of("refused", {1});
+  save_report(report);
+  ASSERT_EQ(run(), 0);
+  EXPECT_GT(breadth_of_red(), 200);  // one waypoint on each part
+  ASSERT_EQ(run("--overlay"), 0) << complaint();
+  EXPECT_GT(breadth_of_red(), 3);
+  EXPECT_LT(breadth_of_red(), 20);  // at one place
+  report["transform"] = nullptr;
+  save_report(report);
+  EXPECT_EQ(run("--overlay"), 1);
+  EXPECT_NE(complaint().find("no pose was found"), std::string::npos) << complaint();
 }
 
 TEST_F(PictureCommand, ShowsThePathsOfBothPosesOfAnAmbiguousVerdict) {

@@ -6,8 +6,7 @@
 
 namespace cases {
 
-/// The thesis' general method (9.7) written plainly with PCL: scale from PCA, ICP, nearest point,
-/// way back. As written it starts from where the clouds lie, and never refuses.
+/// The thesis' general method (9.7) on whole clouds, without the suite's checks: it never refuses.
 ToolPath thesis_method(const Points& reference, const Points& object, const ToolPath& path);
 
 }  // namespace cases

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "scan_cell_common/errors/errors.h"
@@ -17,7 +18,7 @@ using scan_cell_common::Also;
 using scan_cell_common::InvalidParameter;
 using scan_cell_common::ParameterTable;
 
-const std::vector<std::string> kMethods = {"affine", "general"};
+const std::vector<std::string> kMethods = {"affine", "general", "thesis_affine", "thesis_general"};
 
 std::vector<double> numbers_of(const std::optional<PosePrior>& prior) {
   if (!prior) return {};
@@ -60,9 +61,11 @@ void describe_size(ParameterTable& table, StretchParameters& p) {
   table.add("max_scale", p.max_scale, {0.01, 100}, "above: SCALE_AT_BOUND");
   if (p.max_scale < p.min_scale)
     table.refuse("max_scale", fmt::format("{:g}", p.max_scale), "give min_scale or more");
-  table.add("scale_range", p.scale_range, {0.001, 0.9},
-            "affine: searched about the initial scale, 0.15 = +-15 % (r in the thesis)");
-  table.add("scale_steps", p.scale_steps, {1, 1000}, "affine: to each side (k in the thesis)");
+  table.add(
+      "scale_range", p.scale_range, {0.001, 0.9},
+      "affine, thesis_affine: searched about the initial scale, 0.15 = +-15 % (r in the thesis)");
+  table.add("scale_steps", p.scale_steps, {1, 1000},
+            "affine, thesis_affine: to each side (k in the thesis)");
 }
 
 void describe_input(ParameterTable& table, StretchParameters& p) {
@@ -110,12 +113,14 @@ Method method_from_string(const std::string& name) {
   scan_cell_common::RangeCheck table;
   std::string word = name;
   table.choice("method", word, kMethods, "");
-  return word == "affine" ? Method::kAffine : Method::kGeneral;
+  return static_cast<Method>(std::find(kMethods.begin(), kMethods.end(), word) - kMethods.begin());
 }
 
 void describe(ParameterTable& table, StretchParameters& parameters) {
   table.choice("method", parameters.method, kMethods,
-               "affine: one similarity; general: also a smooth deformation");
+               "affine: one similarity; general: also a smooth deformation; thesis_affine, "
+               "thesis_general: as "
+               "the thesis writes them, to compare");
   table.add("leaf", parameters.leaf, {1e-6, 1, "m"},
             "grid reduction along x, y, z; made wider in proportion where more than 50,000 points "
             "would be left");
