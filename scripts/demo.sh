@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the whole cell without hardware: scans a reference and a changed part, adapts the tool path, and compares it
-# with the ground truth. Writes clouds, paths, picture and report to out/. With TAUGHT=1 tool and world are taught
-# in the simulated cell first, in place of the simulator's own cell file.
+# with the ground truth. Writes clouds, paths, picture and report to out/. Tool and world are those that were taught in
+# the simulated cell just before, not the simulator's own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck disable=SC1091
@@ -9,23 +9,19 @@ set +u && source devel/setup.bash && set -u
 
 out="$PWD/out"
 mkdir -p "$out"
-rm -f "$out"/*.ply "$out"/*.csv "$out"/*.png "$out"/*.json "$out"/*.bag
+rm -f "$out"/*.ply "$out"/*.csv "$out"/*.png "$out"/*.json "$out"/*.bag "$out"/cell.yaml
 
 export ROS_IP=127.0.0.1 ROS_HOME="$out/ros"
 export ROS_MASTER_URI="http://127.0.0.1:${DEMO_MASTER_PORT:-11321}"  # not the master of a cell that may be running
 rviz=false
 [ -n "${DISPLAY:-}" ] && rviz=true
 
-frames=()
-if [ -n "${TAUGHT:-}" ]; then
-  echo "Teaching tool and world (log: out/teach.log)"
-  scripts/teach_cell.sh "$out"
-  frames=("cell:=$out/cell.yaml")
-fi
+echo "Teaching tool and world (log: out/teach.log)"
+scripts/teach_cell.sh "$out" || { tail -n 25 "$out/teach.log" >&2; exit 1; }
 
 echo "Starting the simulated cell (log: out/cell.log)"
-roslaunch --wait launch/scan_cell.launch sim:=true rviz:=$rviz record:="$out/demo.bag" "${frames[@]}" \
-  >"$out/cell.log" 2>&1 &
+roslaunch --wait launch/scan_cell.launch sim:=true rviz:=$rviz record:="$out/demo.bag" \
+  cell:="$out/cell.yaml" >"$out/cell.log" 2>&1 &
 cell=$!
 roscore -p "${DEMO_MASTER_PORT:-11321}" >"$out/roscore.log" 2>&1 &
 core=$!

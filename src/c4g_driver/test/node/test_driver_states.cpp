@@ -54,10 +54,11 @@ TEST_F(Driver, ShowsTheSameFlangeAsTheUrdf) {
           << expected.matrix();
     }
   }
-  EXPECT_TRUE(joints_.is([](const sensor_msgs::JointState& state) {
+  const auto shows_joint_6 = [](const sensor_msgs::JointState& state) {
     return state.name.front() == "joint_1" && state.name.back() == "joint_6" &&
            std::abs(state.position[5] - 4.0) < 1e-5;
-  }));
+  };
+  EXPECT_TRUE(eventually([&] { return joints_.is(shows_joint_6); }));
 }
 
 TEST_F(Driver, PollsTheRobotWhileItStands) {
