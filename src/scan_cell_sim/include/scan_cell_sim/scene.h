@@ -25,7 +25,7 @@ class Scene {
     Eigen::Vector3d normal;  //!< unit vector, on the side the ray came from
     double distance;         //!< [m] from the ray's origin
     double reflectance;      //!< 0 .. 1
-    unsigned surface;        //!< numbers floor, board and parts
+    unsigned surface;        //!< numbers floor, board and parts, or the surfaces given
   };
 
   /// @throw scan_cell_common::UnusableInput if a part's deformation folds it
@@ -34,6 +34,11 @@ class Scene {
   /// A scene of only one part, without the floor.
   /// @throw scan_cell_common::UnusableInput as above, or if there is no such part
   Scene(const World& world, const std::string& part);
+
+  /// A scene of surfaces that are no shapes of the simulator's.
+  /// @param surfaces [m] numbered from 0 in Hit::surface
+  /// @param reflectance 0 .. 1, of all
+  Scene(const std::vector<Mesh>& surfaces, double reflectance);
 
   ~Scene();
   Scene(Scene&&) noexcept;             //!< takes over the other's surfaces

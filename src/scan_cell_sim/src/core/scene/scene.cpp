@@ -111,6 +111,13 @@ Scene::Scene(const World& world) : implementation_(std::make_unique<Implementati
 Scene::Scene(const World& world, const std::string& part)
     : Scene(World{std::nullopt, std::nullopt, {world.part(part)}}) {}
 
+Scene::Scene(const std::vector<Mesh>& surfaces, double reflectance)
+    : implementation_(std::make_unique<Implementation>()) {
+  for (const Mesh& surface : surfaces)
+    implementation_->add(surface, reflectance);
+  implementation_->commit();
+}
+
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;

@@ -1,0 +1,57 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scanner_views/methods.h"
+
+namespace scanner_views {
+
+/// What an answer is worth.
+enum class Worth {
+  kRight,  //!< accepted, and the path is where it belongs
+  kWrong,  //!< accepted, and a waypoint is not, or the object is to be refused
+  kRefusedNeedlessly,
+  kRefusedRightly,
+};
+
+std::string to_string(Worth worth);
+
+/// From where on a waypoint of an accepted path is wrong.
+constexpr double kWrongNormal = 0.001;          // [m]
+constexpr double kWrongPosition = 0.005;        // [m]
+constexpr double kWrongAngle = 5 * M_PI / 180;  // [rad]
+
+/// Errors of one path in the true frame of each waypoint, and how many are as expected.
+struct Errors {
+  double normal = 0;          //!< [m] RMS
+  double tangential = 0;      //!< [m] RMS
+  double angle = 0;           //!< [rad] RMS
+  double position = 0;        //!< [m] RMS
+  double worst_normal = 0;    //!< [m]
+  double worst_position = 0;  //!< [m]
+  double worst_angle = 0;     //!< [rad]
+  std::size_t waypoints = 0;
+  std::size_t with_quality = 0;        //!< for which errors are expected
+  std::size_t normal_as_expected = 0;  //!< within three times
+  std::size_t along_as_expected = 0;   //!< within three times
+  std::size_t truly_along = 0;         //!< less than 0.5 mm off along the surface
+  std::size_t known_along = 0;         //!< of these: expected to be less than 2 mm off
+
+  bool wrong() const {
+    return worst_normal > kWrongNormal || worst_position > kWrongPosition ||
+           worst_angle > kWrongAngle;
+  }
+};
+
+Errors errors_of(const Answer& answer, const ToolPath& truth);
+
+/// An answer beside the truth.
+struct Outcome {
+  Answer answer;  //!< without its path
+  Worth worth = Worth::kRefusedNeedlessly;
+  Errors errors;  //!< of an accepted path
+};
+
+Outcome outcome_of(Answer answer, const ViewCase& each, const View& view);
+
+}  // namespace scanner_views

@@ -1,0 +1,218 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scanner_views/view_case.h"
+
+#include <limits>
+
+#include "cloud_preprocess/clean.h"
+#include "geometry/kd_tree.h"
+#include "parts/scan.h"
+#include "scan_cell_common/errors/errors.h"
+
+namespace scanner_views {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kReflectance = 0.7;
+
+/// [m] the farthest two points of a box are apart
+double extent_of(const Mesh& mesh) {
+  return box_of(mesh).diagonal().norm();
+}
+
+/// How much coarser a large part is scanned: lines are about 1.2 mm apart up to 0.35 m.
+double coarseness_of(const Mesh& part) {
+  constexpr double kLarge = 0.35;  // [m] chosen
+  return std::max(1.0, extent_of(part) / kLarge);
+}
+
+Scanner scanner_for(const Mesh& part, Draws& draws) {
+  const double coarser = coarseness_of(part);
+  Scanner scanner;
+  scanner.line_spacing *= coarser * draws.between(0.8, 1.3);
+  scanner.point_spacing *= coarser * draws.between(0.9, 1.6);
+  return scanner;
+}
+
+/// Axes of the scanner: it goes along `heading` in the plane and leans about that way.
+Eigen::Matrix3d head_of(double heading, double lean) {
+  const Eigen::Matrix3d down =
+      Eigen::AngleAxisd(M_PI, Vector3d::UnitX()).toRotationMatrix();  // z down
+  return Eigen::AngleAxisd(heading, Vector3d::UnitZ()) * down *
+         Eigen::AngleAxisd(lean, Vector3d::UnitX()).toRotationMatrix();
+}
+
+std::vector<Sweep> sweeps_of(Viewing viewing, double heading) {
+  constexpr double kLean = 0.35, kFar = 0.52;  // [rad] 20 and 30 degrees
+  Sweep above;
+  above.head = head_of(heading, 0);
+  switch (viewing) {
+    case Viewing::kAboveOneLaser:
+      return {above};
+    case Viewing::kAboveBothLasers:
+      above.second_laser = true;
+      return {above};
+    case Viewing::kLeaningOneLaser:
+      above.head = head_of(heading, kLean);
+      return {above};
+    case Viewing::kTwoSides:
+      break;
+  }
+  Sweep one, other;
+  one.head = head_of(heading, kFar);
+  other.head = head_of(heading, -kFar);
+  one.second_laser = other.second_laser = true;
+  other.number = 1;
+  return {one, other};
+}
+
+struct Looking {
+  Viewing viewing;
+  double around = 0;  // [m] of what surrounds the part that is scanned as well
+};
+
+/// @param meshes the part first
+ScanPoints scan(const std::vector<Mesh>& meshes, const Looking& looking, Draws& draws) {
+  const scan_cell_sim::Scene scene(meshes, kReflectance);
+  const LineScanner scanner(scene, scanner_for(meshes.front(), draws));
+  ScanPoints points;
+  for (Sweep& sweep : sweeps_of(looking.viewing, draws.between(-M_PI, M_PI))) {
+    for (const Vector3d& vertex : meshes.front().vertices)
+      sweep.extent.extend(sweep.head.transpose() * vertex);
+    sweep.extent.min().head<2>().array() -= looking.around;
+    sweep.extent.max().head<2>().array() += looking.around;
+    scanner.scan(sweep, draws, points);
+  }
+  return points;
+}
+
+/// Points that are nobody's.
+void scatter(double share, const Mesh& around, Draws& draws, ScanPoints& points) {
+  const Eigen::AlignedBox3d box = box_of(around);
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(points.places.size()));
+  const Vector3d eye = points.seen_from.empty() ? Vector3d(0, 0, 1) : points.seen_from.front();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d at(draws.between(-0.1, 1.1), draws.between(-0.1, 1.1), draws.between(0, 2));
+    points.places.emplace_back(box.min() + box.sizes().cwiseProduct(at));
+    points.seen_from.push_back(eye);
+    points.lasers.push_back(0);
+    points.passes.push_back(0);
+    points.surfaces.push_back(std::numeric_limits<unsigned>::max());
+  }
+}
+
+ScanPoints chosen(const ScanPoints& points, const std::vector<std::uint32_t>& which,
+                  const scan_cell_common::Cloud& places) {
+  ScanPoints result;
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    result.places.emplace_back(places[i].getVector3fMap().cast<double>());
+    result.seen_from.push_back(points.seen_from[which[i]]);
+    result.lasers.push_back(points.lasers[which[i]]);
+    result.passes.push_back(points.passes[which[i]]);
+    result.surfaces.push_back(points.surfaces[which[i]]);
+  }
+  return result;
+}
+
+/// By the default parameters of clean_cloud.
+void clean(View& view) {
+  scan_cell_common::Cloud cloud;
+  for (const Vector3d& place : view.object.places) {
+    const Eigen::Vector3f at = place.cast<float>();
+    cloud.push_back({at.x(), at.y(), at.z()});
+  }
+  cloud_preprocess::TracedCloud traced(cloud);
+  std::vector<cloud_preprocess::StageReport> reports;
+  try {
+    cloud_preprocess::clean(traced, {}, reports);
+  } catch (const scan_cell_common::Error& error) {
+    view.not_cleaned = error.what();
+    return;
+  }
+  view.object = chosen(view.object, traced.sources(), traced.cloud());
+}
+
+/// Which places a scan shows.
+class Coverage {
+ public:
+  Coverage(const ScanPoints& points, double radius) : radius_(radius), tree_(of_part(points)) {}
+
+  bool shows(const Vector3d& place) const {
+    return !tree_.points().empty() && tree_.nearest(place).squared_distance <= radius_ * radius_;
+  }
+
+ private:
+  /// Not those of what surrounds it.
+  static Points of_part(const ScanPoints& points) {
+    Points result;
+    for (std::size_t i = 0; i < points.places.size(); ++i) {
+      if (points.surfaces[i] == 0) result.push_back(points.places[i]);
+    }
+    return result;
+  }
+
+  double radius_;
+  tool_path_stretcher::KdTree tree_;
+};
+
+/// The path where both scans show it: where a person would expect it to be adapted.
+ToolPath shown_path(const ViewCase& each, const View& view) {
+  constexpr double kNear = 0.003;  // [m] two lines and a half
+  const double radius = kNear * coarseness_of(each.object.mesh);
+  const Coverage object(view.object, radius), reference(view.reference_scan, radius);
+  return parted(view.path, [&](const tool_path_stretcher::Waypoint& waypoint) {
+    const Vector3d& at = waypoint.pose.translation();
+    return object.shows(each.similarity * each.deformation(at)) &&
+           (!each.reference_scanned || reference.shows(at));
+  });
+}
+
+void move(const Eigen::Isometry3d& frame, View& view) {
+  for (Vector3d& place : view.object.places)
+    place = frame * place;
+  for (Vector3d& eye : view.object.seen_from)
+    eye = frame * eye;
+  for (auto& segment : view.truth.segments) {
+    for (auto& waypoint : segment.waypoints)
+      waypoint.pose = frame * waypoint.pose;
+  }
+}
+
+/// Where the object lies, fine enough for its deformation.
+Mesh lying_object(const ViewCase& each) {
+  constexpr double kFine = 120;  // edges over the part: 2 mm of 250 mm; chosen
+  return moved(
+      refined(each.object.mesh, extent_of(each.object.mesh) / kFine),
+      [&](const Vector3d& at) -> Vector3d { return each.similarity * each.deformation(at); });
+}
+
+}  // namespace
+
+View view_of(const ViewCase& each) {
+  Draws draws(each.seed);
+  View view;
+  view.path = each.reference.path.segments.empty() ? path_on(each.reference.mesh, each.path, draws)
+                                                   : each.reference.path;
+  if (each.reference_scanned) {
+    view.reference_scan = scan({each.reference.mesh}, {Viewing::kTwoSides}, draws);
+  } else {
+    view.reference_mesh = to_polygon_mesh(each.reference.mesh);
+  }
+  std::vector<Mesh> meshes = {lying_object(each)};
+  const Mesh alike = moved(
+      each.object.mesh, [&](const Vector3d& at) -> Vector3d { return each.similarity.scale * at; });
+  for (Mesh& mesh : meshes_of(each.surroundings, meshes.front(), alike, draws))
+    meshes.push_back(std::move(mesh));
+  constexpr double kAround = 0.05;  // [m] of a scene, scanned with the part
+  view.object = scan(meshes, {each.viewing, meshes.size() > 1 ? kAround : 0}, draws);
+  scatter(each.scattered, meshes.front(), draws, view.object);
+  view.scanned = view.object.places.size();
+  if (each.expected == Reason::kAccepted && !each.whole_path) view.path = shown_path(each, view);
+  view.truth = cases::truth(view.path, each.deformation, each.similarity);
+  if (each.cleaned) clean(view);
+  move(each.frame, view);
+  return view;
+}
+
+}  // namespace scanner_views

@@ -1,0 +1,64 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "parts/deformation.h"
+#include "scanner_views/parts/part_list.h"
+#include "scanner_views/parts/path_on_part.h"
+#include "scanner_views/scanner/line_scanner.h"
+#include "scanner_views/scanner/surroundings.h"
+#include "tool_path_stretcher/verdict.h"
+
+namespace scanner_views {
+
+using tool_path_stretcher::Reason;
+using tool_path_stretcher::Similarity;
+
+/// From where a part is scanned.
+enum class Viewing {
+  kAboveOneLaser,
+  kAboveBothLasers,
+  kLeaningOneLaser,  //!< by 20 degrees to one side
+  kTwoSides,         //!< two sweeps that lean by 30 degrees, both lasers
+};
+
+/// A part, what was done to it, and how it is looked at.
+struct ViewCase {
+  std::string family;
+  std::string what;  //!< in a few words, after the part's name
+  ViewPart reference;
+  ViewPart object;  //!< the same part, or a wrong one
+  cases::Deformation deformation = cases::none();
+  Similarity similarity;           //!< to where the object lies, z up
+  bool reference_scanned = false;  //!< otherwise its mesh is the reference
+  Viewing viewing = Viewing::kAboveOneLaser;
+  Surroundings surroundings;
+  double scattered = 0;  //!< share of points, anywhere around
+  bool cleaned = false;  //!< by clean_cloud's core, before the methods get it
+  /// Of the scanned part to the cloud's.
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  Reason expected = Reason::kAccepted;
+  PathKind path = PathKind::kRaster;
+  bool whole_path = false;  //!< also where it is not scanned
+  std::uint64_t seed = 1;
+
+  std::string name() const { return object.name + ", " + what; }
+};
+
+/// What the methods are given, and the truth.
+struct View {
+  std::optional<pcl::PolygonMesh> reference_mesh;  //!< none: the scan is the reference
+  ScanPoints reference_scan;
+  ScanPoints object;
+  std::string not_cleaned;  //!< why cleaning gave no cloud
+  ToolPath path;            //!< on the reference
+  ToolPath truth;
+  std::size_t scanned = 0;  //!< points of the object's scan before it was cleaned
+};
+
+View view_of(const ViewCase& each);
+
+}  // namespace scanner_views

@@ -1,0 +1,71 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/kd_tree.h"
+#include "scanner_views/case_list.h"
+#include "scanner_views/outcome.h"
+
+using namespace scanner_views;
+using Eigen::Vector3d;
+
+TEST(ViewCases, TheSameSeedGivesTheSameBytesAndAnotherOneOthers) {
+  const ViewCase each = all_cases(1, "").front();
+  const View one = view_of(each), same = view_of(all_cases(1, "").front());
+  EXPECT_EQ(one.object.places, same.object.places);
+  EXPECT_NE(one.object.places.size(), view_of(all_cases(2, "").front()).object.places.size());
+}
+
+TEST(ViewCases, TheTruthLiesOnTheScannedPart) {
+  constexpr std::size_t kEvery = 5;  // cases, to stay quick
+  constexpr double kNear = 0.002;    // [m] lines are 1 to 1.6 mm apart
+  std::size_t number = 0;
+  for (const ViewCase& each : all_cases(1, "")) {
+    if (each.family != "bent" || number++ % kEvery != 0) continue;
+    const View view = view_of(each);
+    const tool_path_stretcher::KdTree tree(view.object.places);
+    std::size_t far = 0, count = 0;
+    for (const auto& segment : view.truth.segments) {
+      for (const auto& waypoint : segment.waypoints) {
+        far += tree.nearest(waypoint.pose.translation()).squared_distance > kNear * kNear;
+        ++count;
+      }
+    }
+    EXPECT_GE(count, 50U) << each.name();
+    EXPECT_LE(far, count / 10) << each.name();
+  }
+}
+
+TEST(Outcomes, AWaypointTurnedOrMovedTooFarIsWrong) {
+  ViewCase each;
+  View view;
+  view.truth.segments.push_back({"line", std::vector<tool_path_stretcher::Waypoint>(10)});
+  Answer answer;
+  answer.accepted = true;
+  answer.path = view.truth;
+  EXPECT_EQ(outcome_of(answer, each, view).worth, Worth::kRight);
+
+  auto& pose = answer.path.segments[0].waypoints[3].pose;
+  pose.translation() = Vector3d(0.003, 0, 0.0005);
+  const Outcome moved = outcome_of(answer, each, view);
+  EXPECT_EQ(moved.worth, Worth::kRight);
+  EXPECT_NEAR(moved.errors.normal, 0.0005 / std::sqrt(10), 1e-12);
+  EXPECT_NEAR(moved.errors.tangential, 0.003 / std::sqrt(10), 1e-12);
+
+  pose.translation() = Vector3d(0, 0, 0.0011);
+  EXPECT_EQ(outcome_of(answer, each, view).worth, Worth::kWrong);
+  pose.translation() = Vector3d(0.0051, 0, 0);
+  EXPECT_EQ(outcome_of(answer, each, view).worth, Worth::kWrong);
+  pose.translation().setZero();
+  pose.linear() = Eigen::AngleAxisd(5.1 * M_PI / 180, Vector3d::UnitX()).toRotationMatrix();
+  EXPECT_EQ(outcome_of(answer, each, view).worth, Worth::kWrong);
+
+  each.expected = Reason::kAmbiguous;
+  EXPECT_EQ(outcome_of(answer, each, view).worth, Worth::kWrong);
+  answer.accepted = false;
+  EXPECT_EQ(outcome_of(answer, each, view).worth, Worth::kRefusedRightly);
+  each.expected = Reason::kAccepted;
+  EXPECT_EQ(outcome_of(answer, each, view).worth, Worth::kRefusedNeedlessly);
+}
