@@ -32,6 +32,16 @@ struct PosePrior {
   bool allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const;
 };
 
+/// From where both surfaces were seen: a part that lies on its other side is none.
+struct ViewPrior {
+  Points of_reference;      //!< unit length, towards the viewers
+  Points of_object;         //!< the same
+  double angle = M_PI / 6;  //!< [rad] between a direction of the one and one of the other, at most
+
+  /// Whether each direction of the reference, turned so, is one of the object.
+  bool allows(const Eigen::Matrix3d& rotation) const;
+};
+
 /// @param numbers x y z [m] and qx qy qz qw
 /// @throw scan_cell_common::InvalidParameter unless they are seven, with a unit quaternion
 Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers);
@@ -39,8 +49,9 @@ Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers);
 /// What is known before the search. It bounds the search, and decides between poses that the
 /// surfaces alone cannot tell apart.
 struct Prior {
-  ScalePrior scale;               //!< of the object
-  std::optional<PosePrior> pose;  //!< none: any pose
+  ScalePrior scale;                    //!< of the object
+  std::optional<PosePrior> pose = {};  //!< none: any pose
+  std::optional<ViewPrior> view = {};  //!< none: from any side
 
   /// Whether a similarity contradicts nothing of it.
   bool allows(const Similarity& similarity, const Eigen::Vector3d& centroid) const;

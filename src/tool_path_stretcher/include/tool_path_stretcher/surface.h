@@ -49,26 +49,33 @@ struct Surface {
   Points points;          //!< [m]
   Points normals;         //!< unit length
   bool oriented = false;  //!< all normals point out of the part (meshes); otherwise signs are free
+  bool closed = false;    //!< a mesh that shows the part from all sides: no scan sees all of it
+  /// Unit length, towards the viewers: from where a scan saw it; empty: not known.
+  Points seen_from;
   /// [m] of each point: how far sampling and grid leave open where the surface is there. Its
   /// neighbours lie so far off its plane: nothing on a face, much beside an edge, half a spacing at
   /// most.
   std::vector<double> blur;
-  double spacing = 0;                  //!< [m] typical distance of neighbouring points
-  double size = 0;                     //!< [m] root mean square distance from the centroid
-  std::shared_ptr<const KdTree> tree;  //!< of the points
-  Samples samples;                     //!< of the points
-  Rim rim;                             //!< its ends and sharp edges
+  double spacing = 0;                   //!< [m] typical distance of neighbouring points
+  double size = 0;                      //!< [m] root mean square distance from the centroid
+  std::shared_ptr<const KdTree> tree;   //!< of the points
+  Samples samples;                      //!< of the points
+  Rim rim;                              //!< its ends and sharp edges
+  std::shared_ptr<const KdTree> whole;  //!< of all points of the surface that this is a part of;
+                                        //!< none: it is no part
 };
 
 /// A surface from a cloud: its points are reduced on the grid, or a coarser one that leaves at most
 /// 50,000; normals come from the neighbours.
 /// @param name of the cloud in errors
+/// @param seen_from as directions_seen_from() gives it
 /// @throw scan_cell_common::UnusableInput if the cloud is empty, has points that are not finite, or
 /// all its points lie on one line
 Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
-                           const std::string& name);
+                           const std::string& name, const Points& seen_from = {});
 
-/// A surface from a triangle mesh: sampled evenly over its area, with the triangles' normals. The
+/// A surface from a triangle mesh: sampled evenly over its area, with the triangles' normals, which
+/// point out of a closed one whatever its winding. The
 /// samples are as dense as a grid with that leaf would leave them.
 /// @throw scan_cell_common::UnusableInput if the mesh has no area or vertices that are not finite
 Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& leaf,

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "alignment/refinement.h"
 #include "geometry/points.h"
@@ -15,12 +16,14 @@
 #include "scan_cell_common/errors/errors.h"
 #include "search/candidates.h"
 #include "search/scale_search.h"
+#include "sight/seeable.h"
 #include "thesis/thesis_fit.h"
 #include "verdict/ambiguity.h"
 #include "verdict/checks.h"
 #include "verdict/handedness.h"
 #include "verdict/partial_verdict.h"
 #include "verdict/placement_checks.h"
+#include "views/views.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -28,10 +31,12 @@ namespace {
 /// Tells the caller how far the work is, and ends it where the caller wants that.
 class Stages {
  public:
-  explicit Stages(const Progress& progress) : progress_(progress) {}
+  /// @param from,to share of the whole work
+  explicit Stages(const Progress& progress, double from = 0, double to = 1)
+      : progress_(progress), from_(from), to_(to) {}
 
   void report(const std::string& stage, double done) const {
-    if (progress_ && !progress_(stage, done)) {
+    if (progress_ && !progress_(stage, from_ + done * (to_ - from_))) {
       throw Refusal{{Reason::kCancelled, fmt::format("cancelled during '{}'", stage), {}}};
     }
   }
@@ -42,6 +47,7 @@ class Stages {
 
  private:
   const Progress& progress_;
+  double from_, to_;
 };
 
 /// Mean square residual of both directions, each point counted up to what is noise, sampling or
@@ -149,11 +155,12 @@ class Adaptation {
         centroid_(principal_frame(surfaces.reference.points).centroid),
         partial_(surfaces, parameters.prior) {}
 
-  /// Fills in the result as far as the work comes.
+  /// Fills in the result, and the mappings it chose from, as far as the work comes.
   /// @throw Refusal
-  void run(StretchResult& result) {
+  void run(StretchResult& result, std::vector<Fitted>& chosen_from) {
     std::vector<Fitted> fitted = choose();
     if (is_thesis(parameters_.method)) put_registration_first(fitted);
+    chosen_from = fitted;
     tell(surfaces_.reference, fitted.front(), result);
     bool partial_reference = false;
     if (!is_thesis(parameters_.method) &&
@@ -307,14 +314,56 @@ class Adaptation {
   PartialSearch partial_;
 };
 
-void run(const SurfacePair& surfaces, const ToolPath& path, const StretchParameters& parameters,
-         const Stages& stages, StretchResult& result) {
-  stages.report("check", 0);
-  check_surfaces(surfaces, parameters);
-  check_path(path, surfaces.reference, parameters);
-  Adaptation adaptation(surfaces, path, parameters, stages);
-  stages.report("align", 0.05);
-  adaptation.run(result);
+StretchResult begun(const Surface& reference, const Surface& object,
+                    const StretchParameters& parameters) {
+  StretchResult result;
+  result.method = parameters.method;
+  result.reference_points = reference.points.size();
+  result.object_points = object.points.size();
+  return result;
+}
+
+/// With all of the reference; with what can be seen of it where the prior has a view.
+Attempt attempt(const SurfacePair& surfaces, const ToolPath& path,
+                const StretchParameters& parameters, const Stages& stages) {
+  const bool is_whole = !parameters.prior.view;
+  Attempt attempt{is_whole, begun(surfaces.reference, surfaces.object, parameters), {}};
+  try {
+    stages.report("check", 0);
+    check_surfaces(surfaces, parameters);
+    if (is_whole) {
+      check_path(path, surfaces.reference, parameters);
+    } else {
+      check_seeable(path, surfaces.reference, parameters);
+    }
+    Adaptation adaptation(surfaces, path, parameters, stages);
+    stages.report("align", 0.05);
+    adaptation.run(attempt.result, attempt.fitted);
+  } catch (const Refusal& refusal) {
+    attempt.result.verdict = refusal.verdict;
+  }
+  return attempt;
+}
+
+/// No scan sees all of a closed reference, and both faces of a sheet of it would do for one.
+StretchResult stretch_closed(const SurfacePair& surfaces, const ToolPath& path,
+                             const StretchParameters& parameters, const Progress& progress) {
+  constexpr double kFirst = 0.3;  // of the work; a guess for the bar
+  std::vector<Attempt> attempts = {
+      attempt(surfaces, path, parameters, Stages(progress, 0, kFirst))};
+  const std::vector<ViewPrior> views = possible_views(surfaces, attempts.front().fitted);
+  const double each = (1 - kFirst) / std::max(1.0, static_cast<double>(views.size()));
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (attempts.back().result.verdict.reason == Reason::kCancelled) return attempts.back().result;
+    const Surface seeable = seeable_part(surfaces.reference, views[i].of_reference);
+    if (seeable.points.size() < static_cast<std::size_t>(parameters.min_points)) continue;
+    StretchParameters with_view = parameters;
+    with_view.prior.view = views[i];
+    const double from = kFirst + each * static_cast<double>(i);
+    attempts.push_back(
+        attempt({seeable, surfaces.object}, path, with_view, Stages(progress, from, from + each)));
+  }
+  return judge(attempts, path, surfaces.object, parameters.ambiguity_distance);
 }
 
 }  // namespace
@@ -323,15 +372,10 @@ StretchResult stretch(const Surface& reference, const Surface& object, const Too
                       const StretchParameters& parameters, const Progress& progress) {
   check(parameters);
   const auto start = std::chrono::steady_clock::now();
-  StretchResult result;
-  result.method = parameters.method;
-  result.reference_points = reference.points.size();
-  result.object_points = object.points.size();
-  try {
-    run({reference, object}, path, parameters, Stages(progress), result);
-  } catch (const Refusal& refusal) {
-    result.verdict = refusal.verdict;
-  }
+  const SurfacePair surfaces{reference, object};
+  StretchResult result = reference.closed && !is_thesis(parameters.method)
+                             ? stretch_closed(surfaces, path, parameters, progress)
+                             : attempt(surfaces, path, parameters, Stages(progress)).result;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

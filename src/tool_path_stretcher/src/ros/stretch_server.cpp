@@ -10,6 +10,7 @@
 #include "scan_cell_common/ros/load_parameters.h"
 #include "stretch_messages.h"
 #include "tool_path_stretcher/ros/conversions.h"
+#include "tool_path_stretcher/seen_from.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -82,7 +83,7 @@ StretchResult StretchServer::run(const scan_cell_msgs::StretchToolPathGoal& goal
   on_progress("load", 0);
   const auto surface = [&parameters](const sensor_msgs::PointCloud2& cloud, const char* name) {
     return surface_from_cloud(to_points(scan_cell_common::from_message(cloud)), parameters.leaf,
-                              name);
+                              name, directions_seen_from(scan_cell_common::view_of(cloud)));
   };
   const Surface reference = surface(goal.reference, "reference");
   const Surface object = surface(goal.object, "object");

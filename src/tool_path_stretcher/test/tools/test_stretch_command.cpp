@@ -239,7 +239,8 @@ TEST_F(StretchCommand, RefusesCloudsWithNan) {
 TEST_F(StretchCommand, SaysWhatItUnderstoodOfThePath) {
   std::ofstream(file("words.csv")) << "x,y,z,segment,speed\n";
   std::ofstream words(file("words.csv"), std::ios::app);
-  for (const Waypoint& waypoint : synthetic::path_on(part_, 100).segments[0].waypoints) {
+  const ToolPath on_rim = synthetic::path_on(part_, 100);
+  for (const Waypoint& waypoint : on_rim.segments[0].waypoints) {
     const Eigen::Vector3d at = waypoint.pose.translation();
     words << at.x() << ',' << at.y() << ',' << at.z() << ",rim,0.5\n";
   }

@@ -3,6 +3,7 @@
 #include "scanner_views/methods.h"
 
 #include "stopwatch.h"
+#include "tool_path_stretcher/seen_from.h"
 #include "yardsticks/pcl_pipeline.h"
 #include "yardsticks/thesis_method.h"
 
@@ -26,12 +27,13 @@ Reduced reduced(const View& view) {
 
 Answer run_ours(const View& view) {
   const StretchParameters parameters;
+  const Points seen_from = directions_seen_from(view.object.places, view.object.seen_from);
   StretchResult result;
   Answer answer;
   answer.seconds = bench::seconds_of([&] {
     result = stretch(reference_of(view, parameters.leaf),
-                     surface_from_cloud(view.object.places, parameters.leaf, "object"), view.path,
-                     parameters);
+                     surface_from_cloud(view.object.places, parameters.leaf, "object", seen_from),
+                     view.path, parameters);
   });
   answer.accepted = result.verdict.accepted();
   answer.verdict = to_string(result.verdict.reason);

@@ -24,6 +24,17 @@ bool PosePrior::allows(const Similarity& similarity, const Eigen::Vector3d& cent
   return between.angle() <= angle && (given * centroid - similarity * centroid).norm() <= distance;
 }
 
+bool ViewPrior::allows(const Eigen::Matrix3d& rotation) const {
+  const double cosine = std::cos(std::min(angle, M_PI));
+  return std::all_of(
+      of_reference.begin(), of_reference.end(), [&](const Eigen::Vector3d& direction) {
+        const Eigen::Vector3d turned = rotation * direction;
+        return std::any_of(of_object.begin(), of_object.end(), [&](const Eigen::Vector3d& other) {
+          return turned.dot(other) >= cosine;
+        });
+      });
+}
+
 Eigen::Isometry3d pose_from_numbers(const std::vector<double>& numbers) {
   constexpr std::size_t kNumbers = 7;
   if (numbers.size() != kNumbers) {
@@ -43,11 +54,13 @@ bool Prior::allows(const Similarity& similarity, const Eigen::Vector3d& centroid
   const ScaleRange range = scale.range();
   if (similarity.scale < (1 - kRounding) * range.least) return false;
   if (similarity.scale > (1 + kRounding) * range.most) return false;
+  if (view && !view->allows(similarity.rotation)) return false;
   return !pose || pose->allows(similarity, centroid);
 }
 
 Prior Prior::widened(double angle, double distance) const {
   Prior result = *this;
+  if (result.view) result.view->angle += angle;
   if (!result.pose) return result;
   result.pose->angle += angle;
   result.pose->distance += distance;

@@ -45,9 +45,11 @@ LocalSurfaceFitter::LocalSurfaceFitter(const SurfacePair& surfaces, const Mappin
   for (std::size_t i = 0; i < residuals_.size(); ++i) {
     const Residual& residual = residuals_[i];
     along.push_back(scale * residual.along_normal);
-    if (scale * std::hypot(residual.along_normal, residual.beside) > max_stranger) {
+    if (scale * std::hypot(residual.along_normal, residual.beside) <= max_stranger) continue;
+    const double far = max_stranger / scale;  // from what no scan was thought to show, too
+    if (!reference_.whole ||
+        reference_.whole->nearest(residual.pulled_back).squared_distance > far * far)
       strangers.push_back(object_.points[i]);
-    }
   }
   noise_ = robust_deviation(std::move(along));
   strangers = on_surfaces(strangers, object_.spacing);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -67,6 +68,30 @@ bool consistently_wound(const std::vector<Triangle>& triangles) {
   return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }
 
+/// True where nearly every triangle has a neighbour at each side: the mesh encloses the part but
+/// for small holes.
+bool is_closed(const std::vector<Triangle>& triangles) {
+  constexpr double kNearly = 0.98;  // of the edges; chosen
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& triangle : triangles) {
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.emplace(triangle[i], triangle[(i + 1) % 3]);
+  }
+  const auto paired = std::count_if(edges.begin(), edges.end(), [&edges](const auto& edge) {
+    return edges.count({edge.second, edge.first}) > 0;
+  });
+  return static_cast<double>(paired) >= kNearly * static_cast<double>(edges.size());
+}
+
+/// [m^3] six times what the triangles enclose; below 0 where they are wound the wrong way round.
+double enclosed(const Points& vertices, const std::vector<Triangle>& triangles) {
+  const Eigen::Vector3d& origin = vertices[triangles.front()[0]];
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles)
+    sum += (vertices[a] - origin).dot((vertices[b] - origin).cross(vertices[c] - origin));
+  return sum;
+}
+
 /// The i-th point of the R2 low-discrepancy sequence (Roberts 2018) folded into a triangle.
 Eigen::Vector2d spread_in_triangle(std::size_t i) {
   constexpr double kFirst = 0.7548776662466927;   // 1 / g, with g^3 = g + 1
@@ -122,6 +147,11 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
   Surface surface;
   sample(vertices, triangles, area, count, surface);
   surface.oriented = consistently_wound(triangles);
+  surface.closed = surface.oriented && is_closed(triangles);
+  if (surface.closed && enclosed(vertices, triangles) < 0) {
+    for (Eigen::Vector3d& normal : surface.normals)
+      normal = -normal;
+  }
   complete(surface);
   return surface;
 }

@@ -13,8 +13,10 @@
 #include "geometry/kd_tree.h"
 #include "geometry/points.h"
 #include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scan_cell_common/errors/errors.h"
 #include "surface/complete_surface.h"
+#include "tool_path_stretcher/seen_from.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -241,11 +243,12 @@ void check_together(const Points& points, const std::string& name) {
 }  // namespace
 
 Surface surface_from_cloud(const Points& cloud, const Eigen::Vector3d& leaf,
-                           const std::string& name) {
+                           const std::string& name, const Points& seen_from) {
   if (cloud.empty()) throw UnusableInput(name, "no points", "scan the part again");
   check_finite(cloud, name);
   Surface surface;
   surface.points = reduced(cloud, leaf, name);
+  surface.seen_from = seen_from;
   check_together(surface.points, name);
   check_extent(surface.points, name);
   complete(surface);
@@ -256,8 +259,12 @@ Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf, doubl
   if (scan_cell_common::is_mesh_file(path)) {
     return surface_from_mesh(scan_cell_common::load_mesh(path, metres_per_unit), leaf, path);
   }
-  return surface_from_cloud(to_points(scan_cell_common::load_cloud(path, metres_per_unit)), leaf,
-                            path);
+  scan_cell_common::CloudFormat format;
+  format.metres_per_unit = metres_per_unit;
+  scan_cell_common::FieldedCloud carried;
+  const auto loaded = scan_cell_common::load_cloud_file(path, format, carried);
+  return surface_from_cloud(to_points(loaded.cloud), leaf, path,
+                            directions_seen_from(carried.view()));
 }
 
 Points to_points(const pcl::PointCloud<pcl::PointXYZ>& cloud) {

@@ -106,6 +106,21 @@ void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surfac
          cure);
 }
 
+namespace {
+
+/// What lies over a hole is inferred from its neighbours: a path of which most does is not.
+void check_measured(const std::vector<WaypointQuality>& quality) {
+  const auto is_measured = [](const WaypointQuality& each) { return each.measured; };
+  const auto measured = std::count_if(quality.begin(), quality.end(), is_measured);
+  if (2 * static_cast<std::size_t>(measured) >= quality.size()) return;
+  refuse(Reason::kPathNotScanned, "object",
+         fmt::format("of {} waypoints only {} lie on a surface that was scanned", quality.size(),
+                     measured),
+         "scan the part along the path, more densely or from another side");
+}
+
+}  // namespace
+
 double max_stranger(const StretchParameters& parameters, double spacing) {
   return std::max(parameters.max_stranger, spacing);
 }
@@ -122,6 +137,7 @@ void check_placement(const std::vector<WaypointQuality>& quality, double spacing
                      "lie where it was not scanned, up to {:.4g} mm from the scan",
                      fmt::format("scan there, or raise max_hole_distance ({:.4g} mm)",
                                  parameters.max_hole_distance * 1e3));
+  check_measured(quality);
   Found(quality, tolerance, gap_of)
       .refuse_if_any(
           Reason::kToleranceExceeded, "adapted path",

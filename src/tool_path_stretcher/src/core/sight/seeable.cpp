@@ -1,0 +1,87 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sight/seeable.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "surface/complete_surface.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+constexpr double kGrazing = 0.17;  // cosine: 80 degrees; a line on a steeper face is not found
+// Sine of 20 degrees: a viewer is not afar, and sees walls from beside that stand along the mean
+// direction.
+constexpr double kBeside = 0.34;
+
+/// How high a surface reaches towards a viewer afar, cell by cell of a plane across the direction.
+class DepthImage {
+ public:
+  DepthImage(const Surface& surface, const Eigen::Vector3d& direction)
+      : direction_(direction),
+        along_(direction.unitOrthogonal()),
+        across_(direction.cross(along_)),
+        cell_(surface.spacing) {
+    for (const Eigen::Vector3d& point : surface.points) {
+      const double height = direction_.dot(point);
+      const auto [entry, is_new] = highest_.emplace(key_of(point, 0, 0), height);
+      if (!is_new) entry->second = std::max(entry->second, height);
+    }
+  }
+
+  /// Whether something stands before a point. A face up to 80 degrees from the direction does not
+  /// hide itself.
+  bool hides(const Eigen::Vector3d& point) const {
+    constexpr double kSteps = 2;  // cells to the far side of a neighbouring one
+    const double most = direction_.dot(point) + kSteps * cell_ / kGrazing;
+    for (const int i : {-1, 0, 1}) {
+      for (const int k : {-1, 0, 1}) {
+        const auto found = highest_.find(key_of(point, i, k));
+        if (found != highest_.end() && found->second > most) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::uint64_t key_of(const Eigen::Vector3d& point, int i, int k) const {
+    const auto column = static_cast<std::int64_t>(std::floor(along_.dot(point) / cell_)) + i;
+    const auto row = static_cast<std::int64_t>(std::floor(across_.dot(point) / cell_)) + k;
+    return (static_cast<std::uint64_t>(column) << 32U) ^
+           (static_cast<std::uint64_t>(row) & 0xFFFFFFFFU);
+  }
+
+  Eigen::Vector3d direction_, along_, across_;
+  double cell_;  // [m]
+  std::unordered_map<std::uint64_t, double> highest_;
+};
+
+}  // namespace
+
+Surface seeable_part(const Surface& surface, const Points& directions) {
+  constexpr double kOff = 2.5;  // spacings: beyond the cells beside a point's own
+  std::vector<bool> seen(surface.points.size(), false);
+  for (const Eigen::Vector3d& direction : directions) {
+    const DepthImage image(surface, direction);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (seen[i] || surface.normals[i].dot(direction) < kGrazing - kBeside) continue;
+      // From off the surface: a wall does not lie under its own upper edge.
+      seen[i] = !image.hides(surface.points[i] + kOff * surface.spacing * surface.normals[i]);
+    }
+  }
+  Surface part;
+  part.oriented = surface.oriented;
+  part.whole = surface.tree;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i]) continue;
+    part.points.push_back(surface.points[i]);
+    part.normals.push_back(surface.normals[i]);
+  }
+  if (!part.points.empty()) complete(part);
+  return part;
+}
+
+}  // namespace tool_path_stretcher

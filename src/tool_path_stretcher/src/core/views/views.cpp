@@ -1,0 +1,142 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "views/views.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/kd_tree.h"
+#include "verdict/ambiguity.h"
+#include "verdict/checks.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+Points turned(const Points& directions, const Eigen::Matrix3d& rotation) {
+  Points result;
+  for (const Eigen::Vector3d& direction : directions)
+    result.push_back(rotation * direction);
+  return result;
+}
+
+/// The mean of the reference's normals where the object lies on it.
+Eigen::Vector3d side_of(const SurfacePair& surfaces, const Mapping& mapping) {
+  constexpr double kOn = 2;  // spacings; chosen
+  const auto& [reference, object] = surfaces;
+  const double most = std::pow(kOn * object.spacing, 2);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const std::size_t i : reference.samples.many) {
+    if (object.tree->nearest(mapping * reference.points[i]).squared_distance < most)
+      sum += reference.normals[i];
+  }
+  return sum.isZero() ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : sum.normalized();
+}
+
+}  // namespace
+
+std::vector<ViewPrior> possible_views(const SurfacePair& surfaces,
+                                      const std::vector<Fitted>& fitted) {
+  constexpr double kAlike = 20 * M_PI / 180;  // [rad] chosen: what is hidden changes little within
+  constexpr std::size_t kMost = 4;            // each is a whole try; chosen
+  std::vector<ViewPrior> views;
+  const auto add = [&views](const ViewPrior& view) {
+    const bool is_known = std::any_of(views.begin(), views.end(), [&](const ViewPrior& other) {
+      return ViewPrior{view.of_reference, other.of_reference, kAlike}.allows(
+          Eigen::Matrix3d::Identity());
+    });
+    if (!is_known && views.size() < kMost) views.push_back(view);
+  };
+  const Points& seen_from = surfaces.object.seen_from;
+  for (const Fitted& each : fitted) {
+    const Eigen::Matrix3d& rotation = each.mapping.similarity.rotation;
+    if (!seen_from.empty()) {  // as it lies, or turned over: the other face of a sheet
+      add({turned(seen_from, rotation.transpose()), seen_from});
+      add({turned(seen_from, -rotation.transpose()), seen_from});
+      continue;
+    }
+    const Points side = {side_of(surfaces, each.mapping)};
+    add({side, turned(side, rotation)});
+    add({turned(side, -Eigen::Matrix3d::Identity()), turned(side, -rotation)});
+  }
+  return views;
+}
+
+namespace {
+
+/// Of the object's points alone: the references of two attempts are not the same.
+bool explains_more(const Attempt& one, const Attempt& other) {
+  Explanation first = one.fitted.front().explanation;
+  Explanation second = other.fitted.front().explanation;
+  first.reference = {};
+  second.reference = {};
+  return clearly_better(first, second);
+}
+
+/// Whether all of the reference explains points that a part of it leaves over: they were seen from
+/// elsewhere.
+bool shows_other_sides(const Attempt& whole, const Attempt& part) {
+  constexpr double kMore = 0.05;  // of the object's points; chosen
+  if (whole.fitted.empty() || !explains_more(whole, part)) return false;
+  return whole.fitted.front().explanation.inlier_ratio >
+         part.fitted.front().explanation.inlier_ratio + kMore;
+}
+
+StretchResult ambiguous(const Attempt& one, const Attempt& other, const ToolPath& path) {
+  StretchResult result = one.result;
+  try {
+    refuse_ambiguous(path, one.fitted.front().mapping, other.fitted.front().mapping);
+  } catch (const Refusal& refusal) {
+    result.verdict = refusal.verdict;
+    result.path = {};
+  }
+  return result;
+}
+
+}  // namespace
+
+StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
+                    const Surface& object, double tolerance) {
+  const Attempt& whole = attempts.front();
+  const Attempt* best = nullptr;
+  const auto counts = [](const Attempt& each) { return !each.whole && !each.fitted.empty(); };
+  for (const Attempt& each : attempts) {
+    if (counts(each) && (best == nullptr || explains_more(each, *best))) best = &each;
+  }
+  if (best == nullptr) return whole.result;
+  if (object.seen_from.empty() && shows_other_sides(whole, *best)) return whole.result;
+  const Attempt* accepted = nullptr;
+  for (const Attempt& each : attempts) {
+    if (!counts(each) || explains_more(*best, each)) continue;
+    if (each.result.verdict.reason == Reason::kAmbiguous) return each.result;
+    if (!each.result.verdict.accepted()) continue;
+    if (accepted != nullptr &&
+        !same_path(path, accepted->fitted.front().mapping, each.fitted.front().mapping, tolerance))
+      return ambiguous(*accepted, each, path);
+    if (accepted == nullptr || each.result.overlap > accepted->result.overlap) accepted = &each;
+  }
+  return accepted != nullptr ? accepted->result : best->result;
+}
+
+void check_seeable(const ToolPath& path, const Surface& seeable,
+                   const StretchParameters& parameters) {
+  const double most = parameters.max_path_distance + seeable.spacing;
+  std::vector<std::size_t> hidden;
+  std::size_t index = 0;
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints) {
+      if (seeable.tree->nearest(waypoint.pose.translation()).squared_distance > most * most)
+        hidden.push_back(index);
+      ++index;
+    }
+  }
+  if (hidden.empty()) return;
+  refuse(Reason::kPathNotScanned, "tool path",
+         fmt::format("{} of {} waypoints lie on a side of the part that the scan does not show",
+                     hidden.size(), index),
+         "scan that side, or turn the part over", hidden);
+}
+
+}  // namespace tool_path_stretcher
