@@ -9,6 +9,7 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/points.h"
+#include "geometry/robust.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -175,27 +176,33 @@ struct Unsteady {
 
 /// What the covariance of the rigid motions is short of, because the noise of the normals seems to
 /// hold what nothing holds: a moulding's normals all lie in one plane, and noise tilts them out of
-/// it.
+/// it. Directions that are far less steady than most, as beside edges and in loose points, are not
+/// taken to hold anything.
 /// @param share of the constraints along normals that are independent
 /// @param pose as it was known before
 Matrix6d seemingly_held(const GraphObservations& seen, const Unsteady& unsteady, double share,
                         const Turns& turns, const PoseDeviation& pose) {
   constexpr double kShared = 4;  // neighbouring normals share points, so tilts do not average out
+  constexpr double kSteady = 3;  // times the median of a kind of constraints; chosen
   Matrix6d held = Matrix6d::Zero();
+  Matrix6d steadily = Matrix6d::Zero();
   Matrix6d noise = Matrix6d::Zero();
   const auto add = [&](const std::vector<GraphConstraint>& constraints,
                        const std::vector<double>& off, double weight) {
+    const double most = kSteady * quantile(off, 0.5);
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const Motions motions = rigid_motions(constraints[i].target, turns);
       const Vector6d along = motions.transpose() * constraints[i].direction;
       const Matrix6d one = weight * along * along.transpose();
       held += one;
+      if (off[i] > most) continue;
+      steadily += one;
       noise += std::pow(off[i], 2) * (weight * motions.transpose() * motions - one);
     }
   };
   add(seen.normals, unsteady.normals, share / std::pow(seen.normal_deviation, 2));
   add(seen.rims, unsteady.rims, 1 / std::pow(seen.rim_deviation, 2));
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(held - kShared * noise);
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(steadily - kShared * noise);
   const Vector6d clear = solver.eigenvalues().cwiseMax(0);
   const Matrix6d really =
       solver.eigenvectors() * clear.asDiagonal() * solver.eigenvectors().transpose();
