@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mapping/residuals.h"
-#include "tool_path_stretcher/stretcher.h"
+#include "tool_path_stretcher/stretch_result.h"
 
 namespace tool_path_stretcher {
 
