@@ -98,11 +98,11 @@ bool ScanAction::check_program(scan_cell_msgs::CheckProgram::Request& request,
       return runs_of(request_from(request.passes, request.frame).passes);
     });
     response.warnings = check_at_rest(asked_, runs, parameters_.timing.approach_speed);
+    response.success = 1;
   } catch (const EndEarly& end) {
     response.message = end.message;
     response.link_lost = static_cast<unsigned char>(end.outcome != Outcome::kRefused);
   }
-  response.success = static_cast<unsigned char>(response.message.empty());
   return true;
 }
 
