@@ -141,6 +141,12 @@ TEST(ClosedReferences, NeedNotBeSeenFromAllSides) {
   expect_right("moved: ribbed bracket, moved");
 }
 
+TEST(ClosedReferences, OfAGearAreNotLaidOnTheWrongTeeth) {
+  const View view = view_of_case("dented: gear plate, dented");
+  const Answer answer = run_ours(view);
+  EXPECT_TRUE(!answer.accepted || !errors_of(answer, view.truth).wrong());
+}
+
 TEST(ClosedReferences, OfAPlateAreNotTurnedOver) {
   expect_right("moved: slotted plate, moved");
 }

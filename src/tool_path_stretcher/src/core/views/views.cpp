@@ -84,6 +84,14 @@ bool shows_other_sides(const Attempt& whole, const Attempt& part) {
          part.fitted.front().explanation.inlier_ratio + kMore;
 }
 
+/// Whether several poses of all of the reference explain the object alike, and this one does not
+/// explain all of it either: the right one may not be among them.
+bool is_one_of_many(const Attempt& part, const Attempt& whole) {
+  constexpr double kAll = 0.95;  // of the object's points; chosen
+  return whole.result.verdict.reason == Reason::kAmbiguous &&
+         part.fitted.front().explanation.inlier_ratio < kAll;
+}
+
 StretchResult ambiguous(const Attempt& one, const Attempt& other, const ToolPath& path) {
   StretchResult result = one.result;
   try {
@@ -117,7 +125,8 @@ StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
       return ambiguous(*accepted, each, path);
     if (accepted == nullptr || each.result.overlap > accepted->result.overlap) accepted = &each;
   }
-  return accepted != nullptr ? accepted->result : best->result;
+  if (accepted == nullptr) return best->result;
+  return is_one_of_many(*accepted, whole) ? whole.result : accepted->result;
 }
 
 void check_seeable(const ToolPath& path, const Surface& seeable,
