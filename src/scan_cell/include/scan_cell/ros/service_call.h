@@ -33,11 +33,12 @@ typename Service::Response ask(const std::string& name, const typename Service::
   std::future<End> future = shared->end.get_future();
   std::thread([shared, name] {
     try {
-      // Looked for only where it fails: that takes as long as the call.
-      const bool answered = ros::service::call(name, shared->service);
-      shared->end.set_value(answered                            ? End::kAnswered
-                            : ros::service::exists(name, false) ? End::kNoAnswer
-                                                                : End::kNoService);
+      // Looked for only where it fails: that takes as long as the call. One that is there then may
+      // have come up in between, as where a cell starts: it is asked once more.
+      bool answered = ros::service::call(name, shared->service);
+      const bool exists = answered || ros::service::exists(name, false);
+      if (!answered && exists) answered = ros::service::call(name, shared->service);
+      shared->end.set_value(answered ? End::kAnswered : exists ? End::kNoAnswer : End::kNoService);
     } catch (const std::exception& error) {  // of a name that is none
       ROS_ERROR("%s: %s", name.c_str(), error.what());
       shared->end.set_value(End::kNoService);
