@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/kd_tree.h"
 #include "scanner_views/case_list.h"
-#include "scanner_views/outcome.h"
+#include "scanner_views/figures/outcome.h"
 
 using namespace scanner_views;
 using Eigen::Vector3d;
@@ -37,6 +38,44 @@ TEST(ViewCases, TheTruthLiesOnTheScannedPart) {
     EXPECT_LE(far, count / 10) << each.name();
   }
 }
+
+/// One of seed 1.
+ViewCase case_of(const std::string& family, const std::string& name) {
+  for (const ViewCase& each : all_cases(1, "")) {
+    if (each.family == family && each.name() == name) return each;
+  }
+  throw std::out_of_range("no case " + family + ": " + name);
+}
+
+struct Named {
+  const char* family;
+  const char* name;
+  Worth worth;
+};
+
+class StretchedViews : public testing::TestWithParam<Named> {};
+
+TEST_P(StretchedViews, AreAcceptedInTheRightPlaceOrRefused) {
+  const ViewCase each = case_of(GetParam().family, GetParam().name);
+  const View view = view_of(each);
+  ASSERT_EQ(view.not_cleaned, "");
+  const Outcome outcome = outcome_of(run_ours(view), each, view);
+  EXPECT_EQ(outcome.worth, GetParam().worth)
+      << to_string(outcome.worth) << " " << outcome.answer.verdict << outcome.answer.message;
+  EXPECT_LT(outcome.errors.normal, 0.0001) << "[m] the benchmark's goal";
+  EXPECT_LT(outcome.errors.tangential, 0.0005);
+  EXPECT_LT(outcome.errors.angle, M_PI / 180);
+}
+
+// Those that are answered well and soon; the benchmark has all.
+INSTANTIATE_TEST_SUITE_P(
+    , StretchedViews,
+    testing::Values(Named{"moved", "cast body, moved", Worth::kRight},
+                    Named{"bent", "frame, bent", Worth::kRight},
+                    Named{"scaled, scan as reference", "gear plate, scaled, scan as reference",
+                          Worth::kRight},
+                    Named{"in a scene, cleaned", "frame, in a scene, cleaned", Worth::kRight},
+                    Named{"to refuse", "cast body, mirrored", Worth::kRefusedRightly}));
 
 TEST(Outcomes, AWaypointTurnedOrMovedTooFarIsWrong) {
   ViewCase each;

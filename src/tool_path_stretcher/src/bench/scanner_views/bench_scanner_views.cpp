@@ -6,8 +6,8 @@
 
 #include "scan_cell_common/tools/tool_main.h"
 #include "scanner_views/case_list.h"
+#include "scanner_views/figures/view_table.h"
 #include "scanner_views/view_files.h"
-#include "scanner_views/view_table.h"
 
 namespace {
 
@@ -18,6 +18,7 @@ struct Options {
   std::string cases;
   std::string json;
   std::string folder;
+  std::size_t yardsticks_every = 6;
   bool only_ours = false;
 };
 
@@ -57,12 +58,14 @@ void print_all(const Options& options) {
   std::printf("### What a line scanner sees, seed %llu\n\n",
               static_cast<unsigned long long>(options.seed));
   std::vector<CaseResult> results;
+  const std::vector<ViewCase> chosen = chosen_cases(options);
   print_head(!options.only_ours);
-  for (const ViewCase& each : chosen_cases(options)) {
-    results.push_back(result_of(each, !options.only_ours));
+  for (const ViewCase& each : chosen) {
+    const bool with_others = !options.only_ours && results.size() % options.yardsticks_every == 0;
+    results.push_back(result_of(each, with_others));
     print_line(results.back());
   }
-  print_sums(results, !options.only_ours);
+  print_sums(results);
   if (!options.json.empty()) save_json(options.json, options.seed, results);
 }
 
@@ -73,6 +76,10 @@ int main(int argc, char** argv) {
   Options options;
   app.add_option("--seed", options.seed, "draws other dimensions, poses, views and paths");
   app.add_option("--cases", options.cases, "only the cases whose family and name hold this");
+  app.add_option("--yardsticks-every", options.yardsticks_every,
+                 "run them in one of so many cases: they take several times as long as the rest")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_flag("--only-ours", options.only_ours, "without the yardsticks");
   app.add_option("--json", options.json, "write all figures here as well");
   app.add_option("--write", options.folder, "write the files of the first such case here instead");

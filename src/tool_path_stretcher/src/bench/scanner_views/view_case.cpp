@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scanner_views/view_case.h"
 
-#include <limits>
-
 #include "cloud_preprocess/clean.h"
 #include "geometry/kd_tree.h"
 #include "parts/scan.h"
@@ -13,94 +11,6 @@ namespace scanner_views {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kReflectance = 0.7;
-
-/// [m] the farthest two points of a box are apart
-double extent_of(const Mesh& mesh) {
-  return box_of(mesh).diagonal().norm();
-}
-
-/// How much coarser a large part is scanned: lines are about 1.2 mm apart up to 0.35 m.
-double coarseness_of(const Mesh& part) {
-  constexpr double kLarge = 0.35;  // [m] chosen
-  return std::max(1.0, extent_of(part) / kLarge);
-}
-
-Scanner scanner_for(const Mesh& part, Draws& draws) {
-  const double coarser = coarseness_of(part);
-  Scanner scanner;
-  scanner.line_spacing *= coarser * draws.between(0.8, 1.3);
-  scanner.point_spacing *= coarser * draws.between(0.9, 1.6);
-  return scanner;
-}
-
-/// Axes of the scanner: it goes along `heading` in the plane and leans about that way.
-Eigen::Matrix3d head_of(double heading, double lean) {
-  const Eigen::Matrix3d down =
-      Eigen::AngleAxisd(M_PI, Vector3d::UnitX()).toRotationMatrix();  // z down
-  return Eigen::AngleAxisd(heading, Vector3d::UnitZ()) * down *
-         Eigen::AngleAxisd(lean, Vector3d::UnitX()).toRotationMatrix();
-}
-
-std::vector<Sweep> sweeps_of(Viewing viewing, double heading) {
-  constexpr double kLean = 0.35, kFar = 0.52;  // [rad] 20 and 30 degrees
-  Sweep above;
-  above.head = head_of(heading, 0);
-  switch (viewing) {
-    case Viewing::kAboveOneLaser:
-      return {above};
-    case Viewing::kAboveBothLasers:
-      above.second_laser = true;
-      return {above};
-    case Viewing::kLeaningOneLaser:
-      above.head = head_of(heading, kLean);
-      return {above};
-    case Viewing::kTwoSides:
-      break;
-  }
-  Sweep one, other;
-  one.head = head_of(heading, kFar);
-  other.head = head_of(heading, -kFar);
-  one.second_laser = other.second_laser = true;
-  other.number = 1;
-  return {one, other};
-}
-
-struct Looking {
-  Viewing viewing;
-  double around = 0;  // [m] of what surrounds the part that is scanned as well
-};
-
-/// @param meshes the part first
-ScanPoints scan(const std::vector<Mesh>& meshes, const Looking& looking, Draws& draws) {
-  const scan_cell_sim::Scene scene(meshes, kReflectance);
-  const LineScanner scanner(scene, scanner_for(meshes.front(), draws));
-  ScanPoints points;
-  for (Sweep& sweep : sweeps_of(looking.viewing, draws.between(-M_PI, M_PI))) {
-    for (const Vector3d& vertex : meshes.front().vertices)
-      sweep.extent.extend(sweep.head.transpose() * vertex);
-    sweep.extent.min().head<2>().array() -= looking.around;
-    sweep.extent.max().head<2>().array() += looking.around;
-    scanner.scan(sweep, draws, points);
-  }
-  return points;
-}
-
-/// Points that are nobody's.
-void scatter(double share, const Mesh& around, Draws& draws, ScanPoints& points) {
-  const Eigen::AlignedBox3d box = box_of(around);
-  const auto count = static_cast<std::size_t>(share * static_cast<double>(points.places.size()));
-  const Vector3d eye = points.seen_from.empty() ? Vector3d(0, 0, 1) : points.seen_from.front();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vector3d at(draws.between(-0.1, 1.1), draws.between(-0.1, 1.1), draws.between(0, 2));
-    points.places.emplace_back(box.min() + box.sizes().cwiseProduct(at));
-    points.seen_from.push_back(eye);
-    points.lasers.push_back(0);
-    points.passes.push_back(0);
-    points.surfaces.push_back(std::numeric_limits<unsigned>::max());
-  }
-}
 
 ScanPoints chosen(const ScanPoints& points, const std::vector<std::uint32_t>& which,
                   const scan_cell_common::Cloud& places) {

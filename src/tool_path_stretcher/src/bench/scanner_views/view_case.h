@@ -8,7 +8,7 @@
 #include "parts/deformation.h"
 #include "scanner_views/parts/part_list.h"
 #include "scanner_views/parts/path_on_part.h"
-#include "scanner_views/scanner/line_scanner.h"
+#include "scanner_views/scanner/looking.h"
 #include "scanner_views/scanner/surroundings.h"
 #include "tool_path_stretcher/verdict.h"
 
@@ -16,14 +16,6 @@ namespace scanner_views {
 
 using tool_path_stretcher::Reason;
 using tool_path_stretcher::Similarity;
-
-/// From where a part is scanned.
-enum class Viewing {
-  kAboveOneLaser,
-  kAboveBothLasers,
-  kLeaningOneLaser,  //!< by 20 degrees to one side
-  kTwoSides,         //!< two sweeps that lean by 30 degrees, both lasers
-};
 
 /// A part, what was done to it, and how it is looked at.
 struct ViewCase {

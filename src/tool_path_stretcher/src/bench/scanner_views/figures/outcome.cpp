@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scanner_views/outcome.h"
+#include "scanner_views/figures/outcome.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +22,29 @@ Off off(const Eigen::Isometry3d& is, const Eigen::Isometry3d& should) {
           Eigen::AngleAxisd(is.linear().transpose() * should.linear()).angle()};
 }
 
-void count(const WaypointQuality& quality, const Off& is, Errors& errors) {
+// Of waypoints without an expected error of orientation, and with it.
+template <class Quality>
+double expected_angle(const Quality& /*quality*/, long /*without*/) {
+  return tool_path_stretcher::kUnknown;
+}
+template <class Quality>
+auto expected_angle(const Quality& quality, int /*with*/)
+    -> decltype(quality.expected_error_orientation) {
+  return quality.expected_error_orientation;
+}
+
+void count(const WaypointQuality& quality, const Off& is, Expectations& expectations) {
   constexpr double kDeviations = 3;
   constexpr double kLittle = 0.0005, kUseful = 0.002;  // [m]
-  ++errors.with_quality;
-  errors.normal_as_expected += is.normal <= kDeviations * quality.expected_error_normal;
-  errors.along_as_expected += is.along <= kDeviations * quality.expected_error_tangential;
+  ++expectations.waypoints;
+  expectations.normal += is.normal <= kDeviations * quality.expected_error_normal;
+  expectations.along += is.along <= kDeviations * quality.expected_error_tangential;
+  const double angle = expected_angle(quality, 0);
+  expectations.with_angle += std::isfinite(angle);
+  expectations.angle += is.angle <= kDeviations * angle;
   if (is.along >= kLittle) return;
-  ++errors.truly_along;
-  errors.known_along += quality.expected_error_tangential < kUseful;
+  ++expectations.truly_along;
+  expectations.known_along += quality.expected_error_tangential < kUseful;
 }
 
 }  // namespace
@@ -47,6 +61,17 @@ std::string to_string(Worth worth) {
       break;
   }
   return "rightly refused";
+}
+
+Expectations& Expectations::operator+=(const Expectations& other) {
+  waypoints += other.waypoints;
+  normal += other.normal;
+  along += other.along;
+  with_angle += other.with_angle;
+  angle += other.angle;
+  truly_along += other.truly_along;
+  known_along += other.known_along;
+  return *this;
 }
 
 Errors errors_of(const Answer& answer, const ToolPath& truth) {
@@ -72,7 +97,7 @@ Errors errors_of(const Answer& answer, const ToolPath& truth) {
     const auto pose = [&each](const ToolPath& path) {
       return path.segments.at(each.segment).waypoints.at(each.waypoint).pose;
     };
-    count(each, off(pose(answer.path), pose(truth)), errors);
+    count(each, off(pose(answer.path), pose(truth)), errors.expectations);
   }
   return errors;
 }

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scanner_views/methods.h"
+#include "scanner_views/methods/methods.h"
 
 #include "stopwatch.h"
 #include "tool_path_stretcher/seen_from.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <cmath>
 #include <string>
 #include <vector>
 
-#include "scanner_views/outcome.h"
+#include "scanner_views/figures/outcome.h"
 
 namespace scanner_views {
 
@@ -23,10 +23,17 @@ struct CaseResult {
 /// Names of the yardsticks.
 const std::vector<std::string>& yardsticks();
 
-/// Tables in Markdown: a line a case as it comes, then a line a family.
+/// Of radians.
+constexpr double kDegrees = 180 / M_PI;
+
+/// Of a table; empty: not known.
+std::string cell_of(double value, int digits);
+std::string percent_of(std::size_t part, std::size_t whole);
+
+/// Tables in Markdown: a line a case as it comes, then a line a family, and one a method.
 void print_head(bool with_others);
 void print_line(const CaseResult& result);
-void print_sums(const std::vector<CaseResult>& results, bool with_others);
+void print_sums(const std::vector<CaseResult>& results);
 
 /// All figures as JSON.
 /// @throw scan_cell_common::FileError

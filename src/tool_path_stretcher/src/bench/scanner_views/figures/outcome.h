@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scanner_views/methods.h"
+#include "scanner_views/methods/methods.h"
 
 namespace scanner_views {
 
@@ -21,7 +21,20 @@ constexpr double kWrongNormal = 0.001;          // [m]
 constexpr double kWrongPosition = 0.005;        // [m]
 constexpr double kWrongAngle = 5 * M_PI / 180;  // [rad]
 
-/// Errors of one path in the true frame of each waypoint, and how many are as expected.
+/// How many waypoints of a path are off as their expected errors say: within three times.
+struct Expectations {
+  std::size_t waypoints = 0;  //!< for which errors are expected
+  std::size_t normal = 0;
+  std::size_t along = 0;
+  std::size_t with_angle = 0;   //!< for which an error of orientation is expected
+  std::size_t angle = 0;        //!< of these
+  std::size_t truly_along = 0;  //!< less than 0.5 mm off along the surface
+  std::size_t known_along = 0;  //!< of these: expected to be less than 2 mm off
+
+  Expectations& operator+=(const Expectations& other);
+};
+
+/// Errors of one path in the true frame of each waypoint.
 struct Errors {
   double normal = 0;          //!< [m] RMS
   double tangential = 0;      //!< [m] RMS
@@ -31,11 +44,7 @@ struct Errors {
   double worst_position = 0;  //!< [m]
   double worst_angle = 0;     //!< [rad]
   std::size_t waypoints = 0;
-  std::size_t with_quality = 0;        //!< for which errors are expected
-  std::size_t normal_as_expected = 0;  //!< within three times
-  std::size_t along_as_expected = 0;   //!< within three times
-  std::size_t truly_along = 0;         //!< less than 0.5 mm off along the surface
-  std::size_t known_along = 0;         //!< of these: expected to be less than 2 mm off
+  Expectations expectations;
 
   bool wrong() const {
     return worst_normal > kWrongNormal || worst_position > kWrongPosition ||

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/files/files.h"
-#include "scanner_views/view_table.h"
+#include "scanner_views/figures/view_table.h"
 
 namespace scanner_views {
 namespace {
@@ -25,11 +25,14 @@ nlohmann::ordered_json json_of(const Outcome& outcome) {
   json["worst_normal_m"] = errors.worst_normal;
   json["worst_position_m"] = errors.worst_position;
   json["worst_angle_rad"] = errors.worst_angle;
-  if (errors.with_quality == 0) return json;
-  json["normal_as_expected"] = errors.normal_as_expected;
-  json["tangential_as_expected"] = errors.along_as_expected;
-  json["truly_within_half_a_millimetre_along"] = errors.truly_along;
-  json["of_these_expected_within_two_millimetres"] = errors.known_along;
+  const Expectations& as = errors.expectations;
+  if (as.waypoints == 0) return json;
+  json["normal_as_expected"] = as.normal;
+  json["tangential_as_expected"] = as.along;
+  json["with_expected_angle"] = as.with_angle;
+  json["angle_as_expected"] = as.angle;
+  json["truly_within_half_a_millimetre_along"] = as.truly_along;
+  json["of_these_expected_within_two_millimetres"] = as.known_along;
   return json;
 }
 

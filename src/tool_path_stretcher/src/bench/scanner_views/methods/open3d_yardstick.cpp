@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "scan_cell_common/clouds/cloud_files.h"
-#include "scanner_views/methods.h"
+#include "scanner_views/methods/methods.h"
 
 namespace scanner_views {
 namespace {

@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scanner_views/view_case.h"
+
+namespace scanner_views {
+
+// Each family: one thing that is done to a part; all else is drawn.
+// @param seed the same one draws the same case
+
+ViewCase moved_case(const ViewPart& part, std::uint64_t seed);
+ViewCase bent_case(const ViewPart& part, std::uint64_t seed);
+ViewCase scaled_case(const ViewPart& part, std::uint64_t seed);
+ViewCase warped_case(const ViewPart& part, std::uint64_t seed);
+ViewCase dented_case(const ViewPart& part, std::uint64_t seed);
+ViewCase scene_case(const ViewPart& part, std::uint64_t seed);
+/// A path of its own, as it is: also where it leads through the air.
+ViewCase real_path_case(const ViewPart& part, std::uint64_t seed);
+ViewCase bent_real_path_case(const ViewPart& part, std::uint64_t seed);
+ViewCase symmetric_case(const ViewPart& part, std::uint64_t seed);
+/// The part lies on the side that is worked on.
+ViewCase upside_down_case(const ViewPart& part, std::uint64_t seed);
+ViewCase mirrored_case(const ViewPart& part, std::uint64_t seed);
+ViewCase wrong_case(const ViewPart& reference, const ViewPart& object, std::uint64_t seed);
+
+}  // namespace scanner_views
