@@ -18,8 +18,9 @@ PACKAGES = rospkg.RosPack()
 WORLDS = os.path.join(PACKAGES.get_path('scan_cell_sim'), 'config')
 PROGRAMS = os.path.join(PACKAGES.get_path('scan_cell'), 'config')
 TIMEOUT = 180  # [s] of one part, on a busy computer
-# A computer that holds up the cell gives no figures: fewer frames than that share are bound, or the camera falls behind.
-MIN_BOUND = 0.97
+# A computer that holds up the cell gives no figures: frames are not bound, or the camera falls behind. The frame that was
+# filed tells its two ends apart by one rosette: with profiles missing the path has been accepted half a turn off
+# (docs/stretcher_benchmark.md).
 NO_FRAME = 'camera: no frame of the last'
 ATTEMPTS = 4
 MISSED = 3  # exit code of the demo: a goal missed
@@ -43,7 +44,7 @@ class Parts(unittest.TestCase):
     def expect_true_path(self, reference, changed, *options):
         for _ in range(ATTEMPTS):
             code, log, report = self.demo(reference, changed, list(options))
-            held_up = report['frames_bound'] < MIN_BOUND * report['frames'] if report else NO_FRAME in log
+            held_up = report['frames_bound'] < report['frames'] if report else NO_FRAME in log
             if not held_up:
                 break
         self.assertEqual(code, 0, log)
