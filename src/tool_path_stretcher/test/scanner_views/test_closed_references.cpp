@@ -7,7 +7,7 @@
 #include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scanner_views/blocks.h"
 #include "scanner_views/case_list.h"
-#include "scanner_views/outcome.h"
+#include "scanner_views/figures/outcome.h"
 #include "scanner_views/parts/mesh_builder.h"
 #include "sight/seeable.h"
 #include "tool_path_stretcher/seen_from.h"
