@@ -91,4 +91,7 @@ Surface load_surface(const std::string& path, const Eigen::Vector3d& leaf,
 /// The positions [m] of a cloud.
 Points to_points(const pcl::PointCloud<pcl::PointXYZ>& cloud);
 
+/// The cloud of positions [m].
+pcl::PointCloud<pcl::PointXYZ> to_cloud(const Points& points);
+
 }  // namespace tool_path_stretcher

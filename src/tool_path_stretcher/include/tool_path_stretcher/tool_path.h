@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tool_path_stretcher/similarity.h"
+
 namespace tool_path_stretcher {
 
 /// One pose of the tool in the path's frame [m], with its process values.
@@ -30,6 +32,10 @@ struct ToolPath {
   std::vector<std::string> process_names;  //!< of each waypoint's process values
   std::vector<Segment> segments;           //!< in the order of the motion
 };
+
+/// Where the waypoints lie [m], in their order.
+Points positions_of(const Segment& segment);
+Points positions_of(const ToolPath& path);  //!< of all segments
 
 /// Of all segments.
 std::size_t waypoint_count(const ToolPath& path);

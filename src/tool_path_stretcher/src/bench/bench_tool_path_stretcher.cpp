@@ -25,21 +25,14 @@ std::vector<cases::Case> cases_named(const std::string& word, const std::string&
   return all;
 }
 
-scan_cell_common::Cloud to_cloud(const cases::Points& points) {
-  scan_cell_common::Cloud cloud;
-  for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3f at = point.cast<float>();
-    cloud.push_back({at.x(), at.y(), at.z()});
-  }
-  return cloud;
-}
-
 /// As the stretch command reads it.
 void write(const cases::Case& each, const std::filesystem::path& folder) {
   const cases::Scene scene = cases::scene_of(each);
   std::filesystem::create_directories(folder);
-  scan_cell_common::save_cloud((folder / "reference.ply").string(), to_cloud(scene.reference));
-  scan_cell_common::save_cloud((folder / "object.ply").string(), to_cloud(scene.object));
+  scan_cell_common::save_cloud((folder / "reference.ply").string(),
+                               tool_path_stretcher::to_cloud(scene.reference));
+  scan_cell_common::save_cloud((folder / "object.ply").string(),
+                               tool_path_stretcher::to_cloud(scene.object));
   tool_path_stretcher::save_tool_path((folder / "path.csv").string(), scene.path);
   tool_path_stretcher::save_tool_path((folder / "truth.csv").string(), scene.truth);
 }

@@ -35,15 +35,6 @@ cv::Vec3b darker(const cv::Vec3b& colour, double share) {
           cv::saturate_cast<uchar>(share * colour[2])};
 }
 
-Points positions_of(const ToolPath& path) {
-  Points points;
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints)
-      points.push_back(waypoint.pose.translation());
-  }
-  return points;
-}
-
 /// [m] of the object's points from the reference as the similarity lays it: at each point the
 /// middle one of its neighbours', so that shapes are seen and not the noise.
 std::vector<double> deviations_of(const Surface& reference, const Surface& object,

@@ -31,15 +31,6 @@ void check_points(const Surface& surface, std::size_t reported, const std::strin
                       std::string(kCure) + ", and its --leaf and --units");
 }
 
-Points positions_of(const ToolPath& path) {
-  Points points;
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints)
-      points.push_back(waypoint.pose.translation());
-  }
-  return points;
-}
-
 void check_waypoints(const ToolPath& path, std::size_t reported, const std::string& role) {
   const std::size_t count = waypoint_count(path);
   if (count == reported) return;

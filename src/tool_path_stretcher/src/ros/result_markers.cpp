@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result_markers.h"
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,14 +12,6 @@ namespace {
 
 using visualization_msgs::Marker;
 
-geometry_msgs::Point to_point(const Eigen::Vector3d& at) {
-  geometry_msgs::Point point;
-  point.x = at.x();
-  point.y = at.y();
-  point.z = at.z();
-  return point;
-}
-
 std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1) {
   std_msgs::ColorRGBA result;
   result.r = static_cast<float>(r);
@@ -25,15 +19,6 @@ std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1) {
   result.b = static_cast<float>(b);
   result.a = static_cast<float>(a);
   return result;
-}
-
-Points positions_of(const ToolPath& path) {
-  Points points;
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints)
-      points.push_back(waypoint.pose.translation());
-  }
-  return points;
 }
 
 Marker marker(const std_msgs::Header& header, const std::string& name, int type, double size) {
@@ -57,8 +42,8 @@ Marker correspondences(const Points& from, const Points& to, const std_msgs::Hea
   Marker lines = marker(header, "correspondences", Marker::LINE_LIST, kWidth);
   lines.color = colour(0, 1, 0, 0.6);
   for (std::size_t i = 0; i < to.size(); ++i) {
-    lines.points.push_back(to_point(from[i]));
-    lines.points.push_back(to_point(to[i]));
+    lines.points.push_back(tf2::toMsg(from[i]));
+    lines.points.push_back(tf2::toMsg(to[i]));
   }
   return finished(lines);
 }
@@ -69,7 +54,7 @@ Marker waypoints(const StretchResult& result, const Points& at, const std_msgs::
   balls.color.a = 1;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const WaypointQuality& quality = result.quality[i];
-    balls.points.push_back(to_point(at[i]));
+    balls.points.push_back(tf2::toMsg(at[i]));
     balls.colors.push_back(colour_of_error(
         std::hypot(quality.expected_error_normal, quality.expected_error_tangential)));
   }
@@ -81,7 +66,7 @@ Marker refused(const Verdict& verdict, const Points& at, const std_msgs::Header&
   Marker balls = marker(header, "refused", Marker::SPHERE_LIST, kSize);
   balls.color = colour(0.9, 0.1, 0.1);
   for (const std::size_t waypoint : verdict.waypoints) {
-    if (waypoint < at.size()) balls.points.push_back(to_point(at[waypoint]));
+    if (waypoint < at.size()) balls.points.push_back(tf2::toMsg(at[waypoint]));
   }
   return finished(balls);
 }

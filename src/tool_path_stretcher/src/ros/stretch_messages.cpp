@@ -2,22 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stretch_messages.h"
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include "scan_cell_common/ros/conversions.h"
 #include "tool_path_stretcher/ros/conversions.h"
 
 namespace tool_path_stretcher {
-namespace {
-
-geometry_msgs::Point to_point(const Eigen::Vector3d& at) {
-  geometry_msgs::Point point;
-  point.x = at.x();
-  point.y = at.y();
-  point.z = at.z();
-  return point;
-}
-
-}  // namespace
-
 StretchParameters with_goal(const StretchParameters& parameters,
                             const scan_cell_msgs::StretchToolPathGoal& goal) {
   StretchParameters result = parameters;
@@ -62,7 +52,7 @@ scan_cell_msgs::StretchVerdict to_message(const Verdict& verdict) {
     message.candidates.emplace_back();
     message.candidates.back().similarity = to_message(candidate.similarity);
     for (const Eigen::Vector3d& at : candidate.waypoints)
-      message.candidates.back().waypoints.push_back(to_point(at));
+      message.candidates.back().waypoints.push_back(tf2::toMsg(at));
   }
   return message;
 }

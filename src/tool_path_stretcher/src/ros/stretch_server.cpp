@@ -23,15 +23,6 @@ void check_frame(const std::string& what, const std_msgs::Header& header,
       "give clouds and path in one frame; the reference is in '" + reference.frame_id + "'");
 }
 
-scan_cell_common::Cloud to_cloud(const Points& points) {
-  scan_cell_common::Cloud cloud;
-  for (const Eigen::Vector3d& point : points) {
-    cloud.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
-                     static_cast<float>(point.z())});
-  }
-  return cloud;
-}
-
 }  // namespace
 
 StretchServer::StretchServer(const ros::NodeHandle& private_node)

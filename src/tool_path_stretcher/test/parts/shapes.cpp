@@ -23,6 +23,8 @@ void add_wall(const Height& height, const Eigen::Vector2d& from, const Eigen::Ve
   facets.push_back({(to - from).norm() * at(0.5, 1).position.z(), at});
 }
 
+}  // namespace
+
 Waypoint waypoint_at(const SurfacePoint& point, const Eigen::Vector3d& along) {
   Waypoint waypoint;
   Eigen::Matrix3d frame;
@@ -34,8 +36,6 @@ Waypoint waypoint_at(const SurfacePoint& point, const Eigen::Vector3d& along) {
   waypoint.process_values = {0.05};
   return waypoint;
 }
-
-}  // namespace
 
 SurfacePoint top_at(const Height& height, double x, double y) {
   const double slope_x = (height(x + kStep, y) - height(x - kStep, y)) / (2 * kStep);

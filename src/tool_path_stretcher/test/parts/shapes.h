@@ -16,6 +16,9 @@ constexpr double kStep = 1e-6;  // [m] for derivatives
 /// The surface of a height field at a place.
 SurfacePoint top_at(const Height& height, double x, double y);
 
+/// A waypoint on a surface: z along the normal, x the part of `along` within the surface.
+tool_path_stretcher::Waypoint waypoint_at(const SurfacePoint& point, const Eigen::Vector3d& along);
+
 /// The top of a height field over the cells inside an outline, and walls down to z = 0.
 std::vector<Facet> facets_of(double width, double depth, const Inside& inside, const Height& height,
                              bool walls);

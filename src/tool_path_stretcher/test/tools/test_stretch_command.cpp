@@ -22,14 +22,6 @@ using namespace tool_path_stretcher;
 
 namespace {
 
-scan_cell_common::Cloud cloud_of(const Points& points) {
-  scan_cell_common::Cloud cloud;
-  for (const Eigen::Vector3d& p : points)
-    cloud.push_back(
-        {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
-  return cloud;
-}
-
 Points scaled(Points points, double factor) {
   for (Eigen::Vector3d& point : points)
     point *= factor;
@@ -44,8 +36,8 @@ class StretchCommand : public testing::Test {
     synthetic::Scan whole;
     whole.seed = 11;
     const auto none = synthetic::no_deformation();
-    scan_cell_common::save_cloud(file("r.ply"), cloud_of(synthetic::scan(part_, {}, none, whole)));
-    scan_cell_common::save_cloud(file("d.ply"), cloud_of(synthetic::scan(part_, moved_, none, {})));
+    scan_cell_common::save_cloud(file("r.ply"), to_cloud(synthetic::scan(part_, {}, none, whole)));
+    scan_cell_common::save_cloud(file("d.ply"), to_cloud(synthetic::scan(part_, moved_, none, {})));
     save_tool_path(file("p.csv"), synthetic::path_on(part_, 100));
   }
 
@@ -124,7 +116,7 @@ TEST_F(StretchCommand, RefusesAWrongPartAndRemovesAnOldPath) {
   std::ofstream(file("out.csv")) << "an old path";
   scan_cell_common::save_cloud(
       file("wrong.ply"),
-      cloud_of(synthetic::scan(synthetic::curved_panel(), {}, synthetic::no_deformation(), {})));
+      to_cloud(synthetic::scan(synthetic::curved_panel(), {}, synthetic::no_deformation(), {})));
   EXPECT_EQ(run("r.ply", "wrong.ply", "p.csv"), 2);
   EXPECT_TRUE(left_no_path());
   EXPECT_EQ(report()["verdict"], "refused");
@@ -343,7 +335,7 @@ TEST_F(StretchCommand, TakesACadReferenceInMillimetresAndAScanInMetres) {
   const ToolPath expected = load_tool_path(file("out.csv"));
   scan_cell_common::save_cloud(
       file("r_mm.ply"),
-      cloud_of(scaled(to_points(scan_cell_common::load_cloud(file("r.ply"))), 1000)));
+      to_cloud(scaled(to_points(scan_cell_common::load_cloud(file("r.ply"))), 1000)));
   PathLayout millimetres = load_tool_path_file(file("p.csv")).layout;
   millimetres.pose.units = "mm";
   save_tool_path(file("p_mm.csv"), load_tool_path(file("p.csv")), millimetres);

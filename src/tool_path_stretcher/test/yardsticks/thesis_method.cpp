@@ -12,10 +12,7 @@ ToolPath thesis_method(const Points& reference, const Points& object, const Tool
       register_by_icp(reference, object, ratio_of_principal_axes(reference, object));
   ToolPath result = path;
   for (Segment& segment : result.segments) {
-    Points waypoints;
-    for (const Waypoint& waypoint : segment.waypoints)
-      waypoints.push_back(waypoint.pose.translation());
-    const Points nearest = nearest_points(waypoints, object, registration);
+    const Points nearest = nearest_points(positions_of(segment), object, registration);
     for (std::size_t i = 0; i < nearest.size(); ++i)
       segment.waypoints[i].pose.translation() = nearest[i];
   }

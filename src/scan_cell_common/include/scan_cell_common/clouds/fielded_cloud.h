@@ -34,6 +34,12 @@ struct CloudField {
   std::size_t offset = 0;                //!< [bytes] from the point's begin
 };
 
+/// [bytes] from a point's begin to the float32 fields of a vector, such as vp_x, vp_y, vp_z; empty
+/// where they are not there.
+/// @param prefix of x, y and z
+std::vector<std::size_t> offsets_of(const std::vector<CloudField>& fields,
+                                    const std::string& prefix);
+
 /// Points with all that they carry, where they lie.
 struct CloudView {
   std::vector<CloudField> fields;      //!< x, y and z among them

@@ -24,11 +24,6 @@ void write_cloud(const std::string& path, const PointsToWrite& points, double me
 /// @throw UnusableInput naming the one of x, y and z that is missing or no float32
 void check_coordinates(const std::vector<CloudField>& fields);
 
-/// The float32 fields of a vector, such as vp_x, vp_y, vp_z; empty where they are not there.
-/// @param prefix of x, y and z
-std::vector<std::size_t> offsets_of(const std::vector<CloudField>& fields,
-                                    const std::string& prefix);
-
 /// Prefixes of the fields of a place: they have the unit and the frame of x, y and z.
 const std::vector<std::string>& place_prefixes();
 

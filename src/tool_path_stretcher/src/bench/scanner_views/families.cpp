@@ -59,9 +59,10 @@ Mesh mirrored(Mesh mesh) {
 }
 
 /// What all families have in common.
-ViewCase drawn(const ViewPart& part, std::uint64_t seed, Draws& draws) {
+ViewCase drawn(const std::string& family, const ViewPart& part, std::uint64_t seed, Draws& draws) {
   constexpr std::array kPaths = {PathKind::kRaster, PathKind::kRim, PathKind::kWave};
   ViewCase each;
+  each.family = each.what = family;
   each.reference = each.object = part;
   each.similarity = lying(1, draws);
   each.viewing = any_viewing(draws);
@@ -75,15 +76,13 @@ ViewCase drawn(const ViewPart& part, std::uint64_t seed, Draws& draws) {
 
 ViewCase moved_case(const ViewPart& part, std::uint64_t seed) {
   Draws draws(seed);
-  ViewCase each = drawn(part, seed, draws);
-  each.family = each.what = "moved";
+  ViewCase each = drawn("moved", part, seed, draws);
   return each;
 }
 
 ViewCase bent_case(const ViewPart& part, std::uint64_t seed) {
   Draws draws(seed);
-  ViewCase each = drawn(part, seed, draws);
-  each.family = each.what = "bent";
+  ViewCase each = drawn("bent", part, seed, draws);
   const double width = box_of(part.mesh).sizes().x();
   const double rise = either_way(draws) * draws.between(0.004, 0.02) * width;  // 1 to 6 mm of 0.3 m
   each.deformation = about_middle(cases::bend(rise, width), part.mesh);
@@ -92,8 +91,7 @@ ViewCase bent_case(const ViewPart& part, std::uint64_t seed) {
 
 ViewCase scaled_case(const ViewPart& part, std::uint64_t seed) {
   Draws draws(seed);
-  ViewCase each = drawn(part, seed, draws);
-  each.family = each.what = "scaled, scan as reference";
+  ViewCase each = drawn("scaled, scan as reference", part, seed, draws);
   each.similarity.scale = draws.between(0.75, 1.3);
   each.reference_scanned = true;
   return each;
@@ -101,8 +99,7 @@ ViewCase scaled_case(const ViewPart& part, std::uint64_t seed) {
 
 ViewCase warped_case(const ViewPart& part, std::uint64_t seed) {
   Draws draws(seed);
-  ViewCase each = drawn(part, seed, draws);
-  each.family = each.what = "warped, scan as reference";
+  ViewCase each = drawn("warped, scan as reference", part, seed, draws);
   const double width = box_of(part.mesh).sizes().x();
   const double angle = either_way(draws) * draws.between(0.01, 0.05);  // [rad] 0.6 to 3 degrees
   const double most = draws.between(0.002, 0.006) * width;
@@ -114,8 +111,7 @@ ViewCase warped_case(const ViewPart& part, std::uint64_t seed) {
 
 ViewCase dented_case(const ViewPart& part, std::uint64_t seed) {
   Draws draws(seed);
-  ViewCase each = drawn(part, seed, draws);
-  each.family = each.what = "dented";
+  ViewCase each = drawn("dented", part, seed, draws);
   const Eigen::AlignedBox3d box = box_of(part.mesh);
   const Vector3d at(draws.between(0.25, 0.75), draws.between(0.25, 0.75), 0.9);
   const Vector3d way(draws.between(-0.3, 0.3), draws.between(-0.3, 0.3), -1);
@@ -127,8 +123,7 @@ ViewCase dented_case(const ViewPart& part, std::uint64_t seed) {
 
 ViewCase scene_case(const ViewPart& part, std::uint64_t seed) {
   Draws draws(seed);
-  ViewCase each = drawn(part, seed, draws);
-  each.family = each.what = "in a scene, cleaned";
+  ViewCase each = drawn("in a scene, cleaned", part, seed, draws);
   each.surroundings = {true, true, draws.one_of(2) == 0};
   each.scattered = 0.002;
   each.cleaned = true;

@@ -42,6 +42,22 @@ void check(const Waypoint& waypoint, const ToolPath& path, const std::string& na
 
 }  // namespace
 
+Points positions_of(const Segment& segment) {
+  Points positions;
+  for (const Waypoint& waypoint : segment.waypoints)
+    positions.push_back(waypoint.pose.translation());
+  return positions;
+}
+
+Points positions_of(const ToolPath& path) {
+  Points positions;
+  for (const Segment& segment : path.segments) {
+    const Points more = positions_of(segment);
+    positions.insert(positions.end(), more.begin(), more.end());
+  }
+  return positions;
+}
+
 std::size_t waypoint_count(const ToolPath& path) {
   std::size_t count = 0;
   for (const Segment& segment : path.segments)

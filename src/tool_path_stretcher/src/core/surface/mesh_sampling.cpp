@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -56,29 +55,32 @@ std::vector<Triangle> triangles_of(const pcl::PolygonMesh& mesh, const Points& v
   return triangles;
 }
 
-/// True where the triangles agree on which side is out: no directed edge occurs twice.
-bool consistently_wound(const std::vector<Triangle>& triangles) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// The directed edges of all triangles, sorted.
+std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> edges;
   edges.reserve(triangles.size() * 3);
   for (const Triangle& triangle : triangles) {
     for (std::size_t i = 0; i < 3; ++i)
       edges.emplace_back(triangle[i], triangle[(i + 1) % 3]);
   }
   std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// True where the triangles agree on which side is out: no directed edge occurs twice.
+bool consistently_wound(const std::vector<Edge>& edges) {
   return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }
 
 /// True where nearly every triangle has a neighbour at each side: the mesh encloses the part but
 /// for small holes.
-bool is_closed(const std::vector<Triangle>& triangles) {
+/// @param edges consistently wound
+bool is_closed(const std::vector<Edge>& edges) {
   constexpr double kNearly = 0.98;  // of the edges; chosen
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const Triangle& triangle : triangles) {
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.emplace(triangle[i], triangle[(i + 1) % 3]);
-  }
-  const auto paired = std::count_if(edges.begin(), edges.end(), [&edges](const auto& edge) {
-    return edges.count({edge.second, edge.first}) > 0;
+  const auto paired = std::count_if(edges.begin(), edges.end(), [&edges](const Edge& edge) {
+    return std::binary_search(edges.begin(), edges.end(), Edge(edge.second, edge.first));
   });
   return static_cast<double>(paired) >= kNearly * static_cast<double>(edges.size());
 }
@@ -146,8 +148,9 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
   const auto count = static_cast<std::size_t>(std::clamp(wanted, kFewestSamples, kMaxSamples));
   Surface surface;
   sample(vertices, triangles, area, count, surface);
-  surface.oriented = consistently_wound(triangles);
-  surface.closed = surface.oriented && is_closed(triangles);
+  const std::vector<Edge> edges = edges_of(triangles);
+  surface.oriented = consistently_wound(edges);
+  surface.closed = surface.oriented && is_closed(edges);
   if (surface.closed && enclosed(vertices, triangles) < 0) {
     for (Eigen::Vector3d& normal : surface.normals)
       normal = -normal;

@@ -4,9 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cstring>
-#include <string>
+#include <vector>
 
 #include "scan_cell_common/clouds/fielded_cloud.h"
 
@@ -20,39 +19,17 @@ struct Cluster {
   std::size_t count = 0;
 };
 
-/// Three float32 fields of a cloud.
-class VectorField {
- public:
-  VectorField(const scan_cell_common::CloudView& cloud, const std::string& prefix) : cloud_(cloud) {
-    const std::array<std::string, 3> names = {prefix + "x", prefix + "y", prefix + "z"};
-    for (std::size_t axis = 0; axis < names.size(); ++axis) {
-      const auto found = std::find_if(
-          cloud.fields.begin(), cloud.fields.end(),
-          [&](const scan_cell_common::CloudField& field) { return field.name == names[axis]; });
-      if (found == cloud.fields.end() || found->type != scan_cell_common::FieldType::kFloat32)
-        return;
-      offsets_[axis] = found->offset;
-    }
-    is_there_ = true;
-  }
-
-  bool is_there() const { return is_there_; }
-
-  Eigen::Vector3d at(std::size_t point) const {
-    Eigen::Vector3d result;
-    for (std::size_t axis = 0; axis < offsets_.size(); ++axis) {
-      float value = 0;
-      std::memcpy(&value, cloud_.data + point * cloud_.step + offsets_[axis], sizeof value);
-      result[static_cast<Eigen::Index>(axis)] = static_cast<double>(value);
-    }
-    return result;
-  }
-
- private:
-  const scan_cell_common::CloudView& cloud_;
-  std::array<std::size_t, 3> offsets_{};
-  bool is_there_ = false;
-};
+/// A vector that a point carries.
+/// @param offsets as offsets_of() gives them
+Eigen::Vector3d vector_at(const scan_cell_common::CloudView& cloud, std::size_t point,
+                          const std::vector<std::size_t>& offsets) {
+  Eigen::Vector3f result;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    std::memcpy(&result[axis],
+                cloud.data + point * cloud.step + offsets[static_cast<std::size_t>(axis)],
+                sizeof(float));
+  return result.cast<double>();
+}
 
 }  // namespace
 
@@ -84,13 +61,14 @@ Points directions_seen_from(const Points& points, const Points& viewers) {
 
 Points directions_seen_from(const scan_cell_common::CloudView& cloud) {
   constexpr std::size_t kLooked = 20000;  // points, evenly through the cloud; chosen
-  const VectorField place(cloud, ""), viewer(cloud, "vp_");
-  if (!place.is_there() || !viewer.is_there()) return {};
+  const std::vector<std::size_t> place = scan_cell_common::offsets_of(cloud.fields, "");
+  const std::vector<std::size_t> viewer = scan_cell_common::offsets_of(cloud.fields, "vp_");
+  if (place.empty() || viewer.empty()) return {};
   const std::size_t step = std::max<std::size_t>(1, cloud.size() / kLooked);
   Points points, viewers;
   for (std::size_t i = 0; i < cloud.size(); i += step) {
-    points.push_back(place.at(i));
-    viewers.push_back(viewer.at(i));
+    points.push_back(vector_at(cloud, i, place));
+    viewers.push_back(vector_at(cloud, i, viewer));
   }
   return directions_seen_from(points, viewers);
 }

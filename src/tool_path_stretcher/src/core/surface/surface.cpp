@@ -275,4 +275,14 @@ Points to_points(const pcl::PointCloud<pcl::PointXYZ>& cloud) {
   return points;
 }
 
+pcl::PointCloud<pcl::PointXYZ> to_cloud(const Points& points) {
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.reserve(points.size());
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3f at = point.cast<float>();
+    cloud.push_back({at.x(), at.y(), at.z()});
+  }
+  return cloud;
+}
+
 }  // namespace tool_path_stretcher

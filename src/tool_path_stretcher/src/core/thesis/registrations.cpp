@@ -12,6 +12,7 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/points.h"
+#include "tool_path_stretcher/surface.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -19,13 +20,7 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 Cloud::Ptr cloud_of(const Points& points) {
-  auto cloud = std::make_shared<Cloud>();
-  cloud->reserve(points.size());
-  for (const Eigen::Vector3d& point : points) {
-    cloud->push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
-                      static_cast<float>(point.z())});
-  }
-  return cloud;
+  return std::make_shared<Cloud>(to_cloud(points));
 }
 
 /// p' = s T^-1 p, where T leads from the object at the reference's size to the reference.

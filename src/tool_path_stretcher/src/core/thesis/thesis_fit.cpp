@@ -68,10 +68,7 @@ void move_to_nearest_points(const ToolPath& path, const SurfacePair& surfaces,
                             const Mapping& mapping, Placement& placement) {
   std::size_t at = 0;
   for (std::size_t s = 0; s < path.segments.size(); ++s) {
-    const Segment& segment = path.segments[s];
-    Points waypoints;
-    for (const Waypoint& waypoint : segment.waypoints)
-      waypoints.push_back(waypoint.pose.translation());
+    const Points waypoints = positions_of(path.segments[s]);
     const Points nearest = nearest_points(waypoints, surfaces.object.points, mapping.similarity);
     for (std::size_t w = 0; w < nearest.size(); ++w, ++at) {
       const Eigen::Vector3d moved = nearest[w] - mapping * waypoints[w];

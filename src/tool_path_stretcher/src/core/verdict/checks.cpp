@@ -135,6 +135,17 @@ void check_path(const ToolPath& path, const Surface& reference,
          off.waypoints);
 }
 
+void check_seeable(const ToolPath& path, const Surface& seeable,
+                   const StretchParameters& parameters) {
+  const OffReference off =
+      off_reference(path, seeable, parameters.max_path_distance + seeable.spacing);
+  if (off.waypoints.empty()) return;
+  refuse(Reason::kPathNotScanned, "tool path",
+         fmt::format("{} of {} waypoints lie on a side of the part that the scan does not show",
+                     off.waypoints.size(), waypoint_count(path)),
+         "scan that side, or turn the part over", off.waypoints);
+}
+
 void refuse_wrong_part(const std::string& why) {
   refuse(Reason::kWrongPart, "object", why,
          "check that it is the part of the reference, and alone in the scan");

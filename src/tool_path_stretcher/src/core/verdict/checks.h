@@ -24,6 +24,10 @@ void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parame
 void check_path(const ToolPath& path, const Surface& reference,
                 const StretchParameters& parameters);
 
+/// PATH_NOT_SCANNED: waypoints lie where that part of the reference that can be seen is not.
+void check_seeable(const ToolPath& path, const Surface& seeable,
+                   const StretchParameters& parameters);
+
 [[noreturn]] void refuse_wrong_part(const std::string& why);
 
 /// @param mirrored how well the reference's mirror image explains the object

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "views/views.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -127,25 +125,6 @@ StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
   }
   if (accepted == nullptr) return best->result;
   return is_one_of_many(*accepted, whole) ? whole.result : accepted->result;
-}
-
-void check_seeable(const ToolPath& path, const Surface& seeable,
-                   const StretchParameters& parameters) {
-  const double most = parameters.max_path_distance + seeable.spacing;
-  std::vector<std::size_t> hidden;
-  std::size_t index = 0;
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints) {
-      if (seeable.tree->nearest(waypoint.pose.translation()).squared_distance > most * most)
-        hidden.push_back(index);
-      ++index;
-    }
-  }
-  if (hidden.empty()) return;
-  refuse(Reason::kPathNotScanned, "tool path",
-         fmt::format("{} of {} waypoints lie on a side of the part that the scan does not show",
-                     hidden.size(), index),
-         "scan that side, or turn the part over", hidden);
 }
 
 }  // namespace tool_path_stretcher

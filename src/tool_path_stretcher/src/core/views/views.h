@@ -30,9 +30,4 @@ std::vector<ViewPrior> possible_views(const SurfacePair& surfaces,
 StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
                     const Surface& object, double tolerance);
 
-/// PATH_NOT_SCANNED: waypoints lie where that part of the reference that can be seen is not.
-/// @throw Refusal
-void check_seeable(const ToolPath& path, const Surface& seeable,
-                   const StretchParameters& parameters);
-
 }  // namespace tool_path_stretcher

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "parts/shapes.h"
 #include "scan_cell_sim/scene.h"
 
 namespace scanner_views {
@@ -39,19 +40,6 @@ std::vector<Line> lines_of(PathKind kind, Draws& draws) {
     lines.emplace_back([=](double a) { return Vector2d(-0.9 + 1.8 * a, at + slope * (a - 0.5)); });
   }
   return lines;
-}
-
-/// A place on the part, and the way of the path there.
-Waypoint waypoint_at(const scan_cell_sim::Scene::Hit& hit, const Vector3d& along) {
-  Waypoint waypoint;
-  Eigen::Matrix3d frame;
-  frame.col(2) = hit.normal;
-  frame.col(1) = hit.normal.cross(along).normalized();
-  frame.col(0) = frame.col(1).cross(hit.normal);
-  waypoint.pose.linear() = frame;
-  waypoint.pose.translation() = hit.point;
-  waypoint.process_values = {0.05};
-  return waypoint;
 }
 
 /// Whether the surface goes on from one waypoint to the next.
@@ -94,7 +82,8 @@ ToolPath path_on(const Mesh& part, PathKind kind, Draws& draws) {
         end_segment();
         continue;
       }
-      const Waypoint next = waypoint_at(*hit, above(line(a + kAhead)) - above(line(a - kAhead)));
+      const Waypoint next = cases::waypoint_at({hit->point, hit->normal},
+                                               above(line(a + kAhead)) - above(line(a - kAhead)));
       if (!whole.waypoints.empty() && !follows(whole.waypoints.back(), next)) end_segment();
       whole.waypoints.push_back(next);
     }
