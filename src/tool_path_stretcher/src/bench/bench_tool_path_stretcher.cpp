@@ -12,6 +12,7 @@
 #include "registration.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/tools/tool_main.h"
+#include "tool_path_stretcher/surface.h"
 #include "tool_path_stretcher/tool_path_files.h"
 
 namespace {
