@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_demo/comparison.h"
 
@@ -30,6 +32,28 @@ TEST(ComparePaths, GivesRootMeanSquareAndLargestDistanceAndAngle) {
   EXPECT_NEAR(error.rms, std::sqrt((9e-6 + 16e-6) / 3), 1e-12);
   EXPECT_NEAR(error.max, 4e-3, 1e-12);
   EXPECT_NEAR(error.orientation_rms, 0.3 / std::sqrt(3.0), 1e-9);
+}
+
+TEST(CompareLines, TakesAPathThatRunsTheOtherWayForTheSame) {
+  ToolPath backwards = three_waypoints();
+  auto& waypoints = backwards.segments[0].waypoints;
+  std::reverse(waypoints.begin(), waypoints.end());
+  for (auto& waypoint : waypoints)
+    waypoint.pose.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()));
+  const auto same = scan_cell_demo::compare_lines(backwards, three_waypoints());
+  EXPECT_NEAR(same.max, 0, 1e-12);
+  EXPECT_NEAR(same.orientation_rms, 0, 1e-9);
+  waypoints[0].pose.translation().z() += 3e-3;
+  EXPECT_NEAR(scan_cell_demo::compare_lines(backwards, three_waypoints()).max, 3e-3, 1e-12);
+}
+
+TEST(CompareLines, FindsWhatOnlyTheTruthCovers) {
+  ToolPath shorter = three_waypoints();
+  const double lost = (shorter.segments[0].waypoints[2].pose.translation() -
+                       shorter.segments[0].waypoints[1].pose.translation())
+                          .norm();
+  shorter.segments[0].waypoints.pop_back();
+  EXPECT_NEAR(scan_cell_demo::compare_lines(shorter, three_waypoints()).max, lost, 1e-12);
 }
 
 TEST(ComparePaths, RefusesPathsOfDifferentLength) {

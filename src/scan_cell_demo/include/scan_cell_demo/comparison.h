@@ -20,6 +20,12 @@ struct PathError {
 PathError compare(const tool_path_stretcher::ToolPath& path,
                   const tool_path_stretcher::ToolPath& truth);
 
+/// The same of the lines that the waypoints lie on, wherever and whichever way round each starts:
+/// for a path that is its own image. Each waypoint is compared with the nearest of the other path,
+/// and of the orientation the tool's axis.
+PathError compare_lines(const tool_path_stretcher::ToolPath& path,
+                        const tool_path_stretcher::ToolPath& truth);
+
 /// A path on the reference part, carried to where the object's deformation, scale and pose truly
 /// take it: the simulator's ground truth.
 /// @param reference, object world files; `part` is the part's name in both

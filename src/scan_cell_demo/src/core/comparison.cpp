@@ -53,6 +53,41 @@ PathError compare(const ToolPath& path, const ToolPath& truth) {
   return error;
 }
 
+namespace {
+
+/// Of each waypoint from the nearest of the others; of the orientation the tool's axis.
+PathError off_nearest(const std::vector<const Waypoint*>& from,
+                      const std::vector<const Waypoint*>& to) {
+  PathError error;
+  for (const Waypoint* each : from) {
+    const auto distance = [each](const Waypoint* other) {
+      return (other->pose.translation() - each->pose.translation()).norm();
+    };
+    const Waypoint* nearest =
+        *std::min_element(to.begin(), to.end(), [&](const Waypoint* one, const Waypoint* other) {
+          return distance(one) < distance(other);
+        });
+    const Eigen::Vector3d ours = each->pose.linear().col(2);
+    const Eigen::Vector3d theirs = nearest->pose.linear().col(2);
+    error.rms += distance(nearest) * distance(nearest);
+    error.max = std::max(error.max, distance(nearest));
+    error.orientation_rms += std::pow(std::atan2(ours.cross(theirs).norm(), ours.dot(theirs)), 2);
+  }
+  const auto count = static_cast<double>(from.size());
+  error.rms = std::sqrt(error.rms / count);
+  error.orientation_rms = std::sqrt(error.orientation_rms / count);
+  return error;
+}
+
+}  // namespace
+
+PathError compare_lines(const ToolPath& path, const ToolPath& truth) {
+  const PathError ours = off_nearest(waypoints(path), waypoints(truth));
+  const PathError theirs = off_nearest(waypoints(truth), waypoints(path));
+  return {std::max(ours.rms, theirs.rms), std::max(ours.max, theirs.max),
+          std::max(ours.orientation_rms, theirs.orientation_rms)};
+}
+
 ToolPath true_path(const ToolPath& path, const std::string& reference, const std::string& object,
                    const std::string& part) {
   const scan_cell_sim::World from = scan_cell_sim::load_world(reference);

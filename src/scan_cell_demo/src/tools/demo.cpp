@@ -184,7 +184,9 @@ class Demo {
           scan_cell_demo::true_path(path, options_.reference, options_.object, options_.part);
       tool_path_stretcher::save_tool_path(out("adapted_path.csv"), adapted);
       tool_path_stretcher::save_tool_path(out("true_path.csv"), truth);
-      error = scan_cell_demo::compare(adapted, truth);
+      const bool own_image = !stretched.verdict.candidates.empty();
+      error = own_image ? scan_cell_demo::compare_lines(adapted, truth)
+                        : scan_cell_demo::compare(adapted, truth);
     }
     json["path_rms_mm"] = error.rms * kMillimetres;  // NaN is written as null
     json["path_max_mm"] = error.max * kMillimetres;

@@ -18,9 +18,7 @@ PACKAGES = rospkg.RosPack()
 WORLDS = os.path.join(PACKAGES.get_path('scan_cell_sim'), 'config')
 PROGRAMS = os.path.join(PACKAGES.get_path('scan_cell'), 'config')
 TIMEOUT = 180  # [s] of one part, on a busy computer
-# A computer that holds up the cell gives no figures: frames are not bound, or the camera falls behind. The frame that was
-# filed tells its two ends apart by one rosette: with profiles missing the path has been accepted half a turn off
-# (docs/stretcher_benchmark.md).
+# A computer that holds up the cell gives no figures: frames are not bound, or the camera falls behind.
 NO_FRAME = 'camera: no frame of the last'
 ATTEMPTS = 4
 MISSED = 3  # exit code of the demo: a goal missed

@@ -35,12 +35,17 @@ struct PoseCandidate {
   Points waypoints;       //!< [m] in the object's frame, over all segments
 };
 
+/// The message of an accepted path, with more behind it where there is more to say.
+constexpr char kAdapted[] = "the path was adapted";
+
 /// Accepted, or the reason to refuse.
 struct Verdict {
-  Reason reason = Reason::kAccepted;           //!< kAccepted, or why not
-  std::string message;                         //!< the thing, the value and what would help
-  std::vector<std::size_t> waypoints;          //!< concerned, counted over all segments
-  std::vector<PoseCandidate> candidates = {};  //!< ambiguous: those between which nothing decides
+  Reason reason = Reason::kAccepted;   //!< kAccepted, or why not
+  std::string message;                 //!< kAdapted, or the thing, the value and what would help
+  std::vector<std::size_t> waypoints;  //!< concerned, counted over all segments
+  /// Ambiguous: the poses between which nothing decides, best first. Accepted: where others explain
+  /// the object as well and lay the path along the same line, the one taken and those.
+  std::vector<PoseCandidate> candidates = {};
 
   bool accepted() const { return reason == Reason::kAccepted; }  //!< whether there is a path
 };

@@ -45,10 +45,10 @@ ReportedVerdict verdict_of(const Json& report) {
   verdict.waypoints = report.at("waypoints_concerned").get<std::vector<std::size_t>>();
   const bool aligned = !report.at("transform").is_null();
   const Json& candidates = report.at("candidates");
-  for (const Json& candidate : candidates)
-    verdict.similarities.push_back(similarity_of(candidate.at("transform")));
-  if (aligned && candidates.empty())
-    verdict.similarities.push_back(similarity_of(report.at("transform")));
+  const bool undecided = !verdict.accepted && !candidates.empty();
+  for (std::size_t i = 0; undecided && i < candidates.size(); ++i)
+    verdict.similarities.push_back(similarity_of(candidates[i].at("transform")));
+  if (aligned && !undecided) verdict.similarities.push_back(similarity_of(report.at("transform")));
   const Json& files = report.at("files");
   verdict.reference = file_of(files.at("reference"));
   verdict.object = file_of(files.at("object"));

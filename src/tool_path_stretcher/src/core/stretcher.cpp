@@ -135,11 +135,19 @@ ToolPath waypoints_of(const ToolPath& path, double spacing) {
   }
 }
 
-std::string accepted_message(const Fitted& fitted, bool partial_reference) {
-  const std::string adapted = "the path was adapted";
-  if (!partial_reference) return adapted;
-  return fmt::format("{}; the reference shows only a part of the object, about {} % of its scan",
-                     adapted, std::lround(100 * fitted.explanation.inlier_ratio));
+std::string accepted_message(const Fitted& fitted, bool partial_reference, bool in_other_poses) {
+  std::string message = kAdapted;
+  if (partial_reference) {
+    message +=
+        fmt::format("; the reference shows only a part of the object, about {} % of its scan",
+                    std::lround(100 * fitted.explanation.inlier_ratio));
+  }
+  if (in_other_poses) {
+    message +=
+        "; the object fits in another pose as well, with the path on the same line: it may start "
+        "elsewhere on that line";
+  }
+  return message;
 }
 
 /// The work on one path.
@@ -171,8 +179,9 @@ class Adaptation {
         tell(surfaces_.reference, fitted.front(), result);
       }
     }
-    check_choice(fitted, partial_reference);
-    result.verdict.message = accepted_message(fitted.front(), partial_reference);
+    result.verdict.candidates = check_choice(fitted, partial_reference);
+    result.verdict.message =
+        accepted_message(fitted.front(), partial_reference, !result.verdict.candidates.empty());
     Mapping mapping = fitted.front().mapping;
     if (parameters_.method == Method::kAffine) {
       mapping = affine_mapping(mapping.similarity);
@@ -254,8 +263,11 @@ class Adaptation {
     sort_best_first(fitted);
   }
 
+  /// @return the best and the others that explain the object as well, where those lay the path
+  /// along the same line; nothing where there are none
   /// @throw Refusal if the best does not explain the object, or another one does, too
-  void check_choice(const std::vector<Fitted>& fitted, bool partial_reference) {
+  std::vector<PoseCandidate> check_choice(const std::vector<Fitted>& fitted,
+                                          bool partial_reference) {
     constexpr double kWhole = 0.95;  // of either surface's points; chosen
     const Fitted& best = fitted.front();
     if (!partial_reference) {
@@ -264,15 +276,21 @@ class Adaptation {
     }
     check_overlap(best, parameters_);
     check_deformation(surfaces_.reference, best.mapping, parameters_);
-    for (std::size_t i = 1; i < fitted.size(); ++i)
-      check_unambiguous(path_, surfaces_, best, fitted[i], parameters_);
+    std::vector<PoseCandidate> alike;
+    for (std::size_t i = 1; i < fitted.size(); ++i) {
+      if (check_unambiguous(path_, surfaces_, best, fitted[i], parameters_))
+        alike.push_back(candidate_of(path_, fitted[i].mapping));
+    }
     for (const Mapping& slid :
          slid_along_itself(surfaces_, best.mapping, parameters_.prior.scale)) {
       if (!parameters_.prior.allows(slid.similarity, centroid_)) continue;
-      check_unambiguous(path_, surfaces_, best, explained(slid), parameters_);
+      if (check_unambiguous(path_, surfaces_, best, explained(slid), parameters_))
+        alike.push_back(candidate_of(path_, slid));
     }
     if (std::min(best.explanation.overlap, best.explanation.inlier_ratio) < kWhole)
       check_rivals(path_, surfaces_, best.mapping, partial_, parameters_);
+    if (!alike.empty()) alike.insert(alike.begin(), candidate_of(path_, best.mapping));
+    return alike;
   }
 
   Mapping affine_mapping(const Similarity& start) const {

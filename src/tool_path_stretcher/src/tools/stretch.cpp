@@ -185,6 +185,8 @@ int tell(const Run& run) {
               << three_digits(run.record.seconds_reading) << ", adapting "
               << three_digits(result.seconds) << ", writing "
               << three_digits(run.record.seconds_writing) << ")\n";
+    if (result.verdict.message != tool_path_stretcher::kAdapted)
+      std::cout << result.verdict.message << '\n';
     return kAccepted;
   }
   std::cerr << "refused (" << to_string(result.verdict.reason) << "): " << result.verdict.message

@@ -89,6 +89,25 @@ TEST(Ambiguous, GivesBothPosesAndWhereTheyPutThePath) {
   EXPECT_EQ(report["candidates"][1]["waypoints"][3][0], candidates[1].waypoints[3].x());
 }
 
+TEST(OwnImage, OfAPathIsAcceptedAndTheOtherPoseIsNamed) {
+  const SymmetricFrame frame;
+  ToolPath path = frame.path();
+  path.process_names.clear();
+  for (Segment& segment : path.segments) {
+    for (Waypoint& waypoint : segment.waypoints)
+      waypoint.process_values.clear();
+  }
+  const StretchResult result =
+      stretch(frame.surface({}, 11), frame.surface(frame.moved, 1), path, frame.parameters);
+  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+  EXPECT_NE(result.verdict.message.find("another pose"), std::string::npos);
+  const std::vector<PoseCandidate>& candidates = result.verdict.candidates;
+  ASSERT_EQ(candidates.size(), 2U);
+  const bool first_turned = farthest(candidates[0].waypoints, frame.truth(true)) < 0.0005;
+  EXPECT_LT(farthest(candidates[0].waypoints, frame.truth(first_turned)), 0.0005);
+  EXPECT_LT(farthest(candidates[1].waypoints, frame.truth(!first_turned)), 0.0005);
+}
+
 TEST(Prior, OfThePoseDecidesBetweenTheTwo) {
   for (const bool turned : {false, true}) {
     SCOPED_TRACE(turned);

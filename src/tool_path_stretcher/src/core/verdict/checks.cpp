@@ -67,15 +67,6 @@ OffReference off_reference(const ToolPath& path, const Surface& reference, doubl
   return off;
 }
 
-PoseCandidate candidate_of(const ToolPath& path, const Mapping& mapping) {
-  PoseCandidate candidate{mapping.similarity, {}};
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints)
-      candidate.waypoints.push_back(mapping * waypoint.pose.translation());
-  }
-  return candidate;
-}
-
 /// The similarity that puts the points halfway between where two others put them.
 Similarity halfway(const Similarity& one, const Similarity& other, const Points& points) {
   Points between;
@@ -209,6 +200,15 @@ bool is_same_pose(const Similarity& one, const Similarity& other, const Surface&
   return distance(one, other, reference.points) < kSamePose * one.scale * reference.size;
 }
 
+PoseCandidate candidate_of(const ToolPath& path, const Mapping& mapping) {
+  PoseCandidate candidate{mapping.similarity, {}};
+  for (const Segment& segment : path.segments) {
+    for (const Waypoint& waypoint : segment.waypoints)
+      candidate.waypoints.push_back(mapping * waypoint.pose.translation());
+  }
+  return candidate;
+}
+
 void refuse_ambiguous(const ToolPath& path, const Mapping& best, const Mapping& other) {
   const PoseCandidate one = candidate_of(path, best);
   const PoseCandidate two = candidate_of(path, other);
@@ -225,17 +225,17 @@ void refuse_ambiguous(const ToolPath& path, const Mapping& best, const Mapping& 
        {one, two}}};
 }
 
-void check_unambiguous(const ToolPath& path, const SurfacePair& surfaces, const Fitted& best,
+bool check_unambiguous(const ToolPath& path, const SurfacePair& surfaces, const Fitted& best,
                        const Fitted& other, const StretchParameters& parameters) {
   const Similarity& one = best.mapping.similarity;
   const Similarity& two = other.mapping.similarity;
-  if (is_same_pose(one, two, surfaces.reference)) return;
-  if (clearly_better(best.explanation, other.explanation)) return;
-  if (same_path(path, best.mapping, other.mapping, parameters.ambiguity_distance)) return;
+  if (is_same_pose(one, two, surfaces.reference)) return false;
+  if (clearly_better(best.explanation, other.explanation)) return false;
+  if (same_path(path, best.mapping, other.mapping, parameters.ambiguity_distance)) return true;
   if (parameters.prior.pose) {
     const Mapping between{halfway(one, two, surfaces.reference.points), best.mapping.graph};
     const Explanation explanation = explain(surfaces, between, parameters.inlier_distance);
-    if (!clearly_better(best.explanation, explanation)) return;
+    if (!clearly_better(best.explanation, explanation)) return false;
   }
   refuse_ambiguous(path, best.mapping, other.mapping);
 }

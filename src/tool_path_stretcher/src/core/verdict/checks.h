@@ -47,12 +47,16 @@ void check_deformation(const Surface& reference, const Mapping& mapping,
 
 bool is_same_pose(const Similarity& one, const Similarity& other, const Surface& reference);
 
+/// The pose, and where it puts the waypoints.
+PoseCandidate candidate_of(const ToolPath& path, const Mapping& mapping);
+
 [[noreturn]] void refuse_ambiguous(const ToolPath& path, const Mapping& best, const Mapping& other);
 
 /// AMBIGUOUS: the other explains the object as well and puts the path elsewhere. Where an initial
 /// pose is known, poses that lead into each other, as along a straight moulding, count as one: how
 /// far apart they lie is in the expected errors.
-void check_unambiguous(const ToolPath& path, const SurfacePair& surfaces, const Fitted& best,
+/// @return whether the other explains it as well and lays the path along the same line
+bool check_unambiguous(const ToolPath& path, const SurfacePair& surfaces, const Fitted& best,
                        const Fitted& other, const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher
