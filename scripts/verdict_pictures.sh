@@ -45,9 +45,9 @@ leaf=(--leaf 0.02 0.02 0.02)
 show too_few_points 'frame, as it is'
 leaf=()
 
-# A path of another frame: 90 mm off
+# A path of another frame: 200 mm off
 "$programs/bench_tool_path_stretcher" --cases 'panel, turned' --write "$work"
-awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "y") y = i; print; next } { $y += 0.09; print }' \
+awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "y") y = i; print; next } { $y += 0.2; print }' \
   "$work/path.csv" >"$work/moved.csv"
 mv "$work/moved.csv" "$work/path.csv"
 draw path_off_reference

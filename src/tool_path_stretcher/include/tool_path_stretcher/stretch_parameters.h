@@ -45,7 +45,7 @@ struct StretchParameters {
   int min_points = 200;  //!< of each surface after reduction
   double resample_spacing = 0;           //!< [m] along the path; 0: its own waypoints
   StandOff stand_off = StandOff::kKeep;  //!< of a path that does not touch the surface
-  double max_path_distance = 0.02;       //!< [m] of a waypoint from the reference
+  double max_stand_off = 0.02;           //!< [m] of a segment over the surface; beyond: in the air
   double inlier_distance = 0.002;        //!< [m] of a point that counts as explained
   double min_inlier_ratio = 0.8;         //!< of the object's points, or it is the wrong part
   double min_overlap = 0.3;              //!< of the reference's points, or it is the wrong part
@@ -55,9 +55,13 @@ struct StretchParameters {
   int min_support = 6;                //!< points; with fewer a waypoint is inferred
   double max_hole_distance = 0.01;    //!< [m] from the scan, up to which a waypoint may be inferred
   double tolerance = 0.002;           //!< [m] of an adapted waypoint from the scanned surface
-  double max_deformation = 0.012;     //!< [m] of 95 % of the surface, or it is the wrong part
-  double max_stranger = 0.004;     //!< [m] that the scan beside a waypoint may be off the reference
-  double max_displacement = 0.02;  //!< [m] of a waypoint from where the similarity puts it
+  /// Of 95 % of the surface, as a share of the part's length (12 mm of 400 mm), or it is the wrong
+  /// part.
+  double max_deformation_ratio = 0.03;
+  double max_stranger = 0.004;  //!< [m] that the scan beside a waypoint may be off the reference
+  /// Of a waypoint from where the similarity puts it, as a share of the part's length (20 mm of 400
+  /// mm).
+  double max_displacement_ratio = 0.05;
 };
 
 /// All parameters with range, unit and meaning.

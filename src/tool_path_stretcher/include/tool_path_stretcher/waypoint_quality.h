@@ -15,7 +15,8 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 struct WaypointQuality {
   std::size_t segment = 0;      //!< index of the waypoint's segment
   std::size_t waypoint = 0;     //!< within its segment
-  bool measured = false;        //!< set on scanned points; false: inferred
+  bool measured = false;        //!< set on scanned points; false: inferred, or in the air
+  bool in_air = false;          //!< no surface beside it: carried by the mapping, needs no scan
   double distance_to_scan = 0;  //!< [m] from the adapted waypoint to the nearest scanned point
   std::size_t support = 0;      //!< scanned points within the support radius
   double residual = 0;       //!< [m] RMS distance of those points from the surface fitted to them

@@ -48,6 +48,7 @@ Json to_json(const WaypointQuality& quality) {
   return {{"segment", quality.segment},
           {"waypoint", quality.waypoint},
           {"measured", quality.measured},
+          {"in_air", quality.in_air},
           {"distance_to_scan", number(quality.distance_to_scan)},
           {"support", quality.support},
           {"residual", number(quality.residual)},
@@ -82,6 +83,7 @@ void add_head(const StretchResult& result, Json& report) {
   report["message"] = result.verdict.message;
   report["measured_waypoints"] = known ? Json(summary.measured) : Json(nullptr);
   report["inferred_waypoints"] = known ? Json(summary.inferred) : Json(nullptr);
+  report["waypoints_in_air"] = known ? Json(summary.in_air) : Json(nullptr);
   report["largest_displacement"] = number(summary.largest_displacement);
   report["largest_expected_error_normal"] = number(summary.largest_expected_error_normal);
   report["largest_expected_error_tangential"] = number(summary.largest_expected_error_tangential);

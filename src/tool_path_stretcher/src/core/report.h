@@ -22,10 +22,12 @@ struct RunRecord {
 /// [s] reading, adapting and writing.
 double total_seconds(const StretchResult& result, const RunRecord& record);
 
-/// How an adapted path is founded on the scan, over all its waypoints. NaN: not known.
+/// How an adapted path is founded on the scan: how many of its waypoints are what, and the largest
+/// figures of those that are not in the air. NaN: not known.
 struct QualitySummary {
   std::size_t measured = 0;
   std::size_t inferred = 0;
+  std::size_t in_air = 0;
   double largest_displacement = kUnknown;               //!< [m]
   double largest_expected_error_normal = kUnknown;      //!< [m]
   double largest_expected_error_tangential = kUnknown;  //!< [m]

@@ -40,6 +40,10 @@ double total_seconds(const StretchResult& result, const RunRecord& record) {
 QualitySummary summary_of(const std::vector<WaypointQuality>& quality) {
   QualitySummary summary;
   for (const WaypointQuality& each : quality) {
+    if (each.in_air) {
+      ++summary.in_air;
+      continue;
+    }
     ++(each.measured ? summary.measured : summary.inferred);
     summary.largest_displacement = std::fmax(summary.largest_displacement, each.displacement);
     summary.largest_expected_error_normal =
@@ -52,10 +56,11 @@ QualitySummary summary_of(const std::vector<WaypointQuality>& quality) {
 
 std::string to_string(const QualitySummary& summary) {
   return fmt::format(
-      "{} waypoints, {} measured and {} inferred, displaced by up to {}, expected error up to {} "
-      "along the normal and {} along the surface",
-      summary.measured + summary.inferred, summary.measured, summary.inferred,
-      millimetres(summary.largest_displacement), millimetres(summary.largest_expected_error_normal),
+      "{} waypoints, {} measured and {} inferred, {} in the air, displaced by up to {}, expected "
+      "error up to {} along the normal and {} along the surface",
+      summary.measured + summary.inferred + summary.in_air, summary.measured, summary.inferred,
+      summary.in_air, millimetres(summary.largest_displacement),
+      millimetres(summary.largest_expected_error_normal),
       millimetres(summary.largest_expected_error_tangential));
 }
 

@@ -150,6 +150,15 @@ std::string accepted_message(const Fitted& fitted, bool partial_reference, bool 
   return message;
 }
 
+/// What an accepted path is not founded on the scan with; empty where that is nothing.
+std::string in_air_message(const std::vector<WaypointQuality>& quality) {
+  const auto in_air = std::count_if(quality.begin(), quality.end(),
+                                    [](const WaypointQuality& each) { return each.in_air; });
+  if (in_air == 0) return "";
+  return fmt::format("; {} of {} waypoints are in the air, carried along by the mapping", in_air,
+                     quality.size());
+}
+
 /// The work on one path.
 class Adaptation {
  public:
@@ -309,17 +318,21 @@ class Adaptation {
     result.reference_path = path_;
     const double spacing =
         mapping.similarity.scale * surfaces_.reference.spacing + surfaces_.object.spacing;
-    Placement placement = place(
-        path_, surfaces_, mapping,
-        {parameters_.support_radius, parameters_.min_support, max_stranger(parameters_, spacing),
-         parameters_.method == Method::kGeneral, parameters_.stand_off == StandOff::kKeep});
+    Placement placement =
+        place(path_, surfaces_, mapping,
+              {parameters_.support_radius, parameters_.min_support,
+               max_stranger(parameters_, spacing), parameters_.max_stand_off,
+               parameters_.method == Method::kGeneral, parameters_.stand_off == StandOff::kKeep});
     const bool nearest_points = parameters_.method == Method::kThesisGeneral;
     if (nearest_points) move_to_nearest_points(path_, surfaces_, mapping, placement);
     expect_errors(path_, {surfaces_, mapping, parameters_.prior}, placement);
     if (nearest_points) expect_sampling_errors(surfaces_.object.spacing, placement);
     result.quality = placement.quality;
     check_fold_over(path_, placement.path, surfaces_, mapping);
-    check_placement(placement.quality, spacing, parameters_);
+    check_placement(placement.quality,
+                    {spacing, mapping.similarity.scale * length_of(surfaces_.reference)},
+                    parameters_);
+    result.verdict.message += in_air_message(placement.quality);
     stages_.report("done", 1);
     result.path = std::move(placement.path);
   }

@@ -55,8 +55,10 @@ Marker waypoints(const StretchResult& result, const Points& at, const std_msgs::
   for (std::size_t i = 0; i < at.size(); ++i) {
     const WaypointQuality& quality = result.quality[i];
     balls.points.push_back(tf2::toMsg(at[i]));
-    balls.colors.push_back(colour_of_error(
-        std::hypot(quality.expected_error_normal, quality.expected_error_tangential)));
+    balls.colors.push_back(quality.in_air
+                               ? colour(0.3, 0.6, 1)
+                               : colour_of_error(std::hypot(quality.expected_error_normal,
+                                                            quality.expected_error_tangential)));
   }
   return finished(balls);
 }

@@ -62,6 +62,7 @@ scan_cell_msgs::WaypointQuality to_message(const WaypointQuality& quality) {
   message.segment = static_cast<std::uint32_t>(quality.segment);
   message.waypoint = static_cast<std::uint32_t>(quality.waypoint);
   message.measured = quality.measured;
+  message.in_air = quality.in_air;
   message.distance_to_scan = quality.distance_to_scan;
   message.support = static_cast<std::uint32_t>(quality.support);
   message.residual = quality.residual;

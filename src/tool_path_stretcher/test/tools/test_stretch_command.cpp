@@ -266,9 +266,10 @@ TEST_F(StretchCommand, HeadsItsReportWithWhatToLookAt) {
   EXPECT_EQ(all["largest_expected_error_normal"], normal);
   EXPECT_EQ(all["largest_expected_error_tangential"], tangential);
   const std::string said = text_of("stdout");
-  EXPECT_NE(said.find("accepted: 100 waypoints, " + std::to_string(measured) + " measured and " +
-                      std::to_string(100 - measured) + " inferred, displaced by up to "),
-            std::string::npos)
+  EXPECT_NE(
+      said.find("accepted: 100 waypoints, " + std::to_string(measured) + " measured and " +
+                std::to_string(100 - measured) + " inferred, 0 in the air, displaced by up to "),
+      std::string::npos)
       << said;
   EXPECT_NE(said.find("expected error up to "), std::string::npos) << said;
 }
@@ -295,7 +296,7 @@ TEST_F(StretchCommand, ReportsNullForWhatItDoesNotKnow) {
   for (const char* const figure :
        {"scale", "translation", "rotation", "transform", "deformation_nodes", "rms", "inlier_ratio",
         "overlap", "reference_points", "object_points", "measured_waypoints", "inferred_waypoints",
-        "largest_displacement", "largest_expected_error_normal"}) {
+        "waypoints_in_air", "largest_displacement", "largest_expected_error_normal"}) {
     EXPECT_TRUE(report()[figure].is_null()) << figure;
   }
   EXPECT_EQ(report()["path"]["waypoints"], 100);

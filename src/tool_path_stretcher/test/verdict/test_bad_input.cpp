@@ -225,7 +225,7 @@ const BadCase kPaths[] = {
          waypoint.pose.translation().x() += 100;
      },
      Reason::kPathOffReference,
-     {"tool path: 50 of 100 waypoints lie off the reference", "max_path_distance"}},
+     {"tool path: 50 of 100 waypoints lie off the reference", "max_stand_off"}},
     {"PathBeyondAllDistances",
      [](Input& input) { scale(input.path, 1e200); },
      Reason::kPathOffReference,

@@ -84,7 +84,7 @@ std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoi
 std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
                                       const Surface& surface,
                                       const std::vector<std::size_t>& wanted) {
-  constexpr double kFar = 0.02;  // [m] as the stretcher's max_path_distance
+  constexpr double kFar = 0.02;  // [m] as the stretcher's max_stand_off
   std::vector<Surface::Place> places;
   for (const std::size_t i : wanted) {
     places.push_back(surface.nearest(waypoints[i]));

@@ -61,9 +61,13 @@ std::vector<ViewCase> all_cases(std::uint64_t seed, const std::string& data) {
        {moved_case, bent_case, scaled_case, warped_case, dented_case, scene_case})
     list.add(family, parts);
   add_refusals(parts, seed, list);
+  for (const ViewPart& sheet : sanded_sheets(draws)) {
+    for (const auto family : {own_path_case, bent_own_path_case})
+      list.add(family, {sheet});
+  }
   for (const ViewPart& part : real_parts(data)) {
     const bool own_path = !part.path.segments.empty();
-    for (const auto family : own_path ? std::array{real_path_case, bent_real_path_case, moved_case}
+    for (const auto family : own_path ? std::array{own_path_case, bent_own_path_case, moved_case}
                                       : std::array{moved_case, bent_case, scene_case})
       list.add(family, {part});
   }

@@ -131,17 +131,17 @@ ViewCase scene_case(const ViewPart& part, std::uint64_t seed) {
   return each;
 }
 
-ViewCase real_path_case(const ViewPart& part, std::uint64_t seed) {
+ViewCase own_path_case(const ViewPart& part, std::uint64_t seed) {
   ViewCase each = moved_case(part, seed);
-  each.family = "real path";
+  each.family = "own path";
   each.what = "moved, whole path";
   each.viewing = Viewing::kTwoSides;
   each.whole_path = true;
   return each;
 }
 
-ViewCase bent_real_path_case(const ViewPart& part, std::uint64_t seed) {
-  ViewCase each = real_path_case(part, seed);
+ViewCase bent_own_path_case(const ViewPart& part, std::uint64_t seed) {
+  ViewCase each = own_path_case(part, seed);
   each.what = "bent, whole path";
   const double width = box_of(part.mesh).sizes().x();
   each.deformation = about_middle(cases::bend(0.006 * width, width), part.mesh);

@@ -16,8 +16,8 @@ ViewCase warped_case(const ViewPart& part, std::uint64_t seed);
 ViewCase dented_case(const ViewPart& part, std::uint64_t seed);
 ViewCase scene_case(const ViewPart& part, std::uint64_t seed);
 /// A path of its own, as it is: also where it leads through the air.
-ViewCase real_path_case(const ViewPart& part, std::uint64_t seed);
-ViewCase bent_real_path_case(const ViewPart& part, std::uint64_t seed);
+ViewCase own_path_case(const ViewPart& part, std::uint64_t seed);
+ViewCase bent_own_path_case(const ViewPart& part, std::uint64_t seed);
 ViewCase symmetric_case(const ViewPart& part, std::uint64_t seed);
 /// The part lies on the side that is worked on.
 ViewCase upside_down_case(const ViewPart& part, std::uint64_t seed);

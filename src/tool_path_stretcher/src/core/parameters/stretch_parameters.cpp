@@ -70,8 +70,10 @@ void describe_size(ParameterTable& table, StretchParameters& p) {
 
 void describe_input(ParameterTable& table, StretchParameters& p) {
   table.add("min_points", p.min_points, {50, 1e9}, "of each surface after the grid reduction");
-  table.add("max_path_distance", p.max_path_distance, {0, 10, "m"},
-            "of a waypoint from the reference");
+  table.add("max_stand_off", p.max_stand_off, {0, 10, "m"},
+            "farthest that a segment may be led over the surface (the median of its waypoints); "
+            "what is led farther off is in the air");
+  table.renamed("max_path_distance", "max_stand_off");
   table.add("inlier_distance", p.inlier_distance, {1e-6, 1, "m"},
             "of a point that counts as explained");
   table.add("min_inlier_ratio", p.min_inlier_ratio, {0, 1},
@@ -94,13 +96,16 @@ void describe_deformation(ParameterTable& table, StretchParameters& p) {
   table.add("tolerance", p.tolerance, {1e-6, 1, "m"},
             "of an adapted waypoint from the scanned surface (at least a fifth of the spacings of "
             "both surfaces, summed)");
-  table.add("max_deformation", p.max_deformation, {1e-6, 10, "m"},
-            "of 95 % of the reference's surface from its own shape, or it is the wrong part");
+  table.add("max_deformation_ratio", p.max_deformation_ratio, {1e-6, 1},
+            "of 95 % of the reference's surface from its own shape, as a share of the part's "
+            "length, or it is the wrong part");
+  table.renamed("max_deformation", "max_deformation_ratio");
   table.add("max_stranger", p.max_stranger, {1e-6, 10, "m"},
             "of scanned points over, under or beside a waypoint from the reference: a rib or a "
             "clamp in the way (at least the spacings of both surfaces, summed)");
-  table.add("max_displacement", p.max_displacement, {1e-6, 10, "m"},
-            "of a waypoint from where the similarity puts it");
+  table.add("max_displacement_ratio", p.max_displacement_ratio, {1e-6, 1},
+            "of a waypoint from where the similarity puts it, as a share of the part's length");
+  table.renamed("max_displacement", "max_displacement_ratio");
 }
 
 }  // namespace

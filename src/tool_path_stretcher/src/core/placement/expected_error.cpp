@@ -297,6 +297,13 @@ MappingError::Covariance MappingError::at(const Eigen::Vector3d& point) const {
   return result;
 }
 
+double MappingError::lever_variance(const Eigen::Vector3d& point, const Eigen::Vector3d& base,
+                                    double slope_variance) const {
+  constexpr double kAxes = 3;
+  const double lever = mapping_.similarity.scale * (point - base).norm();
+  return lever * lever * (mapping_.graph.jacobian(base).squaredNorm() / kAxes + slope_variance);
+}
+
 namespace {
 
 /// [m^2] of the height that a waypoint was set to, given what was measured and how far the mapping
@@ -336,11 +343,17 @@ void expect_errors(const ToolPath& path, const MappingError& mapping_error, Plac
   for (const Segment& segment : path.segments) {
     for (const Waypoint& waypoint : segment.waypoints) {
       const PlacedHeight& height = placement.heights[index];
-      const auto covariance = mapping_error.at(waypoint.pose.translation());
+      const Eigen::Vector3d at = waypoint.pose.translation();
       WaypointQuality& quality = placement.quality[index];
+      MappingError::Covariance covariance = mapping_error.at(at);
+      if (quality.in_air) {
+        covariance.all.diagonal().array() +=
+            mapping_error.lever_variance(at, height.base, height.slope_variance);
+      }
       quality.expected_error_normal =
           std::sqrt(height_variance(height, height.normal.dot(covariance.all * height.normal)));
       expect_along(covariance, mapping_error.common(), height, quality);
+      quality.position_measured = quality.position_measured && !quality.in_air;
       ++index;
     }
   }

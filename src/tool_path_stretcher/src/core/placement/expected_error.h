@@ -23,6 +23,14 @@ class MappingError {
   };
   Covariance at(const Eigen::Vector3d& point) const;
 
+  /// [m^2, object] of each coordinate of a point in the air, beyond that: whether it goes with the
+  /// surface, as if it was held by it, or with the space, as the mapping has it, nothing tells. The
+  /// two are as far apart as the mapping's derivative makes a lever of that length.
+  /// @param base of the reference, nearest to the point
+  /// @param slope_variance of the surface over the mapped one
+  double lever_variance(const Eigen::Vector3d& point, const Eigen::Vector3d& base,
+                        double slope_variance) const;
+
   /// [m] that all points of a face are off alike, whatever their number
   double common() const { return common_; }
 

@@ -141,12 +141,17 @@ LinearFit fit_linearly(const Heights& heights, double radius) {
 
 }  // namespace
 
-LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
+LocalSurface LocalSurfaceFitter::far_from(const Eigen::Vector3d& point) const {
   LocalSurface local;
   const std::size_t nearest = reference_.tree->nearest(point).index;
   local.base = reference_.points[nearest];
   local.normal = reference_.normals[nearest];
   local.residual = std::numeric_limits<double>::quiet_NaN();
+  return local;
+}
+
+LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
+  LocalSurface local = far_from(point);
   const Eigen::Vector3d tangent = local.normal.unitOrthogonal();
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
   std::vector<KdTree::Neighbour> neighbours;

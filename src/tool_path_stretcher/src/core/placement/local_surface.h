@@ -38,6 +38,10 @@ class LocalSurfaceFitter {
   /// The surface beside `point` of the reference's space.
   LocalSurface fit(const Eigen::Vector3d& point) const;
 
+  /// The place of the reference nearest to `point`, which is too far away to learn of the scan from
+  /// it.
+  LocalSurface far_from(const Eigen::Vector3d& point) const;
+
  private:
   struct Height {
     Eigen::Vector2d at;  // [m, object] in the tangent plane, from the base

@@ -9,6 +9,7 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/robust.h"
+#include "placement/air.h"
 #include "placement/local_surface.h"
 
 namespace tool_path_stretcher {
@@ -23,6 +24,7 @@ struct Correction {
 /// One segment's waypoints, the surface beside each, and the arc length to each [m].
 struct Track {
   std::vector<LocalSurface> surfaces;
+  std::vector<bool> in_air;
   std::vector<double> arc_length;
 };
 
@@ -39,13 +41,15 @@ void turn_over(LocalSurface& surface) {
   surface.slope = -surface.slope;
 }
 
-Track survey(const Segment& segment, const LocalSurfaceFitter& fitter, double scale) {
+Track survey(const Segment& segment, std::vector<bool> in_air, const LocalSurfaceFitter& fitter,
+             double scale) {
   Track track;
+  track.in_air = std::move(in_air);
   double length = 0;
   for (std::size_t i = 0; i < segment.waypoints.size(); ++i) {
     const Eigen::Vector3d at = segment.waypoints[i].pose.translation();
     if (i > 0) length += scale * (at - segment.waypoints[i - 1].pose.translation()).norm();
-    LocalSurface surface = fitter.fit(at);
+    LocalSurface surface = track.in_air[i] ? fitter.far_from(at) : fitter.fit(at);
     // The sign of a cloud's normal is free; heights are compared along the path.
     if (i > 0 && surface.normal.dot(track.surfaces.back().normal) < 0) turn_over(surface);
     track.surfaces.push_back(surface);
@@ -159,7 +163,7 @@ std::vector<Correction> corrections_of(const Track& track, double width, const S
       ++after;
     if (track.surfaces[i].measured) {
       before = i;
-    } else {
+    } else if (!track.in_air[i]) {
       result[i] = inferred(track, corrections, i, before, after);
     }
   }
@@ -208,7 +212,10 @@ std::vector<double> stand_offs(const Segment& segment, const Track& track,
     const Eigen::Vector3d at = segment.waypoints[i].pose.translation();
     result.push_back(stand_off(reference, at, track.surfaces[i].normal));
   }
-  if (!is_even(result)) std::fill(result.begin(), result.end(), 0.0);
+  const bool even = is_even(result);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!even || track.in_air[i]) result[i] = 0;
+  }
   return result;
 }
 
@@ -218,10 +225,12 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 /// A waypoint as it was placed, and what it was placed by.
 struct Placed {
+  bool in_air;
   const LocalSurface& surface;
   const Correction& correction;
-  Eigen::Matrix3d turn;  // of the surface there, from the reference to the object
-  double longer;         // [m] than the scaled one the stand-off is
+  Eigen::Vector3d normal;  // of the surface; in the air the tool's axis, where that is known
+  Eigen::Matrix3d turn;    // of that, from the reference to the object
+  double longer;           // [m] than the scaled one the stand-off is
 };
 
 Eigen::Isometry3d carry_over(const Eigen::Isometry3d& pose, const Placed& placed,
@@ -259,13 +268,18 @@ WaypointQuality quality_of(const Eigen::Vector3d& from, const Eigen::Vector3d& t
                        : kUnknown;
   quality.gap = surface.measured ? std::abs(height - surface.height) : kUnknown;
   quality.strangers = surface.strangers;
-  quality.hole = distance_to_scan(mapping * surface.base + height * (placed.turn * surface.normal));
+  quality.in_air = placed.in_air;
+  quality.hole =
+      placed.in_air
+          ? kUnknown
+          : distance_to_scan(mapping * surface.base + height * (placed.turn * surface.normal));
   return quality;
 }
 
 PlacedHeight height_of(const Placed& placed, const Signal& signal, double hole) {
   PlacedHeight height;
-  height.normal = placed.turn * placed.surface.normal;
+  height.base = placed.surface.base;
+  height.normal = placed.turn * placed.normal;
   height.measured = placed.surface.measured;
   height.seen = placed.surface.height;
   height.variance = placed.surface.height_variance;
@@ -294,8 +308,14 @@ class Placer {
         placement_{path, {}, {}} {
     const LocalSurfaceFitter fitter(surfaces, mapping, radius_, parameters.min_support,
                                     parameters.max_stranger);
-    for (const Segment& segment : path.segments)
-      tracks_.push_back(survey(segment, fitter, mapping.similarity.scale));
+    const PathDistances distances =
+        distances_of(path, surfaces.reference, parameters.max_stand_off);
+    auto first = distances.in_air.begin();
+    for (const Segment& segment : path.segments) {
+      const auto last = first + static_cast<std::ptrdiff_t>(segment.waypoints.size());
+      tracks_.push_back(survey(segment, {first, last}, fitter, mapping.similarity.scale));
+      first = last;
+    }
     signal_ = signal_of(tracks_);
   }
 
@@ -319,7 +339,15 @@ class Placer {
       Eigen::Isometry3d& pose = segment.waypoints[w].pose;
       const Eigen::Vector3d from = pose.translation();
       const LocalSurface& surface = track.surfaces[w];
-      const Placed placed{surface, corrections[w], mapping_.turn(surface.base, surface.normal),
+      const bool in_air = track.in_air[w];
+      const bool by_tool = in_air && placement_.path.has_orientation;
+      const Eigen::Vector3d normal =
+          by_tool ? Eigen::Vector3d(pose.linear().col(2)) : surface.normal;
+      const Placed placed{in_air,
+                          surface,
+                          corrections[w],
+                          normal,
+                          mapping_.turn(in_air ? from : surface.base, normal),
                           (1 - mapping_.similarity.scale) * standing[w]};
       pose = carry_over(pose, placed, mapping_);
       if (!placement_.path.has_orientation) pose.linear().setIdentity();
@@ -327,7 +355,7 @@ class Placer {
           quality_of(from, pose.translation(), placed, mapping_, surfaces_.object);
       quality.segment = index;
       quality.waypoint = w;
-      placement_.heights.push_back(height_of(placed, signal_, quality.hole));
+      placement_.heights.push_back(height_of(placed, signal_, in_air ? 0 : quality.hole));
       placement_.quality.push_back(quality);
     }
   }

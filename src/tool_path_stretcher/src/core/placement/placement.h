@@ -12,7 +12,8 @@ namespace tool_path_stretcher {
 
 /// How a waypoint was set on the scanned surface, along its normal.
 struct PlacedHeight {
-  Eigen::Vector3d normal;  //!< of the surface, in the object's frame
+  Eigen::Vector3d base;    //!< [m, reference] place of the surface beside it
+  Eigen::Vector3d normal;  //!< of the surface, in the object's frame; in the air the tool's axis
   bool measured = false;   //!< otherwise inferred
   double seen = 0;         //!< [m] of the scan over the mapped reference
   double variance = 0;     //!< [m^2] of that
@@ -29,6 +30,7 @@ struct PlacementParameters {
       0;                //!< [m] of the scanned points a waypoint is set on; 0: from the spacing
   int min_support = 6;  //!< fewer scanned points, and the waypoint is inferred
   double max_stranger = 0.004;  //!< [m] farther off the reference, a scanned point is a stranger
+  double max_stand_off = 0.02;  //!< [m] of a segment over the surface; beyond: in the air
   bool set_on_surface = true;   //!< false: carried over by the mapping alone (the affine method)
   bool keep_stand_off = true;   //!< as long as it is; false: scaled with the part
 };
@@ -42,7 +44,8 @@ struct Placement {
 /// Carries a path over to the object. Each waypoint is moved by the mapping; then by the distance
 /// of the scanned surface from the mapped one, along the normal, as far as that distance stands out
 /// from the noise. Its rotation follows the mapping's turn and the tilt of the surface. Where the
-/// surface was not scanned the correction is inferred from the neighbours along the path.
+/// surface was not scanned the correction is inferred from the neighbours along the path. In the
+/// air the mapping alone moves and turns it.
 Placement place(const ToolPath& path, const SurfacePair& surfaces, const Mapping& mapping,
                 const PlacementParameters& parameters);
 

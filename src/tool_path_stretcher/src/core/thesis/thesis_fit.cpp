@@ -71,6 +71,7 @@ void move_to_nearest_points(const ToolPath& path, const SurfacePair& surfaces,
     const Points waypoints = positions_of(path.segments[s]);
     const Points nearest = nearest_points(waypoints, surfaces.object.points, mapping.similarity);
     for (std::size_t w = 0; w < nearest.size(); ++w, ++at) {
+      if (placement.quality[at].in_air) continue;
       const Eigen::Vector3d moved = nearest[w] - mapping * waypoints[w];
       placement.path.segments[s].waypoints[w].pose.translation() = nearest[w];
       placement.quality[at].distance_to_scan = 0;

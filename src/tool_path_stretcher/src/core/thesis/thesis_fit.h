@@ -27,7 +27,8 @@ void check_registration(const SurfacePair& surfaces, const Fitted& registered,
                         const std::vector<Fitted>& searched);
 
 /// 9.7, steps 6 to 8: moves each waypoint to the object's point nearest to it, where the mapping is
-/// the registration. The heights are those applied, so that expect_errors() knows of them.
+/// the registration; what is in the air stays there. The heights are those applied, so that
+/// expect_errors() knows of them.
 void move_to_nearest_points(const ToolPath& path, const SurfacePair& surfaces,
                             const Mapping& mapping, Placement& placement);
 

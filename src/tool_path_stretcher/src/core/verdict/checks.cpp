@@ -9,6 +9,7 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/robust.h"
+#include "placement/air.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/pose/units.h"
 #include "verdict/ambiguity.h"
@@ -23,9 +24,10 @@ void check_enough(const Surface& surface, const std::string& name, int least) {
          fmt::format("scan more densely, reduce less (leaf), or lower min_points ({})", least));
 }
 
+constexpr double kLargest = 10;  // [m] chosen: beyond what a robot reaches
+
 /// A part of a few centimetres is as large as this where millimetres are taken for metres.
 void check_unit(const Surface& surface, const std::string& name) {
-  constexpr double kLargest = 10;  // [m] chosen: beyond what a robot scans
   if (surface.size < kLargest) return;
   refuse(Reason::kUnusableInput, name,
          fmt::format("its points lie {:.4g} m from their middle (RMS)", surface.size),
@@ -33,38 +35,27 @@ void check_unit(const Surface& surface, const std::string& name) {
          "inches");
 }
 
-/// Whether the path lies on the reference once it is scaled.
-bool lies_on(const Surface& reference, const ToolPath& path, double factor, double most) {
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints) {
-      const Eigen::Vector3d at = factor * waypoint.pose.translation();
-      if (reference.tree->nearest(at).squared_distance > most * most) return false;
-    }
-  }
-  return true;
+/// Of a path's waypoints, those that have a surface beside them.
+double share_on(const PathDistances& distances) {
+  const auto on = std::count(distances.in_air.begin(), distances.in_air.end(), false);
+  return static_cast<double>(on) / static_cast<double>(distances.in_air.size());
 }
 
-/// The waypoints that lie farther than `most` [m] off the reference, and the farthest [m].
-struct OffReference {
-  std::vector<std::size_t> waypoints;
-  double worst = 0;
-};
-
-OffReference off_reference(const ToolPath& path, const Surface& reference, double most) {
-  OffReference off;
-  std::size_t index = 0;
-  for (const Segment& segment : path.segments) {
-    for (const Waypoint& waypoint : segment.waypoints) {
-      const double distance =
-          std::sqrt(reference.tree->nearest(waypoint.pose.translation()).squared_distance);
-      if (distance > most) {
-        off.waypoints.push_back(index);
-        off.worst = std::max(off.worst, distance);
-      }
-      ++index;
-    }
+ToolPath scaled(ToolPath path, double factor) {
+  for (Segment& segment : path.segments) {
+    for (Waypoint& waypoint : segment.waypoints)
+      waypoint.pose.translation() *= factor;
   }
-  return off;
+  return path;
+}
+
+/// The indices for which a flag is set.
+std::vector<std::size_t> indices_of(const std::vector<bool>& flags) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (flags[i]) result.push_back(i);
+  }
+  return result;
 }
 
 /// The similarity that puts the points halfway between where two others put them.
@@ -80,6 +71,10 @@ Similarity halfway(const Similarity& one, const Similarity& other, const Points&
 void refuse(Reason reason, const std::string& thing, const std::string& value,
             const std::string& cure, std::vector<std::size_t> waypoints) {
   throw Refusal{{reason, thing + ": " + value + "; " + cure, std::move(waypoints)}};
+}
+
+double length_of(const Surface& surface) {
+  return std::sqrt(12.0) * surface.size;  // a box's, filled evenly: the variances are w^2 / 12
 }
 
 void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parameters) {
@@ -100,41 +95,54 @@ void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parame
 
 void check_path(const ToolPath& path, const Surface& reference,
                 const StretchParameters& parameters) {
+  constexpr double kLeast = 0.5;  // of the waypoints on the surface: most of them; chosen
   constexpr double kFar = 10;  // sizes of the reference: a path shrunk to a point lies on anything
   try {
     check(path);
   } catch (const scan_cell_common::UnusableInput& error) {
     throw Refusal{{Reason::kUnusableInput, error.what(), {}}};
   }
-  const double most = parameters.max_path_distance + reference.spacing;
-  const OffReference off = off_reference(path, reference, most);
-  if (off.waypoints.empty()) return;
+  const double most = parameters.max_stand_off;
+  const PathDistances distances = distances_of(path, reference, most);
+  const double worst = *std::max_element(distances.far.begin(), distances.far.end());
+  if (share_on(distances) >= kLeast && worst < kLargest) return;
+  const std::vector<std::size_t> off = indices_of(distances.in_air);
   for (const char* const unit : {"inch", "mm"}) {  // what is shrunk too far lies on anything
     const double factor = scan_cell_common::metres_per(unit);
-    if (!(off.worst > kFar * reference.size) || !lies_on(reference, path, factor, most)) continue;
+    if (!(worst > kFar * reference.size) ||
+        share_on(distances_of(scaled(path, factor), reference, most)) <= kLeast)
+      continue;
     refuse(Reason::kUnusableInput, "tool path",
            fmt::format("it lies on the reference only if it is divided by {:.4g}", 1 / factor),
-           fmt::format("give it in metres, or state its unit (--path-units {})", unit),
-           off.waypoints);
+           fmt::format("give it in metres, or state its unit (--path-units {})", unit), off);
   }
   refuse(Reason::kPathOffReference, "tool path",
-         fmt::format("{} of {} waypoints lie off the reference, by up to {:.4g} mm",
-                     off.waypoints.size(), waypoint_count(path), off.worst * 1e3),
-         fmt::format("give the path in the reference's frame and in metres, or raise "
-                     "max_path_distance ({:.4g} mm)",
-                     parameters.max_path_distance * 1e3),
-         off.waypoints);
+         fmt::format("{} of {} waypoints lie off the reference, by more than {:.4g} mm and up to "
+                     "{:.4g} mm",
+                     off.size(), waypoint_count(path), distances.reach * 1e3, worst * 1e3),
+         fmt::format("give the path in the reference's frame and in metres; at least half of its "
+                     "waypoints must lie on the surface, or be led over it by less than "
+                     "max_stand_off ({:.4g} mm), and none {:.4g} m away",
+                     most * 1e3, kLargest),
+         off);
 }
 
 void check_seeable(const ToolPath& path, const Surface& seeable,
                    const StretchParameters& parameters) {
-  const OffReference off =
-      off_reference(path, seeable, parameters.max_path_distance + seeable.spacing);
-  if (off.waypoints.empty()) return;
+  const double most = parameters.max_stand_off + seeable.spacing;
+  const PathDistances whole = distances_of(path, seeable, parameters.max_stand_off);
+  std::vector<bool> hidden;
+  for (const Eigen::Vector3d& at : positions_of(path)) {
+    const std::size_t i = hidden.size();
+    const double far = std::sqrt(seeable.tree->nearest(at).squared_distance);
+    hidden.push_back(!whole.in_air[i] && far > std::max(most, whole.far[i] + seeable.spacing));
+  }
+  const std::vector<std::size_t> waypoints = indices_of(hidden);
+  if (waypoints.empty()) return;
   refuse(Reason::kPathNotScanned, "tool path",
          fmt::format("{} of {} waypoints lie on a side of the part that the scan does not show",
-                     off.waypoints.size(), waypoint_count(path)),
-         "scan that side, or turn the part over", off.waypoints);
+                     waypoints.size(), waypoint_count(path)),
+         "scan that side, or turn the part over", waypoints);
 }
 
 void refuse_wrong_part(const std::string& why) {
@@ -188,11 +196,13 @@ void check_deformation(const Surface& reference, const Mapping& mapping,
     moved.push_back(mapping.similarity.scale *
                     mapping.graph.displacement(reference.points[i]).norm());
   const double most = quantile(std::move(moved), kShare);
-  if (most <= parameters.max_deformation) return;
+  const double limit =
+      parameters.max_deformation_ratio * mapping.similarity.scale * length_of(reference);
+  if (most <= limit) return;
   refuse_wrong_part(fmt::format(
-      "the reference would have to be deformed by {:.4g} mm to fit it (max_deformation is {:.4g} "
-      "mm)",
-      most * 1e3, parameters.max_deformation * 1e3));
+      "the reference would have to be deformed by {:.4g} mm to fit it ({:.4g} mm is allowed: "
+      "max_deformation_ratio, {:.4g} % of the part's length)",
+      most * 1e3, limit * 1e3, 100 * parameters.max_deformation_ratio));
 }
 
 bool is_same_pose(const Similarity& one, const Similarity& other, const Surface& reference) {

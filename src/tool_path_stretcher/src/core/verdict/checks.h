@@ -17,14 +17,20 @@ namespace tool_path_stretcher {
 [[noreturn]] void refuse(Reason reason, const std::string& thing, const std::string& value,
                          const std::string& cure, std::vector<std::size_t> waypoints = {});
 
+/// [m] diagonal of the box in which evenly spread points would lie as far apart as the surface's.
+/// Limits that are a share of the part are one of this.
+double length_of(const Surface& surface);
+
 /// UNUSABLE_INPUT, TOO_FEW_POINTS
 void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parameters);
 
-/// UNUSABLE_INPUT, PATH_OFF_REFERENCE
+/// UNUSABLE_INPUT, PATH_OFF_REFERENCE: most of the path is in the air, or some of it beyond any
+/// robot's reach.
 void check_path(const ToolPath& path, const Surface& reference,
                 const StretchParameters& parameters);
 
 /// PATH_NOT_SCANNED: waypoints lie where that part of the reference that can be seen is not.
+/// What is in the air needs none.
 void check_seeable(const ToolPath& path, const Surface& seeable,
                    const StretchParameters& parameters);
 

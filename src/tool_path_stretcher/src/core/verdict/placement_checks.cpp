@@ -108,14 +108,16 @@ void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surfac
 
 namespace {
 
-/// What lies over a hole is inferred from its neighbours: a path of which most does is not.
+/// What lies over a hole is inferred from its neighbours: a path of which most does is not. What is
+/// in the air needs no scan.
 void check_measured(const std::vector<WaypointQuality>& quality) {
   const auto is_measured = [](const WaypointQuality& each) { return each.measured; };
+  const auto is_on = [](const WaypointQuality& each) { return !each.in_air; };
   const auto measured = std::count_if(quality.begin(), quality.end(), is_measured);
-  if (2 * static_cast<std::size_t>(measured) >= quality.size()) return;
+  const auto on = std::count_if(quality.begin(), quality.end(), is_on);
+  if (measured > 0 && 2 * measured >= on) return;
   refuse(Reason::kPathNotScanned, "object",
-         fmt::format("of {} waypoints only {} lie on a surface that was scanned", quality.size(),
-                     measured),
+         fmt::format("of {} waypoints only {} lie on a surface that was scanned", on, measured),
          "scan the part along the path, more densely or from another side");
 }
 
@@ -125,11 +127,12 @@ double max_stranger(const StretchParameters& parameters, double spacing) {
   return std::max(parameters.max_stranger, spacing);
 }
 
-void check_placement(const std::vector<WaypointQuality>& quality, double spacing,
+void check_placement(const std::vector<WaypointQuality>& quality, const PlacementLimits& limits,
                      const StretchParameters& parameters) {
   constexpr double kHole = 1.5;       // spacings: a sparse scan is not a hole; chosen
   constexpr double kTolerance = 0.2;  // spacings; chosen
   constexpr double kLoose = 2;        // points: outliers of the scan; chosen
+  const double spacing = limits.spacing;
   const double max_hole = std::max(parameters.max_hole_distance, kHole * spacing);
   const double tolerance = std::max(parameters.tolerance, kTolerance * spacing);
   Found(quality, max_hole, [](const WaypointQuality& q) { return q.measured ? 0 : q.hole; })
@@ -150,12 +153,14 @@ void check_placement(const std::vector<WaypointQuality>& quality, double spacing
                       max_stranger(parameters, spacing) * 1e3),
           "check that it is the part of the reference and that nothing lies on it, or raise "
           "max_stranger");
-  Found(quality, parameters.max_displacement,
-        [](const WaypointQuality& q) { return q.displacement; })
+  const double max_displacement = parameters.max_displacement_ratio * limits.length;
+  Found(quality, max_displacement,
+        [](const WaypointQuality& q) { return q.in_air ? 0 : q.displacement; })
       .refuse_if_any(Reason::kToleranceExceeded, "adapted path",
                      "were moved by up to {:.4g} mm from where the similarity puts them",
-                     fmt::format("check the part, or raise max_displacement ({:.4g} mm)",
-                                 parameters.max_displacement * 1e3));
+                     fmt::format("check the part, or raise max_displacement_ratio ({:.4g} % of "
+                                 "the part's length, {:.4g} mm)",
+                                 100 * parameters.max_displacement_ratio, max_displacement * 1e3));
 }
 
 }  // namespace tool_path_stretcher

@@ -20,10 +20,16 @@ void check_fold_over(const ToolPath& path, const ToolPath& adapted, const Surfac
 /// [m, object] that a scanned point may be off the reference: sparser surfaces cannot show less.
 double max_stranger(const StretchParameters& parameters, double spacing);
 
+/// What limits are relative to.
+struct PlacementLimits {
+  double spacing;  //!< [m, object] of the reference's points and of the object's, summed
+  double length;   //!< [m, object] of the part, as length_of() has it
+};
+
 /// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART. Where the surfaces are sparser than the
-/// parameters ask for, as much is allowed as they can show.
-/// @param spacing [m, object] of the reference's points and of the object's, summed
-void check_placement(const std::vector<WaypointQuality>& quality, double spacing,
+/// parameters ask for, as much is allowed as they can show. Of waypoints in the air nothing is
+/// asked.
+void check_placement(const std::vector<WaypointQuality>& quality, const PlacementLimits& limits,
                      const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher
