@@ -61,6 +61,7 @@ struct Surface {
   std::shared_ptr<const KdTree> tree;   //!< of the points
   Samples samples;                      //!< of the points
   Rim rim;                              //!< its ends and sharp edges
+  Points others;                        //!< [m] of the same scan, taken for other things
   std::shared_ptr<const KdTree> whole;  //!< of all points of the surface that this is a part of;
                                         //!< none: it is no part
 };

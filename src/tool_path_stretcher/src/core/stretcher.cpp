@@ -14,6 +14,7 @@
 #include "geometry/points.h"
 #include "placement/expected_error.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scene/own_place.h"
 #include "search/candidates.h"
 #include "search/scale_search.h"
 #include "sight/seeable.h"
@@ -329,8 +330,7 @@ class Adaptation {
     if (nearest_points) expect_sampling_errors(surfaces_.object.spacing, placement);
     result.quality = placement.quality;
     check_fold_over(path_, placement.path, surfaces_, mapping);
-    check_placement(placement.quality,
-                    {spacing, mapping.similarity.scale * length_of(surfaces_.reference)},
+    check_placement(placement, {spacing, mapping.similarity.scale * length_of(surfaces_.reference)},
                     parameters_);
     result.verdict.message += in_air_message(placement.quality);
     stages_.report("done", 1);
@@ -397,16 +397,34 @@ StretchResult stretch_closed(const SurfacePair& surfaces, const ToolPath& path,
   return judge(attempts, path, surfaces.object, parameters.ambiguity_distance);
 }
 
+StretchResult stretch_onto(const SurfacePair& surfaces, const ToolPath& path,
+                           const StretchParameters& parameters, const Progress& progress) {
+  return surfaces.reference.closed && !is_thesis(parameters.method)
+             ? stretch_closed(surfaces, path, parameters, progress)
+             : attempt(surfaces, path, parameters, Stages(progress)).result;
+}
+
+bool explains_too_little(const StretchResult& result, const StretchParameters& parameters) {
+  return result.verdict.reason == Reason::kWrongPart && result.aligned &&
+         result.inlier_ratio < parameters.min_inlier_ratio;
+}
+
 }  // namespace
 
 StretchResult stretch(const Surface& reference, const Surface& object, const ToolPath& path,
                       const StretchParameters& parameters, const Progress& progress) {
   check(parameters);
   const auto start = std::chrono::steady_clock::now();
-  const SurfacePair surfaces{reference, object};
-  StretchResult result = reference.closed && !is_thesis(parameters.method)
-                             ? stretch_closed(surfaces, path, parameters, progress)
-                             : attempt(surfaces, path, parameters, Stages(progress)).result;
+  StretchResult result = stretch_onto({reference, object}, path, parameters, progress);
+  if (explains_too_little(result, parameters)) {
+    const Progress still_at_work = [&progress](const std::string& stage, double) {
+      constexpr double kLate = 0.9;  // of the work; a guess for the bar
+      return !progress || progress(stage, kLate);
+    };
+    result = stretch_in_own_place(object, path, result, parameters, [&](const Surface& part) {
+      return stretch_onto({reference, part}, path, parameters, still_at_work);
+    });
+  }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

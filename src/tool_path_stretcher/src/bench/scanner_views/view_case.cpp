@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scanner_views/view_case.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "cloud_preprocess/clean.h"
 #include "geometry/kd_tree.h"
 #include "parts/scan.h"
@@ -66,14 +69,50 @@ class Coverage {
   tool_path_stretcher::KdTree tree_;
 };
 
-/// The path where both scans show it: where a person would expect it to be adapted.
+/// Whether a tool of 10 mm that comes from above would meet a clamp.
+class Obstacles {
+ public:
+  explicit Obstacles(const ScanPoints& points) : tree_(around_part(points)) {}
+
+  bool block(const Eigen::Isometry3d& tool) const {
+    constexpr double kHigh = 0.04, kLow = 0.001, kWide = 0.005;  // [m]
+    std::vector<tool_path_stretcher::KdTree::Neighbour> near;
+    tree_.within(tool.translation(), kHigh, near);
+    const Vector3d normal = tool.linear().col(2);
+    return std::any_of(near.begin(), near.end(), [&](const auto& neighbour) {
+      const Vector3d way = tree_.points()[neighbour.index] - tool.translation();
+      const double height = way.dot(normal);
+      return height > kLow && (way - height * normal).norm() < kWide;
+    });
+  }
+
+ private:
+  static Points around_part(const ScanPoints& points) {
+    constexpr auto kScattered = std::numeric_limits<unsigned>::max();
+    Points result;
+    for (std::size_t i = 0; i < points.places.size(); ++i) {
+      const unsigned surface = points.surfaces[i];
+      if (surface != 0 && surface != kScattered) result.push_back(points.places[i]);
+    }
+    return result;
+  }
+
+  tool_path_stretcher::KdTree tree_;
+};
+
+/// The path where both scans show it and nothing is in the tool's way: where a person would expect
+/// it to be adapted.
 ToolPath shown_path(const ViewCase& each, const View& view) {
   constexpr double kNear = 0.003;  // [m] two lines and a half
   const double radius = kNear * coarseness_of(each.object.mesh);
+  const Obstacles obstacles(view.object);
   const Coverage object(view.object, radius), reference(view.reference_scan, radius);
   return parted(view.path, [&](const tool_path_stretcher::Waypoint& waypoint) {
     const Vector3d& at = waypoint.pose.translation();
-    return object.shows(each.similarity * each.deformation(at)) &&
+    Eigen::Isometry3d lying = Eigen::Isometry3d::Identity();
+    lying.linear() = each.similarity.rotation * waypoint.pose.linear();
+    lying.translation() = each.similarity * each.deformation(at);
+    return object.shows(lying.translation()) && !obstacles.block(lying) &&
            (!each.reference_scanned || reference.shows(at));
   });
 }

@@ -11,25 +11,6 @@
 #include "geometry/robust.h"
 
 namespace tool_path_stretcher {
-namespace {
-
-/// Those that have neighbours as points of a surface do, and loose ones do not.
-Points on_surfaces(const Points& points, double spacing) {
-  constexpr double kReach = 2;       // spacings; chosen
-  constexpr std::size_t kLeast = 5;  // of about 12 on a surface, itself included; chosen
-  Points result;
-  if (points.empty()) return result;
-  const KdTree tree(points);
-  std::vector<KdTree::Neighbour> neighbours;
-  for (const Eigen::Vector3d& point : points) {
-    tree.within(point, kReach * spacing, neighbours);
-    if (neighbours.size() >= kLeast) result.push_back(point);
-  }
-  return result;
-}
-
-}  // namespace
-
 LocalSurfaceFitter::LocalSurfaceFitter(const SurfacePair& surfaces, const Mapping& mapping,
                                        double radius, int min_support, double max_stranger)
     : reference_(surfaces.reference),
@@ -37,23 +18,13 @@ LocalSurfaceFitter::LocalSurfaceFitter(const SurfacePair& surfaces, const Mappin
       mapping_(mapping),
       radius_(radius),
       min_support_(static_cast<std::size_t>(min_support)),
-      residuals_(residuals_of(reference_, mapping, object_.points)) {
-  const double scale = mapping.similarity.scale;
+      residuals_(residuals_of(reference_, mapping, object_.points)),
+      strangers_(surfaces, mapping, residuals_, max_stranger) {
   std::vector<double> along;
-  Points strangers;
   along.reserve(residuals_.size());
-  for (std::size_t i = 0; i < residuals_.size(); ++i) {
-    const Residual& residual = residuals_[i];
-    along.push_back(scale * residual.along_normal);
-    if (scale * std::hypot(residual.along_normal, residual.beside) <= max_stranger) continue;
-    const double far = max_stranger / scale;  // from what no scan was thought to show, too
-    if (!reference_.whole ||
-        reference_.whole->nearest(residual.pulled_back).squared_distance > far * far)
-      strangers.push_back(object_.points[i]);
-  }
+  for (const Residual& residual : residuals_)
+    along.push_back(mapping.similarity.scale * residual.along_normal);
   noise_ = robust_deviation(std::move(along));
-  strangers = on_surfaces(strangers, object_.spacing);
-  if (!strangers.empty()) strangers_ = std::make_unique<const KdTree>(std::move(strangers));
 }
 
 std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
@@ -76,22 +47,6 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
          scale * std::copysign(residual.along_normal, residual.along_normal * agreement), near});
   }
   return heights;
-}
-
-/// Those over and under the waypoint within the radius, and up to several times as far away: what
-/// stands there hides the surface itself.
-std::size_t LocalSurfaceFitter::strangers_beside(const LocalSurface& local) const {
-  constexpr double kReach = 4;  // radii; chosen
-  if (!strangers_) return 0;
-  const Eigen::Vector3d at = mapping_ * local.base;
-  const Eigen::Vector3d normal = mapping_.turn(local.base, local.normal) * local.normal;
-  std::vector<KdTree::Neighbour> neighbours;
-  strangers_->within(at, kReach * radius_, neighbours);
-  return static_cast<std::size_t>(
-      std::count_if(neighbours.begin(), neighbours.end(), [&](const KdTree::Neighbour& neighbour) {
-        const Eigen::Vector3d way = strangers_->points()[neighbour.index] - at;
-        return (way - way.dot(normal) * normal).norm() < radius_;
-      }));
 }
 
 namespace {
@@ -156,7 +111,8 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
   std::vector<KdTree::Neighbour> neighbours;
   object_.tree->within(mapping_ * local.base, radius_, neighbours);
-  local.strangers = strangers_beside(local);
+  local.strangers = strangers_.beside(
+      mapping_ * local.base, mapping_.turn(local.base, local.normal) * local.normal, radius_);
   const std::vector<Height> heights = heights_of(neighbours, local, tangent, bitangent);
   local.support = heights.size();
   if (local.support < min_support_) return local;

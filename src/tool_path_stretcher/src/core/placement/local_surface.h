@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "geometry/kd_tree.h"
 #include "mapping/residuals.h"
+#include "placement/strangers.h"
 
 namespace tool_path_stretcher {
 
@@ -23,7 +23,7 @@ struct LocalSurface {
   double slope_variance = 0;    //!< of each component
   double residual = 0;          //!< [m] RMS of the scanned points from the fitted surface
   std::size_t support = 0;      //!< scanned points
-  std::size_t strangers = 0;    //!< scanned points beside it that are far off the reference
+  Strangers::Beside strangers;  //!< scanned points beside it that are far off the reference
 };
 
 /// Fits heights linearly over the reference's tangent plane, robustly (Tukey's biweight), to the
@@ -52,16 +52,15 @@ class LocalSurfaceFitter {
   std::vector<Height> heights_of(const std::vector<KdTree::Neighbour>& neighbours,
                                  const LocalSurface& local, const Eigen::Vector3d& tangent,
                                  const Eigen::Vector3d& bitangent) const;
-  std::size_t strangers_beside(const LocalSurface& local) const;
 
   const Surface& reference_;
   const Surface& object_;
   const Mapping& mapping_;
   double radius_;
   std::size_t min_support_;
-  std::vector<Residual> residuals_;          // of all the object's points
-  double noise_;                             // [m, object] robust deviation of all of them
-  std::unique_ptr<const KdTree> strangers_;  // [m, object] none: there are none
+  std::vector<Residual> residuals_;  // of all the object's points
+  double noise_;                     // [m, object] robust deviation of all of them
+  Strangers strangers_;
 };
 
 }  // namespace tool_path_stretcher

@@ -267,7 +267,7 @@ WaypointQuality quality_of(const Eigen::Vector3d& from, const Eigen::Vector3d& t
       surface.measured ? angle_between(carried, placed.turn * (surface.normal - surface.slope))
                        : kUnknown;
   quality.gap = surface.measured ? std::abs(height - surface.height) : kUnknown;
-  quality.strangers = surface.strangers;
+  quality.strangers = surface.strangers.points;
   quality.in_air = placed.in_air;
   quality.hole =
       placed.in_air
@@ -305,7 +305,7 @@ class Placer {
         mapping_(mapping),
         parameters_(parameters),
         radius_(support_radius(parameters, surfaces.object)),
-        placement_{path, {}, {}} {
+        placement_{path, {}, {}, {}} {
     const LocalSurfaceFitter fitter(surfaces, mapping, radius_, parameters.min_support,
                                     parameters.max_stranger);
     const PathDistances distances =
@@ -355,6 +355,7 @@ class Placer {
           quality_of(from, pose.translation(), placed, mapping_, surfaces_.object);
       quality.segment = index;
       quality.waypoint = w;
+      placement_.strangers.push_back(surface.strangers.patch);
       placement_.heights.push_back(height_of(placed, signal_, in_air ? 0 : quality.hole));
       placement_.quality.push_back(quality);
     }

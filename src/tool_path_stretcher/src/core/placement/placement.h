@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "mapping/residuals.h"
+#include "placement/strangers.h"
 #include "tool_path_stretcher/tool_path.h"
 #include "tool_path_stretcher/waypoint_quality.h"
 
@@ -39,6 +39,7 @@ struct Placement {
   ToolPath path;
   std::vector<WaypointQuality> quality;  //!< one a waypoint, in the path's order
   std::vector<PlacedHeight> heights;     //!< the same
+  std::vector<StrangerPatch> strangers;  //!< the same: beside each waypoint; no area: none
 };
 
 /// Carries a path over to the object. Each waypoint is moved by the mapping; then by the distance

@@ -121,17 +121,43 @@ void check_measured(const std::vector<WaypointQuality>& quality) {
          "scan the part along the path, more densely or from another side");
 }
 
+/// The largest beside any of the waypoints.
+const StrangerPatch& largest(const Placement& placement,
+                             const std::vector<std::size_t>& waypoints) {
+  const auto smaller = [&](std::size_t one, std::size_t other) {
+    return placement.strangers[one].area < placement.strangers[other].area;
+  };
+  return placement.strangers[*std::max_element(waypoints.begin(), waypoints.end(), smaller)];
+}
+
+void check_strangers(const Placement& placement, double spacing,
+                     const StretchParameters& parameters) {
+  constexpr double kLoose = 2;  // points: outliers of the scan; chosen
+  const Found found(placement.quality, kLoose,
+                    [](const WaypointQuality& q) { return static_cast<double>(q.strangers); });
+  if (found.waypoints.empty()) return;
+  const StrangerPatch& patch = largest(placement, found.waypoints);
+  refuse(Reason::kWrongPart, "object",
+         fmt::format("{} of {} waypoints pass by a surface that is not on the reference, more than "
+                     "{:.4g} mm off it: {:.3g} mm2 about ({:.4g}, {:.4g}, {:.4g}) m",
+                     found.waypoints.size(), found.all, max_stranger(parameters, spacing) * 1e3,
+                     patch.area * 1e6, patch.middle.x(), patch.middle.y(), patch.middle.z()),
+         "check that it is the part of the reference and that nothing lies on it, or raise "
+         "max_stranger",
+         found.waypoints);
+}
+
 }  // namespace
 
 double max_stranger(const StretchParameters& parameters, double spacing) {
   return std::max(parameters.max_stranger, spacing);
 }
 
-void check_placement(const std::vector<WaypointQuality>& quality, const PlacementLimits& limits,
+void check_placement(const Placement& placement, const PlacementLimits& limits,
                      const StretchParameters& parameters) {
+  const std::vector<WaypointQuality>& quality = placement.quality;
   constexpr double kHole = 1.5;       // spacings: a sparse scan is not a hole; chosen
   constexpr double kTolerance = 0.2;  // spacings; chosen
-  constexpr double kLoose = 2;        // points: outliers of the scan; chosen
   const double spacing = limits.spacing;
   const double max_hole = std::max(parameters.max_hole_distance, kHole * spacing);
   const double tolerance = std::max(parameters.tolerance, kTolerance * spacing);
@@ -146,13 +172,7 @@ void check_placement(const std::vector<WaypointQuality>& quality, const Placemen
           Reason::kToleranceExceeded, "adapted path",
           "are up to {:.4g} mm from the scanned surface",
           fmt::format("use the general method, or raise tolerance ({:.4g} mm)", tolerance * 1e3));
-  Found(quality, kLoose, [](const WaypointQuality& q) { return static_cast<double>(q.strangers); })
-      .refuse_if_any(
-          Reason::kWrongPart, "object",
-          fmt::format("pass by a surface that is not on the reference, more than {:.4g} mm off it",
-                      max_stranger(parameters, spacing) * 1e3),
-          "check that it is the part of the reference and that nothing lies on it, or raise "
-          "max_stranger");
+  check_strangers(placement, spacing, parameters);
   const double max_displacement = parameters.max_displacement_ratio * limits.length;
   Found(quality, max_displacement,
         [](const WaypointQuality& q) { return q.in_air ? 0 : q.displacement; })

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tool_path_stretcher/waypoint_quality.h"
+#include "placement/placement.h"
 #include "verdict/checks.h"
 
 namespace tool_path_stretcher {
@@ -29,7 +29,7 @@ struct PlacementLimits {
 /// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART. Where the surfaces are sparser than the
 /// parameters ask for, as much is allowed as they can show. Of waypoints in the air nothing is
 /// asked.
-void check_placement(const std::vector<WaypointQuality>& quality, const PlacementLimits& limits,
+void check_placement(const Placement& placement, const PlacementLimits& limits,
                      const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher

@@ -1,0 +1,45 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/kd_tree.h"
+#include "mapping/residuals.h"
+
+namespace tool_path_stretcher {
+
+/// A connected piece of scanned surface that is not on the reference: a rib, a clamp, the floor.
+struct StrangerPatch {
+  double area = 0;                                   //!< [m^2]
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  //!< [m] in the object's frame
+};
+
+/// The patches of a scan that the reference does not explain. A few points beside an edge are none.
+class Strangers {
+ public:
+  /// @param residuals of all of the object's points
+  /// @param max_off [m, object] farther off the reference, a scanned point is a stranger
+  Strangers(const SurfacePair& surfaces, const Mapping& mapping,
+            const std::vector<Residual>& residuals, double max_off);
+
+  /// What stands over or under a place.
+  struct Beside {
+    std::size_t points = 0;
+    StrangerPatch patch;  //!< that most of them belong to
+  };
+
+  /// Within a radius, and up to several times as far over and under it: what stands there hides the
+  /// surface itself.
+  /// @param at [m, object]
+  /// @param normal unit length, of the surface there
+  Beside beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal, double radius) const;
+
+ private:
+  std::vector<StrangerPatch> patches_;
+  std::vector<std::size_t> patch_of_;     // each point of the tree
+  std::unique_ptr<const KdTree> points_;  // none: there are none
+};
+
+}  // namespace tool_path_stretcher

@@ -1,0 +1,190 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/own_place.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "geometry/clusters.h"
+#include "geometry/points.h"
+#include "surface/complete_surface.h"
+#include "verdict/checks.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+using Piece = std::vector<std::size_t>;
+
+constexpr double kGap = 2.5;  // spacings between neighbours of one thing; chosen
+
+/// The points chosen, with the others beside them.
+Surface part_of(const Surface& object, const Piece& chosen) {
+  Surface part;
+  part.oriented = object.oriented;
+  part.points = select(object.points, chosen);
+  part.normals = select(object.normals, chosen);
+  if (!object.seen_from.empty()) part.seen_from = object.seen_from;
+  std::vector<bool> is_chosen(object.points.size(), false);
+  for (const std::size_t i : chosen)
+    is_chosen[i] = true;
+  for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+    if (!is_chosen[i]) part.others.push_back(object.points[i]);
+  }
+  complete(part);
+  return part;
+}
+
+/// Where a reference came to lie, by points of it.
+class Laid {
+ public:
+  Laid(const Points& reference, double inlier_distance)
+      : tree_(reference), reach_(inlier_distance + spacing_of(tree_)) {}
+
+  /// The share of the object's points chosen that it explains.
+  double explains(const Surface& object, const Piece& piece) const {
+    const auto on = std::count_if(piece.begin(), piece.end(), [&](std::size_t i) {
+      return tree_.nearest(object.points[i]).squared_distance <= reach_ * reach_;
+    });
+    return static_cast<double>(on) / static_cast<double>(piece.size());
+  }
+
+ private:
+  static double spacing_of(const KdTree& tree) {
+    std::vector<KdTree::Neighbour> nearest;
+    double sum = 0;
+    for (const Eigen::Vector3d& point : tree.points()) {
+      tree.nearest(point, 2, nearest);
+      sum += std::sqrt(nearest.back().squared_distance);
+    }
+    return sum / static_cast<double>(tree.points().size());
+  }
+
+  KdTree tree_;
+  double reach_;  // [m]
+};
+
+/// The points but for the faces that the reference, as it came to lie, does not explain. A face is
+/// smooth, and ends where the scan has a gap or an edge.
+Piece explained(const Surface& object, const Laid& reference) {
+  constexpr double kSmooth = 0.87;   // cosine, 30 degrees; chosen
+  constexpr double kEdge = 0.25;     // spacings that neighbours lie off the plane; chosen
+  constexpr double kStranger = 0.2;  // of a face's points at most explained; chosen
+  constexpr std::size_t kFace = 50;  // points: fewer may be noise or an edge; chosen
+  const auto smooth = [&](std::size_t one, std::size_t other) {
+    if (object.blur[one] > kEdge * object.spacing) return false;
+    return std::abs(object.normals[one].dot(object.normals[other])) > kSmooth;
+  };
+  Piece points;
+  for (const Piece& face : clusters(*object.tree, kGap * object.spacing, smooth)) {
+    if (face.size() < kFace || reference.explains(object, face) >= kStranger)
+      points.insert(points.end(), face.begin(), face.end());
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// What a reference was found to explain.
+struct Found {
+  StretchResult result;
+  bool whole;  // the reference is shown whole enough to be sure that this is the part
+};
+
+/// Onto what the reference explains where it came to lie; nothing where that is all, or too little.
+std::optional<Found> found_there(const Surface& object, const StretchResult& start,
+                                 const StretchParameters& parameters, const StretchOnto& onto) {
+  constexpr double kUseful = 0.4;   // of the points explained: else the pose is none; chosen
+  constexpr double kLeast = 0.1;    // of the scan's points; chosen
+  constexpr double kOverlap = 0.7;  // of the reference: its own place is shown whole; chosen
+  if (!start.aligned || start.inlier_ratio < kUseful) return std::nullopt;
+  const Piece own = explained(object, {start.mapped_reference, parameters.inlier_distance});
+  const auto all = static_cast<double>(object.points.size());
+  const double share = static_cast<double>(own.size()) / all;
+  if (share < kLeast || own.size() == object.points.size()) return std::nullopt;
+  if (own.size() < static_cast<std::size_t>(parameters.min_points)) return std::nullopt;
+  StretchResult result = onto(part_of(object, own));
+  if (result.inlier_ratio < parameters.min_inlier_ratio) return std::nullopt;
+  result.verdict.message +=
+      fmt::format("; {:.3g} % of the scan's points belong to other things", 100 * (1 - share));
+  return Found{result, result.overlap >= kOverlap};
+}
+
+bool lie_apart(const StretchResult& one, const StretchResult& other) {
+  constexpr double kOther = 0.05;  // of the size: another thing; chosen
+  const PrincipalFrame a = principal_frame(one.mapped_reference);
+  const PrincipalFrame b = principal_frame(other.mapped_reference);
+  return (a.centroid - b.centroid).norm() > kOther * a.deviation.norm();
+}
+
+StretchResult on_two_things(const ToolPath& path, const StretchResult& one,
+                            const StretchResult& other) {
+  StretchResult result = one;
+  result.path = {};
+  result.verdict = {
+      Reason::kAmbiguous,
+      "object: the reference fits onto two things in the scan; scan one of them, or "
+      "take the scan apart first (clean_cloud --objects)",
+      {},
+      {candidate_of(path, {one.similarity, {}}), candidate_of(path, {other.similarity, {}})}};
+  return result;
+}
+
+/// Pieces with gaps around them that may be the object alone, largest first.
+std::vector<Piece> large_pieces(const Surface& object) {
+  constexpr double kLarge = 0.2;    // of the scan's points; chosen
+  constexpr double kWhole = 0.95;   // of them: it was tried; chosen
+  constexpr std::size_t kMost = 2;  // each is a whole search; chosen
+  const auto all = static_cast<double>(object.points.size());
+  std::vector<Piece> pieces = clusters(*object.tree, kGap * object.spacing);
+  pieces.resize(std::min(kMost, pieces.size()));
+  const auto is_useless = [all](const Piece& piece) {
+    const double share = static_cast<double>(piece.size()) / all;
+    return share < kLarge || share > kWhole;
+  };
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), is_useless), pieces.end());
+  return pieces;
+}
+
+/// The one that is shown whole, accepted if any is; `first` where none is.
+StretchResult best_of(const ToolPath& path, const std::vector<Found>& found,
+                      const StretchResult& first) {
+  const Found* best = nullptr;
+  for (const Found& each : found) {
+    if (!each.whole) continue;
+    if (best == nullptr || (!best->result.verdict.accepted() && each.result.verdict.accepted()))
+      best = &each;
+  }
+  if (best == nullptr) return first;
+  for (const Found& other : found) {
+    if (best->result.verdict.accepted() && lie_apart(best->result, other.result))
+      return on_two_things(path, best->result, other.result);
+  }
+  return best->result;
+}
+
+}  // namespace
+
+StretchResult stretch_in_own_place(const Surface& object, const ToolPath& path,
+                                   const StretchResult& first, const StretchParameters& parameters,
+                                   const StretchOnto& onto) {
+  constexpr double kFound = 0.5;  // of a piece's points that what was found explains; chosen
+  std::vector<Found> found;
+  const auto look_from = [&](const StretchResult& start) {
+    if (auto there = found_there(object, start, parameters, onto)) found.push_back(*there);
+  };
+  look_from(first);
+  for (const Piece& piece : large_pieces(object)) {
+    const auto explains = [&](const Found& each) {
+      const Laid laid(each.result.mapped_reference, parameters.inlier_distance);
+      return laid.explains(object, piece) > kFound;
+    };
+    if (std::any_of(found.begin(), found.end(), explains)) continue;
+    const StretchResult alone = onto(part_of(object, piece));
+    look_from(alone);
+  }
+  return best_of(path, found, first);
+}
+
+}  // namespace tool_path_stretcher
