@@ -27,8 +27,8 @@ std::vector<ViewPart> profile_parts(Draws& draws);    //!< extruded
 std::vector<ViewPart> curved_parts(Draws& draws);     //!< sheets, pipes, blades
 std::vector<ViewPart> symmetric_parts(Draws& draws);  //!< their own images
 
-/// Large sheets with openings, and paths that lead on across them, past the rim, and to and from the
-/// sheet through the air.
+/// Large sheets with openings, and paths that lead on across them, past the rim, and to and from
+/// the sheet through the air.
 std::vector<ViewPart> sanded_sheets(Draws& draws);
 
 /// Those of files, where `data` holds them.
