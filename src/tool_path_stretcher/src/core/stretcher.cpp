@@ -394,7 +394,7 @@ StretchResult stretch_closed(const SurfacePair& surfaces, const ToolPath& path,
     attempts.push_back(
         attempt({seeable, surfaces.object}, path, with_view, Stages(progress, from, from + each)));
   }
-  return judge(attempts, path, surfaces.object, parameters.ambiguity_distance);
+  return judge(attempts, path, surfaces, parameters);
 }
 
 StretchResult stretch_onto(const SurfacePair& surfaces, const ToolPath& path,

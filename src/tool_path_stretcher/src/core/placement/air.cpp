@@ -38,4 +38,18 @@ PathDistances distances_of(const ToolPath& path, const Surface& reference, doubl
   return result;
 }
 
+ToolPath on_surface(const ToolPath& path, const Surface& reference, double max_stand_off) {
+  const PathDistances distances = distances_of(path, reference, max_stand_off);
+  ToolPath result = path;
+  auto in_air = distances.in_air.begin();
+  for (Segment& segment : result.segments) {
+    std::vector<Waypoint> kept;
+    for (const Waypoint& waypoint : segment.waypoints) {
+      if (!*in_air++) kept.push_back(waypoint);
+    }
+    segment.waypoints = std::move(kept);
+  }
+  return result;
+}
+
 }  // namespace tool_path_stretcher

@@ -23,4 +23,7 @@ struct PathDistances {
 /// @param max_stand_off [m]
 PathDistances distances_of(const ToolPath& path, const Surface& reference, double max_stand_off);
 
+/// The path without what is in the air.
+ToolPath on_surface(const ToolPath& path, const Surface& reference, double max_stand_off);
+
 }  // namespace tool_path_stretcher

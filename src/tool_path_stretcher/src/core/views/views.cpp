@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/kd_tree.h"
+#include "placement/air.h"
 #include "verdict/ambiguity.h"
 #include "verdict/checks.h"
 
@@ -104,7 +105,7 @@ StretchResult ambiguous(const Attempt& one, const Attempt& other, const ToolPath
 }  // namespace
 
 StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
-                    const Surface& object, double tolerance) {
+                    const SurfacePair& surfaces, const StretchParameters& parameters) {
   const Attempt& whole = attempts.front();
   const Attempt* best = nullptr;
   const auto counts = [](const Attempt& each) { return !each.whole && !each.fitted.empty(); };
@@ -112,14 +113,16 @@ StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
     if (counts(each) && (best == nullptr || explains_more(each, *best))) best = &each;
   }
   if (best == nullptr) return whole.result;
-  if (object.seen_from.empty() && shows_other_sides(whole, *best)) return whole.result;
+  if (surfaces.object.seen_from.empty() && shows_other_sides(whole, *best)) return whole.result;
+  const ToolPath touching = on_surface(path, surfaces.reference, parameters.max_stand_off);
   const Attempt* accepted = nullptr;
   for (const Attempt& each : attempts) {
     if (!counts(each) || explains_more(*best, each)) continue;
     if (each.result.verdict.reason == Reason::kAmbiguous) return each.result;
     if (!each.result.verdict.accepted()) continue;
     if (accepted != nullptr &&
-        !same_path(path, accepted->fitted.front().mapping, each.fitted.front().mapping, tolerance))
+        !same_path(touching, accepted->fitted.front().mapping, each.fitted.front().mapping,
+                   parameters.ambiguity_distance))
       return ambiguous(*accepted, each, path);
     if (accepted == nullptr || each.result.overlap > accepted->result.overlap) accepted = &each;
   }

@@ -24,10 +24,10 @@ std::vector<ViewPrior> possible_views(const SurfacePair& surfaces,
 
 /// The attempt that tells what to do: of those with a part of the reference, the one that explains
 /// the object best, unless all of the reference explains clearly more. Where several do as well and
-/// are accepted, they must lay the path to the same places, or it is AMBIGUOUS.
+/// are accepted, they must lay the path to the same places, but for what is in the air, or it is
+/// AMBIGUOUS.
 /// @param attempts with all of the reference first
-/// @param tolerance [m] between two places of a waypoint
 StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
-                    const Surface& object, double tolerance);
+                    const SurfacePair& surfaces, const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher
