@@ -12,6 +12,7 @@
 
 #include "alignment/refinement.h"
 #include "geometry/points.h"
+#include "placement/air.h"
 #include "placement/expected_error.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scene/own_place.h"
@@ -319,11 +320,11 @@ class Adaptation {
     result.reference_path = path_;
     const double spacing =
         mapping.similarity.scale * surfaces_.reference.spacing + surfaces_.object.spacing;
-    Placement placement =
-        place(path_, surfaces_, mapping,
-              {parameters_.support_radius, parameters_.min_support,
-               max_stranger(parameters_, spacing), parameters_.max_stand_off,
-               parameters_.method == Method::kGeneral, parameters_.stand_off == StandOff::kKeep});
+    Placement placement = place(
+        path_, surfaces_, mapping,
+        {parameters_.support_radius, parameters_.min_support, max_stranger(parameters_, spacing),
+         distances_of(path_, surfaces_.reference, parameters_).in_air,
+         parameters_.method == Method::kGeneral, parameters_.stand_off == StandOff::kKeep});
     const bool nearest_points = parameters_.method == Method::kThesisGeneral;
     if (nearest_points) move_to_nearest_points(path_, surfaces_, mapping, placement);
     expect_errors(path_, {surfaces_, mapping, parameters_.prior}, placement);

@@ -92,7 +92,9 @@ void describe_deformation(ParameterTable& table, StretchParameters& p) {
   table.add("min_support", p.min_support, {4, 10000},
             "points; with fewer the waypoint is inferred and flagged");
   table.add("max_hole_distance", p.max_hole_distance, {0, 1, "m"},
-            "from the scan, up to which a waypoint is inferred (at least three spacings)");
+            "from the scan, up to which a waypoint is inferred (at least three spacings); farther "
+            "from the "
+            "reference it is in the air (at least two)");
   table.add("tolerance", p.tolerance, {1e-6, 1, "m"},
             "of an adapted waypoint from the scanned surface (at least a fifth of the spacings of "
             "both surfaces, summed)");

@@ -11,25 +11,32 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// [m] that a segment is led over the surface; 0 where that is farther than any tool is.
-double stand_off_of(std::vector<double> far, double most) {
+/// [m] that a segment is led over the surface; 0 where it touches, or where that is farther than
+/// any tool is.
+/// @param touching [m] what touches is no farther off
+double stand_off_of(std::vector<double> far, double touching, double most) {
+  constexpr double kMaxTouching = 0.1;  // of the waypoints; chosen
+  const auto touches = [=](double each) { return each <= touching; };
+  const auto count = static_cast<double>(std::count_if(far.begin(), far.end(), touches));
+  if (count > kMaxTouching * static_cast<double>(far.size())) return 0;
   const double middle = quantile(std::move(far), 0.5);
   return middle <= most ? middle : 0;
 }
 
 }  // namespace
 
-PathDistances distances_of(const ToolPath& path, const Surface& reference, double max_stand_off) {
-  constexpr double kSpacings = 5;  // 10 mm on the default grid, as far as holes are bridged; chosen
-  constexpr double kShare = 0.05;  // of the size: 4 mm of a plate of 200 x 150 mm; chosen
+PathDistances distances_of(const ToolPath& path, const Surface& reference,
+                           const StretchParameters& parameters) {
+  constexpr double kSpacings = 2;  // a sparse surface is not a hole; chosen
   const KdTree& tree = reference.whole ? *reference.whole : *reference.tree;
   PathDistances result;
-  result.reach = std::max(kSpacings * reference.spacing, kShare * reference.size);
+  result.reach = std::max(parameters.max_hole_distance, kSpacings * reference.spacing);
+  const double most_standing = parameters.max_stand_off + reference.spacing;
   for (const Segment& segment : path.segments) {
     std::vector<double> far;
     for (const Waypoint& waypoint : segment.waypoints)
       far.push_back(std::sqrt(tree.nearest(waypoint.pose.translation()).squared_distance));
-    const double standing = stand_off_of(far, max_stand_off + reference.spacing);
+    const double standing = stand_off_of(far, reference.spacing, most_standing);
     const double most = standing + std::max(standing, result.reach);
     for (const double each : far)
       result.in_air.push_back(each > most);
@@ -38,8 +45,9 @@ PathDistances distances_of(const ToolPath& path, const Surface& reference, doubl
   return result;
 }
 
-ToolPath on_surface(const ToolPath& path, const Surface& reference, double max_stand_off) {
-  const PathDistances distances = distances_of(path, reference, max_stand_off);
+ToolPath on_surface(const ToolPath& path, const Surface& reference,
+                    const StretchParameters& parameters) {
+  const PathDistances distances = distances_of(path, reference, parameters);
   ToolPath result = path;
   auto in_air = distances.in_air.begin();
   for (Segment& segment : result.segments) {

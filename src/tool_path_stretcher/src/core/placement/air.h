@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tool_path_stretcher/stretch_parameters.h"
 #include "tool_path_stretcher/surface.h"
 #include "tool_path_stretcher/tool_path.h"
 
@@ -17,13 +18,15 @@ struct PathDistances {
 };
 
 /// What of a path is in the air: approach and retract, ways over openings and past the rim. There a
-/// waypoint is farther off than its segment is led over the surface (the median of its waypoints,
-/// up to `max_stand_off`) by as much again, and by more than five spacings and a twentieth of the
-/// size of the reference.
-/// @param max_stand_off [m]
-PathDistances distances_of(const ToolPath& path, const Surface& reference, double max_stand_off);
+/// waypoint is farther off than its segment is led over the surface by as much again, and by more
+/// than the surface may be inferred: `max_hole_distance`, or two spacings where those are more. A
+/// segment is led over the surface if nine of ten of its waypoints do not touch and their median is
+/// `max_stand_off` or less.
+PathDistances distances_of(const ToolPath& path, const Surface& reference,
+                           const StretchParameters& parameters);
 
 /// The path without what is in the air.
-ToolPath on_surface(const ToolPath& path, const Surface& reference, double max_stand_off);
+ToolPath on_surface(const ToolPath& path, const Surface& reference,
+                    const StretchParameters& parameters);
 
 }  // namespace tool_path_stretcher

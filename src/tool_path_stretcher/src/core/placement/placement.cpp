@@ -9,7 +9,6 @@
 
 #include "geometry/kd_tree.h"
 #include "geometry/robust.h"
-#include "placement/air.h"
 #include "placement/local_surface.h"
 
 namespace tool_path_stretcher {
@@ -308,9 +307,7 @@ class Placer {
         placement_{path, {}, {}, {}} {
     const LocalSurfaceFitter fitter(surfaces, mapping, radius_, parameters.min_support,
                                     parameters.max_stranger);
-    const PathDistances distances =
-        distances_of(path, surfaces.reference, parameters.max_stand_off);
-    auto first = distances.in_air.begin();
+    auto first = parameters.in_air.begin();
     for (const Segment& segment : path.segments) {
       const auto last = first + static_cast<std::ptrdiff_t>(segment.waypoints.size());
       tracks_.push_back(survey(segment, {first, last}, fitter, mapping.similarity.scale));

@@ -30,7 +30,7 @@ struct PlacementParameters {
       0;                //!< [m] of the scanned points a waypoint is set on; 0: from the spacing
   int min_support = 6;  //!< fewer scanned points, and the waypoint is inferred
   double max_stranger = 0.004;  //!< [m] farther off the reference, a scanned point is a stranger
-  double max_stand_off = 0.02;  //!< [m] of a segment over the surface; beyond: in the air
+  std::vector<bool> in_air;     //!< of each waypoint, over all segments
   bool set_on_surface = true;   //!< false: carried over by the mapping alone (the affine method)
   bool keep_stand_off = true;   //!< as long as it is; false: scaled with the part
 };

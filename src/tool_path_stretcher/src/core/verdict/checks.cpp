@@ -102,15 +102,14 @@ void check_path(const ToolPath& path, const Surface& reference,
   } catch (const scan_cell_common::UnusableInput& error) {
     throw Refusal{{Reason::kUnusableInput, error.what(), {}}};
   }
-  const double most = parameters.max_stand_off;
-  const PathDistances distances = distances_of(path, reference, most);
+  const PathDistances distances = distances_of(path, reference, parameters);
   const double worst = *std::max_element(distances.far.begin(), distances.far.end());
   if (share_on(distances) >= kLeast && worst < kLargest) return;
   const std::vector<std::size_t> off = indices_of(distances.in_air);
   for (const char* const unit : {"inch", "mm"}) {  // what is shrunk too far lies on anything
     const double factor = scan_cell_common::metres_per(unit);
     if (!(worst > kFar * reference.size) ||
-        share_on(distances_of(scaled(path, factor), reference, most)) <= kLeast)
+        share_on(distances_of(scaled(path, factor), reference, parameters)) <= kLeast)
       continue;
     refuse(Reason::kUnusableInput, "tool path",
            fmt::format("it lies on the reference only if it is divided by {:.4g}", 1 / factor),
@@ -123,14 +122,14 @@ void check_path(const ToolPath& path, const Surface& reference,
          fmt::format("give the path in the reference's frame and in metres; at least half of its "
                      "waypoints must lie on the surface, or be led over it by less than "
                      "max_stand_off ({:.4g} mm), and none {:.4g} m away",
-                     most * 1e3, kLargest),
+                     parameters.max_stand_off * 1e3, kLargest),
          off);
 }
 
 void check_seeable(const ToolPath& path, const Surface& seeable,
                    const StretchParameters& parameters) {
   const double most = parameters.max_stand_off + seeable.spacing;
-  const PathDistances whole = distances_of(path, seeable, parameters.max_stand_off);
+  const PathDistances whole = distances_of(path, seeable, parameters);
   std::vector<bool> hidden;
   for (const Eigen::Vector3d& at : positions_of(path)) {
     const std::size_t i = hidden.size();

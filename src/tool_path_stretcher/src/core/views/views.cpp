@@ -114,7 +114,7 @@ StretchResult judge(const std::vector<Attempt>& attempts, const ToolPath& path,
   }
   if (best == nullptr) return whole.result;
   if (surfaces.object.seen_from.empty() && shows_other_sides(whole, *best)) return whole.result;
-  const ToolPath touching = on_surface(path, surfaces.reference, parameters.max_stand_off);
+  const ToolPath touching = on_surface(path, surfaces.reference, parameters);
   const Attempt* accepted = nullptr;
   for (const Attempt& each : attempts) {
     if (!counts(each) || explains_more(*best, each)) continue;
