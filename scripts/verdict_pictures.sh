@@ -35,6 +35,10 @@ draw() {
   echo "$images/verdict_$reason.png"
 }
 
+# A path across openings and past the rim
+"$programs/bench_scanner_views" --cases 'sanded sheet, bent' --write "$work"
+draw accepted
+mv "$images/verdict_accepted.png" "$images/verdict_accepted_in_the_air.png"
 show accepted 'frame, bent 5 mm'
 show ambiguous 'symmetric box'
 show path_not_scanned 'frame, three quarters scanned'

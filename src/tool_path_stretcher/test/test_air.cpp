@@ -224,6 +224,13 @@ TEST(Air, IsInTheReportAndInTheLineForAPerson) {
             waypoint_count(each.path));
   EXPECT_EQ(report["quality"][0]["in_air"], true);
   EXPECT_EQ(report["quality"][1]["in_air"], false);
+  const std::string file = testing::TempDir() + "air_report.json";
+  save_report(file, result);
+  const std::vector<std::size_t> read = load_report(file).in_air;
+  std::vector<bool> flags(waypoint_count(each.path), false);
+  for (const std::size_t i : read)
+    flags.at(i) = true;
+  EXPECT_EQ(flags, said_in_air(result));
   const std::string line = to_string(summary_of(result.quality));
   EXPECT_NE(line.find(std::to_string(in_air) + " in the air"), std::string::npos) << line;
 }

@@ -37,6 +37,7 @@ struct ReportedVerdict {
   std::size_t object_points = 0;        //!< the same
   std::size_t waypoints_given = 0;      //!< of the path on the reference; 0: not known
   std::vector<double> displacements;    //!< [m] a waypoint; empty where it did not come to that
+  std::vector<std::size_t> in_air;      //!< waypoints, counted over all segments
 };
 
 /// Reads a report of stretch (docs/tool_path_stretcher.md).

@@ -58,8 +58,10 @@ ReportedVerdict verdict_of(const Json& report) {
   verdict.object_points = count_of(report.at("object_points"));
   const Json& given = report.at("path");
   if (!given.is_null()) verdict.waypoints_given = given.at("waypoints").get<std::size_t>();
-  for (const Json& quality : report.at("quality"))
+  for (const Json& quality : report.at("quality")) {
+    if (quality.value("in_air", false)) verdict.in_air.push_back(verdict.displacements.size());
     verdict.displacements.push_back(quality.at("displacement").get<double>());
+  }
   return verdict;
 }
 

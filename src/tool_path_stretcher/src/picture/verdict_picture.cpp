@@ -29,6 +29,7 @@ const cv::Vec3b kWhite(255, 255, 255);
 const cv::Vec3b kRed(40, 40, 225);
 const cv::Vec3b kOrange(20, 140, 255);
 const cv::Vec3b kGreen(90, 200, 90);
+const cv::Vec3b kBlue(255, 150, 70);
 
 cv::Vec3b darker(const cv::Vec3b& colour, double share) {
   return {cv::saturate_cast<uchar>(share * colour[0]), cv::saturate_cast<uchar>(share * colour[1]),
@@ -183,12 +184,18 @@ void draw_path(Canvas& canvas, const ToolPath& path, const Place& place, const c
     canvas.dot(at, kRadius, colour, lift);
 }
 
-void draw_red(Canvas& canvas, const std::vector<std::size_t>& waypoints, const Points& points) {
+/// Blue in the air; over that red, what the verdict names.
+void draw_marked(Canvas& canvas, const ReportedVerdict& verdict, const Points& points) {
   constexpr double kRadius = 2.6;
-  constexpr double kOverAll = 1e3;
-  for (const std::size_t i : waypoints) {
-    if (i < points.size()) canvas.dot(points[i], kRadius, kRed, kOverAll);
-  }
+  constexpr double kOverAll = 1e3, kOverBlue = 1.001e3;
+  const auto draw = [&](const std::vector<std::size_t>& waypoints, const cv::Vec3b& colour,
+                        double lift) {
+    for (const std::size_t i : waypoints) {
+      if (i < points.size()) canvas.dot(points[i], kRadius, colour, lift);
+    }
+  };
+  draw(verdict.in_air, kBlue, kOverAll);
+  draw(verdict.waypoints, kRed, kOverBlue);
 }
 
 void draw_paths(Canvas& canvas, const PictureInput& input, const Layout& layout) {
@@ -198,7 +205,7 @@ void draw_paths(Canvas& canvas, const PictureInput& input, const Layout& layout)
   const Place left = [&](const Eigen::Vector3d& at) { return layout.of_reference(at); };
   const Points start = seen(positions_of(input.path), left);
   draw_path(canvas, input.path, left, kWhite, lift);
-  draw_red(canvas, input.verdict.waypoints, start);
+  draw_marked(canvas, input.verdict, start);
   std::vector<Place> places;  // of the path as the similarities put it on the object
   for (const Similarity& similarity : input.verdict.similarities) {
     places.push_back([&](const Eigen::Vector3d& at) { return layout.of_object(similarity * at); });
@@ -214,7 +221,7 @@ void draw_paths(Canvas& canvas, const PictureInput& input, const Layout& layout)
   const std::size_t apart = std::max<std::size_t>(1, start.size() / kLines);
   for (std::size_t i = 0; i < std::min(start.size(), end.size()); i += apart)
     canvas.line(start[i], end[i], kGreen);
-  draw_red(canvas, input.verdict.waypoints, end);
+  draw_marked(canvas, input.verdict, end);
 }
 
 /// @param adapted whether the adapted path is shown

@@ -40,8 +40,8 @@ void check_figures(const PictureInput& input);
 
 /// Draws the reference with its path to the left, and the object to the right, turned as the
 /// reference lies: coloured by its distance from the aligned reference, with the path on it and
-/// lines between corresponding waypoints. Waypoints that the verdict names are red. As overlay the
-/// reference lies over the object, where the similarity puts it.
+/// lines between corresponding waypoints. Waypoints that the verdict names are red, those in the
+/// air blue. As overlay the reference lies over the object, where the similarity puts it.
 /// @throw scan_cell_common::UnusableInput for an overlay if no pose was found
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_picture(const std::string& path, const PictureInput& input);
