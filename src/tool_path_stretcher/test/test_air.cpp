@@ -196,6 +196,21 @@ TEST(Air, NeedsNoScanAndTheSurfaceDoes) {
   EXPECT_EQ(refused.verdict.waypoints, std::vector<std::size_t>{waypoint_count(path) - 1});
 }
 
+TEST(Air, MayBeHalfOfAPathThoughNotAllOfTheRestIsMeasured) {
+  Case each = sheet_case();
+  const Vector3d hole = each.path.segments[0].waypoints[3].pose.translation();
+  each.scan.is_hole = [hole](const Vector3d& at) { return (at - hole).norm() < 0.008; };
+  Waypoint above;
+  above.pose.translation() = Vector3d(0, 0, 0.3);
+  const std::size_t more = waypoint_count(each.path) - 2 * count_of(raster(each.part).in_air);
+  each.path.segments.push_back({"above", std::vector<Waypoint>(more, above)});
+  const StretchResult result = each.run();
+  ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
+  const QualitySummary summary = summary_of(result.quality);
+  EXPECT_EQ(2 * summary.in_air, waypoint_count(each.path));
+  EXPECT_GT(summary.inferred, 0U);
+}
+
 TEST(Air, TheExpectedErrorGrowsWithTheDistance) {
   Case each = sheet_case();
   each.deformation = synthetic::bend(0.006 * each.part.width, each.part.width);
