@@ -53,6 +53,7 @@ struct Case {
 struct Ratio {
   double normal;
   double tangential;
+  double orientation;
 };
 
 std::vector<Ratio> ratios_of(const StretchResult& result, const ToolPath& truth) {
@@ -64,8 +65,11 @@ std::vector<Ratio> ratios_of(const StretchResult& result, const ToolPath& truth)
     const Eigen::Vector3d normal = pose(truth).linear().col(2);
     const Eigen::Vector3d off = pose(result.path).translation() - pose(truth).translation();
     const double along = normal.dot(off);
+    const Eigen::Matrix3d turn = pose(truth).linear().transpose() * pose(result.path).linear();
+    const double turned = Eigen::AngleAxisd(turn).angle();
     ratios.push_back({std::abs(along) / quality.expected_error_normal,
-                      (off - along * normal).norm() / quality.expected_error_tangential});
+                      (off - along * normal).norm() / quality.expected_error_tangential,
+                      turned / quality.expected_error_orientation});
   }
   return ratios;
 }
@@ -85,11 +89,12 @@ void expect_calibrated(const Case& each) {
   ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
   const std::vector<Ratio> ratios = ratios_of(result, each.truth());
   const auto beyond = std::count_if(ratios.begin(), ratios.end(), [](const Ratio& ratio) {
-    return !(ratio.normal <= 3) || !(ratio.tangential <= 3);
+    return !(ratio.normal <= 3) || !(ratio.tangential <= 3) || !(ratio.orientation <= 3);
   });
   EXPECT_LE(beyond, static_cast<std::ptrdiff_t>(ratios.size() / 20));
   EXPECT_GT(median(ratios, &Ratio::normal), 0.1);
   EXPECT_GT(median(ratios, &Ratio::tangential), 0.1);
+  EXPECT_GT(median(ratios, &Ratio::orientation), 0.01);
 }
 
 }  // namespace

@@ -21,9 +21,10 @@ class KdTree;
 /// Where a surface ends or has a sharp edge: it shows a position along the surface that a smooth
 /// surface itself does not.
 struct Rim {
-  Points points;           //!< [m]
-  Points outward;          //!< unit length, in the surface and away from it
-  std::vector<bool> open;  //!< whether the surface ends there, rather than bends sharply
+  Points points;              //!< [m]
+  Points outward;             //!< unit length, in the surface and away from it
+  std::vector<bool> open;     //!< whether the surface ends there, rather than bends sharply
+  std::vector<bool> horizon;  //!< whether only what can be seen of it ends there: no place on it
   std::shared_ptr<const KdTree> tree;  //!< of the points
 };
 

@@ -24,6 +24,7 @@ enum class Reason {
   kCancelled = 10,
   kFoldOver = 11,
   kMirroredPart = 12,
+  kOrientationUncertain = 13,
 };
 
 /// In lower case with underscores, as in reports.

@@ -27,9 +27,10 @@ struct WaypointQuality {
   double hole = 0;  //!< [m] from the surface beside the waypoint to the nearest scanned point
 
   // One standard deviation each
-  double expected_error_normal = kUnknown;      //!< [m] along the surface's normal
-  double expected_error_tangential = kUnknown;  //!< [m] within the surface, in all
-  double expected_error_across = kUnknown;      //!< [m] within it, at right angles to least_known
+  double expected_error_normal = kUnknown;       //!< [m] along the surface's normal
+  double expected_error_tangential = kUnknown;   //!< [m] within the surface, in all
+  double expected_error_across = kUnknown;       //!< [m] within it, at right angles to least_known
+  double expected_error_orientation = kUnknown;  //!< [rad] of all three axes; no orientation: NaN
   Eigen::Vector3d least_known =
       Eigen::Vector3d::Zero();     //!< unit length: the way along the surface known least, object
   bool position_measured = false;  //!< the scan shows the position along the surface; false:

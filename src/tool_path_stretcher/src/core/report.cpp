@@ -59,6 +59,7 @@ Json to_json(const WaypointQuality& quality) {
           {"expected_error_normal", number(quality.expected_error_normal)},
           {"expected_error_tangential", number(quality.expected_error_tangential)},
           {"expected_error_across", number(quality.expected_error_across)},
+          {"expected_error_orientation", number(quality.expected_error_orientation)},
           {"least_known", list(quality.least_known)},
           {"position_measured", quality.position_measured}};
 }
@@ -87,6 +88,7 @@ void add_head(const StretchResult& result, Json& report) {
   report["largest_displacement"] = number(summary.largest_displacement);
   report["largest_expected_error_normal"] = number(summary.largest_expected_error_normal);
   report["largest_expected_error_tangential"] = number(summary.largest_expected_error_tangential);
+  report["largest_expected_error_orientation"] = number(summary.largest_expected_error_orientation);
 }
 
 void add_record(const StretchResult& result, const RunRecord& record, Json& report) {

@@ -28,9 +28,10 @@ struct QualitySummary {
   std::size_t measured = 0;
   std::size_t inferred = 0;
   std::size_t in_air = 0;
-  double largest_displacement = kUnknown;               //!< [m]
-  double largest_expected_error_normal = kUnknown;      //!< [m]
-  double largest_expected_error_tangential = kUnknown;  //!< [m]
+  double largest_displacement = kUnknown;                //!< [m]
+  double largest_expected_error_normal = kUnknown;       //!< [m]
+  double largest_expected_error_tangential = kUnknown;   //!< [m]
+  double largest_expected_error_orientation = kUnknown;  //!< [rad]
 };
 
 QualitySummary summary_of(const std::vector<WaypointQuality>& quality);

@@ -27,6 +27,13 @@ std::string millimetres(double metres) {
   return std::isfinite(metres) ? fmt::format("{:.3g} mm", 1e3 * metres) : "unknown";
 }
 
+/// Nothing for a path without orientations.
+std::string and_degrees(double radians) {
+  constexpr double kDegree = M_PI / 180;
+  return std::isfinite(radians) ? fmt::format(", {:.2g} deg in orientation", radians / kDegree)
+                                : "";
+}
+
 }  // namespace
 
 FileRecord record_of(const std::string& file, const std::string& units) {
@@ -50,6 +57,8 @@ QualitySummary summary_of(const std::vector<WaypointQuality>& quality) {
         std::fmax(summary.largest_expected_error_normal, each.expected_error_normal);
     summary.largest_expected_error_tangential =
         std::fmax(summary.largest_expected_error_tangential, each.expected_error_tangential);
+    summary.largest_expected_error_orientation =
+        std::fmax(summary.largest_expected_error_orientation, each.expected_error_orientation);
   }
   return summary;
 }
@@ -57,11 +66,12 @@ QualitySummary summary_of(const std::vector<WaypointQuality>& quality) {
 std::string to_string(const QualitySummary& summary) {
   return fmt::format(
       "{} waypoints, {} measured and {} inferred, {} in the air, displaced by up to {}, expected "
-      "error up to {} along the normal and {} along the surface",
+      "error up to {} along the normal and {} along the surface{}",
       summary.measured + summary.inferred + summary.in_air, summary.measured, summary.inferred,
       summary.in_air, millimetres(summary.largest_displacement),
       millimetres(summary.largest_expected_error_normal),
-      millimetres(summary.largest_expected_error_tangential));
+      millimetres(summary.largest_expected_error_tangential),
+      and_degrees(summary.largest_expected_error_orientation));
 }
 
 }  // namespace tool_path_stretcher

@@ -320,14 +320,15 @@ class Adaptation {
     result.reference_path = path_;
     const double spacing =
         mapping.similarity.scale * surfaces_.reference.spacing + surfaces_.object.spacing;
+    const MappingError mapping_error(surfaces_, mapping, parameters_.prior);
     Placement placement = place(
-        path_, surfaces_, mapping,
+        path_, surfaces_, mapping, mapping_error,
         {parameters_.support_radius, parameters_.min_support, max_stranger(parameters_, spacing),
          distances_of(path_, surfaces_.reference, parameters_).in_air,
          parameters_.method == Method::kGeneral, parameters_.stand_off == StandOff::kKeep});
     const bool nearest_points = parameters_.method == Method::kThesisGeneral;
     if (nearest_points) move_to_nearest_points(path_, surfaces_, mapping, placement);
-    expect_errors(path_, {surfaces_, mapping, parameters_.prior}, placement);
+    expect_errors(path_, mapping_error, placement);
     if (nearest_points) expect_sampling_errors(surfaces_.object.spacing, placement);
     result.quality = placement.quality;
     check_fold_over(path_, placement.path, surfaces_, mapping);

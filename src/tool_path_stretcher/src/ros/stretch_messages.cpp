@@ -73,6 +73,7 @@ scan_cell_msgs::WaypointQuality to_message(const WaypointQuality& quality) {
   message.expected_error_normal = quality.expected_error_normal;
   message.expected_error_tangential = quality.expected_error_tangential;
   message.expected_error_across = quality.expected_error_across;
+  message.expected_error_orientation = quality.expected_error_orientation;
   message.least_known.x = quality.least_known.x();
   message.least_known.y = quality.least_known.y();
   message.least_known.z = quality.least_known.z();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scanner_views/blocks.h"
@@ -23,6 +24,25 @@ const Vector3d kAbove = Vector3d::UnitZ();
 
 Surface surface_of(const Mesh& mesh) {
   return surface_from_mesh(to_polygon_mesh(mesh), StretchParameters().leaf, "mesh");
+}
+
+/// Of 100 mm.
+Mesh ball() {
+  constexpr int kSteps = 32;
+  const auto at = [](int i, int k) {
+    const double polar = M_PI * i / kSteps;
+    const double round = 2 * M_PI * k / kSteps;
+    return Vector3d(0.05 * Vector3d(std::sin(polar) * std::cos(round),
+                                    std::sin(polar) * std::sin(round), std::cos(polar)));
+  };
+  MeshBuilder builder;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int k = 0; k < kSteps; ++k) {
+      const int next = (k + 1) % kSteps;
+      builder.quad(at(i, k), at(i + 1, k), at(i + 1, next), at(i, next));
+    }
+  }
+  return builder.take();
 }
 
 /// The same surface, each triangle turned round.
@@ -128,6 +148,19 @@ TEST(SeeablePart, LacksWhatAnotherPartOfItHides) {
   }
   EXPECT_GT(lit, 100U);
   EXPECT_EQ(dark, 0U);
+}
+
+TEST(SeeablePart, EndsAtEdgesOfABlockAndAtTheHorizonOfABall) {
+  const Surface cuboid = seeable_part(surface_of(block(0.1, 0.06, 0.03)), {kAbove});
+  const Surface round = seeable_part(surface_of(ball()), {kAbove});
+  const auto on_horizon = [](const Surface& surface) {
+    const auto& horizon = surface.rim.horizon;
+    return std::count(horizon.begin(), horizon.end(), true);
+  };
+  EXPECT_GT(cuboid.rim.points.size(), 100U);
+  EXPECT_LT(on_horizon(cuboid), 5);
+  EXPECT_GT(round.rim.points.size(), 20U);
+  EXPECT_EQ(static_cast<std::size_t>(on_horizon(round)), round.rim.points.size());
 }
 
 TEST(ClosedReferences, AreLaidOnTheFaceThatWasSeen) {

@@ -92,6 +92,7 @@ class Pairing {
     for (std::size_t k = 0; k < rim_sample_.size(); ++k) {
       const Eigen::Vector3d& point = object_.rim.points[rim_sample_[k]];
       const std::size_t nearest = in_rim_->nearest(k, similarity.inverse(point));
+      if (rim.horizon[nearest]) continue;
       const Eigen::Vector3d mapped = similarity * rim.points[nearest];
       if ((point - mapped).norm() > kReach * object_.size) continue;
       const Eigen::Vector3d outward = similarity.rotation * rim.outward[nearest];

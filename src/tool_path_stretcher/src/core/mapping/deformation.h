@@ -42,6 +42,10 @@ class DeformationGraph {
   /// The nodes that move a point. At least one, however far away it is.
   void influences(const Eigen::Vector3d& point, std::vector<Influence>& found) const;
 
+  /// How their weights change along a way [1/m].
+  std::vector<double> weight_slopes(const Eigen::Vector3d& point, const Eigen::Vector3d& way,
+                                    const std::vector<Influence>& influences) const;
+
   /// Where a point comes to lie that those nodes move.
   Eigen::Vector3d moved(const Eigen::Vector3d& point,
                         const std::vector<Influence>& influences) const;

@@ -21,6 +21,7 @@ DeformationGraph::DeformationGraph(const Points& points, double spacing) : spaci
 namespace {
 
 constexpr double kReach = 1.8;  // spacings: nodes beside each other, also across a cell; chosen
+constexpr double kStep = 1e-3;  // spacings, of central differences; chosen
 
 }  // namespace
 
@@ -55,6 +56,23 @@ void DeformationGraph::influences(const Eigen::Vector3d& point,
     influence.weight /= sum;
 }
 
+std::vector<double> DeformationGraph::weight_slopes(
+    const Eigen::Vector3d& point, const Eigen::Vector3d& way,
+    const std::vector<Influence>& influences) const {
+  std::vector<double> weights(nodes_.size(), 0);
+  std::vector<Influence> found;
+  const double step = kStep * spacing_;
+  for (const double side : {-1.0, 1.0}) {
+    this->influences(point + side * step * way, found);
+    for (const Influence& influence : found)
+      weights[influence.node] += side * influence.weight / (2 * step);
+  }
+  std::vector<double> slopes;
+  for (const Influence& influence : influences)
+    slopes.push_back(weights[influence.node]);
+  return slopes;
+}
+
 Eigen::Vector3d DeformationGraph::moved(const Eigen::Vector3d& point,
                                         const std::vector<Influence>& influences) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -74,7 +92,6 @@ Eigen::Vector3d DeformationGraph::displacement(const Eigen::Vector3d& point) con
 
 Eigen::Matrix3d DeformationGraph::jacobian(const Eigen::Vector3d& point) const {
   if (empty()) return Eigen::Matrix3d::Zero();
-  constexpr double kStep = 1e-3;  // spacings, of the central differences; chosen
   const double step = kStep * spacing_;
   Eigen::Matrix3d result;
   for (int axis = 0; axis < 3; ++axis) {

@@ -50,8 +50,10 @@ Anchors surface_anchors(const Surface& reference, const DeformationGraph& graph,
 
 Anchors rim_anchors(const Surface& reference, const DeformationGraph& graph) {
   Anchors anchors;
-  for (std::size_t i = 0; i < reference.rim.points.size(); ++i)
-    add_anchor(graph, reference.rim.points[i], reference.rim.outward[i], anchors);
+  const Rim& rim = reference.rim;
+  for (std::size_t i = 0; i < rim.points.size(); ++i) {
+    if (!rim.horizon[i]) add_anchor(graph, rim.points[i], rim.outward[i], anchors);
+  }
   return anchors;
 }
 

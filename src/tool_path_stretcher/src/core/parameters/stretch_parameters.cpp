@@ -98,6 +98,8 @@ void describe_deformation(ParameterTable& table, StretchParameters& p) {
   table.add("tolerance", p.tolerance, {1e-6, 1, "m"},
             "of an adapted waypoint from the scanned surface (at least a fifth of the spacings of "
             "both surfaces, summed)");
+  table.add("max_orientation_error", p.max_orientation_error, {1e-6, M_PI, "rad"},
+            "expected error of a waypoint's orientation, one standard deviation");
   table.add("max_deformation_ratio", p.max_deformation_ratio, {1e-6, 1},
             "of 95 % of the reference's surface from its own shape, as a share of the part's "
             "length, or it is the wrong part");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "placement/local_surface.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -42,11 +43,31 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
     if (!same_face || residual.beside > 0) continue;
     const Eigen::Vector3d offset = residual.pulled_back - local.base;
     const double near = 1 - neighbour.squared_distance / (radius_ * radius_);
-    heights.push_back(
-        {scale * Eigen::Vector2d(offset.dot(tangent), offset.dot(bitangent)),
-         scale * std::copysign(residual.along_normal, residual.along_normal * agreement), near});
+    const double sign = std::copysign(1.0, agreement);
+    const Eigen::Vector3d normal = sign * reference_.normals[residual.reference];
+    heights.push_back({scale * Eigen::Vector2d(offset.dot(tangent), offset.dot(bitangent)),
+                       scale * sign * residual.along_normal,
+                       near,
+                       scale * reference_.blur[residual.reference] + object_.blur[neighbour.index],
+                       {normal.dot(tangent), normal.dot(bitangent)}});
   }
+  weigh_down_edges(heights);
   return heights;
+}
+
+void LocalSurfaceFitter::weigh_down_edges(std::vector<Height>& heights) const {
+  constexpr double kDeviations = 3;  // the farthest of eight neighbours on a face
+  constexpr double kTypical = 2;     // medians: as on the rest of a curved face; chosen
+  constexpr double kExact = 1e-9;    // [m] a deviation above 0; chosen
+  std::vector<double> blurs;
+  for (const Height& each : heights)
+    blurs.push_back(each.blur);
+  const double noise = std::max(noise_, kExact);
+  const double usual = std::max(kDeviations * noise, kTypical * quantile(std::move(blurs), 0.5));
+  for (Height& each : heights) {
+    const double beyond = std::max(0.0, each.blur - usual);
+    each.weight *= noise * noise / (noise * noise + beyond * beyond);
+  }
 }
 
 namespace {
@@ -57,6 +78,18 @@ struct LinearFit {
   Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // of the normal equations
   double rms = 0;                                     // [m] weighted
 };
+
+/// How the plane through heights turns with a shift of the scan along the tangent plane.
+template <class Heights>
+Eigen::Matrix<double, 3, 2> fit_of_rises(const Heights& heights, double radius,
+                                         const Eigen::Matrix3d& inverse) {
+  Eigen::Matrix<double, 3, 2> right_sides = Eigen::Matrix<double, 3, 2>::Zero();
+  for (const auto& height : heights) {
+    const Eigen::Vector3d row(1, height.at.x() / radius, height.at.y() / radius);
+    right_sides += height.weight * row * height.rise.transpose();
+  }
+  return inverse * right_sides;
+}
 
 template <class Heights>
 LinearFit fit_linearly(const Heights& heights, double radius) {
@@ -94,6 +127,16 @@ LinearFit fit_linearly(const Heights& heights, double radius) {
   return fit;
 }
 
+/// Of each component.
+/// @param slopes of the fit with a shift of a metre in each of two ways
+/// @param covariance [m^2] of the shift; beyond the radius it is the mapping's, not the fit's
+double slope_variance_of_shift(const Eigen::Matrix2d& slopes, const Eigen::Matrix2d& covariance,
+                               double radius) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
+  const Eigen::Vector2d variances = solver.eigenvalues().cwiseMax(0).cwiseMin(radius * radius);
+  return (slopes * solver.eigenvectors() * variances.cwiseSqrt().asDiagonal()).squaredNorm() / 2;
+}
+
 }  // namespace
 
 LocalSurface LocalSurfaceFitter::far_from(const Eigen::Vector3d& point) const {
@@ -105,7 +148,8 @@ LocalSurface LocalSurfaceFitter::far_from(const Eigen::Vector3d& point) const {
   return local;
 }
 
-LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
+LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
+                                     const Eigen::Matrix3d& shift_covariance) const {
   LocalSurface local = far_from(point);
   const Eigen::Vector3d tangent = local.normal.unitOrthogonal();
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
@@ -127,6 +171,12 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point) const {
   local.height_variance = variance * (fit.inverse(0, 0) + kCommon);
   local.slope_variance =
       variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius_ * radius_);
+  Eigen::Matrix<double, 3, 2> ways;
+  ways << tangent, bitangent;
+  ways = mapping_.similarity.rotation * ways;
+  local.slope_variance +=
+      slope_variance_of_shift(fit_of_rises(heights, radius_, fit.inverse).bottomRows<2>() / radius_,
+                              ways.transpose() * shift_covariance * ways, radius_);
   // Points on one side only tell little of the height here, and those of two faces nothing.
   constexpr double kMaxLeverage = 0.5;  // of a point's variance in the height; chosen
   constexpr double kRough = 5;          // times the noise; chosen

@@ -20,7 +20,7 @@ struct LocalSurface {
   double height_variance = 0;  //!< [m^2]
   Eigen::Vector3d slope =
       Eigen::Vector3d::Zero();  //!< its gradient along the reference, in its frame
-  double slope_variance = 0;    //!< of each component
+  double slope_variance = 0;    //!< of each component, also of what a shift along it does
   double residual = 0;          //!< [m] RMS of the scanned points from the fitted surface
   std::size_t support = 0;      //!< scanned points
   Strangers::Beside strangers;  //!< scanned points beside it that are far off the reference
@@ -36,7 +36,9 @@ class LocalSurfaceFitter {
                      int min_support, double max_stranger);
 
   /// The surface beside `point` of the reference's space.
-  LocalSurface fit(const Eigen::Vector3d& point) const;
+  /// @param shift_covariance [m^2, object] of where the mapping puts that: along a surface that is
+  /// curved or has an edge, a shift looks like a slope
+  LocalSurface fit(const Eigen::Vector3d& point, const Eigen::Matrix3d& shift_covariance) const;
 
   /// The place of the reference nearest to `point`, which is too far away to learn of the scan from
   /// it.
@@ -44,14 +46,19 @@ class LocalSurfaceFitter {
 
  private:
   struct Height {
-    Eigen::Vector2d at;  // [m, object] in the tangent plane, from the base
-    double height;       // [m, object]
-    double weight;       // falls to zero at the radius
+    Eigen::Vector2d at;    // [m, object] in the tangent plane, from the base
+    double height;         // [m, object]
+    double weight;         // falls to zero at the radius, and beside an edge
+    double blur;           // [m, object] of both surfaces there
+    Eigen::Vector2d rise;  // of the height with a shift of the scan along the tangent plane
   };
 
   std::vector<Height> heights_of(const std::vector<KdTree::Neighbour>& neighbours,
                                  const LocalSurface& local, const Eigen::Vector3d& tangent,
                                  const Eigen::Vector3d& bitangent) const;
+
+  /// Sampling and grid leave open where a surface is beside an edge.
+  void weigh_down_edges(std::vector<Height>& heights) const;
 
   const Surface& reference_;
   const Surface& object_;

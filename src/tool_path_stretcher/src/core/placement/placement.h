@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "placement/mapping_error.h"
 #include "placement/strangers.h"
 #include "tool_path_stretcher/tool_path.h"
 #include "tool_path_stretcher/waypoint_quality.h"
@@ -20,9 +21,12 @@ struct PlacedHeight {
   double applied = 0;      //!< [m] as far as it was followed
   Eigen::Vector3d slope =
       Eigen::Vector3d::Zero();  //!< of the height along the surface, as far as it was followed
+  double tilt_variance = 0;     //!< [rad^2] of each component of the tilt that is left
   double signal_variance = 0;   //!< [m^2] of such heights along the path, beyond the noise
   double slope_variance = 0;    //!< of their slopes
   double hole = 0;              //!< [m] to the nearest scanned point
+  MappingError::Covariance covariance;  //!< of where the mapping puts the waypoint
+  Eigen::Matrix3d turn_covariance;      //!< [rad^2] of how it turns that
 };
 
 struct PlacementParameters {
@@ -48,6 +52,6 @@ struct Placement {
 /// surface was not scanned the correction is inferred from the neighbours along the path. In the
 /// air the mapping alone moves and turns it.
 Placement place(const ToolPath& path, const SurfacePair& surfaces, const Mapping& mapping,
-                const PlacementParameters& parameters);
+                const MappingError& mapping_error, const PlacementParameters& parameters);
 
 }  // namespace tool_path_stretcher

@@ -3,10 +3,12 @@
 #include "sight/seeable.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
 
+#include "geometry/kd_tree.h"
 #include "surface/complete_surface.h"
 
 namespace tool_path_stretcher {
@@ -59,6 +61,20 @@ class DepthImage {
   std::unordered_map<std::uint64_t, double> highest_;
 };
 
+/// Tells the edges of the surface from where only the sight of a part of it ends.
+void mark_horizon(const Surface& surface, Rim& rim) {
+  constexpr double kReach = 2;   // spacings: samples lie so far beside their edge; chosen
+  constexpr double kBent = 0.8;  // cosine: an edge bends by more than 37 degrees; chosen
+  std::vector<KdTree::Neighbour> neighbours;
+  for (std::size_t i = 0; i < rim.points.size(); ++i) {
+    const Eigen::Vector3d& normal = surface.normals[surface.tree->nearest(rim.points[i]).index];
+    surface.tree->within(rim.points[i], kReach * surface.spacing, neighbours);
+    rim.horizon[i] = std::all_of(neighbours.begin(), neighbours.end(), [&](const auto& each) {
+      return surface.normals[each.index].dot(normal) > kBent;
+    });
+  }
+}
+
 }  // namespace
 
 Surface seeable_part(const Surface& surface, const Points& directions) {
@@ -80,7 +96,9 @@ Surface seeable_part(const Surface& surface, const Points& directions) {
     part.points.push_back(surface.points[i]);
     part.normals.push_back(surface.normals[i]);
   }
-  if (!part.points.empty()) complete(part);
+  if (part.points.empty()) return part;
+  complete(part);
+  mark_horizon(surface, part.rim);
   return part;
 }
 

@@ -186,6 +186,7 @@ void complete(Surface& surface) {
     surface.rim.points.push_back(point);
     surface.rim.outward.push_back(outward);
     surface.rim.open.push_back(is_flat_at(surface.points, point, surface.normals[i], neighbours));
+    surface.rim.horizon.push_back(false);
   }
   surface.spacing = middle_of(spacings);
   if (!surface.rim.points.empty()) {

@@ -59,13 +59,14 @@ struct Found {
     }
   }
 
-  /// @param text how they are bad, with {} for the worst [mm]
+  /// @param text how they are bad, with {} for the worst
+  /// @param unit of that in the text, over the value's
   void refuse_if_any(Reason reason, const std::string& thing, const std::string& text,
-                     const std::string& cure) const {
+                     const std::string& cure, double unit = 1e-3) const {
     if (waypoints.empty()) return;
     refuse(reason, thing,
            fmt::format("{} of {} waypoints ", waypoints.size(), all) +
-               fmt::format(fmt::runtime(text), worst * 1e3),
+               fmt::format(fmt::runtime(text), worst / unit),
            cure, waypoints);
   }
 
@@ -181,6 +182,16 @@ void check_placement(const Placement& placement, const PlacementLimits& limits,
                      fmt::format("check the part, or raise max_displacement_ratio ({:.4g} % of "
                                  "the part's length, {:.4g} mm)",
                                  100 * parameters.max_displacement_ratio, max_displacement * 1e3));
+  constexpr double kDegree = M_PI / 180;
+  Found(quality, parameters.max_orientation_error,
+        [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_orientation; })
+      .refuse_if_any(
+          Reason::kOrientationUncertain, "adapted path",
+          "have an orientation that may be off by {:.3g} deg (one standard deviation)",
+          fmt::format("scan the surface beside them more densely and to both sides, or "
+                      "raise max_orientation_error ({:.4g} rad, {:.3g} deg)",
+                      parameters.max_orientation_error, parameters.max_orientation_error / kDegree),
+          kDegree);
 }
 
 }  // namespace tool_path_stretcher

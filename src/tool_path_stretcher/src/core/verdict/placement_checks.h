@@ -26,9 +26,9 @@ struct PlacementLimits {
   double length;   //!< [m, object] of the part, as length_of() has it
 };
 
-/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART. Where the surfaces are sparser than the
-/// parameters ask for, as much is allowed as they can show. Of waypoints in the air nothing is
-/// asked.
+/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART, ORIENTATION_UNCERTAIN. Where the surfaces are
+/// sparser than the parameters ask for, as much is allowed as they can show. Of waypoints in the
+/// air nothing is asked.
 void check_placement(const Placement& placement, const PlacementLimits& limits,
                      const StretchParameters& parameters);
 

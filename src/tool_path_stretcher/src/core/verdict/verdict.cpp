@@ -30,6 +30,8 @@ std::string to_string(Reason reason) {
       return "fold_over";
     case Reason::kMirroredPart:
       return "mirrored_part";
+    case Reason::kOrientationUncertain:
+      return "orientation_uncertain";
   }
   return "unknown";
 }

@@ -1,0 +1,16 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "placement/track.h"
+
+namespace tool_path_stretcher {
+
+/// [m, reference] that each waypoint of a segment is led over the surface; 0 for all where the
+/// segment has no stand-off.
+std::vector<double> stand_offs(const Segment& segment, const Track& track,
+                               const Surface& reference);
+
+}  // namespace tool_path_stretcher

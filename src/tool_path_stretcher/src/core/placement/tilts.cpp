@@ -1,0 +1,146 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "geometry/robust.h"
+#include "placement/corrections.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// Whether no edge lies between two waypoints.
+bool same_face(const Track& track, std::size_t one, std::size_t other) {
+  constexpr double kSameFace = 0.9;  // cosine: up to 26 degrees; chosen
+  return track.stations[one].surface.normal.dot(track.stations[other].surface.normal) > kSameFace;
+}
+
+/// A measured waypoint of one face, seen from another one.
+struct Seen {
+  double along;   // [widths] along the path
+  double weight;  // a Gaussian of that
+  const LocalSurface& surface;
+};
+
+std::vector<Seen> seen_from(const Track& track, std::size_t at, double width) {
+  constexpr double kReach = 3;  // widths: beyond, a Gaussian is near 0
+  std::vector<Seen> seen;
+  const Stretch near_by = around(track, at, kReach * width);
+  for (std::size_t i = near_by.begin; i < near_by.end; i += near_by.step) {
+    if (!track.stations[i].surface.measured || !same_face(track, i, at)) continue;
+    const double along = (track.arc_length[i] - track.arc_length[at]) / width;
+    seen.push_back({along, std::exp(-along * along / 2), track.stations[i].surface});
+  }
+  return seen;
+}
+
+/// A slope that changes evenly along the path.
+struct Trend {
+  Eigen::Vector3d here = Eigen::Vector3d::Zero();
+  Eigen::Vector3d change = Eigen::Vector3d::Zero();  // per width
+  double variance = 1;                               // of what is here, over that of one waypoint
+};
+
+/// By weighted least squares; without a change where the waypoints lie too close together for one.
+Trend trend_of(const std::vector<Seen>& seen) {
+  constexpr double kSpread = 0.1;  // widths squared, mean; chosen
+  Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
+  Eigen::Matrix<double, 2, 3> right_side = Eigen::Matrix<double, 2, 3>::Zero();
+  for (const Seen& each : seen) {
+    const Eigen::Vector2d row(1, each.along);
+    const double weight = each.weight / (each.surface.slope_variance + 1e-18);
+    matrix += weight * row * row.transpose();
+    right_side += weight * row * each.surface.slope.transpose();
+  }
+  if (matrix(0, 0) == 0) return {};
+  const double spread = matrix.determinant() / std::pow(matrix(0, 0), 2);
+  if (spread < kSpread) return {right_side.row(0) / matrix(0, 0), Eigen::Vector3d::Zero(), 1};
+  const Eigen::Matrix<double, 2, 3> solution = matrix.inverse() * right_side;
+  // Neighbours share scanned points: what they have in common is trusted no more than one of them,
+  // and less to one side of them.
+  return {solution.row(0), solution.row(1), matrix(0, 0) * matrix(1, 1) / matrix.determinant()};
+}
+
+/// A slope that neighbours along the path have in common.
+struct Slope {
+  Eigen::Vector3d here;
+  double variance;    // of each component
+  double signal;      // of each component, of the waypoints around: as in a dent
+  bool corroborated;  // by neighbours: one waypoint alone sees an edge rather than a dent
+};
+
+/// Of each component of the slopes that most of the waypoints around have, beyond their errors.
+double signal_around(const std::vector<Seen>& near) {
+  constexpr std::size_t kLeast = 5;       // waypoints; chosen
+  constexpr double kMedianOfTwo = 1.386;  // of a chi-square with two degrees of freedom
+  constexpr double kErrors = 4;           // variances: two standard deviations
+  if (near.size() < kLeast) return 0;
+  std::vector<double> squares, variances;
+  for (const Seen& each : near) {
+    squares.push_back(each.surface.slope.squaredNorm());
+    variances.push_back(each.surface.slope_variance);
+  }
+  return std::max(0.0, quantile(std::move(squares), 0.5) / kMedianOfTwo -
+                           kErrors * quantile(std::move(variances), 0.5));
+}
+
+Slope common_slope(const Track& track, std::size_t at, double width) {
+  constexpr double kNear = 0.1;      // of the weight of the waypoint itself; chosen
+  constexpr std::size_t kLeast = 3;  // waypoints that show it, itself too; chosen
+  const std::vector<Seen> seen = seen_from(track, at, width);
+  const Trend trend = trend_of(seen);
+  double misfit = 0;
+  double weights = 0;
+  for (const Seen& each : seen) {
+    const Eigen::Vector3d off = each.surface.slope - trend.here - each.along * trend.change;
+    misfit += each.weight * off.squaredNorm() / 2 / (each.surface.slope_variance + 1e-18);
+    weights += each.weight;
+  }
+  std::vector<Seen> near;
+  std::copy_if(seen.begin(), seen.end(), std::back_inserter(near),
+               [](const Seen& each) { return each.weight > kNear; });
+  // Less is trusted where they disagree (Birge 1932).
+  const double scatter = weights > 0 ? std::max(1.0, misfit / weights) : 1;
+  return {trend.here, scatter * trend.variance * track.stations[at].surface.slope_variance,
+          signal_around(near), near.size() >= kLeast};
+}
+
+/// @param before of each component of the slope, before it was measured
+Tilt measured_tilt(const Slope& slope, double before, bool follow) {
+  constexpr double kStandsOut = 9;  // variances: three standard deviations
+  constexpr double kMayBe = 4;      // two
+  const double signal = std::max(before, slope.signal);
+  const double square = slope.corroborated ? slope.here.squaredNorm() / 2 : 0;
+  const double taken =
+      follow ? followed(std::max(signal, square - kStandsOut * slope.variance), slope.variance) : 0;
+  const double likely =
+      followed(std::max(signal, square - kMayBe * slope.variance), slope.variance);
+  return {taken * slope.here,
+          likely * slope.variance + std::pow(likely - taken, 2) * slope.here.squaredNorm() / 2};
+}
+
+}  // namespace
+
+std::vector<Tilt> tilts_along(const Track& track, double width, const Signal& signal, bool follow) {
+  const std::vector<Neighbours> neighbours = measured_neighbours(track);
+  std::vector<Eigen::Vector3d> slopes(track.stations.size(), Eigen::Vector3d::Zero());
+  std::vector<Tilt> tilts(track.stations.size());
+  for (std::size_t i = 0; i < tilts.size(); ++i) {
+    if (!track.stations[i].surface.measured) continue;
+    const double before = track.stations[i].tilt_variance() + signal.slope_variance;
+    tilts[i] = measured_tilt(common_slope(track, i, width), before, follow);
+    slopes[i] = tilts[i].slope;
+  }
+  for (std::size_t i = 0; i < tilts.size(); ++i) {
+    if (track.stations[i].surface.measured) continue;
+    tilts[i].variance = track.stations[i].tilt_variance() + signal.slope_variance;
+    if (track.stations[i].in_air) continue;
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    tilts[i].variance += between(track, neighbours[i], i, none, slopes).squaredNorm() / 2;
+  }
+  return tilts;
+}
+
+}  // namespace tool_path_stretcher
