@@ -77,6 +77,7 @@ struct LinearFit {
   Eigen::Vector3d solution = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  // of the normal equations
   double rms = 0;                                     // [m] weighted
+  double points = 0;                                  // as many as count alike (Kish 1965)
 };
 
 /// How the plane through heights turns with a shift of the scan along the tangent plane.
@@ -116,13 +117,16 @@ LinearFit fit_linearly(const Heights& heights, double radius) {
       errors.push_back(height.height - row_of(height).dot(fit.solution));
     cut = kTukeyCut * robust_deviation(errors) + 1e-9;
     double weights = 1e-12;
+    double of_weights = 1e-24;
     double squares = 0;
     for (std::size_t k = 0; k < errors.size(); ++k) {
       const double weight = heights[k].weight * tukey_weight(errors[k], cut);
       weights += weight;
+      of_weights += weight * weight;
       squares += weight * errors[k] * errors[k];
     }
     fit.rms = std::sqrt(squares / weights);
+    fit.points = weights * weights / of_weights;
   }
   return fit;
 }
@@ -167,7 +171,9 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   local.slope = (fit.solution[1] * tangent + fit.solution[2] * bitangent) / radius_;
   // Errors of neighbouring points are not quite independent: part of the noise stays.
   constexpr double kCommon = 0.1 * 0.1;  // of the variance; chosen
-  const double variance = fit.rms * fit.rms;
+  constexpr double kFitted = 3;          // numbers of a plane
+  const double freedom = std::max(0.1, 1 - kFitted / fit.points);
+  const double variance = fit.rms * fit.rms / freedom;
   local.height_variance = variance * (fit.inverse(0, 0) + kCommon);
   local.slope_variance =
       variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius_ * radius_);
@@ -180,7 +186,8 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   // Points on one side only tell little of the height here, and those of two faces nothing.
   constexpr double kMaxLeverage = 0.5;  // of a point's variance in the height; chosen
   constexpr double kRough = 5;          // times the noise; chosen
-  local.measured = fit.inverse(0, 0) < kMaxLeverage && fit.rms < kRough * noise_;
+  local.measured =
+      fit.inverse(0, 0) < kMaxLeverage && fit.rms < kRough * noise_ && fit.points > kFitted + 1;
   return local;
 }
 
