@@ -16,7 +16,7 @@ namespace {
 
 constexpr Eigen::Index kUnknowns = GraphEquations::kUnknowns;
 // Of how far the nodes disagree; calibrated on parts as a line scanner sees them.
-constexpr double kInterpolatedPlace = 1;
+constexpr double kInterpolatedPlace = 0.6;
 constexpr double kInterpolatedTurn = 0.5;
 constexpr double kIndependentRims = 0.1;  // of their points: neighbours along an edge share errors
 
@@ -380,9 +380,8 @@ Eigen::Matrix3d MappingError::of_turn(const Eigen::Vector3d& point, const Eigen:
       one * (upward.transpose() * across.jacobian) - other * (upward.transpose() * along.jacobian) +
       0.5 * upward * (other.transpose() * along.jacobian - one.transpose() * across.jacobian);
   const Eigen::Vector3d pull = turning * pull_(along.unknowns);
-  const Eigen::Matrix3d rotation = mapping_.similarity.rotation / size_;
   return turning * covariance_(along.unknowns, along.unknowns) * turning.transpose() +
-         pull * pull.transpose() + rotation * slack_.topLeftCorner<3, 3>() * rotation.transpose() +
+         pull * pull.transpose() +
          kInterpolatedTurn * kInterpolatedTurn * disagreement_at(point).turn;
 }
 

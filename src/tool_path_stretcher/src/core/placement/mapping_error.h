@@ -24,7 +24,8 @@ class MappingError {
   };
   Covariance at(const Eigen::Vector3d& point) const;
 
-  /// [rad^2, object] of how the mapping turns the surface at a point.
+  /// [rad^2, object] of how the mapping turns the surface at a point. A part that slides along
+  /// itself takes the tool with it: that is in the covariance of its place.
   /// @param turn of the mapping there, as Mapping::turn() has it
   /// @param normal of the reference's surface
   Eigen::Matrix3d of_turn(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,

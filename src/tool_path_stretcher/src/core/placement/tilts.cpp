@@ -110,15 +110,11 @@ Slope common_slope(const Track& track, std::size_t at, double width) {
 /// @param before of each component of the slope, before it was measured
 Tilt measured_tilt(const Slope& slope, double before, bool follow) {
   constexpr double kStandsOut = 9;  // variances: three standard deviations
-  constexpr double kMayBe = 4;      // two
-  const double signal = std::max(before, slope.signal);
-  const double square = slope.corroborated ? slope.here.squaredNorm() / 2 : 0;
-  const double taken =
-      follow ? followed(std::max(signal, square - kStandsOut * slope.variance), slope.variance) : 0;
-  const double likely =
-      followed(std::max(signal, square - kMayBe * slope.variance), slope.variance);
-  return {taken * slope.here,
-          likely * slope.variance + std::pow(likely - taken, 2) * slope.here.squaredNorm() / 2};
+  const double square = slope.here.squaredNorm() / 2;
+  const double own = slope.corroborated ? square - kStandsOut * slope.variance : 0;
+  const double likely = followed(std::max({before, slope.signal, own}), slope.variance);
+  const double taken = follow ? likely : 0;
+  return {taken * slope.here, likely * slope.variance + std::pow(likely - taken, 2) * square};
 }
 
 }  // namespace
