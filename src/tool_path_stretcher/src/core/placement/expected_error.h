@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "placement/mapping_error.h"
 #include "placement/placement.h"
+#include "uncertainty/mapping_error.h"
 
 namespace tool_path_stretcher {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "placement/mapping_error.h"
 #include "placement/strangers.h"
 #include "tool_path_stretcher/tool_path.h"
 #include "tool_path_stretcher/waypoint_quality.h"
+#include "uncertainty/mapping_error.h"
 
 namespace tool_path_stretcher {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "placement/local_surface.h"
-#include "placement/mapping_error.h"
 #include "tool_path_stretcher/tool_path.h"
+#include "uncertainty/mapping_error.h"
 
 namespace tool_path_stretcher {
 

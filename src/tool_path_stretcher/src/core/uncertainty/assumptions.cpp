@@ -1,0 +1,78 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "uncertainty/assumptions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tool_path_stretcher {
+namespace {
+
+constexpr Eigen::Index kUnknowns = GraphEquations::kUnknowns;
+
+/// How far the links of a graph are strained, root mean square.
+struct Strain {
+  double along;   // stretched
+  double across;  // bent and sheared
+};
+
+/// How far the part may be strained where the scan does not show it: as far as it was seen to be,
+/// and a little even where it was not.
+Strain strain_of(const DeformationGraph& graph) {
+  constexpr double kMinAlong = 5e-4;   // of a length; chosen
+  constexpr double kMinAcross = 2e-3;  // of a length; chosen
+  constexpr double kWithin = 3;        // strain between two nodes over that of links; chosen
+  double along = 0;
+  double across = 0;
+  double count = 1;
+  for (const auto& [one, other] : graph.links()) {
+    const DeformationGraph::Node& from = graph.nodes()[one];
+    const DeformationGraph::Node& to = graph.nodes()[other];
+    const Eigen::Vector3d way = to.at - from.at;
+    const Eigen::Vector3d moved = way + to.shift - from.shift;
+    const Eigen::Vector3d error = moved - from.rotation * way;
+    along += std::pow(moved.norm() / way.norm() - 1, 2);
+    across += error.squaredNorm() / way.squaredNorm() / 2;
+    count += 1;
+  }
+  return {std::max(kMinAlong, kWithin * std::sqrt(along / count)),
+          std::max(kMinAcross, std::sqrt(across / count))};
+}
+
+/// The pose as a whole is known from before, if only to the size of the part: by the mean of the
+/// nodes' turns and shifts.
+void add_pose(const DeformationGraph& graph, double angle, double distance,
+              GraphEquations& equations) {
+  const auto nodes = static_cast<Eigen::Index>(graph.nodes().size());
+  for (Eigen::Index axis = 0; axis < kUnknowns; ++axis) {
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index i = 0; i < nodes; ++i)
+      columns.push_back(kUnknowns * i + axis);
+    const std::vector<double> shares(columns.size(), 1 / static_cast<double>(nodes));
+    equations.add_observation(columns, shares, 0, axis < 3 ? angle : distance);
+  }
+}
+
+}  // namespace
+
+PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, const Prior& prior) {
+  constexpr double kAnyAngle = 1;             // [rad] chosen
+  const double uniform = 1 / std::sqrt(3.0);  // of what may be anywhere up to a limit
+  if (!prior.pose) return {kAnyAngle, reference.size};
+  return {std::min(kAnyAngle, uniform * prior.pose->angle),
+          std::min(reference.size, uniform * prior.pose->distance / mapping.similarity.scale)};
+}
+
+NormalEquations assumptions(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
+                            const Eigen::Vector3d& centre) {
+  constexpr double kGrowth = 0.5;  // of the scale, one standard deviation; chosen
+  const Strain strain = strain_of(mapping.graph);
+  GraphEquations equations(mapping.graph, centre);
+  equations.add_rigidity(strain.along, strain.across);
+  equations.add_prior(prior.scale, mapping.similarity.scale);
+  equations.add_observation({equations.matrix().rows() - 1}, {1.0}, 0, kGrowth);
+  add_pose(mapping.graph, pose.angle, pose.distance, equations);
+  return {equations.matrix().selfadjointView<Eigen::Lower>(), equations.right_side()};
+}
+
+}  // namespace tool_path_stretcher
