@@ -58,6 +58,7 @@ struct Surface {
   /// most.
   std::vector<double> blur;
   double spacing = 0;                   //!< [m] typical distance of neighbouring points
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  //!< [m] of the points
   double size = 0;                      //!< [m] root mean square distance from the centroid
   std::shared_ptr<const KdTree> tree;   //!< of the points
   Samples samples;                      //!< of the points

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "alignment/refinement.h"
+#include "cores/by_index.h"
 #include "geometry/points.h"
 #include "placement/air.h"
 #include "placement/expected_error.h"
@@ -50,6 +52,25 @@ class Stages {
  private:
   const Progress& progress_;
   double from_, to_;
+};
+
+/// Tells how many of the equal parts of a stage are done, from any thread but one at a time.
+class Parts {
+ public:
+  /// @param from,to shares of the whole work, at its begin and end
+  Parts(const Stages& stages, std::string stage, double from, double to, std::size_t count)
+      : progress_(stages.within(std::move(stage), from, to)), count_(count) {}
+
+  void one_done() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    progress_(static_cast<double>(++done_) / static_cast<double>(count_));
+  }
+
+ private:
+  const AlignmentProgress progress_;
+  const std::size_t count_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
 };
 
 /// Mean square residual of both directions, each point counted up to what is noise, sampling or
@@ -171,7 +192,7 @@ class Adaptation {
         path_(waypoints_of(path, parameters.resample_spacing)),
         parameters_(parameters),
         stages_(stages),
-        centroid_(principal_frame(surfaces.reference.points).centroid),
+        centroid_(surfaces.reference.centroid),
         partial_(surfaces, parameters.prior) {}
 
   /// Fills in the result, and the mappings it chose from, as far as the work comes.
@@ -245,15 +266,18 @@ class Adaptation {
   std::vector<Fitted> sketched(const std::vector<Candidate>& candidates) const {
     constexpr double kHopeless = 5;  // times the cost of the best; chosen
     constexpr int kCoarse = 1;       // level of the graph
-    std::vector<Fitted> result;
+    std::vector<Similarity> hopeful;
     for (const Candidate& candidate : candidates) {
-      if (candidate.bulk_cost > kHopeless * candidates.front().bulk_cost) continue;
-      result.push_back(
-          explained(sketch_deformation(surfaces_, candidate.similarity, parameters_.prior.scale,
-                                       std::min(kCoarse, parameters_.deformation_level))));
-      stages_.report("refine", 0.5 + 0.1 * static_cast<double>(result.size()) /
-                                         static_cast<double>(candidates.size()));
+      if (candidate.bulk_cost <= kHopeless * candidates.front().bulk_cost)
+        hopeful.push_back(candidate.similarity);
     }
+    Parts parts(stages_, "refine", 0.5, 0.6, hopeful.size());
+    auto result = by_index<Fitted>(hopeful.size(), kSingly, [&](std::size_t i) {
+      Fitted sketch = explained(sketch_deformation(surfaces_, hopeful[i], parameters_.prior.scale,
+                                                   std::min(kCoarse, parameters_.deformation_level)));
+      parts.one_done();
+      return sketch;
+    });
     sort_best_first(result);
     return result;
   }
@@ -262,15 +286,15 @@ class Adaptation {
   void deform(std::vector<Fitted>& fitted) const {
     constexpr int kIterations = 30;  // at most; chosen
     const ScalePrior& scale = parameters_.prior.scale;
-    for (std::size_t i = 0; i < fitted.size(); ++i) {
+    Parts parts(stages_, "refine", 0.6, 0.7, fitted.size());
+    for_indices(fitted.size(), kSingly, [&](std::size_t i) {
       Similarity start = fitted[i].mapping.similarity;
       if (fitted[i].mapping.graph.empty())
         start = refine(surfaces_, start, scale, Density::kMany, kIterations);
       fitted[i] =
           explained(fit_deformation(surfaces_, start, scale, parameters_.deformation_level));
-      stages_.report("refine",
-                     0.6 + 0.1 * static_cast<double>(i + 1) / static_cast<double>(fitted.size()));
-    }
+      parts.one_done();
+    });
     sort_best_first(fitted);
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "cores/by_index.h"
 #include "geometry/kd_tree.h"
 #include "geometry/points.h"
 
@@ -34,12 +35,13 @@ Candidate judged(const SurfacePair& surfaces, const Similarity& similarity, Dens
     const double distance = similarity.scale * std::hypot(residual.along_normal, residual.beside);
     forth.push_back(std::pow(std::min(distance, cap), 2));
   }
-  std::vector<double> back;
-  for (const std::size_t i : reference.samples.of(density)) {
-    const double squared = object.tree->nearest(similarity * reference.points[i]).squared_distance;
+  const std::vector<std::size_t>& sample = reference.samples.of(density);
+  auto back = by_index<double>(sample.size(), kHundreds, [&](std::size_t k) {
+    const Eigen::Vector3d at = similarity * reference.points[sample[k]];
+    const double squared = object.tree->nearest(at).squared_distance;
     const double distance = std::max(0.0, std::sqrt(squared) - object.spacing);
-    back.push_back(std::pow(std::min(distance, cap), 2));
-  }
+    return std::pow(std::min(distance, cap), 2);
+  });
   const double of_reference = mean_of_least(back, kReferenceShare);
   const double unresolved = std::pow(resolution(surfaces, similarity.scale), 2);
   Candidate candidate{similarity};

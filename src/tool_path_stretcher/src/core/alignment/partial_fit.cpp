@@ -31,51 +31,53 @@ PartialFit::PartialFit(const SurfacePair& surfaces, const CoarsePair& coarse,
       size_(surfaces.object.size),
       scales_(scales) {}
 
-void PartialFit::improve(Candidate& candidate, int iterations, std::size_t stride) {
-  candidate.cost = match(candidate.similarity, stride);
-  for (int i = 0; i < iterations && move(candidate.similarity); ++i)
-    candidate.cost = match(candidate.similarity, stride);
+void PartialFit::improve(Candidate& candidate, int iterations, std::size_t stride) const {
+  std::vector<Pair> pairs;
+  candidate.cost = match(candidate.similarity, stride, pairs);
+  for (int i = 0; i < iterations && move(pairs, candidate.similarity); ++i)
+    candidate.cost = match(candidate.similarity, stride, pairs);
 }
 
-double PartialFit::match(const Similarity& similarity, std::size_t stride) {
-  pairs_.clear();
+double PartialFit::match(const Similarity& similarity, std::size_t stride,
+                         std::vector<Pair>& pairs) const {
+  pairs.clear();
   PartialCost cost(size_);
   const Points& object_points = object_.coarse.queries;
   for (std::size_t i = 0; i < object_points.size(); i += stride) {
     const auto found = reference_.find(similarity.inverse(object_points[i]));
     if (!found) continue;
     cost.add(similarity.scale * found->off);
-    pairs_.push_back({found->point, object_points[i], similarity.scale * found->distance});
+    pairs.push_back({found->point, object_points[i], similarity.scale * found->distance});
   }
-  const std::size_t forth = pairs_.size();
+  const std::size_t forth = pairs.size();
   const Points& reference_points = reference_.coarse.queries;
   for (std::size_t i = 0; i < reference_points.size(); i += stride) {
     const auto found = object_.find(similarity * reference_points[i]);
     if (!found) continue;
     cost.add(found->off);
-    pairs_.push_back({reference_points[i], found->point, found->distance});
+    pairs.push_back({reference_points[i], found->point, found->distance});
   }
   const double all_forth =
       std::ceil(static_cast<double>(object_points.size()) / static_cast<double>(stride));
   const double all_back =
       std::ceil(static_cast<double>(reference_points.size()) / static_cast<double>(stride));
   const double known = std::min(static_cast<double>(forth) / all_forth,
-                                static_cast<double>(pairs_.size() - forth) / all_back);
+                                static_cast<double>(pairs.size() - forth) / all_back);
   return known < kLeastKnown ? std::numeric_limits<double>::infinity()
                              : cost.of(all_forth + all_back);
 }
 
-bool PartialFit::move(Similarity& similarity) {
+bool PartialFit::move(std::vector<Pair>& pairs, Similarity& similarity) const {
   constexpr double kShare = 0.85;      // of the pairs; chosen
   constexpr std::size_t kFewest = 20;  // pairs; chosen
-  if (pairs_.size() < kFewest) return false;
+  if (pairs.size() < kFewest) return false;
   const auto end =
-      pairs_.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(pairs_.size()));
-  std::nth_element(pairs_.begin(), end, pairs_.end(),
+      pairs.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(pairs.size()));
+  std::nth_element(pairs.begin(), end, pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
   Points from;
   Points to;
-  for (auto pair = pairs_.begin(); pair != end; ++pair) {
+  for (auto pair = pairs.begin(); pair != end; ++pair) {
     from.push_back(pair->reference);
     to.push_back(pair->object);
   }

@@ -15,7 +15,7 @@ class PartialFit {
 
   /// Moves the pose up to so often, and sets its cost; infinite where too little is known of both.
   /// @param stride of the points looked up: every one, every second ...
-  void improve(Candidate& candidate, int iterations, std::size_t stride);
+  void improve(Candidate& candidate, int iterations, std::size_t stride) const;
 
  private:
   /// A thinned surface, and where it ends.
@@ -44,16 +44,15 @@ class PartialFit {
   };
 
   /// Pairs what is known. The cost of the similarity, of every `stride`-th point.
-  double match(const Similarity& similarity, std::size_t stride);
+  double match(const Similarity& similarity, std::size_t stride, std::vector<Pair>& pairs) const;
 
   /// Moves the similarity by the nearer pairs. False: there are too few.
-  bool move(Similarity& similarity);
+  bool move(std::vector<Pair>& pairs, Similarity& similarity) const;
 
   Side reference_;
   Side object_;
   double size_;
   ScaleRange scales_;
-  std::vector<Pair> pairs_;
 };
 
 }  // namespace tool_path_stretcher

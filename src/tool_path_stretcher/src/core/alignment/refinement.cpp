@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cores/by_index.h"
 #include "geometry/nearest_cache.h"
 #include "geometry/points.h"
 #include "geometry/robust.h"
@@ -28,18 +29,19 @@ struct Constraint {
 };
 using Constraints = std::vector<Constraint>;
 
-/// Adds the way from a mapped reference point to an object point along the first normal, where the
-/// two may be the same place: beside each other by little, and on surfaces that face alike.
-void add_pair(const Eigen::Vector3d& mapped, const Eigen::Vector3d& object,
-              const Eigen::Vector3d& normal, const Eigen::Vector3d& other_normal, double spacing,
-              Constraints& constraints) {
+/// The way from a mapped reference point to an object point along the first normal, where the two
+/// may be the same place: beside each other by little, and on surfaces that face alike.
+std::optional<Constraint> pair_of(const Eigen::Vector3d& mapped, const Eigen::Vector3d& object,
+                                  const Eigen::Vector3d& normal,
+                                  const Eigen::Vector3d& other_normal, double spacing) {
   constexpr double kReach = 4;         // spacings; chosen
   constexpr double kFacesAlike = 0.7;  // cosine: up to 46 degrees; chosen
-  if (std::abs(normal.dot(other_normal)) < kFacesAlike) return;
+  if (std::abs(normal.dot(other_normal)) < kFacesAlike) return {};
   const Eigen::Vector3d way = object - mapped;
   const double along = normal.dot(way);
   const double beside = (way - along * normal).norm();
-  if (beside < kReach * spacing) constraints.push_back({mapped, normal, along});
+  if (beside >= kReach * spacing) return {};
+  return Constraint{mapped, normal, along};
 }
 
 /// Pairs the points of two surfaces, in both directions, as the one is moved towards the other.
@@ -59,29 +61,23 @@ class Pairing {
   }
 
   Constraints object_to_reference(const Similarity& similarity) {
-    Constraints constraints;
-    constraints.reserve(object_sample_.size());
-    for (std::size_t k = 0; k < object_sample_.size(); ++k) {
+    return all_of<Constraint>(object_sample_.size(), kHundreds, [&](std::size_t k) {
       const std::size_t i = object_sample_[k];
       const std::size_t nearest = in_reference_.nearest(k, similarity.inverse(object_.points[i]));
-      add_pair(similarity * reference_.points[nearest], object_.points[i],
-               similarity.rotation * reference_.normals[nearest], object_.normals[i],
-               similarity.scale * reference_.spacing, constraints);
-    }
-    return constraints;
+      return pair_of(similarity * reference_.points[nearest], object_.points[i],
+                     similarity.rotation * reference_.normals[nearest], object_.normals[i],
+                     similarity.scale * reference_.spacing);
+    });
   }
 
   Constraints reference_to_object(const Similarity& similarity) {
-    Constraints constraints;
-    constraints.reserve(reference_sample_.size());
-    for (std::size_t k = 0; k < reference_sample_.size(); ++k) {
+    return all_of<Constraint>(reference_sample_.size(), kHundreds, [&](std::size_t k) {
       const std::size_t i = reference_sample_[k];
       const Eigen::Vector3d mapped = similarity * reference_.points[i];
       const std::size_t nearest = in_object_.nearest(k, mapped);
-      add_pair(mapped, object_.points[nearest], object_.normals[nearest],
-               similarity.rotation * reference_.normals[i], object_.spacing, constraints);
-    }
-    return constraints;
+      return pair_of(mapped, object_.points[nearest], object_.normals[nearest],
+                     similarity.rotation * reference_.normals[i], object_.spacing);
+    });
   }
 
   /// The object's rim should lie on the reference's, but may slide along it.
@@ -210,7 +206,7 @@ Similarity refine(const SurfacePair& surfaces, Similarity start, const ScalePrio
   constexpr double kConverged = 0.01;  // of the residuals' deviation: their mean is known no better
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   const Surface& object = surfaces.object;
-  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
+  const Eigen::Vector3d centre = object.centroid;
   // Where there is no noise the faces fit far better than edges and holes do, sampled as they are:
   // those must not be taken for outliers, for they may be all that shows a turn.
   const double least = resolution(surfaces, start.scale);
@@ -249,7 +245,7 @@ std::array<Vector7d, 2> weakest_motions(const SurfacePair& surfaces, const Simil
 
 std::vector<Similarity> slides(const SurfacePair& surfaces, const Similarity& similarity,
                                double step) {
-  const Eigen::Vector3d centre = principal_frame(surfaces.object.points).centroid;
+  const Eigen::Vector3d centre = surfaces.object.centroid;
   std::vector<Similarity> result;
   for (const Vector7d& motion : weakest_motions(surfaces, similarity, centre)) {
     result.push_back(moved(similarity, centre, step * motion));
@@ -261,7 +257,7 @@ std::vector<Similarity> slides(const SurfacePair& surfaces, const Similarity& si
 std::vector<Axis> freest_axes(const SurfacePair& surfaces, const Similarity& similarity) {
   constexpr double kTurns = 0.7;  // of a motion of one: more a turn than a shift
   const Surface& object = surfaces.object;
-  const Eigen::Vector3d centre = principal_frame(object.points).centroid;
+  const Eigen::Vector3d centre = object.centroid;
   std::vector<Axis> axes;
   for (const Vector7d& motion : weakest_motions(surfaces, similarity, centre)) {
     const Eigen::Vector3d turn = motion.head<3>();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace tool_path_stretcher {
 
 /// Nearest points of a fixed set, to within the size of a cell: of each cell of space the point
 /// nearest to its middle is looked up once, when it is first asked for. Far cheaper than a tree for
-/// poses that are only roughly right.
+/// poses that are only roughly right. May be asked from several threads at once.
 class NearestGrid {
  public:
   /// The set must not be empty.
@@ -28,26 +29,29 @@ class NearestGrid {
     corner_ = box.min() - Eigen::Vector3d::Constant(kMargin * longest);
     const Eigen::Vector3d sizes = box.sizes() + Eigen::Vector3d::Constant(2 * kMargin * longest);
     counts_ = (sizes / edge_).array().ceil().cast<int>().max(1);
-    known_.assign(static_cast<std::size_t>(counts_.x()) * static_cast<std::size_t>(counts_.y()) *
-                      static_cast<std::size_t>(counts_.z()),
-                  kUnknown);
+    known_ = std::vector<std::atomic<std::uint32_t>>(static_cast<std::size_t>(counts_.x()) *
+                                                     static_cast<std::size_t>(counts_.y()) *
+                                                     static_cast<std::size_t>(counts_.z()));
   }
 
   const Points& points() const { return tree_.points(); }
 
   std::size_t nearest(const Eigen::Vector3d& query) {
     const Eigen::Array3i at = cell_of(query);
-    std::uint32_t& known =
+    std::atomic<std::uint32_t>& known =
         known_[static_cast<std::size_t>((at.z() * counts_.y() + at.y()) * counts_.x() + at.x())];
-    if (known == kUnknown) {
-      known = static_cast<std::uint32_t>(
-          tree_.nearest(corner_ + edge_ * (at.cast<double>() + 0.5).matrix()).index);
+    // Two threads that both miss it find the same.
+    std::uint32_t number = known.load(std::memory_order_relaxed);
+    if (number == kUnknown) {
+      number = 1 + static_cast<std::uint32_t>(
+                       tree_.nearest(corner_ + edge_ * (at.cast<double>() + 0.5).matrix()).index);
+      known.store(number, std::memory_order_relaxed);
     }
-    return known;
+    return number - 1;
   }
 
  private:
-  static constexpr std::uint32_t kUnknown = 0xffffffff;
+  static constexpr std::uint32_t kUnknown = 0;
 
   /// The cell at the border for what lies outside; the first for what is not a number.
   Eigen::Array3i cell_of(const Eigen::Vector3d& query) const {
@@ -63,7 +67,7 @@ class NearestGrid {
   Eigen::Vector3d corner_;
   double edge_;
   Eigen::Array3i counts_;
-  std::vector<std::uint32_t> known_;
+  std::vector<std::atomic<std::uint32_t>> known_;  // of each cell, the point's index and 1
 };
 
 }  // namespace tool_path_stretcher

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "cores/by_index.h"
 #include "geometry/kd_tree.h"
 #include "geometry/nearest_cache.h"
 #include "geometry/points.h"
@@ -35,26 +37,27 @@ Target target_of(const Surface& object) {
 
 using Anchors = std::vector<GraphAnchor>;
 
-void add_anchor(const DeformationGraph& graph, const Eigen::Vector3d& at,
-                const Eigen::Vector3d& along, Anchors& anchors) {
-  anchors.push_back({at, along, {}});
-  graph.influences(at, anchors.back().influences);
+GraphAnchor anchor_of(const DeformationGraph& graph, const Eigen::Vector3d& at,
+                      const Eigen::Vector3d& along) {
+  GraphAnchor anchor{at, along, {}};
+  graph.influences(at, anchor.influences);
+  return anchor;
 }
 
 Anchors surface_anchors(const Surface& reference, const DeformationGraph& graph, Density density) {
-  Anchors anchors;
-  for (const std::size_t i : reference.samples.of(density))
-    add_anchor(graph, reference.points[i], reference.normals[i], anchors);
-  return anchors;
+  const std::vector<std::size_t>& sample = reference.samples.of(density);
+  return by_index<GraphAnchor>(sample.size(), kHundreds, [&](std::size_t k) {
+    return anchor_of(graph, reference.points[sample[k]], reference.normals[sample[k]]);
+  });
 }
 
 Anchors rim_anchors(const Surface& reference, const DeformationGraph& graph) {
-  Anchors anchors;
   const Rim& rim = reference.rim;
-  for (std::size_t i = 0; i < rim.points.size(); ++i) {
-    if (!rim.horizon[i]) add_anchor(graph, rim.points[i], rim.outward[i], anchors);
-  }
-  return anchors;
+  return all_of<GraphAnchor>(
+      rim.points.size(), kHundreds, [&](std::size_t i) -> std::optional<GraphAnchor> {
+        if (rim.horizon[i]) return {};
+        return anchor_of(graph, rim.points[i], rim.outward[i]);
+      });
 }
 
 /// That an anchor should move by `along` [m, object] in a direction of the object's frame.
@@ -72,39 +75,37 @@ constexpr double kFacesAlike = 0.7;  // cosine: up to 46 degrees; chosen
 Constraints along_normals(const Anchors& anchors, const Surface& object, const Target& target,
                           const Mapping& mapping, NearestCache& in_target) {
   constexpr double kReach = 3;  // spacings; chosen
-  Constraints constraints;
-  constraints.reserve(anchors.size());
-  for (std::size_t i = 0; i < anchors.size(); ++i) {
+  const auto of_anchor = [&](std::size_t i) -> std::optional<GraphConstraint> {
     const GraphAnchor& anchor = anchors[i];
     const Eigen::Vector3d mapped =
         mapping.similarity * mapping.graph.moved(anchor.at, anchor.influences);
     const std::size_t nearest = in_target.nearest(i, mapped);
     const Eigen::Vector3d& normal = target.normals[nearest];
-    if (std::abs(normal.dot(mapping.similarity.rotation * anchor.along)) < kFacesAlike) continue;
+    if (std::abs(normal.dot(mapping.similarity.rotation * anchor.along)) < kFacesAlike) return {};
     const Eigen::Vector3d way = target.points[nearest] - mapped;
     const double along = normal.dot(way);
-    if ((way - along * normal).norm() > kReach * object.spacing) continue;
-    constraints.push_back(constraint_of(anchor, mapped, normal, along, mapping.similarity));
-  }
-  return constraints;
+    if ((way - along * normal).norm() > kReach * object.spacing) return {};
+    return constraint_of(anchor, mapped, normal, along, mapping.similarity);
+  };
+  return all_of<GraphConstraint>(anchors.size(), kHundreds, of_anchor);
 }
 
 /// From the reference's rim to the object's, across it.
 Constraints along_rims(const Anchors& anchors, const Surface& object, const Mapping& mapping) {
   constexpr double kReach = 0.05;  // of the object's size; chosen
-  Constraints constraints;
-  if (!object.rim.tree) return constraints;
-  for (const GraphAnchor& anchor : anchors) {
+  if (!object.rim.tree) return {};
+  const auto of_anchor = [&](std::size_t i) -> std::optional<GraphConstraint> {
+    const GraphAnchor& anchor = anchors[i];
     const Eigen::Vector3d mapped =
         mapping.similarity * mapping.graph.moved(anchor.at, anchor.influences);
     const auto nearest = object.rim.tree->nearest(mapped);
-    if (nearest.squared_distance > std::pow(kReach * object.size, 2)) continue;
+    if (nearest.squared_distance > std::pow(kReach * object.size, 2)) return {};
     const Eigen::Vector3d& outward = object.rim.outward[nearest.index];
-    if (outward.dot(mapping.similarity.rotation * anchor.along) < kFacesAlike) continue;
+    if (outward.dot(mapping.similarity.rotation * anchor.along) < kFacesAlike) return {};
     const double along = outward.dot(object.rim.points[nearest.index] - mapped);
-    constraints.push_back(constraint_of(anchor, mapped, outward, along, mapping.similarity));
-  }
-  return constraints;
+    return constraint_of(anchor, mapped, outward, along, mapping.similarity);
+  };
+  return all_of<GraphConstraint>(anchors.size(), kHundreds, of_anchor);
 }
 
 double deviation_of(const Constraints& constraints) {
@@ -131,7 +132,7 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
   constexpr double kWidest = 0.02;       // of the reference's size; chosen
   constexpr double kRimDeviation = 0.5;  // spacings: how far inside its rim a surface is sampled
   const auto& [reference, object] = surfaces;
-  const Eigen::Vector3d centre = principal_frame(reference.points).centroid;
+  const Eigen::Vector3d centre = reference.centroid;
   const Anchors surface = surface_anchors(reference, mapping.graph, density);
   const Anchors rim = rim_anchors(reference, mapping.graph);
   NearestCache in_target(*target.tree, surface.size());
@@ -259,11 +260,12 @@ bool swelled(const SurfacePair& surfaces, const Justified& bent, const Justified
 Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                         const ScalePrior& scale, int finest_level) {
   const Trial trial = trial_of(surfaces, similarity);
-  const auto justified = [&](const GraphKind& kind) {
-    return justified_deformation(surfaces, similarity, scale, finest_level, kind, trial);
-  };
-  const Justified bent = justified(kBending);
-  const Justified swollen = justified(kSwelling);
+  const auto justified = by_index<Justified>(2, kSingly, [&](std::size_t i) {
+    return justified_deformation(surfaces, similarity, scale, finest_level,
+                                 i == 0 ? kBending : kSwelling, trial);
+  });
+  const Justified& bent = justified[0];
+  const Justified& swollen = justified[1];
   const bool has_swelled = swelled(surfaces, bent, swollen);
   const Mapping& best = has_swelled ? swollen.mapping : bent.mapping;
   if (best.graph.empty()) return best;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cores/by_index.h"
 #include "geometry/kd_tree.h"
 #include "geometry/robust.h"
 
@@ -27,29 +28,36 @@ FromScan from_scan(const Surface& object, const Eigen::Vector3d& point) {
   return {known ? std::abs(along) : std::numeric_limits<double>::quiet_NaN(), nearest.index};
 }
 
+/// To be filled in for the surface's sample.
+Distances distances_of(const Surface& surface) {
+  const std::vector<double> none(surface.samples.most.size());
+  return {none, none, surface.samples.patch};
+}
+
 Distances object_distances(const SurfacePair& surfaces, const Mapping& mapping) {
   const auto& [reference, object] = surfaces;
-  Distances distances;
-  distances.patch = object.samples.patch;
+  const std::vector<std::size_t>& sample = object.samples.most;
+  Distances distances = distances_of(object);
   const double scale = mapping.similarity.scale;
-  for (const std::size_t i : object.samples.most) {
+  for_indices(sample.size(), kHundreds, [&](std::size_t k) {
+    const std::size_t i = sample[k];
     const Residual residual = residual_of(reference, mapping, object.points[i]);
-    distances.off.push_back(scale * std::hypot(residual.along_normal, residual.beside));
-    distances.blur.push_back(scale * reference.blur[residual.reference] + object.blur[i]);
-  }
+    distances.off[k] = scale * std::hypot(residual.along_normal, residual.beside);
+    distances.blur[k] = scale * reference.blur[residual.reference] + object.blur[i];
+  });
   return distances;
 }
 
 Distances reference_distances(const SurfacePair& surfaces, const Mapping& mapping) {
   const auto& [reference, object] = surfaces;
-  Distances distances;
-  distances.patch = reference.samples.patch;
-  for (const std::size_t i : reference.samples.most) {
+  const std::vector<std::size_t>& sample = reference.samples.most;
+  Distances distances = distances_of(reference);
+  for_indices(sample.size(), kHundreds, [&](std::size_t k) {
+    const std::size_t i = sample[k];
     const FromScan from = from_scan(object, mapping * reference.points[i]);
-    distances.off.push_back(from.off);
-    distances.blur.push_back(mapping.similarity.scale * reference.blur[i] +
-                             object.blur[from.nearest]);
-  }
+    distances.off[k] = from.off;
+    distances.blur[k] = mapping.similarity.scale * reference.blur[i] + object.blur[from.nearest];
+  });
   return distances;
 }
 
@@ -106,11 +114,9 @@ Residual residual_of(const Surface& reference, const Mapping& mapping,
 
 std::vector<Residual> residuals_of(const Surface& reference, const Mapping& mapping,
                                    const Points& object_points) {
-  std::vector<Residual> residuals;
-  residuals.reserve(object_points.size());
-  for (const Eigen::Vector3d& point : object_points)
-    residuals.push_back(residual_of(reference, mapping, point));
-  return residuals;
+  return by_index<Residual>(object_points.size(), kHundreds, [&](std::size_t i) {
+    return residual_of(reference, mapping, object_points[i]);
+  });
 }
 
 Explanation explain(const SurfacePair& surfaces, const Mapping& mapping, double inlier_distance) {

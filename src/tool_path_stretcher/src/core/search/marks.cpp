@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "alignment/refinement.h"
+#include "cores/by_index.h"
 #include "geometry/kd_tree.h"
 #include "geometry/robust.h"
 #include "mapping/residuals.h"
@@ -46,15 +47,13 @@ class Marks {
         return found.distance > std::max(least, found.blur + blur);
       });
     };
-    for (const std::size_t i : object_.samples.many) {
-      if (tells([&](const Similarity& each) { return forth(each, i); }, object_.blur[i]))
-        of_object_.push_back(i);
-    }
-    for (const std::size_t i : reference_.samples.many) {
-      if (tells([&](const Similarity& each) { return back(each, i); },
-                pose.scale * reference_.blur[i]))
-        of_reference_.push_back(i);
-    }
+    of_object_ = those_of(object_.samples.many, [&](std::size_t i) {
+      return tells([&](const Similarity& each) { return forth(each, i); }, object_.blur[i]);
+    });
+    of_reference_ = those_of(reference_.samples.many, [&](std::size_t i) {
+      return tells([&](const Similarity& each) { return back(each, i); },
+                   pose.scale * reference_.blur[i]);
+    });
     share_ = static_cast<double>(count()) /
              static_cast<double>(object_.samples.many.size() + reference_.samples.many.size());
     thin(of_object_);
@@ -88,6 +87,19 @@ class Marks {
   }
 
  private:
+  /// The points for which a condition holds.
+  template <class Condition>
+  static std::vector<std::size_t> those_of(const std::vector<std::size_t>& points,
+                                           const Condition& condition) {
+    const auto holds = by_index<char>(points.size(), kHundreds,
+                                      [&](std::size_t i) { return condition(points[i]); });
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (holds[i]) result.push_back(points[i]);
+    }
+    return result;
+  }
+
   static void thin(std::vector<std::size_t>& points) {
     constexpr std::size_t kMost = 400;  // chosen: keeps the sweep short
     if (points.size() <= kMost) return;
@@ -140,9 +152,9 @@ std::vector<Turn> fitting_turns(const Marks& marks, double spacing) {
   constexpr double kClear = 0.8;       // of the median cost; chosen
   const auto steps =
       std::clamp(static_cast<std::size_t>(2 * M_PI * marks.radius() / spacing), kFewest, kMost);
-  std::vector<double> costs;
-  for (std::size_t i = 0; i < steps; ++i)
-    costs.push_back(marks.cost(2 * M_PI * static_cast<double>(i) / static_cast<double>(steps)));
+  const auto costs = by_index<double>(steps, kSingly, [&](std::size_t i) {
+    return marks.cost(2 * M_PI * static_cast<double>(i) / static_cast<double>(steps));
+  });
   const double clear = kClear * quantile(costs, 0.5);
   std::vector<Turn> turns;
   for (std::size_t i = kWindow; i < steps; ++i) {  // those about zero are the pose itself

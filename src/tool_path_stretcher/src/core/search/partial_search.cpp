@@ -50,7 +50,8 @@ const std::vector<Candidate>& PartialSearch::fits() {
 std::vector<Candidate> PartialSearch::search() {
   constexpr std::size_t kProbes = 30;  // points; chosen
   const CoarsePair coarse(surfaces_);
-  PartialFit fit(surfaces_, coarse, prior_.scale.range());
+  const PartialFit fit(surfaces_, coarse, prior_.scale.range());
+  const Comparison& compare = comparison();
   const Eigen::Vector3d& middle = coarse.reference.frame.centroid;
   const auto improve = [&](const Round& round, Candidate& each) {
     if (!round.density) {
@@ -63,7 +64,7 @@ std::vector<Candidate> PartialSearch::search() {
       fit.improve(each, 0, round.stride);
       return true;
     }
-    each.agreement = agreement({each.similarity, {}});
+    each.agreement = compare.under({each.similarity, {}});
     each.cost = each.agreement->cost;
     return each.agreement->known >= kLeastKnown && is_sane(each.similarity.scale) &&
            prior_.allows(each.similarity, middle);
@@ -87,8 +88,12 @@ std::vector<Candidate> PartialSearch::search() {
 }
 
 Agreement PartialSearch::agreement(const Mapping& mapping) {
+  return comparison().under(mapping);
+}
+
+const Comparison& PartialSearch::comparison() {
   if (!comparison_) comparison_.emplace(surfaces_);
-  return comparison_->under(mapping);
+  return *comparison_;
 }
 
 bool PartialSearch::is_certain() {

@@ -25,6 +25,7 @@ class PartialSearch {
 
  private:
   std::vector<Candidate> search();
+  const Comparison& comparison();
   bool agrees_to_the_noise(const Candidate& best) const;
 
   const SurfacePair surfaces_;

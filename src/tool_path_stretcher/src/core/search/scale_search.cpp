@@ -43,7 +43,7 @@ struct Scored {
 /// Tries scale (1 + range i / steps), i = -steps .. steps, both ends included.
 Scored sweep(const SurfacePair& surfaces, const Similarity& start, double scale, double range,
              int steps, double inlier_distance) {
-  const Eigen::Vector3d centre = principal_frame(surfaces.object.points).centroid;
+  const Eigen::Vector3d centre = surfaces.object.centroid;
   Scored best;
   for (int i = -steps; i <= steps; ++i) {
     const double tried = scale * (1 + range * i / static_cast<double>(steps));

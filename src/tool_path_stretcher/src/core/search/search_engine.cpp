@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cores/by_index.h"
+
 namespace tool_path_stretcher {
 namespace {
 
@@ -24,9 +26,13 @@ void drop_hopeless(double hopeless, double best, std::vector<Candidate>& candida
 }  // namespace
 
 void SearchEngine::improve(const Round& round, std::vector<Candidate>& candidates) const {
+  const std::size_t grain = round.density ? kSingly : kDozens;
+  const auto allowed = by_index<char>(candidates.size(), grain, [&](std::size_t i) {
+    return improve_(round, candidates[i]);
+  });
   std::vector<Candidate> improved;
-  for (Candidate& each : candidates) {
-    if (improve_(round, each)) improved.push_back(std::move(each));
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (allowed[i]) improved.push_back(std::move(candidates[i]));
   }
   candidates = std::move(improved);
 }

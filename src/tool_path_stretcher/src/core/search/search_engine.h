@@ -18,7 +18,8 @@ struct FoundPoses {
 /// Runs the rounds of a search.
 class SearchEngine {
  public:
-  /// Improves a pose as a round says, and rates it. False: it contradicts what is known.
+  /// Improves a pose as a round says, and rates it. False: it contradicts what is known. Called for
+  /// several poses at once.
   using Improve = std::function<bool(const Round& round, Candidate& candidate)>;
 
   /// @param probes points of the reference by which poses are told apart [m]

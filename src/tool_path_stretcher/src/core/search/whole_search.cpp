@@ -4,6 +4,7 @@
 
 #include "alignment/coarse_fit.h"
 #include "alignment/refinement.h"
+#include "cores/by_index.h"
 #include "search/candidates.h"
 #include "search/guesses.h"
 #include "search/search_engine.h"
@@ -58,8 +59,11 @@ class WholeSearch {
     }
     std::vector<Similarity> promising;
     const double cost = cost_as_it_is(best);
-    for (const Similarity& turned : turned_in_itself(coarse_.reference.frame, best)) {
-      if (cost_as_it_is(turned) < kHopeless * cost) promising.push_back(turned);
+    const std::vector<Similarity> turned = turned_in_itself(coarse_.reference.frame, best);
+    const auto costs = by_index<double>(turned.size(), kDozens,
+                                        [&](std::size_t i) { return cost_as_it_is(turned[i]); });
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      if (costs[i] < kHopeless * cost) promising.push_back(turned[i]);
     }
     try_coarsely(promising);
   }
@@ -78,10 +82,15 @@ class WholeSearch {
           });
       if (over != candidates_.end()) starts.push_back(over->similarity);
     }
+    std::vector<Similarity> turned;
     for (const Similarity& start : starts) {
-      for (const Similarity& turned : turned_to_marks(surfaces_, start))
-        candidates_.push_back(judged(surfaces_, turned, Density::kSome));
+      const std::vector<Similarity> more = turned_to_marks(surfaces_, start);
+      turned.insert(turned.end(), more.begin(), more.end());
     }
+    append(by_index<Candidate>(
+               turned.size(), kSingly,
+               [&](std::size_t i) { return judged(surfaces_, turned[i], Density::kSome); }),
+           candidates_);
   }
 
   /// Refines what was tried coarsely since the last time and does not lead to a known pose.

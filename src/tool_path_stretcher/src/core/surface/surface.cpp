@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "cores/by_index.h"
 #include "geometry/kd_tree.h"
 #include "geometry/points.h"
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -106,6 +107,31 @@ double blur_at(const Points& points, const Eigen::Vector3d& at, const Eigen::Vec
   return most;
 }
 
+/// What the neighbours of a point say of the surface there.
+struct Surrounded {
+  double spacing;           // [m]
+  Eigen::Vector3d normal;   // unit length
+  double blur;              // [m]
+  Eigen::Vector3d outward;  // unit length, zero where the surface goes on all around
+  bool flat;                // nothing but the surface's plane about it
+};
+
+Surrounded surrounded(const Surface& surface, std::size_t i, bool needs_normal) {
+  const Eigen::Vector3d& point = surface.points[i];
+  std::vector<KdTree::Neighbour> neighbours;
+  surface.tree->nearest(point, kRimNeighbours, neighbours);
+  Surrounded result;
+  // The area that the neighbours fill, shared among them.
+  result.spacing = std::sqrt(M_PI * neighbours.back().squared_distance /
+                             static_cast<double>(neighbours.size()));
+  result.normal = needs_normal ? normal_of(surface.points, neighbours) : surface.normals[i];
+  result.blur = blur_at(surface.points, point, result.normal, neighbours);
+  result.outward = outward_at(surface.points, point, result.normal, neighbours);
+  result.flat =
+      !result.outward.isZero() && is_flat_at(surface.points, point, result.normal, neighbours);
+  return result;
+}
+
 /// The number of the patch that each point lies in: two spacings wide, of one face.
 std::vector<std::size_t> patches_of(const Surface& surface) {
   constexpr double kWide = 2;  // spacings; chosen
@@ -169,23 +195,21 @@ const std::vector<std::size_t>& Samples::of(Density density) const {
 void complete(Surface& surface) {
   const bool needs_normals = surface.normals.empty();
   surface.tree = std::make_shared<const KdTree>(surface.points);
-  surface.size = principal_frame(surface.points).deviation.norm();
+  const PrincipalFrame frame = principal_frame(surface.points);
+  surface.centroid = frame.centroid;
+  surface.size = frame.deviation.norm();
+  const std::vector<Surrounded> all = by_index<Surrounded>(
+      surface.points.size(), kHundreds,
+      [&](std::size_t i) { return surrounded(surface, i, needs_normals); });
   std::vector<double> spacings;
-  std::vector<KdTree::Neighbour> neighbours;
-  for (std::size_t i = 0; i < surface.points.size(); ++i) {
-    const Eigen::Vector3d& point = surface.points[i];
-    surface.tree->nearest(point, kRimNeighbours, neighbours);
-    // The area that the neighbours fill, shared among them.
-    spacings.push_back(std::sqrt(M_PI * neighbours.back().squared_distance /
-                                 static_cast<double>(neighbours.size())));
-    if (needs_normals) surface.normals.push_back(normal_of(surface.points, neighbours));
-    surface.blur.push_back(blur_at(surface.points, point, surface.normals[i], neighbours));
-    const Eigen::Vector3d outward =
-        outward_at(surface.points, point, surface.normals[i], neighbours);
-    if (outward.isZero()) continue;
-    surface.rim.points.push_back(point);
-    surface.rim.outward.push_back(outward);
-    surface.rim.open.push_back(is_flat_at(surface.points, point, surface.normals[i], neighbours));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    spacings.push_back(all[i].spacing);
+    if (needs_normals) surface.normals.push_back(all[i].normal);
+    surface.blur.push_back(all[i].blur);
+    if (all[i].outward.isZero()) continue;
+    surface.rim.points.push_back(surface.points[i]);
+    surface.rim.outward.push_back(all[i].outward);
+    surface.rim.open.push_back(all[i].flat);
     surface.rim.horizon.push_back(false);
   }
   surface.spacing = middle_of(spacings);

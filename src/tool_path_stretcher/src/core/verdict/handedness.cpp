@@ -41,6 +41,7 @@ Surface mirrored(const Surface& surface) {
   mirror(result.normals);
   mirror(result.rim.points);
   mirror(result.rim.outward);
+  result.centroid = result.centroid.cwiseProduct(kMirror);
   result.tree = std::make_shared<const KdTree>(result.points);
   if (result.rim.tree) result.rim.tree = std::make_shared<const KdTree>(result.rim.points);
   return result;
