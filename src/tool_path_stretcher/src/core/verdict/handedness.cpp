@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verdict/handedness.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "geometry/kd_tree.h"
@@ -27,11 +28,22 @@ bool is_wholly_better(const Explanation& first, const Explanation& second) {
   return found.only_second < kContrary * found.only_first;
 }
 
-/// Whether there is so little that the reference does not explain, undeformed, that its mirror
-/// image cannot be clearly better: of few patches most points.
-bool explains_all(const Fitted& fitted) {
+/// Whether there is so little that the mapped reference does not explain that its mirror image
+/// cannot be clearly better: of few patches most points.
+bool explains_all(const Explanation& explanation) {
   constexpr double kFew = 12;  // patches: 3.5 squared, the significance of clearly_better
-  return fitted.mapping.graph.empty() && unexplained_patches(fitted.explanation) < kFew;
+  return unexplained_patches(explanation) < kFew;
+}
+
+/// Whether no deformation of the mirror image needs to be looked for: as it is, it is clearly worse
+/// than a mapping that explains all, or that explains most without any. Of a part that is not
+/// deformed the mirror image is not either.
+bool needs_no_deformation(const Fitted& best, const Explanation& image) {
+  constexpr double kMost = 0.95;  // of either surface's points; chosen
+  const Explanation& found = best.explanation;
+  const bool most =
+      best.mapping.graph.empty() && std::min(found.inlier_ratio, found.overlap) > kMost;
+  return (most || explains_all(found)) && clearly_better(found, image);
 }
 
 /// The surface seen in a mirror: x is -x.
@@ -65,11 +77,12 @@ std::optional<Fitted> best_image(const SurfacePair& image, const StretchParamete
 
 void check_handedness(const SurfacePair& surfaces, const Fitted& best,
                       const StretchParameters& parameters) {
-  if (explains_all(best)) return;
+  if (best.mapping.graph.empty() && explains_all(best.explanation)) return;
   const Surface mirror_image = mirrored(surfaces.reference);
   const SurfacePair image{mirror_image, surfaces.object};
   const std::optional<Fitted> found = best_image(image, parameters);
   if (!found) return;
+  if (needs_no_deformation(best, found->explanation)) return;
   const Mapping followed = fit_deformation(image, found->mapping.similarity, parameters.prior.scale,
                                            parameters.deformation_level);
   const bool bent = !followed.graph.empty();
