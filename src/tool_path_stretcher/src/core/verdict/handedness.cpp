@@ -46,6 +46,19 @@ bool needs_no_deformation(const Fitted& best, const Explanation& image) {
   return (most || explains_all(found)) && clearly_better(found, image);
 }
 
+/// Whether a deformation within the limits may bring enough of the object onto the mapped reference.
+bool may_be_followed(const Surface& reference, const Fitted& fitted,
+                     const StretchParameters& parameters) {
+  const double reach = parameters.inlier_distance + parameters.max_deformation_ratio *
+                                                        fitted.mapping.similarity.scale *
+                                                        length_of(reference);
+  const std::vector<double>& off = fitted.explanation.object.off;
+  const auto within =
+      std::count_if(off.begin(), off.end(), [=](double distance) { return distance <= reach; });
+  return static_cast<double>(within) >=
+         parameters.min_inlier_ratio * static_cast<double>(off.size());
+}
+
 /// The surface seen in a mirror: x is -x.
 Surface mirrored(const Surface& surface) {
   Surface result = surface;
@@ -83,6 +96,7 @@ void check_handedness(const SurfacePair& surfaces, const Fitted& best,
   const std::optional<Fitted> found = best_image(image, parameters);
   if (!found) return;
   if (needs_no_deformation(best, found->explanation)) return;
+  if (!may_be_followed(mirror_image, *found, parameters)) return;
   const Mapping followed = fit_deformation(image, found->mapping.similarity, parameters.prior.scale,
                                            parameters.deformation_level);
   const bool bent = !followed.graph.empty();
