@@ -105,6 +105,24 @@ void sort_best_first(std::vector<Fitted>& fitted) {
   fitted = std::move(sorted);
 }
 
+/// Drops those that have come to where a better one is.
+void drop_doubles(const Surface& reference, std::vector<Fitted>& fitted) {
+  constexpr double kAlike = 0.01;  // of the size: as in the last round of the search
+  const Points probes = select(reference.points, reference.samples.fewest);
+  const auto is_double = [&](const Mapping& one, const Mapping& other) {
+    return std::all_of(probes.begin(), probes.end(), [&](const Eigen::Vector3d& probe) {
+      return (one * probe - other * probe).norm() < kAlike * one.similarity.scale * reference.size;
+    });
+  };
+  std::vector<Fitted> kept;
+  for (Fitted& each : fitted) {
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const Fitted& other) { return is_double(other.mapping, each.mapping); }))
+      kept.push_back(std::move(each));
+  }
+  fitted = std::move(kept);
+}
+
 /// Keeps a few of those that explain the object about as well as the first does, so that the rest
 /// of the work stays short: first those that lay the path elsewhere, since they decide.
 void keep_few(const ToolPath& path, double tolerance, std::vector<Fitted>& fitted) {
@@ -240,6 +258,7 @@ class Adaptation {
                             : "no pose of the reference fits the object at all");
     }
     std::vector<Fitted> fitted = sketched(candidates);
+    drop_doubles(surfaces_.reference, fitted);
     keep_few(path_, parameters_.ambiguity_distance, fitted);
     deform(fitted);
     if (prior.pose) prefer_given_pose(*prior.pose, centroid_, fitted);

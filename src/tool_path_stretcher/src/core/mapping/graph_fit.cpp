@@ -124,8 +124,9 @@ void grow(Similarity& similarity, const Eigen::Vector3d& centre, double growth) 
 }
 
 /// Fits the graph of a mapping, from where it is.
+/// @param still share of the residuals' deviation: nodes that move less have come to rest
 Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior& scale,
-            Density density, const GraphKind& kind, Mapping mapping) {
+            Density density, const GraphKind& kind, double still, Mapping mapping) {
   constexpr int kIterations = 15;        // at most; chosen
   constexpr double kConverged = 3e-5;    // of the reference's size; chosen
   constexpr double kExact = 1e-7;        // of the reference's size: a deviation above 0; chosen
@@ -149,7 +150,8 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
     const GraphEquations::Step step = equations.solve();
     grow(mapping.similarity, centre, 1 + step.growth);
     take(step, mapping.graph);
-    if (step.farthest < kConverged * reference.size && widest < deviation) break;
+    const double rest = std::max(kConverged * reference.size, still * deviation);
+    if (step.farthest < rest && widest < deviation) break;
     widest /= 4;  // chosen
   }
   return mapping;
@@ -231,13 +233,14 @@ struct Justified {
 Justified justified_deformation(const SurfacePair& surfaces, const Similarity& similarity,
                                 const ScalePrior& scale, int finest_level, const GraphKind& kind,
                                 const Trial& trial) {
+  constexpr double kStill = 0.1;  // that moves no square residual by more than 1 %; chosen
   const Surface& reference = surfaces.reference;
   Mapping trained{similarity, {}};
   Justified justified{trained, trial.squares};
   if (trial.squares.empty()) return justified;
   for (int level = 1; level <= finest_level; ++level) {
     const double spacing = kind.spacing * graph_spacing(reference, level);
-    trained = fit(surfaces, trial.halves.training, scale, Density::kSome, kind,
+    trained = fit(surfaces, trial.halves.training, scale, Density::kSome, kind, kStill,
                   refined(reference, trained, spacing));
     const std::vector<double> squares = held_out_squares(reference, trained, trial);
     if (explains_better(justified.squares, squares)) justified = {trained, squares};
@@ -270,7 +273,8 @@ Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarit
   const Mapping& best = has_swelled ? swollen.mapping : bent.mapping;
   if (best.graph.empty()) return best;
   return rebased(surfaces.reference, fit(surfaces, target_of(surfaces.object), scale,
-                                         Density::kMany, has_swelled ? kSwelling : kBending, best));
+                                         Density::kMany, has_swelled ? kSwelling : kBending, 0,
+                                         best));
 }
 
 Mapping sketch_deformation(const SurfacePair& surfaces, const Similarity& similarity,

@@ -1,6 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
 
 #include "alignment/coarse_fit.h"
 #include "alignment/refinement.h"
@@ -109,12 +110,16 @@ class WholeSearch {
 
   /// Whether the best pose leaves nothing to explain, as it is or slightly deformed: most of the
   /// object lies on the reference, and most of the reference was found again.
-  bool settled() const {
+  bool settled() {
     constexpr int kLevel = 2;  // of the deformation graph, of 3; chosen
     if (candidates_.empty()) return false;
     const Similarity& best = candidates_.front().similarity;
-    return explains_most({best, {}}) ||
-           explains_most(sketch_deformation(surfaces_, best, prior_.scale, kLevel));
+    if (!settling_ || settling_->pose.matrix() != best.matrix()) {
+      settling_ = Settling{
+          best, explains_most({best, {}}) ||
+                    explains_most(sketch_deformation(surfaces_, best, prior_.scale, kLevel))};
+    }
+    return settling_->settled;
   }
 
   void finish() {
@@ -126,6 +131,11 @@ class WholeSearch {
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
  private:
+  struct Settling {
+    Similarity pose;
+    bool settled;
+  };
+
   bool improve(const Round& round, Candidate& each) const {
     if (!round.density) {
       each = improve_coarsely(coarse_, each.similarity, prior_.scale.range(), round.iterations);
@@ -178,6 +188,7 @@ class WholeSearch {
   std::vector<Candidate> untried_;
   std::vector<Similarity> refined_;  // as they were before
   std::vector<Candidate> candidates_;
+  std::optional<Settling> settling_;  // of the best pose when it was last asked for
 };
 
 }  // namespace
