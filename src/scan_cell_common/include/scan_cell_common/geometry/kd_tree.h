@@ -33,6 +33,14 @@ class KdTree {
     return tree_.knnSearch(query, count, indices, squared_distances);
   }
 
+  /// The nearest point that is nearer than the root of a square: a bound known from before makes the
+  /// search shorter.
+  /// @param index,squared_distance the bound, and then the point; as they were where there is none
+  void nearest_within(const Scalar* query, Index& index, Scalar& squared_distance) const {
+    Nearest nearest{index, squared_distance};
+    tree_.findNeighbors(nearest, query, nanoflann::SearchParams());
+  }
+
   /// All points nearer than the root of `squared_radius` with their squared distances, in the
   /// tree's order.
   void within(const Scalar* query, Scalar squared_radius,
@@ -43,6 +51,22 @@ class KdTree {
   }
 
  private:
+  /// What nanoflann adds points to. Its own set of one does more for each.
+  struct Nearest {
+    Index& index;
+    Scalar& squared_distance;
+
+    Scalar worstDist() const { return squared_distance; }
+    bool full() const { return true; }
+    bool addPoint(Scalar distance, Index point) {
+      if (distance < squared_distance) {
+        squared_distance = distance;
+        index = point;
+      }
+      return true;
+    }
+  };
+
   struct Source {
     const Points& points;
 

@@ -52,12 +52,12 @@ class Pairing {
         object_(surfaces.object),
         object_sample_(object_.samples.of(density)),
         reference_sample_(reference_.samples.of(density)),
-        in_reference_(*reference_.tree, object_sample_.size()),
-        in_object_(*object_.tree, reference_sample_.size()) {
+        in_reference_(*reference_.tree, object_sample_.size(), reference_.spacing),
+        in_object_(*object_.tree, reference_sample_.size(), object_.spacing) {
     if (!reference_.rim.tree) return;
     constexpr std::size_t kRimShare = 3;  // one part of the sample; chosen
     rim_sample_ = spread_evenly(object_.rim.points, object_sample_.size() / kRimShare);
-    in_rim_.emplace(*reference_.rim.tree, rim_sample_.size());
+    in_rim_.emplace(*reference_.rim.tree, rim_sample_.size(), reference_.spacing);
   }
 
   Constraints object_to_reference(const Similarity& similarity) {

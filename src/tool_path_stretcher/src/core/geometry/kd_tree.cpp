@@ -40,8 +40,17 @@ const Points& KdTree::points() const {
 
 KdTree::Neighbour KdTree::nearest(const Eigen::Vector3d& query) const {
   std::uint32_t index = 0;
-  double squared_distance = 0;
-  index_->tree.nearest(query.data(), 1, &index, &squared_distance);
+  double squared_distance = std::numeric_limits<double>::max();
+  index_->tree.nearest_within(query.data(), index, squared_distance);
+  return {index, squared_distance};
+}
+
+KdTree::Neighbour KdTree::nearest_from(std::size_t near_by, const Eigen::Vector3d& query) const {
+  constexpr double kRounding = 1e-12;  // that the point near by is found again, and ties alike
+  double squared_distance = (query - index_->points[near_by]).squaredNorm() * (1 + kRounding) +
+                            std::numeric_limits<double>::min();
+  auto index = static_cast<std::uint32_t>(near_by);
+  index_->tree.nearest_within(query.data(), index, squared_distance);
   return {index, squared_distance};
 }
 

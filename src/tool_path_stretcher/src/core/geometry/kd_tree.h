@@ -26,6 +26,9 @@ class KdTree {
   /// The set must not be empty.
   Neighbour nearest(const Eigen::Vector3d& query) const;
 
+  /// The same, sooner: `near_by` is the index of a point that is not far from the nearest.
+  Neighbour nearest_from(std::size_t near_by, const Eigen::Vector3d& query) const;
+
   /// The nearest point, and how much farther [m] away the next one is (infinite: there is none).
   struct Clear {
     std::size_t index;

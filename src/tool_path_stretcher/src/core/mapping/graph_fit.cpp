@@ -136,7 +136,7 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
   const Eigen::Vector3d centre = reference.centroid;
   const Anchors surface = surface_anchors(reference, mapping.graph, density);
   const Anchors rim = rim_anchors(reference, mapping.graph);
-  NearestCache in_target(*target.tree, surface.size());
+  NearestCache in_target(*target.tree, surface.size(), object.spacing);
   double widest = kWidest * reference.size;  // a bulge is no outlier before it was followed
   for (int i = 0; i < kIterations; ++i) {
     const Constraints normals = along_normals(surface, object, target, mapping, in_target);
@@ -203,7 +203,7 @@ GraphObservations observe(const SurfacePair& surfaces, const Mapping& mapping) {
   seen.surface = surface_anchors(reference, mapping.graph, Density::kFew);
   seen.rim = rim_anchors(reference, mapping.graph);
   const Target target = target_of(object);
-  NearestCache in_target(*target.tree, seen.surface.size());
+  NearestCache in_target(*target.tree, seen.surface.size(), object.spacing);
   seen.normals = along_normals(seen.surface, object, target, mapping, in_target);
   seen.rims = along_rims(seen.rim, object, mapping);
   seen.normal_deviation = deviation_of(seen.normals);
