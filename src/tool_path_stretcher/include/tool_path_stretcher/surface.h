@@ -57,7 +57,7 @@ struct Surface {
   /// neighbours lie so far off its plane: nothing on a face, much beside an edge, half a spacing at
   /// most.
   std::vector<double> blur;
-  double spacing = 0;                   //!< [m] typical distance of neighbouring points
+  double spacing = 0;  //!< [m] typical distance of neighbouring points
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  //!< [m] of the points
   double size = 0;                      //!< [m] root mean square distance from the centroid
   std::shared_ptr<const KdTree> tree;   //!< of the points

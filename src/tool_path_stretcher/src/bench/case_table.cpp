@@ -43,6 +43,9 @@ struct Ours {
   std::size_t normal_as_expected = 0;
   std::size_t along_as_expected = 0;
   std::vector<double> seconds;
+  std::vector<double> seconds_right;      // of the cases to be accepted
+  std::vector<double> seconds_wrong;      // of another part
+  std::vector<double> seconds_processor;  // of all
 };
 
 /// How a yardstick fared.
@@ -99,11 +102,15 @@ std::vector<bool> shown(const std::vector<WaypointQuality>& quality) {
 void run_ours(const cases::Case& each, const cases::Scene& scene, Ours& sums) {
   const StretchParameters parameters;
   StretchResult result;
+  const double processor = processor_seconds();
   sums.seconds.push_back(seconds_of([&] {
     result = stretch(surface_from_cloud(scene.reference, parameters.leaf, "reference"),
                      surface_from_cloud(scene.object, parameters.leaf, "object"), scene.path,
                      parameters);
   }));
+  sums.seconds_processor.push_back(processor_seconds() - processor);
+  if (must_be_accepted(each)) sums.seconds_right.push_back(sums.seconds.back());
+  if (each.expected == Reason::kWrongPart) sums.seconds_wrong.push_back(sums.seconds.back());
   const bool right = each.is_right(result.verdict.reason);
   sums.right += right;
   std::printf("| %s | %s%s ", each.name.c_str(), to_string(result.verdict.reason).c_str(),
@@ -186,9 +193,16 @@ void print_sums(const Sums& sums, bool yardsticks) {
       "counting the tangential error only where the position is said to be measured: %zu\n",
       sums.ours.within_goals, rightly, sums.ours.within_goals_where_shown);
   std::printf(
-      "- their waypoints within three times the expected error: %.1f %% normal, %.1f %% along\n\n",
+      "- their waypoints within three times the expected error: %.1f %% normal, %.1f %% along\n",
       percent(sums.ours.normal_as_expected, sums.ours.waypoints),
       percent(sums.ours.along_as_expected, sums.ours.waypoints));
+  const double of_right = middle_of(sums.ours.seconds_right);
+  const double of_wrong = middle_of(sums.ours.seconds_wrong);
+  std::printf(
+      "- median times: %.2f s of all, %.2f s on all processors together; %.2f s where the path is "
+      "to be accepted, %.2f s of a wrong part: %.1f times\n\n",
+      median, middle_of(sums.ours.seconds_processor), of_right, of_wrong,
+      of_right > 0 ? of_wrong / of_right : 0);
   std::printf(
       "| method | accepted, within 5 mm everywhere | accepted, but farther off | accepted what is "
       "to be refused | median s | ratio |\n|---|---|---|---|---|---|\n");

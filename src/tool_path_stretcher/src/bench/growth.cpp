@@ -41,8 +41,8 @@ struct StageTimes {
   double place = 0;
 
   Progress watch() {
-    return [this, last = processor_seconds()](const std::string& stage, double) mutable {
-      const double now = processor_seconds();
+    return [this, last = wall_seconds()](const std::string& stage, double) mutable {
+      const double now = wall_seconds();
       const double passed = now - last;
       last = now;
       if (stage == "align") align += passed;

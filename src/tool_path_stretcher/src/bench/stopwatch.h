@@ -2,21 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <ctime>
 
 namespace bench {
 
-/// [s] of the processor that this program has taken: other work on the machine hardly changes it
+/// [s] of a clock on the wall, which stands for nothing but differences
+inline double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// [s] of all processors that this program has taken
 inline double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// [s] of the processor that some work takes
+/// [s] that some work takes, until a user has its result: nothing else should run meanwhile
 template <class Work>
 double seconds_of(Work work) {
-  const double start = processor_seconds();
+  const double start = wall_seconds();
   work();
-  return processor_seconds() - start;
+  return wall_seconds() - start;
 }
 
 }  // namespace bench

@@ -63,13 +63,17 @@ class Parts {
 
   void one_done() {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (cancelled_) return;
+    cancelled_ = true;  // unless it returns
     progress_(static_cast<double>(++done_) / static_cast<double>(count_));
+    cancelled_ = false;
   }
 
  private:
   const AlignmentProgress progress_;
   const std::size_t count_;
   std::mutex mutex_;
+  bool cancelled_ = false;
   std::size_t done_ = 0;
 };
 
@@ -292,8 +296,9 @@ class Adaptation {
     }
     Parts parts(stages_, "refine", 0.5, 0.6, hopeful.size());
     auto result = by_index<Fitted>(hopeful.size(), kSingly, [&](std::size_t i) {
-      Fitted sketch = explained(sketch_deformation(surfaces_, hopeful[i], parameters_.prior.scale,
-                                                   std::min(kCoarse, parameters_.deformation_level)));
+      Fitted sketch =
+          explained(sketch_deformation(surfaces_, hopeful[i], parameters_.prior.scale,
+                                       std::min(kCoarse, parameters_.deformation_level)));
       parts.one_done();
       return sketch;
     });

@@ -33,8 +33,8 @@ class KdTree {
     return tree_.knnSearch(query, count, indices, squared_distances);
   }
 
-  /// The nearest point that is nearer than the root of a square: a bound known from before makes the
-  /// search shorter.
+  /// The nearest point that is nearer than the root of a square: a bound known from before makes
+  /// the search shorter.
   /// @param index,squared_distance the bound, and then the point; as they were where there is none
   void nearest_within(const Scalar* query, Index& index, Scalar& squared_distance) const {
     Nearest nearest{index, squared_distance};

@@ -48,8 +48,8 @@ std::vector<Result> all_of(std::size_t count, std::size_t grain, const Work& wor
   return results;
 }
 
-constexpr std::size_t kSingly = 1;     // grain of what takes a millisecond or more
-constexpr std::size_t kDozens = 16;    // of what takes tens of microseconds
-constexpr std::size_t kHundreds = 256; // of what takes less than one: a query of a tree
+constexpr std::size_t kSingly = 1;      // grain of what takes a millisecond or more
+constexpr std::size_t kDozens = 16;     // of what takes tens of microseconds
+constexpr std::size_t kHundreds = 256;  // of what takes less than one: a query of a tree
 
 }  // namespace tool_path_stretcher

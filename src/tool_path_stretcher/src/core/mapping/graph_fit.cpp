@@ -272,9 +272,9 @@ Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarit
   const bool has_swelled = swelled(surfaces, bent, swollen);
   const Mapping& best = has_swelled ? swollen.mapping : bent.mapping;
   if (best.graph.empty()) return best;
-  return rebased(surfaces.reference, fit(surfaces, target_of(surfaces.object), scale,
-                                         Density::kMany, has_swelled ? kSwelling : kBending, 0,
-                                         best));
+  return rebased(surfaces.reference,
+                 fit(surfaces, target_of(surfaces.object), scale, Density::kMany,
+                     has_swelled ? kSwelling : kBending, 0, best));
 }
 
 Mapping sketch_deformation(const SurfacePair& surfaces, const Similarity& similarity,

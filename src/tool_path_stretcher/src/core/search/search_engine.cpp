@@ -27,9 +27,8 @@ void drop_hopeless(double hopeless, double best, std::vector<Candidate>& candida
 
 void SearchEngine::improve(const Round& round, std::vector<Candidate>& candidates) const {
   const std::size_t grain = round.density ? kSingly : kDozens;
-  const auto allowed = by_index<char>(candidates.size(), grain, [&](std::size_t i) {
-    return improve_(round, candidates[i]);
-  });
+  const auto allowed = by_index<char>(
+      candidates.size(), grain, [&](std::size_t i) { return improve_(round, candidates[i]); });
   std::vector<Candidate> improved;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (allowed[i]) improved.push_back(std::move(candidates[i]));

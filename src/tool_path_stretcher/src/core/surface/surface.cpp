@@ -122,8 +122,8 @@ Surrounded surrounded(const Surface& surface, std::size_t i, bool needs_normal) 
   surface.tree->nearest(point, kRimNeighbours, neighbours);
   Surrounded result;
   // The area that the neighbours fill, shared among them.
-  result.spacing = std::sqrt(M_PI * neighbours.back().squared_distance /
-                             static_cast<double>(neighbours.size()));
+  result.spacing =
+      std::sqrt(M_PI * neighbours.back().squared_distance / static_cast<double>(neighbours.size()));
   result.normal = needs_normal ? normal_of(surface.points, neighbours) : surface.normals[i];
   result.blur = blur_at(surface.points, point, result.normal, neighbours);
   result.outward = outward_at(surface.points, point, result.normal, neighbours);
@@ -198,9 +198,9 @@ void complete(Surface& surface) {
   const PrincipalFrame frame = principal_frame(surface.points);
   surface.centroid = frame.centroid;
   surface.size = frame.deviation.norm();
-  const std::vector<Surrounded> all = by_index<Surrounded>(
-      surface.points.size(), kHundreds,
-      [&](std::size_t i) { return surrounded(surface, i, needs_normals); });
+  const std::vector<Surrounded> all =
+      by_index<Surrounded>(surface.points.size(), kHundreds,
+                           [&](std::size_t i) { return surrounded(surface, i, needs_normals); });
   std::vector<double> spacings;
   for (std::size_t i = 0; i < all.size(); ++i) {
     spacings.push_back(all[i].spacing);

@@ -46,7 +46,8 @@ bool needs_no_deformation(const Fitted& best, const Explanation& image) {
   return (most || explains_all(found)) && clearly_better(found, image);
 }
 
-/// Whether a deformation within the limits may bring enough of the object onto the mapped reference.
+/// Whether a deformation within the limits may bring enough of the object onto the mapped
+/// reference.
 bool may_be_followed(const Surface& reference, const Fitted& fitted,
                      const StretchParameters& parameters) {
   const double reach = parameters.inlier_distance + parameters.max_deformation_ratio *
