@@ -22,22 +22,23 @@ double mean_of_least(std::vector<double>& values, double share) {
 
 }  // namespace
 
-Candidate judged(const SurfacePair& surfaces, const Similarity& similarity, Density density) {
+Candidate judged(const SurfacePair& surfaces, const Mapping& mapping, Density density) {
   constexpr double kCap = 0.05;            // of the object's size; chosen
   constexpr double kObjectShare = 0.9;     // of the object's points; chosen
   constexpr double kBulkShare = 0.75;      // of the object's points; chosen
   constexpr double kReferenceShare = 0.5;  // of the reference's points: a scan shows one side
   const auto& [reference, object] = surfaces;
+  const Similarity& similarity = mapping.similarity;
   const double cap = kCap * object.size;
   std::vector<double> forth;
-  for (const Residual& residual : residuals_of(reference, {similarity, {}},
-                                               select(object.points, object.samples.of(density)))) {
+  for (const Residual& residual :
+       residuals_of(reference, mapping, select(object.points, object.samples.of(density)))) {
     const double distance = similarity.scale * std::hypot(residual.along_normal, residual.beside);
     forth.push_back(std::pow(std::min(distance, cap), 2));
   }
   const std::vector<std::size_t>& sample = reference.samples.of(density);
   auto back = by_index<double>(sample.size(), kHundreds, [&](std::size_t k) {
-    const Eigen::Vector3d at = similarity * reference.points[sample[k]];
+    const Eigen::Vector3d at = mapping * reference.points[sample[k]];
     const double squared = object.tree->nearest(at).squared_distance;
     const double distance = std::max(0.0, std::sqrt(squared) - object.spacing);
     return std::pow(std::min(distance, cap), 2);

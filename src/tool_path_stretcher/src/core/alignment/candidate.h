@@ -21,6 +21,6 @@ struct Candidate {
 /// without the share that may not belong to the part, of the reference only the share that any scan
 /// covers. Added to that is what the surfaces cannot resolve: without noise one pose is not many
 /// times as good as another because it was refined further.
-Candidate judged(const SurfacePair& surfaces, const Similarity& similarity, Density density);
+Candidate judged(const SurfacePair& surfaces, const Mapping& mapping, Density density);
 
 }  // namespace tool_path_stretcher

@@ -26,6 +26,8 @@ std::vector<Candidate> find_candidates(const SurfacePair& surfaces, const Prior&
 
 /// The poses found from the principal frames alone, and those turned within themselves: enough
 /// where a reference nearly fits.
-std::vector<Candidate> find_near_candidates(const SurfacePair& surfaces, const ScalePrior& scale);
+/// @param bulk_cost [m] of another reference on the object: poses far worse than that are left out
+std::vector<Candidate> find_near_candidates(const SurfacePair& surfaces, const ScalePrior& scale,
+                                            double bulk_cost);
 
 }  // namespace tool_path_stretcher

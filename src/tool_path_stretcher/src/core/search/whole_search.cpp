@@ -26,9 +26,11 @@ void append(const std::vector<Candidate>& more, std::vector<Candidate>& candidat
 
 class WholeSearch {
  public:
-  WholeSearch(const SurfacePair& surfaces, const Prior& prior)
+  /// @param bulk_cost [m] of a pose of something else that explains the object
+  WholeSearch(const SurfacePair& surfaces, const Prior& prior, double bulk_cost = kNever)
       : surfaces_(surfaces),
         prior_(prior),
+        bulk_cost_(bulk_cost),
         coarse_(surfaces),
         engine_(coarse_.reference.queries, surfaces.object.size,
                 [this](const Round& round, Candidate& each) { return improve(round, each); }) {}
@@ -88,9 +90,10 @@ class WholeSearch {
       const std::vector<Similarity> more = turned_to_marks(surfaces_, start);
       turned.insert(turned.end(), more.begin(), more.end());
     }
-    append(by_index<Candidate>(
-               turned.size(), kSingly,
-               [&](std::size_t i) { return judged(surfaces_, turned[i], Density::kSome); }),
+    append(by_index<Candidate>(turned.size(), kSingly,
+                               [&](std::size_t i) {
+                                 return judged(surfaces_, {turned[i], {}}, Density::kSome);
+                               }),
            candidates_);
   }
 
@@ -101,7 +104,7 @@ class WholeSearch {
       refined_.push_back(each.similarity);
     engine_.run(rounds_.retry, untried_, {poses_of(candidates_)});
     engine_.run(rounds_.rough, untried_,
-                {{}, candidates_.empty() ? kNever : candidates_.front().bulk_cost});
+                {{}, candidates_.empty() ? kNever : least_known(candidates_.front())});
     engine_.improve(rounds_.fine, untried_);
     append(untried_, candidates_);
     untried_.clear();
@@ -123,7 +126,9 @@ class WholeSearch {
   }
 
   void finish() {
-    engine_.select(rounds_.rough, candidates_);  // drops the hopeless
+    if (candidates_.empty()) return;
+    engine_.select(rounds_.rough, candidates_,  // drops the hopeless
+                   {{}, least_known(candidates_.front())});
     engine_.run(rounds_.last, candidates_);
   }
 
@@ -131,6 +136,8 @@ class WholeSearch {
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
  private:
+  double least_known(const Candidate& best) const { return std::min(best.bulk_cost, bulk_cost_); }
+
   struct Settling {
     Similarity pose;
     bool settled;
@@ -141,10 +148,9 @@ class WholeSearch {
       each = improve_coarsely(coarse_, each.similarity, prior_.scale.range(), round.iterations);
       return true;
     }
-    each =
-        judged(surfaces_,
-               refine(surfaces_, each.similarity, prior_.scale, *round.density, round.iterations),
-               *round.density);
+    const Similarity refined =
+        refine(surfaces_, each.similarity, prior_.scale, *round.density, round.iterations);
+    each = judged(surfaces_, {refined, {}}, *round.density);
     return prior_.allows(each.similarity, middle());
   }
 
@@ -182,6 +188,7 @@ class WholeSearch {
 
   const SurfacePair surfaces_;
   const Prior& prior_;
+  const double bulk_cost_;
   const CoarsePair coarse_;
   SearchEngine engine_;
   WholeRounds rounds_ = kWholeRounds;
@@ -228,9 +235,10 @@ std::vector<Candidate> find_candidates(const SurfacePair& surfaces, const Prior&
   return find_candidates(surfaces, prior, partial, progress);
 }
 
-std::vector<Candidate> find_near_candidates(const SurfacePair& surfaces, const ScalePrior& scale) {
+std::vector<Candidate> find_near_candidates(const SurfacePair& surfaces, const ScalePrior& scale,
+                                            double bulk_cost) {
   const Prior prior{scale, {}};
-  WholeSearch search(surfaces, prior);
+  WholeSearch search(surfaces, prior, bulk_cost);
   search.try_coarsely(principal_guesses(search.coarse()));
   search.refine_tried();
   if (search.candidates().empty()) return {};

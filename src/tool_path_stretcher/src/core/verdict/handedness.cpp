@@ -74,9 +74,12 @@ Surface mirrored(const Surface& surface) {
 }
 
 /// Of the poses of the mirror image the one that explains most, undeformed.
-std::optional<Fitted> best_image(const SurfacePair& image, const StretchParameters& parameters) {
+/// @param bulk_cost [m] of the reference itself
+std::optional<Fitted> best_image(const SurfacePair& image, const StretchParameters& parameters,
+                                 double bulk_cost) {
   std::optional<Fitted> best;
-  for (const Candidate& candidate : find_near_candidates(image, parameters.prior.scale)) {
+  for (const Candidate& candidate :
+       find_near_candidates(image, parameters.prior.scale, bulk_cost)) {
     Fitted found = fitted(image, {candidate.similarity, {}}, parameters.inlier_distance);
     if (best) {
       const Evidence between = evidence(found.explanation, best->explanation);
@@ -91,10 +94,14 @@ std::optional<Fitted> best_image(const SurfacePair& image, const StretchParamete
 
 void check_handedness(const SurfacePair& surfaces, const Fitted& best,
                       const StretchParameters& parameters) {
-  if (best.mapping.graph.empty() && explains_all(best.explanation)) return;
+  const bool all = explains_all(best.explanation);
+  if (all && best.mapping.graph.empty()) return;
   const Surface mirror_image = mirrored(surfaces.reference);
   const SurfacePair image{mirror_image, surfaces.object};
-  const std::optional<Fitted> found = best_image(image, parameters);
+  // What explains all is not surpassed by an image that is deformed: it has to be as good as it is.
+  const Candidate itself =
+      judged(surfaces, all ? best.mapping : Mapping{best.mapping.similarity, {}}, Density::kFew);
+  const std::optional<Fitted> found = best_image(image, parameters, itself.bulk_cost);
   if (!found) return;
   if (needs_no_deformation(best, found->explanation)) return;
   if (!may_be_followed(mirror_image, *found, parameters)) return;
