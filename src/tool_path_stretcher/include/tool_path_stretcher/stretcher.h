@@ -11,11 +11,11 @@
 namespace tool_path_stretcher {
 
 /// Called as the work goes on, with the stage and the progress of the whole (0 .. 1). Returns false
-/// to cancel.
+/// to cancel. Called from one thread at a time, not always the same.
 using Progress = std::function<bool(const std::string& stage, double progress)>;
 
-/// Adapts a path on the reference to the object, or refuses with a reason. The same input gives the
-/// same path, bit for bit.
+/// Adapts a path on the reference to the object, or refuses with a reason, on all cores that the
+/// process may use. The same input gives the same path, bit for bit, on any number of them.
 /// @throw scan_cell_common::InvalidParameter if the parameters make no sense; all else is a verdict
 StretchResult stretch(const Surface& reference, const Surface& object, const ToolPath& path,
                       const StretchParameters& parameters, const Progress& progress = {});
