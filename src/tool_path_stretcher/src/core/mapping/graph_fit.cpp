@@ -53,11 +53,11 @@ Anchors surface_anchors(const Surface& reference, const DeformationGraph& graph,
 
 Anchors rim_anchors(const Surface& reference, const DeformationGraph& graph) {
   const Rim& rim = reference.rim;
-  return all_of<GraphAnchor>(
-      rim.points.size(), kHundreds, [&](std::size_t i) -> std::optional<GraphAnchor> {
-        if (rim.horizon[i]) return {};
-        return anchor_of(graph, rim.points[i], rim.outward[i]);
-      });
+  return all_of<GraphAnchor>(rim.points.size(), kHundreds,
+                             [&](std::size_t i) -> std::optional<GraphAnchor> {
+                               if (rim.horizon[i]) return {};
+                               return anchor_of(graph, rim.points[i], rim.outward[i]);
+                             });
 }
 
 /// That an anchor should move by `along` [m, object] in a direction of the object's frame.
