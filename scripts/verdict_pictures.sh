@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/reading_a_verdict.md: one per verdict, from cases of the stretcher's benchmark.
+# Makes the pictures of docs/reading_a_verdict.md: one per verdict, from cases of the stretcher's benchmark, and one of each thing
+# that real scanners show, from cases of the scanner's benchmark; for the latter it also prints the page's figures.
 #   make build && cmake --build build --target benchmarks && scripts/verdict_pictures.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -17,6 +18,34 @@ show() {
   draw "$reason" "$@"
 }
 
+# seen NAME CASE: draws a case of the scanner's benchmark, and prints its figures
+seen() {
+  local picture="$images/seen_$1.png" case=$2
+  "$programs/bench_scanner_views" --cases "$case" --write "$work"
+  [ "$1" = torn_piece ] && clean_scan
+  draw accepted
+  figures "$case"
+}
+
+# Cleans the scan as it came, by the tool.
+clean_scan() {
+  "$programs/../cloud_preprocess/clean_cloud" --input "$work/scan.ply" --output "$work/object.ply" --grid off
+}
+
+# figures CASE: what stretch said of the files in the work folder, and how far off the truth it is
+figures() {
+  python3 - "$work/report.json" <<'END'
+import json, sys
+report = json.load(open(sys.argv[1]))
+for key in ("message", "overlap", "inlier_ratio", "rms", "deformation_nodes", "inferred_waypoints", "waypoints_in_air",
+            "largest_displacement", "largest_expected_error_normal", "largest_expected_error_tangential",
+            "largest_expected_error_angle"):
+    if key in report:
+        print(f"  {key}: {report[key]:.5g}" if isinstance(report[key], float) else f"  {key}: {report[key]}")
+END
+  env -u SCAN_CELL_DATA "$programs/bench_scanner_views" --only-ours --cases "$1" | grep -A 2 '^| case'
+}
+
 # draw REASON [options of stretch...]: draws the files in the work folder
 draw() {
   local reason=$1 adapted=() found
@@ -31,14 +60,18 @@ draw() {
   fi
   [ -f "$work/adapted.csv" ] && adapted=(--adapted "$work/adapted.csv")
   "$programs/picture" --reference "$work/reference.ply" --object "$work/object.ply" --path "$work/path.csv" \
-    --report "$work/report.json" "${adapted[@]}" "${leaf[@]}" --output "$images/verdict_$reason.png"
-  echo "$images/verdict_$reason.png"
+    --report "$work/report.json" "${adapted[@]}" "${leaf[@]}" --output "${picture:-$images/verdict_$reason.png}"
+  echo "${picture:-$images/verdict_$reason.png}"
 }
 
-# A path across openings and past the rim
-"$programs/bench_scanner_views" --cases 'sanded sheet, bent' --write "$work"
-draw accepted
-mv "$images/verdict_accepted.png" "$images/verdict_accepted_in_the_air.png"
+seen closed_mesh 'moved: pipe elbow'
+seen mixed_points 'moved: ribbed bracket'
+seen torn_piece 'in a scene, cleaned: mounting base'
+seen orientation 'moved: stepped block'
+seen bent 'bent: casing'
+seen smooth 'moved: dished cover'
+seen in_the_air 'own path: sanded sheet, bent'
+seen swollen 'warped, scan as reference: cast body'
 show accepted 'frame, bent 5 mm'
 show ambiguous 'symmetric box'
 show path_not_scanned 'frame, three quarters scanned'

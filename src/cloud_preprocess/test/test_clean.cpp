@@ -119,7 +119,7 @@ TEST(CleanParameters, AreRefusedByTheNameOfTheBadEntry) {
   EXPECT_EQ(complaint("flor: {}"), "clean.yaml: flor: no such entry; check its spelling");
   EXPECT_EQ(complaint("grid: {leaf: [1, 1]}"), "grid.leaf: 2 numbers; give 3");
   EXPECT_EQ(complaint("isolate: {select: best}"),
-            "isolate.select: 'best'; give one of all, largest, nearest, index");
+            "isolate.select: 'best'; give one of all, largest, nearest, index, reference");
   EXPECT_EQ(complaint("outliers: {x_min: 1, x_max: 0}").find("outliers.x_min"), 0U);
 }
 

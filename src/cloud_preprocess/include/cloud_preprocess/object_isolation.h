@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "cloud_preprocess/limits.h"
+#include "cloud_preprocess/reference_finder.h"
 #include "cloud_preprocess/stage.h"
 
 namespace cloud_preprocess {
 
 /// Which object is kept.
-enum class Selection { kAll, kLargest, kNearest, kIndex };
+enum class Selection { kAll, kLargest, kNearest, kIndex, kReference };
 /// Of the cloud's frame.
 enum class Axis { kX, kY, kZ };
 
@@ -24,7 +26,10 @@ struct IsolationParameters {
   bool across_shadows = true;                       //!< pieces without floor between are joined
   Axis axis = Axis::kX;                             //!< kIndex: objects are counted along this axis
   int index = 0;                                    //!< kIndex: which of them, the first is 0
+  std::string reference;                            //!< kReference: file of the part looked for
+  std::string reference_units = "m";                //!< kReference: of that file
   Limits limits;                                    //!< by hand, cut before all else
+  std::shared_ptr<const ReferenceFinder> finder;    //!< kReference: has loaded that file
 };
 
 /// Each with its range, unit and meaning.
@@ -33,7 +38,8 @@ void describe(scan_cell_common::ParameterTable& table, IsolationParameters& para
 /// Keeps one object of those that lie side by side: an object is a cluster of points with gaps
 /// below a given one, or several between which nothing was seen, not even the floor, where the
 /// stage floor has found one. The largest is the one with the most points; along an axis, objects
-/// are ordered by the middle of their extent.
+/// are ordered by the middle of their extent. By a reference, the object is what that explains,
+/// with what stands over it or is nearer to it than the gap.
 class ObjectIsolation final : public Stage {
  public:
   using Parameters = IsolationParameters;  //!< of this stage
@@ -45,8 +51,9 @@ class ObjectIsolation final : public Stage {
 
   /// Each object as a cloud of its own, along the axis; the whole cloud where all are kept.
   /// @param cloud finite and not empty
+  /// @param kept what run() left of it
   /// @throw scan_cell_common::UnusableInput as run()
-  std::vector<TracedCloud> objects(TracedCloud cloud) const;
+  std::vector<TracedCloud> objects(TracedCloud cloud, const TracedCloud& kept) const;
 
  private:
   std::string apply(TracedCloud& cloud) const override;

@@ -63,8 +63,8 @@ class Chain {
     isolation_.run(cloud, reports.emplace_back());
   }
 
-  std::vector<TracedCloud> objects(TracedCloud cloud) const {
-    return isolation_.objects(std::move(cloud));
+  std::vector<TracedCloud> objects(TracedCloud cloud, const TracedCloud& kept) const {
+    return isolation_.objects(std::move(cloud), kept);
   }
 
   void reduce(TracedCloud& cloud, std::vector<StageReport>& reports) const {
@@ -125,8 +125,8 @@ void clean(TracedCloud& cloud, const CleanParameters& parameters, std::vector<St
   chain.before_isolation(cloud, reports);
   TracedCloud scene = cloud;
   chain.isolate(cloud, reports);
+  objects = chain.objects(std::move(scene), cloud);
   chain.reduce(cloud, reports);
-  objects = chain.objects(std::move(scene));
   std::vector<StageReport> of_objects;
   for (TracedCloud& object : objects)
     chain.reduce(object, of_objects);

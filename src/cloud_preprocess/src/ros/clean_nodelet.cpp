@@ -9,6 +9,7 @@
 #include <scan_cell_common/ros/service_answer.h>
 #include <scan_cell_msgs/ObjectClouds.h>
 
+#include "finder/load_finder.h"
 #include "stage_reports.h"
 
 namespace cloud_preprocess {
@@ -19,9 +20,18 @@ void describe(scan_cell_common::ParameterTable& table, CleanNodeletParameters& p
   describe(table, parameters.stages);
 }
 
+namespace {
+
+CleanNodeletParameters load(const ros::NodeHandle& own) {
+  auto parameters = scan_cell_common::load_parameters<CleanNodeletParameters>(own);
+  parameters.stages.isolate.finder = load_finder(parameters.stages.isolate);
+  return parameters;
+}
+
+}  // namespace
+
 void CleanNodelet::start() {
-  const ros::NodeHandle own = getPrivateNodeHandle();
-  parameters_ = scan_cell_common::load_parameters<CleanNodeletParameters>(own);
+  parameters_ = load(getPrivateNodeHandle());
   frames_.set_target(parameters_.target, getNodeHandle());
   constexpr bool kLatched = true;
   constexpr int kReports = 10;  // more than one cloud has stages
@@ -42,7 +52,7 @@ void CleanNodelet::on_cloud(const sensor_msgs::PointCloud2ConstPtr& message) {
 bool CleanNodelet::apply(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return scan_cell_common::answer(response, [&] {
-    parameters_ = scan_cell_common::load_parameters<CleanNodeletParameters>(getPrivateNodeHandle());
+    parameters_ = load(getPrivateNodeHandle());
     frames_.set_target(parameters_.target, getNodeHandle());
     if (!latest_) return;
     const std::string failure = clean_and_publish(*latest_);

@@ -10,6 +10,7 @@
 
 #include "cloud_frames.h"
 #include "cloud_preprocess/stage.h"
+#include "finder/load_finder.h"
 
 namespace cloud_preprocess {
 
@@ -48,12 +49,21 @@ class StageNodelet : public scan_cell_common::Nodelet {
   ros::Subscriber input_;
 };
 
+/// What a stage needs besides its parameters.
+template <class StageParameters>
+void provide(StageParameters& /*parameters*/) {}
+
+inline void provide(IsolationParameters& parameters) {
+  parameters.finder = load_finder(parameters);
+}
+
 template <class StageType>
 class NodeletOf final : public StageNodelet {
   std::unique_ptr<const Stage> make_stage(const ros::NodeHandle& node,
                                           TargetFrame& target) override {
     using Parameters = NodeletParameters<typename StageType::Parameters>;
-    const auto parameters = scan_cell_common::load_parameters<Parameters>(node);
+    auto parameters = scan_cell_common::load_parameters<Parameters>(node);
+    provide(parameters.stage);
     target = parameters.target;
     return std::make_unique<const StageType>(parameters.stage);
   }

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "cloud_preprocess/clean.h"
+#include "finder/load_finder.h"
 #include "input_check.h"
 #include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scan_cell_common/errors/text.h"
@@ -98,12 +99,24 @@ void add_settings(CLI::App& app, YAML::Node& root) {
       "X,Y,Z: direction away from the floor; auto: a table in any direction");
   add_limits(app, root);
   app.add_option_function<std::string>(
+      "--reference",
+      [&root](const std::string& file) {
+        root["isolate"]["select"] = "reference";
+        root["isolate"]["reference"] = file;
+      },
+      "keep what this cloud or mesh explains: PLY, PCD, STL, OBJ");
+  app.add_option_function<std::string>(
+         "--reference-units",
+         [&root](const std::string& units) { root["isolate"]["reference_units"] = units; },
+         "of the reference; without it those of --units")
+      ->check(CLI::IsMember(scan_cell_common::length_units()));
+  app.add_option_function<std::string>(
          "--isolate",
          [&root](const std::string& word) {
            root["isolate"]["select"] = word == "off" ? "all" : word;
          },
          "the object to keep")
-      ->check(CLI::IsMember({"off", "largest", "nearest", "index"}));
+      ->check(CLI::IsMember({"off", "largest", "nearest", "index", "reference"}));
   app.add_option_function<std::string>(
       "--grid", [&root](const std::string& leaf) { set_grid(root, leaf); },
       "X,Y,Z: size of a cell [mm]; off: keep every point");
@@ -174,6 +187,21 @@ void clean_and_save(const Options& options, Cloud cloud,
   if (!objects.empty())
     std::printf("%-9s %8zu files from %s on\n", "objects", objects.size(),
                 numbered(options.objects, 0).c_str());
+}
+
+/// The parameters, with what they need besides.
+CleanParameters prepared(YAML::Node& root, const Options& options) {
+  YAML::Node isolate = root["isolate"];
+  if (!options.units.empty() && isolate && isolate["reference"] && !isolate["reference_units"])
+    isolate["reference_units"] = options.units;
+  CleanParameters parameters = cloud_preprocess::read_clean_parameters({root, "settings"});
+  auto& isolation = parameters.isolate;
+  if (!isolation.reference.empty() && isolation.select != cloud_preprocess::Selection::kReference) {
+    throw InvalidParameter("isolate.reference", fmt::format("'{}'", isolation.reference),
+                           "leave it out, or give --isolate reference");
+  }
+  isolation.finder = cloud_preprocess::load_finder(isolation);
+  return parameters;
 }
 
 void run(Options& options, const CleanParameters& parameters) {
@@ -248,7 +276,7 @@ int main(int argc, char** argv) {
   return scan_cell_common::tool_main(
       "clean_cloud", app, argc, argv,
       [&] {
-        run(options, cloud_preprocess::read_clean_parameters({root, "settings"}));
+        run(options, prepared(root, options));
         return 0;
       },
       scan_cell_common::kUnusable, outputs);

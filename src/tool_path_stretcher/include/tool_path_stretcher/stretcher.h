@@ -20,4 +20,12 @@ using Progress = std::function<bool(const std::string& stage, double progress)>;
 StretchResult stretch(const Surface& reference, const Surface& object, const ToolPath& path,
                       const StretchParameters& parameters, const Progress& progress = {});
 
+/// The same without a path: where the reference lies on the object, or why it does not explain it.
+/// Poses that explain the object alike are one as far as that goes, as of a part that is its own
+/// image; two things in a scan that it fits are not (AMBIGUOUS).
+/// @return its path and quality are empty
+/// @throw as stretch()
+StretchResult lay(const Surface& reference, const Surface& object,
+                  const StretchParameters& parameters, const Progress& progress = {});
+
 }  // namespace tool_path_stretcher

@@ -189,6 +189,7 @@ class Adaptation {
       }
     }
     result.verdict.candidates = check_choice(fitted, partial_reference);
+    if (lays_only()) return;
     result.verdict.message =
         accepted_message(fitted.front(), partial_reference, !result.verdict.candidates.empty());
     Mapping mapping = fitted.front().mapping;
@@ -200,6 +201,9 @@ class Adaptation {
   }
 
  private:
+  /// There is no path: poses differ in nothing that matters.
+  bool lays_only() const { return path_.segments.empty(); }
+
   Fitted explained(const Mapping& mapping) const {
     return fitted(surfaces_, mapping, parameters_.inlier_distance);
   }
@@ -301,7 +305,7 @@ class Adaptation {
       if (check_unambiguous(path_, surfaces_, best, explained(slid), parameters_))
         alike.push_back(candidate_of(path_, slid));
     }
-    if (std::min(best.explanation.overlap, best.explanation.inlier_ratio) < kWhole)
+    if (!lays_only() && std::min(best.explanation.overlap, best.explanation.inlier_ratio) < kWhole)
       check_rivals(path_, surfaces_, best.mapping, partial_, parameters_);
     if (!alike.empty()) alike.insert(alike.begin(), candidate_of(path_, best.mapping));
     return alike;
@@ -367,11 +371,9 @@ Attempt attempt(const SurfacePair& surfaces, const ToolPath& path,
   try {
     stages.report("check", 0);
     check_surfaces(surfaces, parameters);
-    if (is_whole) {
-      check_path(path, surfaces.reference, parameters);
-    } else {
-      check_seeable(path, surfaces.reference, parameters);
-    }
+    const bool has_path = !path.segments.empty();
+    if (has_path && is_whole) check_path(path, surfaces.reference, parameters);
+    if (has_path && !is_whole) check_seeable(path, surfaces.reference, parameters);
     Adaptation adaptation(surfaces, path, parameters, stages);
     stages.report("align", 0.05);
     adaptation.run(attempt.result, attempt.fitted);
@@ -414,24 +416,50 @@ bool explains_too_little(const StretchResult& result, const StretchParameters& p
          result.inlier_ratio < parameters.min_inlier_ratio;
 }
 
+StretchResult stretch_in_scene(const SurfacePair& surfaces, const ToolPath& path,
+                               const StretchParameters& parameters, const Progress& progress) {
+  const StretchResult result = stretch_onto(surfaces, path, parameters, progress);
+  if (!explains_too_little(result, parameters)) return result;
+  const Progress still_at_work = [&progress](const std::string& stage, double) {
+    constexpr double kLate = 0.9;  // of the work; a guess for the bar
+    return !progress || progress(stage, kLate);
+  };
+  const auto onto = [&](const Surface& part) {
+    return stretch_onto({surfaces.reference, part}, path, parameters, still_at_work);
+  };
+  return stretch_in_own_place(surfaces.object, path, result, parameters, onto);
+}
+
+/// @throw nothing: the verdict says what is wrong with it
+StretchResult without_a_path(const ToolPath& path, StretchResult result) {
+  try {
+    check(path);
+  } catch (const scan_cell_common::UnusableInput& error) {
+    result.verdict = {Reason::kUnusableInput, error.what(), {}};
+  }
+  return result;
+}
+
 }  // namespace
 
 StretchResult stretch(const Surface& reference, const Surface& object, const ToolPath& path,
                       const StretchParameters& parameters, const Progress& progress) {
   check(parameters);
   const auto start = std::chrono::steady_clock::now();
-  StretchResult result = stretch_onto({reference, object}, path, parameters, progress);
-  if (explains_too_little(result, parameters)) {
-    const Progress still_at_work = [&progress](const std::string& stage, double) {
-      constexpr double kLate = 0.9;  // of the work; a guess for the bar
-      return !progress || progress(stage, kLate);
-    };
-    result = stretch_in_own_place(object, path, result, parameters, [&](const Surface& part) {
-      return stretch_onto({reference, part}, path, parameters, still_at_work);
-    });
-  }
+  StretchResult result = path.segments.empty()
+                             ? without_a_path(path, begun(reference, object, parameters))
+                             : stretch_in_scene({reference, object}, path, parameters, progress);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
+}
+
+StretchResult lay(const Surface& reference, const Surface& object,
+                  const StretchParameters& parameters, const Progress& progress) {
+  check(parameters);
+  StretchParameters alone = parameters;
+  alone.method = Method::kGeneral;
+  alone.resample_spacing = 0;
+  return stretch_in_scene({reference, object}, {}, alone, progress);
 }
 
 }  // namespace tool_path_stretcher

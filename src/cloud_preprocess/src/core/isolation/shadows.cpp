@@ -2,30 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "isolation/shadows.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
+#include "isolation/plan_view.h"
+
 namespace cloud_preprocess {
 namespace {
-
-/// Points laid flat on the floor, as seen along its normal.
-class PlanView {
- public:
-  explicit PlanView(const Eigen::Vector3f& up)
-      : along_(up.unitOrthogonal()), across_(up.cross(along_)) {}
-
-  pcl::PointXYZ operator()(const pcl::PointXYZ& point) const {
-    const auto at = point.getVector3fMap();
-    return {along_.dot(at), across_.dot(at), 0};
-  }
-
- private:
-  Eigen::Vector3f along_;
-  Eigen::Vector3f across_;
-};
 
 /// Where the floor was seen, in plan view.
 class OpenFloor {

@@ -30,6 +30,7 @@ ScanPoints chosen(const ScanPoints& points, const std::vector<std::uint32_t>& wh
 
 /// By the default parameters of clean_cloud.
 void clean(View& view) {
+  view.scan = view.object;
   scan_cell_common::Cloud cloud;
   for (const Vector3d& place : view.object.places) {
     const Eigen::Vector3f at = place.cast<float>();
@@ -118,10 +119,12 @@ ToolPath shown_path(const ViewCase& each, const View& view) {
 }
 
 void move(const Eigen::Isometry3d& frame, View& view) {
-  for (Vector3d& place : view.object.places)
-    place = frame * place;
-  for (Vector3d& eye : view.object.seen_from)
-    eye = frame * eye;
+  for (ScanPoints* points : {&view.object, &view.scan}) {
+    for (Vector3d& place : points->places)
+      place = frame * place;
+    for (Vector3d& eye : points->seen_from)
+      eye = frame * eye;
+  }
   for (auto& segment : view.truth.segments) {
     for (auto& waypoint : segment.waypoints)
       waypoint.pose = frame * waypoint.pose;

@@ -45,6 +45,7 @@ struct View {
   std::optional<pcl::PolygonMesh> reference_mesh;  //!< none: the scan is the reference
   ScanPoints reference_scan;
   ScanPoints object;
+  ScanPoints scan;          //!< before it was cleaned; empty: it was not
   std::string not_cleaned;  //!< why cleaning gave no cloud
   ToolPath path;            //!< on the reference
   ToolPath truth;

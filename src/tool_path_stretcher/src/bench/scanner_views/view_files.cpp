@@ -60,6 +60,7 @@ void write_files(const View& view, const std::string& folder) {
     save(file("reference.ply"), view.reference_scan);
   }
   save(file("object.ply"), view.object);
+  if (!view.scan.places.empty()) save(file("scan.ply"), view.scan);
   tool_path_stretcher::save_tool_path(file("path.csv"), view.path);
   tool_path_stretcher::save_tool_path(file("truth.csv"), view.truth);
 }

@@ -9,7 +9,8 @@
 namespace scanner_views {
 
 /// Writes a view as `stretch` reads it: reference.ply, object.ply, path.csv and
-/// truth.csv. Points carry laser, pass and the place they were seen from, as in the suite's clouds.
+/// truth.csv; of an object that was cleaned also scan.ply, before that. Points carry laser, pass
+/// and the place they were seen from, as in the suite's clouds.
 /// @throw scan_cell_common::FileError
 void write_files(const View& view, const std::string& folder);
 

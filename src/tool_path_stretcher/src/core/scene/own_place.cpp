@@ -5,20 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "geometry/clusters.h"
 #include "geometry/points.h"
+#include "scene/laid.h"
 #include "surface/complete_surface.h"
 #include "verdict/checks.h"
 
 namespace tool_path_stretcher {
 namespace {
-
-using Piece = std::vector<std::size_t>;
-
-constexpr double kGap = 2.5;  // spacings between neighbours of one thing; chosen
 
 /// The points chosen, with the others beside them.
 Surface part_of(const Surface& object, const Piece& chosen) {
@@ -37,55 +33,6 @@ Surface part_of(const Surface& object, const Piece& chosen) {
   return part;
 }
 
-/// Where a reference came to lie, by points of it.
-class Laid {
- public:
-  Laid(const Points& reference, double inlier_distance)
-      : tree_(reference), reach_(inlier_distance + spacing_of(tree_)) {}
-
-  /// The share of the object's points chosen that it explains.
-  double explains(const Surface& object, const Piece& piece) const {
-    const auto on = std::count_if(piece.begin(), piece.end(), [&](std::size_t i) {
-      return tree_.nearest(object.points[i]).squared_distance <= reach_ * reach_;
-    });
-    return static_cast<double>(on) / static_cast<double>(piece.size());
-  }
-
- private:
-  static double spacing_of(const KdTree& tree) {
-    std::vector<KdTree::Neighbour> nearest;
-    double sum = 0;
-    for (const Eigen::Vector3d& point : tree.points()) {
-      tree.nearest(point, 2, nearest);
-      sum += std::sqrt(nearest.back().squared_distance);
-    }
-    return sum / static_cast<double>(tree.points().size());
-  }
-
-  KdTree tree_;
-  double reach_;  // [m]
-};
-
-/// The points but for the faces that the reference, as it came to lie, does not explain. A face is
-/// smooth, and ends where the scan has a gap or an edge.
-Piece explained(const Surface& object, const Laid& reference) {
-  constexpr double kSmooth = 0.87;   // cosine, 30 degrees; chosen
-  constexpr double kEdge = 0.25;     // spacings that neighbours lie off the plane; chosen
-  constexpr double kStranger = 0.2;  // of a face's points at most explained; chosen
-  constexpr std::size_t kFace = 50;  // points: fewer may be noise or an edge; chosen
-  const auto smooth = [&](std::size_t one, std::size_t other) {
-    if (object.blur[one] > kEdge * object.spacing) return false;
-    return std::abs(object.normals[one].dot(object.normals[other])) > kSmooth;
-  };
-  Piece points;
-  for (const Piece& face : clusters(*object.tree, kGap * object.spacing, smooth)) {
-    if (face.size() < kFace || reference.explains(object, face) >= kStranger)
-      points.insert(points.end(), face.begin(), face.end());
-  }
-  std::sort(points.begin(), points.end());
-  return points;
-}
-
 /// What a reference was found to explain.
 struct Found {
   StretchResult result;
@@ -99,7 +46,9 @@ std::optional<Found> found_there(const Surface& object, const StretchResult& sta
   constexpr double kLeast = 0.1;    // of the scan's points; chosen
   constexpr double kOverlap = 0.7;  // of the reference: its own place is shown whole; chosen
   if (!start.aligned || start.inlier_ratio < kUseful) return std::nullopt;
-  const Piece own = explained(object, {start.mapped_reference, parameters.inlier_distance});
+  constexpr double kScraps = 0;  // may be noise or an edge: they stay
+  const Piece own =
+      explained(object, {start.mapped_reference, parameters.inlier_distance}, kScraps);
   const auto all = static_cast<double>(object.points.size());
   const double share = static_cast<double>(own.size()) / all;
   if (share < kLeast || own.size() == object.points.size()) return std::nullopt;
@@ -109,13 +58,6 @@ std::optional<Found> found_there(const Surface& object, const StretchResult& sta
   result.verdict.message +=
       fmt::format("; {:.3g} % of the scan's points belong to other things", 100 * (1 - share));
   return Found{result, result.overlap >= kOverlap};
-}
-
-bool lie_apart(const StretchResult& one, const StretchResult& other) {
-  constexpr double kOther = 0.05;  // of the size: another thing; chosen
-  const PrincipalFrame a = principal_frame(one.mapped_reference);
-  const PrincipalFrame b = principal_frame(other.mapped_reference);
-  return (a.centroid - b.centroid).norm() > kOther * a.deviation.norm();
 }
 
 StretchResult on_two_things(const ToolPath& path, const StretchResult& one,
@@ -158,7 +100,8 @@ StretchResult best_of(const ToolPath& path, const std::vector<Found>& found,
   }
   if (best == nullptr) return first;
   for (const Found& other : found) {
-    if (best->result.verdict.accepted() && lie_apart(best->result, other.result))
+    if (best->result.verdict.accepted() &&
+        lie_apart(best->result.mapped_reference, other.result.mapped_reference))
       return on_two_things(path, best->result, other.result);
   }
   return best->result;
