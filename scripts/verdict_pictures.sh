@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/reading_a_verdict.md: one per verdict, from cases of the stretcher's benchmark, and one of each thing
 # that real scanners show, from cases of the scanner's benchmark; for the latter it also prints the page's figures.
-#   make build && cmake --build build --target benchmarks && scripts/verdict_pictures.sh
+#   make build && cmake --build build --target benchmarks && scripts/verdict_pictures.sh [PROGRAMS [seen]]     seen: only the latter
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 programs="${1:-devel/lib/tool_path_stretcher}"
@@ -64,14 +64,16 @@ draw() {
   echo "${picture:-$images/verdict_$reason.png}"
 }
 
+# What scanners really see
 seen closed_mesh 'moved: pipe elbow'
 seen mixed_points 'moved: ribbed bracket'
-seen torn_piece 'in a scene, cleaned: mounting base'
+seen torn_piece 'in a scene, cleaned: cast body'
 seen orientation 'moved: stepped block'
 seen bent 'bent: casing'
-seen smooth 'moved: dished cover'
+seen smooth 'moved: saddle shell'
 seen in_the_air 'own path: sanded sheet, bent'
 seen swollen 'warped, scan as reference: cast body'
+[ "${2:-}" = seen ] && exit
 show accepted 'frame, bent 5 mm'
 show ambiguous 'symmetric box'
 show path_not_scanned 'frame, three quarters scanned'

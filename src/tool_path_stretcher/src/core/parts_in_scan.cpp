@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,8 +17,11 @@
 namespace tool_path_stretcher {
 namespace {
 
-/// Of what could be seen of the reference: it is shown whole enough to be sure of its part; chosen.
-constexpr double kSure = 0.7;
+/// Of what could be seen of the reference, that must be shown to be sure of its part: of a closed
+/// one of what faces the viewer; of a scan, whose walls another view may miss, of all; chosen.
+double sure_share(const Surface& reference) {
+  return reference.closed ? 0.7 : 0.5;
+}
 
 /// Where the reference lies in the scan.
 struct Lying {
@@ -45,7 +47,7 @@ class PartSearch {
     const StretchResult result = laid_on(thing);
     const Verdict& verdict = result.verdict;
     const double shown = verdict.accepted() ? shown_of(result, thing) : 0;
-    if (verdict.accepted() && shown >= kSure) {
+    if (verdict.accepted() && shown >= sure_share(reference_)) {
       add({result.similarity, result.mapped_reference, thing}, found_);
     } else if (verdict.accepted()) {
       add({result.similarity, result.mapped_reference, thing}, unsure_);
@@ -63,7 +65,7 @@ class PartSearch {
     for (const Lying& lying : found_)
       result.parts.push_back(part_at(lying));
     for (const Lying& lying : unsure_) {
-      if (is_rival(lying)) result.parts.push_back(part_at(lying));
+      if (!is_known(lying.thing) && is_rival(lying)) result.parts.push_back(part_at(lying));
     }
     if (result.parts.size() == 1) add_what_was_torn_off(result.parts.front());
     if (!found()) result.why_none = why_none_;
@@ -85,9 +87,10 @@ class PartSearch {
     });
   }
 
-  /// The share of what could be seen of the reference that a thing shows. What faces the viewer at
-  /// a grazing angle is left out: no scanner need see it.
+  /// The share of what could be seen of the reference that a thing shows. Of a closed one, what
+  /// faces the viewer at a grazing angle is left out: no scanner need see it.
   double shown_of(const StretchResult& result, const Piece& thing) const {
+    if (!reference_.closed) return result.overlap;
     constexpr double kFacing = 0.5;  // cosine, 60 degrees; chosen
     constexpr double kBent = 0.02;   // of the size, from where the similarity alone has it; chosen
     const KdTree points(select(scan_, thing));
@@ -97,29 +100,20 @@ class PartSearch {
     const auto is_shown = [&](const Eigen::Vector3d& point) {
       return points.nearest(result.similarity * point).squared_distance < reach * reach;
     };
-    const Eigen::Vector3d side = side_shown(is_shown);
-    const Surface seeable = reference_.closed ? seeable_part(reference_, {side}) : reference_;
+    Eigen::Vector3d side = Eigen::Vector3d::Zero();
+    for (const std::size_t i : reference_.samples.many) {
+      if (is_shown(reference_.points[i])) side += reference_.normals[i];
+    }
+    if (side.isZero()) return 0;
+    side.normalize();
+    const Surface seeable = seeable_part(reference_, {side});
     double facing = 0, shown = 0;
     for (std::size_t i = 0; i < seeable.points.size(); ++i) {
-      if (std::abs(seeable.normals[i].dot(side)) < kFacing) continue;
+      if (seeable.normals[i].dot(side) < kFacing) continue;
       facing += 1;
       shown += is_shown(seeable.points[i]) ? 1 : 0;
     }
     return facing > 0 ? shown / facing : 0;
-  }
-
-  /// The way most of what is shown faces: towards the viewer, where the reference has an outside.
-  template <class IsShown>
-  Eigen::Vector3d side_shown(const IsShown& is_shown) const {
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::size_t i : reference_.samples.many) {
-      if (!is_shown(reference_.points[i])) continue;
-      squares += reference_.normals[i] * reference_.normals[i].transpose();
-      sum += reference_.normals[i];
-    }
-    if (reference_.oriented && !sum.isZero()) return sum.normalized();
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(squares).eigenvectors().col(2);
   }
 
   StretchResult laid_on(const Piece& thing) const {
@@ -133,11 +127,11 @@ class PartSearch {
     }
   }
 
-  static std::string too_little(double overlap) {
+  std::string too_little(double overlap) const {
     return fmt::format(
         "it shows {:.3g} % of what could be seen of the reference; {:.3g} % are needed "
         "to be sure that it is its part",
-        100 * overlap, 100 * kSure);
+        100 * overlap, 100 * sure_share(reference_));
   }
 
   bool lie_together(const Lying& one, const Lying& other) const {

@@ -192,9 +192,12 @@ TEST_F(CleanByReference, OfClampsOnlyWhatStandsOverThePartStays) {
   const auto left = cleaned(table, casing);
   EXPECT_GT(table.share(left, {0}), kWhole) << said_;
   EXPECT_LT(table.share(left, {2, 3, 4, 5}), 0.7);
-  for (std::size_t i = 0; i < left.cloud().size(); ++i) {
-    const Eigen::AlignedBox3d box = box_of(meshes.front());
-    const Vector3d at = left.cloud()[i].getVector3fMap().cast<double>();
-    ASSERT_LT(box.exteriorDistance(at), 0.0115) << at.transpose();
+  const Eigen::AlignedBox3d box = box_of(meshes.front());
+  for (const auto& point : left.cloud()) {
+    constexpr double kGap = 0.0115, kOver = 0.0065;  // [m] 10 and 5 mm, and what a point is off
+    const Vector3d at = point.getVector3fMap().cast<double>();
+    const Vector3d below(at.x(), at.y(), std::min(at.z(), box.max().z()));
+    ASSERT_TRUE(box.exteriorDistance(at) < kGap || box.exteriorDistance(below) < kOver)
+        << at.transpose();
   }
 }
