@@ -18,13 +18,13 @@ show() {
   draw "$reason" "$@"
 }
 
-# seen NAME CASE: draws a case of the scanner's benchmark, and prints its figures
+# seen NAME CASE [SEED]: draws a case of the scanner's benchmark, and prints its figures
 seen() {
-  local picture="$images/seen_$1.png" case=$2
-  "$programs/bench_scanner_views" --cases "$case" --write "$work"
+  local picture="$images/seen_$1.png" chosen=(--cases "$2" --seed "${3:-1}")
+  "$programs/bench_scanner_views" "${chosen[@]}" --write "$work"
   [ "$1" = torn_piece ] && clean_scan
   draw accepted
-  figures "$case"
+  figures "${chosen[@]}"
 }
 
 # Cleans the scan as it came, by the tool.
@@ -32,7 +32,7 @@ clean_scan() {
   "$programs/../cloud_preprocess/clean_cloud" --input "$work/scan.ply" --output "$work/object.ply" --grid off
 }
 
-# figures CASE: what stretch said of the files in the work folder, and how far off the truth it is
+# figures OPTIONS of the benchmark...: what stretch said of the files in the work folder, and how far off the truth it is
 figures() {
   python3 - "$work/report.json" <<'END'
 import json, sys
@@ -43,7 +43,7 @@ for key in ("message", "overlap", "inlier_ratio", "rms", "deformation_nodes", "i
     if key in report:
         print(f"  {key}: {report[key]:.5g}" if isinstance(report[key], float) else f"  {key}: {report[key]}")
 END
-  env -u SCAN_CELL_DATA "$programs/bench_scanner_views" --only-ours --cases "$1" | grep -A 2 '^| case'
+  env -u SCAN_CELL_DATA "$programs/bench_scanner_views" --only-ours "$@" | grep -A 2 '^| case'
 }
 
 # draw REASON [options of stretch...]: draws the files in the work folder
@@ -67,7 +67,7 @@ draw() {
 # What scanners really see
 seen closed_mesh 'moved: pipe elbow'
 seen mixed_points 'moved: ribbed bracket'
-seen torn_piece 'in a scene, cleaned: cast body'
+seen torn_piece 'in a scene, cleaned: stepped block' 3
 seen orientation 'moved: stepped block'
 seen bent 'bent: casing'
 seen smooth 'moved: saddle shell'

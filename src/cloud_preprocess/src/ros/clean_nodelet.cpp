@@ -9,7 +9,7 @@
 #include <scan_cell_common/ros/service_answer.h>
 #include <scan_cell_msgs/ObjectClouds.h>
 
-#include "finder/load_finder.h"
+#include "load_finder.h"
 #include "stage_reports.h"
 
 namespace cloud_preprocess {

@@ -10,7 +10,7 @@
 
 #include "cloud_frames.h"
 #include "cloud_preprocess/stage.h"
-#include "finder/load_finder.h"
+#include "load_finder.h"
 
 namespace cloud_preprocess {
 

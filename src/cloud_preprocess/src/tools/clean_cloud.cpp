@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "cloud_preprocess/clean.h"
-#include "finder/load_finder.h"
 #include "input_check.h"
+#include "load_finder.h"
 #include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scan_cell_common/errors/text.h"
 #include "scan_cell_common/files/files.h"

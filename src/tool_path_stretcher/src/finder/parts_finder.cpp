@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "finder/parts_finder.h"
+#include "parts_finder.h"
 
 #include <pluginlib/class_list_macros.hpp>
 
