@@ -22,6 +22,15 @@ inline Eigen::Matrix3d about_vertical(double degrees) {
   return Eigen::AngleAxisd(degrees * kDegree, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
+inline ToolPath without_orientation(ToolPath path) {
+  path.has_orientation = false;
+  for (Segment& segment : path.segments) {
+    for (Waypoint& waypoint : segment.waypoints)
+      waypoint.pose.linear().setIdentity();
+  }
+  return path;
+}
+
 /// One case with its truth; tests change what they are about.
 struct Case {
   Part part = synthetic::photo_frame();

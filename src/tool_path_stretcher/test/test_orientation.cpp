@@ -104,11 +104,7 @@ TEST(Orientation, FollowsADent) {
 
 TEST(Orientation, OfAPathWithoutAnyHasNoExpectedError) {
   Case each;
-  each.path.has_orientation = false;
-  for (Segment& segment : each.path.segments) {
-    for (Waypoint& waypoint : segment.waypoints)
-      waypoint.pose.linear().setIdentity();
-  }
+  each.path = without_orientation(each.path);
   const StretchResult result = each.run();
   ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
   for (const WaypointQuality& quality : result.quality)

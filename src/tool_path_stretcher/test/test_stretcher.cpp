@@ -120,11 +120,7 @@ TEST(Stretcher, KeepsOrderCountNamesAndProcessValues) {
 
 TEST(Stretcher, LeavesAPathWithoutOrientationWithout) {
   Case each;
-  each.path.has_orientation = false;
-  for (Segment& segment : each.path.segments) {
-    for (Waypoint& waypoint : segment.waypoints)
-      waypoint.pose.linear().setIdentity();
-  }
+  each.path = without_orientation(each.path);
   const StretchResult result = each.run();
   ASSERT_TRUE(result.verdict.accepted()) << result.verdict.message;
   EXPECT_FALSE(result.path.has_orientation);

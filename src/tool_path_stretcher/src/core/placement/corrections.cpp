@@ -8,22 +8,14 @@
 #include "geometry/robust.h"
 
 namespace tool_path_stretcher {
-namespace {
 
-/// Variance of what was measured beyond its errors: robust, so that few waypoints beside edges or
-/// in a dent do not stand for all.
-/// @param squares of each waypoint, over how far chance alone takes their median
-double beyond(const std::vector<double>& squares, const std::vector<double>& variances,
-              double median_of_one) {
+double variance_beyond(const std::vector<double>& squares, const std::vector<double>& variances,
+                       double median_of_one, double errors) {
   if (squares.empty()) return 0;
-  return std::max(0.0, quantile(squares, 0.5) / median_of_one - quantile(variances, 0.5));
+  return std::max(0.0, quantile(squares, 0.5) / median_of_one - errors * quantile(variances, 0.5));
 }
 
-}  // namespace
-
 Signal signal_of(const std::vector<Track>& tracks) {
-  constexpr double kMedianOfOne = 0.455;  // of a chi-square with one degree of freedom
-  constexpr double kMedianOfTwo = 1.386;  // with two
   std::vector<double> heights, height_variances, slopes, slope_variances;
   for (const Track& track : tracks) {
     for (const auto& station : track.stations) {
@@ -35,8 +27,8 @@ Signal signal_of(const std::vector<Track>& tracks) {
       slope_variances.push_back(surface.slope_variance);
     }
   }
-  return {beyond(heights, height_variances, kMedianOfOne),
-          beyond(slopes, slope_variances, kMedianOfTwo)};
+  return {variance_beyond(heights, height_variances, kMedianOfOne, 1),
+          variance_beyond(slopes, slope_variances, kMedianOfTwo, 1)};
 }
 
 namespace {

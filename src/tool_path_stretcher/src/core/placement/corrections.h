@@ -11,6 +11,18 @@ struct Signal {
   double height_variance = 0;  //!< [m^2]
   double slope_variance = 0;   //!< of each component
 };
+
+constexpr double kMedianOfOne = 0.455;  //!< of a chi-square with one degree of freedom
+constexpr double kMedianOfTwo = 1.386;  //!< with two
+
+/// Variance of what waypoints measured beyond their errors: robust, so that few beside edges or in
+/// a dent do not stand for all.
+/// @param squares of what each measured
+/// @param median_of_one of the squares, where each component has the variance 1
+/// @param errors as many variances of the measurements are taken off
+double variance_beyond(const std::vector<double>& squares, const std::vector<double>& variances,
+                       double median_of_one, double errors);
+
 Signal signal_of(const std::vector<Track>& tracks);
 
 /// [m, object] that each waypoint of a segment is moved by along the normal, over the mapping: the

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "geometry/robust.h"
 #include "placement/corrections.h"
 
 namespace tool_path_stretcher {
@@ -73,17 +72,15 @@ struct Slope {
 
 /// Of each component of the slopes that most of the waypoints around have, beyond their errors.
 double signal_around(const std::vector<Seen>& near) {
-  constexpr std::size_t kLeast = 5;       // waypoints; chosen
-  constexpr double kMedianOfTwo = 1.386;  // of a chi-square with two degrees of freedom
-  constexpr double kErrors = 4;           // variances: two standard deviations
+  constexpr std::size_t kLeast = 5;  // waypoints; chosen
+  constexpr double kErrors = 4;      // variances: two standard deviations
   if (near.size() < kLeast) return 0;
   std::vector<double> squares, variances;
   for (const Seen& each : near) {
     squares.push_back(each.surface.slope.squaredNorm());
     variances.push_back(each.surface.slope_variance);
   }
-  return std::max(0.0, quantile(std::move(squares), 0.5) / kMedianOfTwo -
-                           kErrors * quantile(std::move(variances), 0.5));
+  return variance_beyond(squares, variances, kMedianOfTwo, kErrors);
 }
 
 Slope common_slope(const Track& track, std::size_t at, double width) {
