@@ -1,0 +1,35 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "tool_path_programs/language.h"
+
+namespace tool_path_programs {
+
+const std::vector<const Language*>& languages() {
+  static const std::vector<const Language*> all = {};
+  return all;
+}
+
+const Language& language_named(const std::string& name) {
+  std::string names;
+  for (const Language* language : languages()) {
+    if (language->name() == name) return *language;
+    names += (names.empty() ? "" : ", ") + language->name();
+  }
+  throw scan_cell_common::InvalidParameter("language", name, "give one of " + names);
+}
+
+const Language* language_of(const std::string& file) {
+  const std::string ending = scan_cell_common::extension_of(file);
+  const auto found =
+      std::find_if(languages().begin(), languages().end(), [&](const Language* language) {
+        const std::vector<std::string> endings = language->endings();
+        return std::find(endings.begin(), endings.end(), ending) != endings.end();
+      });
+  return found == languages().end() ? nullptr : *found;
+}
+
+}  // namespace tool_path_programs
