@@ -5,7 +5,7 @@
 #include <scan_cell_common/errors/errors.h>
 #include <tool_path_stretcher/stretcher.h>
 #include <tool_path_stretcher/surface.h>
-#include <tool_path_stretcher/tool_path_files.h>
+#include <tool_paths/tool_path_files.h>
 
 #include <iostream>
 
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     const ts::StretchParameters parameters;  // the same defaults as the command and the node
     const ts::Surface reference = ts::load_surface(argv[1], parameters.leaf);
     const ts::Surface object = ts::load_surface(argv[2], parameters.leaf);
-    const ts::ToolPath path = ts::load_tool_path(argv[3]);
+    const ts::ToolPath path = tool_paths::load_tool_path(argv[3]);
 
     const ts::StretchResult result = ts::stretch(reference, object, path, parameters);
     if (!result.verdict.accepted()) {
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
                 << "): " << result.verdict.message << "\n";
       return 2;
     }
-    ts::save_tool_path(argv[4], result.path);
+    tool_paths::save_tool_path(argv[4], result.path);
     std::cout << "accepted: scale " << result.similarity.scale << ", "
               << waypoint_count(result.path) << " waypoints, rms " << 1e3 * result.rms << " mm\n";
     return 0;

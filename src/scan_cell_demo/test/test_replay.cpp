@@ -16,7 +16,7 @@
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_demo/comparison.h"
 #include "scan_cell_sim/ground_truth.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace fs = std::filesystem;
 
@@ -36,7 +36,7 @@ class Replay : public testing::Test {
   void SetUp() override {
     fs::create_directories(folder_);
     path_ = scan_cell_demo::proven_path(config("reference_frame.yaml"), "frame");
-    tool_path_stretcher::save_tool_path(path("path.csv"), path_);
+    tool_paths::save_tool_path(path("path.csv"), path_);
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -84,8 +84,8 @@ TEST_F(Replay, GivesTheTruePath) {
   ASSERT_EQ(replay(path("scan.bag"), reference, path("first")), 0);
   const auto truth = scan_cell_demo::true_path(path_, config("reference_frame.yaml"),
                                                config("scaled_frame.yaml"), "frame");
-  const auto error = scan_cell_demo::compare(
-      tool_path_stretcher::load_tool_path(path("first/adapted_path.csv")), truth);
+  const auto error =
+      scan_cell_demo::compare(tool_paths::load_tool_path(path("first/adapted_path.csv")), truth);
   EXPECT_LE(error.rms, 1.0e-3);
 }
 

@@ -9,7 +9,7 @@
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/stretcher.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace fs = std::filesystem;
 using namespace tool_path_stretcher;
@@ -26,7 +26,7 @@ TEST_P(RealPart, CarriesItsRealPathOver) {
   const StretchParameters parameters;
   const Surface reference = load_surface((folder / "part.stl").string(), parameters.leaf);
   const auto mesh = scan_cell_common::load_mesh((folder / "part.stl").string());
-  const ToolPath path = load_tool_path((folder / "toolpath.yaml").string());
+  const ToolPath path = tool_paths::load_tool_path((folder / "toolpath.yaml").string());
   const std::vector<double> scales = {0.7, 1.0, 1.4};
   for (unsigned i = 0; i < scales.size(); ++i) {
     const Similarity moved =

@@ -7,7 +7,7 @@
 #include "report.h"
 #include "scan_cell_common/errors/errors.h"
 #include "stretch_case.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 using namespace tool_path_stretcher;
 
@@ -130,9 +130,9 @@ TEST(Stretcher, LeavesAPathWithoutOrientationWithout) {
 TEST(Stretcher, GivesTheSameBytesForTheSameInput) {
   Case each;
   each.deformation = synthetic::bend(0.004, 0.200);
-  const std::string first = tool_path_to_csv(each.run().path);
+  const std::string first = tool_paths::tool_path_to_csv(each.run().path);
   EXPECT_GT(first.size(), 1000U);
-  EXPECT_EQ(first, tool_path_to_csv(each.run().path));
+  EXPECT_EQ(first, tool_paths::tool_path_to_csv(each.run().path));
 }
 
 TEST(AffineMethod, FindsTheScaleAndMovesThePathTheRightWay) {

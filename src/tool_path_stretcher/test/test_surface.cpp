@@ -10,6 +10,7 @@
 #include "geometry/points.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
+#include "surface_targets.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/surface.h"
 
@@ -176,4 +177,16 @@ TEST(CloudSurface, IsRefusedByNameWhereItCannotBeUsed) {
     line.emplace_back(0.001 * i, 0.002 * i, 0);
   EXPECT_NE(complaint(line).find("one line"), std::string::npos);
   EXPECT_NE(complaint(Points(500, Eigen::Vector3d(1, 2, 3))).find("one place"), std::string::npos);
+}
+
+TEST(Surfaces, AreMadeOrRefusedWhateverIsInTheFile) {
+  for (const auto& target : surface_targets()) {
+    SCOPED_TRACE(target.name);
+    for (const std::string& seed : target.seeds)
+      EXPECT_NO_THROW(target.run(seed)) << seed;
+    const std::uint64_t runs = 20000 / target.cost;
+    const auto count = scan_cell_common::fuzz(target, 1, runs);
+    EXPECT_GT(count.taken, runs / 20);
+    EXPECT_GT(count.refused, runs / 4);
+  }
 }

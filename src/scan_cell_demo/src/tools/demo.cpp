@@ -23,7 +23,7 @@
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_demo/comparison.h"
 #include "tool_path_stretcher/ros/conversions.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace {
 
@@ -102,7 +102,7 @@ class Demo {
 
   ToolPath proven_path() const {
     const ToolPath path = scan_cell_demo::proven_path(options_.reference, options_.part);
-    tool_path_stretcher::save_tool_path(out("tool_path.csv"), path);
+    tool_paths::save_tool_path(out("tool_path.csv"), path);
     return path;
   }
 
@@ -182,8 +182,8 @@ class Demo {
       const ToolPath adapted = tool_path_stretcher::from_message(stretched.path);
       const ToolPath truth =
           scan_cell_demo::true_path(path, options_.reference, options_.object, options_.part);
-      tool_path_stretcher::save_tool_path(out("adapted_path.csv"), adapted);
-      tool_path_stretcher::save_tool_path(out("true_path.csv"), truth);
+      tool_paths::save_tool_path(out("adapted_path.csv"), adapted);
+      tool_paths::save_tool_path(out("true_path.csv"), truth);
       const bool own_image = !stretched.verdict.candidates.empty();
       error = own_image ? scan_cell_demo::compare_lines(adapted, truth)
                         : scan_cell_demo::compare(adapted, truth);

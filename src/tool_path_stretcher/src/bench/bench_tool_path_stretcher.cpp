@@ -13,7 +13,7 @@
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "tool_path_stretcher/surface.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace {
 
@@ -34,8 +34,8 @@ void write(const cases::Case& each, const std::filesystem::path& folder) {
                                tool_path_stretcher::to_cloud(scene.reference));
   scan_cell_common::save_cloud((folder / "object.ply").string(),
                                tool_path_stretcher::to_cloud(scene.object));
-  tool_path_stretcher::save_tool_path((folder / "path.csv").string(), scene.path);
-  tool_path_stretcher::save_tool_path((folder / "truth.csv").string(), scene.truth);
+  tool_paths::save_tool_path((folder / "path.csv").string(), scene.path);
+  tool_paths::save_tool_path((folder / "truth.csv").string(), scene.truth);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Json to_json(const WaypointQuality& quality) {
           {"position_measured", quality.position_measured}};
 }
 
-Json to_json(const PathContents& contents) {
+Json to_json(const tool_paths::PathContents& contents) {
   return {{"waypoints", contents.waypoints},           {"segments", contents.segments},
           {"orientations", contents.orientations},     {"units", contents.units},
           {"process_values", contents.process_values}, {"kept", contents.kept}};

@@ -5,15 +5,16 @@
 #include <optional>
 #include <string>
 
-#include "tool_path_stretcher/path_conventions.h"
 #include "tool_path_stretcher/reported_verdict.h"
 #include "tool_path_stretcher/stretcher.h"
+#include "tool_paths/path_conventions.h"
 
 namespace tool_path_stretcher {
 
 /// What belongs to a run besides its result.
 struct RunRecord {
-  std::optional<PathContents> path;  //!< as it was understood; none: it could not be read
+  std::optional<tool_paths::PathContents>
+      path;  //!< as it was understood; none: it could not be read
   std::optional<FileRecord> reference, object, path_file, output;  //!< none: not from files
   double seconds_reading = 0;
   double seconds_writing = 0;  //!< the adapted path

@@ -1,27 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
-#include <array>
 #include <cmath>
 
 #include "report.h"
-#include "scan_cell_common/errors/errors.h"
-#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/files/sha256.h"
 
 namespace tool_path_stretcher {
 namespace {
-
-std::string sha256_of(const std::string& bytes, const std::string& file) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int length = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
-    throw scan_cell_common::FileError(file, "its SHA-256 could not be computed",
-                                      "check the installation of OpenSSL");
-  }
-  return fmt::format("{:02x}", fmt::join(digest.begin(), digest.begin() + length, ""));
-}
 
 std::string millimetres(double metres) {
   return std::isfinite(metres) ? fmt::format("{:.3g} mm", 1e3 * metres) : "unknown";
@@ -37,7 +24,7 @@ std::string and_degrees(double radians) {
 }  // namespace
 
 FileRecord record_of(const std::string& file, const std::string& units) {
-  return {file, sha256_of(scan_cell_common::read_file(file), file), units};
+  return {file, scan_cell_common::sha256_of_file(file), units};
 }
 
 double total_seconds(const StretchResult& result, const RunRecord& record) {

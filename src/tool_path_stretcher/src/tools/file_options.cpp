@@ -22,11 +22,11 @@ std::string FileOptions::units_of_object() const {
   return first_given(object_units, units);
 }
 
-PathConventions FileOptions::path_conventions() const {
-  PathConventions result = conventions;
+tool_paths::PathConventions FileOptions::path_conventions() const {
+  tool_paths::PathConventions result = conventions;
   result.units = path_units.empty() ? units : path_units;
-  if (degrees) result.angles = AngleUnit::kDegrees;
-  if (radians) result.angles = AngleUnit::kRadians;
+  if (degrees) result.angles = tool_paths::AngleUnit::kDegrees;
+  if (radians) result.angles = tool_paths::AngleUnit::kRadians;
   return result;
 }
 
@@ -36,7 +36,7 @@ void add_file_options(CLI::App& app, FileOptions& options) {
   app.add_option("--reference-units", options.reference_units, "of the reference, if others");
   app.add_option("--object-units", options.object_units, "of the object, if others");
   app.add_option("--path-units", options.path_units, "of the tool paths, if others");
-  PathConventions& path = options.conventions;
+  tool_paths::PathConventions& path = options.conventions;
   app.add_option("--euler", path.euler,
                  "angles in the path: axes in the order of the turns, each about the turned frame "
                  "(zyx: Kuka, Fanuc, roll-pitch-yaw; zyz: Comau)");

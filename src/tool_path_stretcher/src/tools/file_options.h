@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tool_path_stretcher/path_conventions.h"
+#include "tool_paths/path_conventions.h"
 
 namespace CLI {
 class App;
@@ -20,14 +20,14 @@ struct FileOptions {
   std::string path_units;
   bool degrees = false;
   bool radians = false;
-  PathConventions conventions;
+  tool_paths::PathConventions conventions;
 
   /// The unit of a file: its own, else that of all files, else metres.
   std::string units_of_reference() const;
   std::string units_of_object() const;
 
   /// Of the tool path.
-  PathConventions path_conventions() const;
+  tool_paths::PathConventions path_conventions() const;
 };
 
 void add_file_options(CLI::App& app, FileOptions& options);

@@ -9,7 +9,7 @@
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace {
 
@@ -68,9 +68,9 @@ void run(const Options& options) {
   check_same_files(input.verdict,
                    {options.reference, options.object, options.path, options.adapted});
   const FileOptions files = with_reported_units(options.files, input.verdict);
-  input.path = load_tool_path(options.path, files.path_conventions());
+  input.path = tool_paths::load_tool_path(options.path, files.path_conventions());
   if (!options.adapted.empty())
-    input.adapted = load_tool_path(options.adapted, files.path_conventions());
+    input.adapted = tool_paths::load_tool_path(options.adapted, files.path_conventions());
   input.reference = load_surface(options.reference, leaf,
                                  scan_cell_common::metres_per(files.units_of_reference()));
   input.object =

@@ -16,7 +16,7 @@
 #include "scan_cell_common/parameters/parameter_options.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace {
 
@@ -71,7 +71,7 @@ double seconds_since(Clock::time_point start) {
 struct Run {
   StretchResult result;
   tool_path_stretcher::RunRecord record;
-  tool_path_stretcher::PathLayout layout;
+  tool_paths::PathLayout layout;
 };
 
 /// A path of an earlier run must not be taken for this one's.
@@ -94,14 +94,15 @@ void remove_old_report(const Options& options) {
 
 /// All that can be wrong with the options, before any file is read.
 void check_options(Options& options) {
-  tool_path_stretcher::check_tool_path_name(options.output);
+  tool_paths::check_tool_path_name(options.output);
   remove_old_path(options);
   options.typed.read(options.parameters);
 }
 
 tool_path_stretcher::ToolPath read_path(const Options& options, Run& run) {
   using namespace tool_path_stretcher;
-  ToolPathFile file = load_tool_path_file(options.path, options.files.path_conventions());
+  tool_paths::ToolPathFile file =
+      tool_paths::load_tool_path_file(options.path, options.files.path_conventions());
   run.record.path = contents_of(file.path, file.layout);
   run.record.path_file = record_of(options.path, file.layout.pose.units);
   run.layout = std::move(file.layout);
@@ -148,7 +149,7 @@ void tell_what_is_left_out(const Options& options, const Run& run) {
 void save_path(const Options& options, Run& run) {
   const Clock::time_point start = Clock::now();
   try {
-    tool_path_stretcher::save_tool_path(options.output, run.result.path, run.layout);
+    tool_paths::save_tool_path(options.output, run.result.path, run.layout);
     tell_what_is_left_out(options, run);
     run.record.output = tool_path_stretcher::record_of(options.output, run.layout.pose.units);
   } catch (const scan_cell_common::Error& error) {

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "scan_cell_common/clouds/cloud_files.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace cases {
 namespace {
@@ -139,9 +139,8 @@ void add_real(const std::string& data, std::vector<Case>& all) {
   for (const char* name : {"crs_part_1", "crs_part_2"}) {
     const fs::path folder = fs::path(data) / "parts" / name;
     if (data.empty() || !fs::exists(folder)) continue;
-    const Part part =
-        part_of_mesh(scan_cell_common::load_mesh((folder / "part.stl").string()),
-                     tool_path_stretcher::load_tool_path((folder / "toolpath.yaml").string()));
+    const Part part = part_of_mesh(scan_cell_common::load_mesh((folder / "part.stl").string()),
+                                   tool_paths::load_tool_path((folder / "toolpath.yaml").string()));
     Family real(name, part, false, all);
     real.add("any turn x 0.7", moved(0.7, ++seed));
     real.add("any turn x 1.4", moved(1.4, ++seed));

@@ -23,7 +23,7 @@
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/ros/conversions.h"
 #include "tool_path_stretcher/surface.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 using scan_cell_msgs::StretchToolPathGoal;
 using scan_cell_msgs::StretchVerdict;
@@ -225,7 +225,7 @@ TEST_F(StretchAction, GivesTheSameBytesAsTheCommand) {
   };
   save(same.reference, "r.ply");
   save(same.object, "d.ply");
-  save_tool_path((folder / "p.csv").string(), path_);
+  tool_paths::save_tool_path((folder / "p.csv").string(), path_);
   const std::string command = "cd " + folder.string() + " && " + STRETCH_COMMAND +
                               " --reference r.ply --object d.ply --path p.csv --output out.csv"
                               " --report report.json > /dev/null 2>&1";

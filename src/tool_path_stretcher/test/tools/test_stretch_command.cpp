@@ -15,7 +15,7 @@
 #include "report.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "synthetic_parts.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace fs = std::filesystem;
 using namespace tool_path_stretcher;
@@ -38,7 +38,7 @@ class StretchCommand : public testing::Test {
     const auto none = synthetic::no_deformation();
     scan_cell_common::save_cloud(file("r.ply"), to_cloud(synthetic::scan(part_, {}, none, whole)));
     scan_cell_common::save_cloud(file("d.ply"), to_cloud(synthetic::scan(part_, moved_, none, {})));
-    save_tool_path(file("p.csv"), synthetic::path_on(part_, 100));
+    tool_paths::save_tool_path(file("p.csv"), synthetic::path_on(part_, 100));
   }
 
   void TearDown() override { fs::remove_all(folder_); }
@@ -84,7 +84,7 @@ class StretchCommand : public testing::Test {
 
 TEST_F(StretchCommand, AdaptsThePathAndReportsIt) {
   ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0) << text_of("stderr");
-  const ToolPath path = load_tool_path(file("out.csv"));
+  const ToolPath path = tool_paths::load_tool_path(file("out.csv"));
   const ToolPath truth =
       synthetic::truth(synthetic::path_on(part_, 100), moved_, synthetic::no_deformation());
   EXPECT_LE(synthetic::error_of(path, truth).rms, 0.0002);
@@ -333,21 +333,22 @@ TEST_F(StretchCommand, RefusesBadEndingsBeforeTheWork) {
 
 TEST_F(StretchCommand, TakesACadReferenceInMillimetresAndAScanInMetres) {
   ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
-  const ToolPath expected = load_tool_path(file("out.csv"));
+  const ToolPath expected = tool_paths::load_tool_path(file("out.csv"));
   scan_cell_common::save_cloud(
       file("r_mm.ply"),
       to_cloud(scaled(to_points(scan_cell_common::load_cloud(file("r.ply"))), 1000)));
-  PathLayout millimetres = load_tool_path_file(file("p.csv")).layout;
+  tool_paths::PathLayout millimetres = tool_paths::load_tool_path_file(file("p.csv")).layout;
   millimetres.pose.units = "mm";
-  save_tool_path(file("p_mm.csv"), load_tool_path(file("p.csv")), millimetres);
+  tool_paths::save_tool_path(file("p_mm.csv"), tool_paths::load_tool_path(file("p.csv")),
+                             millimetres);
   ASSERT_EQ(run("r_mm.ply", "d.ply", "p_mm.csv", "--units mm --object-units m"), 0)
       << text_of("stderr");
   EXPECT_EQ(report()["path"]["units"], "mm");
   EXPECT_EQ(report()["files"]["object"]["units"], "m");
   EXPECT_NEAR(report()["scale"], 1.08, 0.001);
-  PathConventions in_millimetres;
+  tool_paths::PathConventions in_millimetres;
   in_millimetres.units = "mm";
-  const ToolPath found = load_tool_path(file("out.csv"), in_millimetres);
+  const ToolPath found = tool_paths::load_tool_path(file("out.csv"), in_millimetres);
   EXPECT_LT(synthetic::error_of(found, expected).rms, 1e-5);
   EXPECT_EQ(run("r_mm.ply", "d.ply", "p_mm.csv", "--units ell"), 1);
   EXPECT_NE(text_of("stderr").find("'ell'; give m, mm or inch"), std::string::npos)
@@ -356,14 +357,14 @@ TEST_F(StretchCommand, TakesACadReferenceInMillimetresAndAScanInMetres) {
 
 TEST_F(StretchCommand, TurnsEulerAnglesAndNeverCopiesThem) {
   ASSERT_EQ(run("r.ply", "d.ply", "p.csv"), 0);
-  const ToolPath expected = load_tool_path(file("out.csv"));
-  PathLayout angles = load_tool_path_file(file("p.csv")).layout;
+  const ToolPath expected = tool_paths::load_tool_path(file("out.csv"));
+  tool_paths::PathLayout angles = tool_paths::load_tool_path_file(file("p.csv")).layout;
   angles.columns.clear();
-  angles.pose.orientation = OrientationKind::kEuler;
+  angles.pose.orientation = tool_paths::OrientationKind::kEuler;
   angles.pose.euler = "zyx";
   angles.pose.degrees = true;
   angles.pose.names = {"rz", "ry", "rx"};
-  save_tool_path(file("angles.csv"), load_tool_path(file("p.csv")), angles);
+  tool_paths::save_tool_path(file("angles.csv"), tool_paths::load_tool_path(file("p.csv")), angles);
   EXPECT_EQ(run("r.ply", "d.ply", "angles.csv"), 1);
   EXPECT_NE(text_of("stderr").find("'rx', 'ry', 'rz' could be an orientation"), std::string::npos)
       << text_of("stderr");
@@ -373,10 +374,10 @@ TEST_F(StretchCommand, TurnsEulerAnglesAndNeverCopiesThem) {
   const std::string written = text_of("out.csv");
   EXPECT_EQ(written.substr(0, written.find('\n')),
             text_of("angles.csv").substr(0, text_of("angles.csv").find('\n')));
-  PathConventions given;
+  tool_paths::PathConventions given;
   given.euler = "zyx";
-  given.angles = AngleUnit::kDegrees;
-  const ToolPath found = load_tool_path(file("out.csv"), given);
+  given.angles = tool_paths::AngleUnit::kDegrees;
+  const ToolPath found = tool_paths::load_tool_path(file("out.csv"), given);
   for (std::size_t i = 0; i < found.segments[0].waypoints.size(); ++i) {
     EXPECT_TRUE(
         found.segments[0].waypoints[i].pose.isApprox(expected.segments[0].waypoints[i].pose, 1e-6));

@@ -10,7 +10,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/stretcher.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 using namespace tool_path_stretcher;
 
@@ -292,12 +292,13 @@ TEST(OddInput, WaypointsInOnePlaceStayThere) {
 }
 
 TEST(SameBytes, ComeFromSeveralThreadsAtOnce) {
-  const std::string alone = tool_path_to_csv(run(good_input()).path);
+  const std::string alone = tool_paths::tool_path_to_csv(run(good_input()).path);
   ASSERT_GT(alone.size(), 1000U);
   std::vector<std::string> results(3);
   std::vector<std::thread> threads;
   for (std::string& result : results)
-    threads.emplace_back([&result] { result = tool_path_to_csv(run(good_input()).path); });
+    threads.emplace_back(
+        [&result] { result = tool_paths::tool_path_to_csv(run(good_input()).path); });
   for (std::thread& thread : threads)
     thread.join();
   for (const std::string& result : results)

@@ -7,7 +7,7 @@
 #include "report.h"
 #include "scan_cell_common/errors/errors.h"
 #include "stretch_case.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 using namespace tool_path_stretcher;
 

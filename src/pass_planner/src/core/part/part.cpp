@@ -10,7 +10,7 @@
 #include "scan_cell_common/pose/units.h"
 #include "tool_path_stretcher/reported_verdict.h"
 #include "tool_path_stretcher/stretch_parameters.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace pass_planner {
 namespace {
@@ -61,11 +61,11 @@ PlacedPart load_part(const PartFiles& files) {
   PlacedPart part;
   part.shape = load_shape(files.reference, tool_path_stretcher::StretchParameters().leaf,
                           files.reference_metres);
-  tool_path_stretcher::PathConventions conventions;
+  tool_paths::PathConventions conventions;
   conventions.units = files.path_units;
-  const auto path = tool_path_stretcher::load_tool_path(files.path, conventions);
-  for (const tool_path_stretcher::Segment& segment : path.segments) {
-    for (const tool_path_stretcher::Waypoint& waypoint : segment.waypoints)
+  const auto path = tool_paths::load_tool_path(files.path, conventions);
+  for (const tool_paths::Segment& segment : path.segments) {
+    for (const tool_paths::Waypoint& waypoint : segment.waypoints)
       part.waypoints.push_back(waypoint.pose.translation());
   }
   part.wanted.resize(part.waypoints.size());

@@ -15,7 +15,7 @@
 #include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "tool_path_stretcher/ros/conversions.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace scan_cell {
 
@@ -85,7 +85,7 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
   goal.reference =
       scan_cell_common::to_message(scan_cell_common::load_cloud(files.reference), object.header);
   goal.object = object;
-  const auto path = tool_path_stretcher::load_tool_path_file(files.path);
+  const auto path = tool_paths::load_tool_path_file(files.path);
   goal.path = tool_path_stretcher::to_message(path.path, object.header);
 
   const fs::path output(files.output);
@@ -93,8 +93,8 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
   const auto result = client.stretch(goal, timeout, progress);
   // The path before the report: an accepting report without its path would be a lie.
   if (result.verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED) {
-    tool_path_stretcher::save_tool_path(
-        (output / kPath).string(), tool_path_stretcher::from_message(result.path), path.layout);
+    tool_paths::save_tool_path((output / kPath).string(),
+                               tool_path_stretcher::from_message(result.path), path.layout);
   }
   scan_cell_common::save_text((output / kReport).string(), with_passes(result.report, scan));
   return result.verdict;

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "scan_cell_common/clouds/fielded_cloud.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace scanner_views {
 namespace {
@@ -61,8 +61,8 @@ void write_files(const View& view, const std::string& folder) {
   }
   save(file("object.ply"), view.object);
   if (!view.scan.places.empty()) save(file("scan.ply"), view.scan);
-  tool_path_stretcher::save_tool_path(file("path.csv"), view.path);
-  tool_path_stretcher::save_tool_path(file("truth.csv"), view.truth);
+  tool_paths::save_tool_path(file("path.csv"), view.path);
+  tool_paths::save_tool_path(file("truth.csv"), view.truth);
 }
 
 }  // namespace scanner_views

@@ -5,7 +5,7 @@
 
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scanner_views/parts/part_list.h"
-#include "tool_path_stretcher/tool_path_files.h"
+#include "tool_paths/tool_path_files.h"
 
 namespace scanner_views {
 namespace {
@@ -37,7 +37,7 @@ std::vector<ViewPart> real_parts(const std::string& data) {
     const fs::path folder = fs::path(data) / "parts" / name;
     if (!fs::exists(folder)) continue;
     parts.push_back({name, load(folder / "part.stl", 1), false,
-                     tool_path_stretcher::load_tool_path((folder / "toolpath.yaml").string())});
+                     tool_paths::load_tool_path((folder / "toolpath.yaml").string())});
   }
   for (const MeshFile& each : kMeshes) {
     const fs::path file = fs::path(data) / "parts" / "meshes" / each.file;

@@ -1,0 +1,60 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_programs/accepted_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/files/sha256.h"
+
+namespace tool_path_programs {
+namespace {
+
+using Json = nlohmann::json;
+using scan_cell_common::Refused;
+
+void check_is_of(const Json& report, const std::string& report_file, const std::string& path) {
+  if (report.at("verdict") != "accepted")
+    throw Refused(report_file, "refused: " + report.at("message").get<std::string>(),
+                  "only an accepted path becomes a program");
+  const Json& output = report.at("files").at("output");
+  if (output.is_null())
+    throw Refused(report_file, "it says of no file that it was accepted",
+                  "give the report that stretch wrote with the path");
+  if (output.at("sha256") != scan_cell_common::sha256_of_file(path))
+    throw Refused(path, "not the path that " + report_file + " accepted: its SHA-256 is another",
+                  "give the path as stretch wrote it, or stretch again");
+}
+
+std::string file_comment(const std::string& what, const Json& file) {
+  if (file.is_null()) return what + ": not from a file";
+  return what + ": " + file.at("name").get<std::string>() + " sha256 " +
+         file.at("sha256").get<std::string>().substr(0, 16);
+}
+
+}  // namespace
+
+AcceptedReport accepted_report(const std::string& report_file, const std::string& path) {
+  const std::string text = scan_cell_common::read_file(report_file);
+  try {
+    const Json report = Json::parse(text);
+    check_is_of(report, report_file, path);
+    AcceptedReport result;
+    const Json& files = report.at("files");
+    result.comments = {file_comment("reference", files.at("reference")),
+                       file_comment("object", files.at("object")),
+                       file_comment("path", files.at("output")),
+                       "verdict: accepted, report sha256 " +
+                           scan_cell_common::sha256_of(text, report_file).substr(0, 16)};
+    const Json& quality = report.at("quality");
+    for (std::size_t i = 0; i < quality.size(); ++i)
+      if (quality[i].at("in_air").get<bool>()) result.in_air.push_back(i);
+    return result;
+  } catch (const Json::exception& error) {
+    throw scan_cell_common::UnusableInput(report_file, error.what(),
+                                          "give a report that stretch wrote");
+  }
+}
+
+}  // namespace tool_path_programs

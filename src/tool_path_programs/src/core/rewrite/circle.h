@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+namespace tool_path_programs {
+
+/// The circle through three points [m], and the arc from the first through the second to the third.
+class Circle {
+ public:
+  /// @return none where the points lie on a line, or two of them are one
+  static std::optional<Circle> through(const Eigen::Vector3d& from, const Eigen::Vector3d& via,
+                                       const Eigen::Vector3d& to);
+
+  /// [m] to the nearest place of the whole circle.
+  double distance(const Eigen::Vector3d& point) const;
+
+  /// Places on the arc without its ends and its via, at most `step` [m] apart.
+  std::vector<Eigen::Vector3d> places(double step) const;
+
+  double radius() const { return radius_.norm(); }  //!< [m]
+
+ private:
+  Circle() = default;
+  double angle_to(const Eigen::Vector3d& point) const;
+
+  Eigen::Vector3d centre_;
+  Eigen::Vector3d radius_;  // from the centre to the start
+  Eigen::Vector3d axis_;    // about which the arc goes
+  double via_ = 0;          // [rad] along the arc
+  double sweep_ = 0;        // [rad]
+};
+
+}  // namespace tool_path_programs

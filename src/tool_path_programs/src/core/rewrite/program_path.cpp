@@ -1,0 +1,247 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_path_programs/program_path.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <set>
+
+#include "rewrite/circle.h"
+#include "scan_cell_common/errors/errors.h"
+#include "tool_path_programs/read_back.h"
+
+namespace tool_path_programs {
+namespace {
+
+using scan_cell_common::UnusableInput;
+
+std::string where(const ProgramText& text, std::size_t step) {
+  return to_string(text.steps[step].place, text.files);
+}
+
+bool same(const std::optional<Eigen::Isometry3d>& one,
+          const std::optional<Eigen::Isometry3d>& two) {
+  return one.has_value() == two.has_value() && (!one || one->isApprox(*two, 1e-12));
+}
+
+/// From the frame in which a move's pose stands to that of the path.
+class PathFrame {
+ public:
+  PathFrame(const ProgramText& text, bool in_base) : text_(text), in_base_(in_base) {
+    const auto moves = moves_of(text.program);
+    if (!moves.empty()) first_ = &text.program.frames.at(moves.front()->frames).user;
+  }
+
+  Eigen::Isometry3d operator()(std::size_t step) const {
+    const Move& move = std::get<Move>(text_.program.steps[step]);
+    const Frame& user = text_.program.frames[move.frames].user;
+    if (in_base_) return place_of(user, step);
+    if (user.name == first_->name && same(user.pose, first_->pose))
+      return Eigen::Isometry3d::Identity();
+    return place_of(*first_, step).inverse() * place_of(user, step);
+  }
+
+ private:
+  const Eigen::Isometry3d& place_of(const Frame& user, std::size_t step) const {
+    if (user.pose) return *user.pose;
+    throw UnusableInput(where(text_, step),
+                        user.name.empty() ? "its user frame is not in the program"
+                                          : "the program does not say where " + user.name + " is",
+                        "give the place of the frame");
+  }
+
+  const ProgramText& text_;
+  const bool in_base_;
+  const Frame* first_ = nullptr;  // of the program's moves
+};
+
+class Maker {
+ public:
+  Maker(const ProgramText& text, const ProgramPathSettings& settings)
+      : text_(text), settings_(settings), frame_(text, settings.in_base) {}
+
+  ProgramPath run() {
+    result_.settings = settings_;
+    result_.path.name = text_.program.name;
+    result_.path.has_orientation = true;
+    find_work();
+    for (std::size_t step = 0; step < text_.program.steps.size(); ++step)
+      add(step);
+    end_segment();
+    if (result_.path.segments.empty())
+      throw UnusableInput("program " + text_.program.name, "no move to a pose",
+                          "give the program that moves along the part");
+    return std::move(result_);
+  }
+
+ private:
+  /// Where lines and arcs lead.
+  void find_work() {
+    for (std::size_t step = 0; step < text_.program.steps.size(); ++step) {
+      const Move* move = std::get_if<Move>(&text_.program.steps[step]);
+      if (!move || move->kind == MotionKind::kJoint) continue;
+      work_.extend((frame_(step) * move->pose).translation());
+    }
+  }
+
+  void add(std::size_t step) {
+    if (const Move* move = std::get_if<Move>(&text_.program.steps[step])) return add(step, *move);
+    end_segment();
+    if (std::holds_alternative<JointMove>(text_.program.steps[step])) {
+      keep(step, "goes to angles of the axes");
+      last_.reset();
+    }
+  }
+
+  void add(std::size_t step, const Move& move) {
+    const bool joint = move.kind == MotionKind::kJoint;
+    if (joint != last_was_joint_) end_segment();
+    last_was_joint_ = joint;
+    const Eigen::Isometry3d to_path = frame_(step);
+    const Eigen::Isometry3d pose = to_path * move.pose;
+    if (joint && !work_.isEmpty() &&
+        work_.exteriorDistance(pose.translation()) > settings_.max_joint_distance) {
+      keep(step, fmt::format("a joint move {:.3g} m from all lines and arcs",
+                             work_.exteriorDistance(pose.translation())));
+    } else {
+      if (move.kind == MotionKind::kCircular) add_arc(step, to_path * *move.via, pose);
+      add(step, pose, text_.steps[step].pose);
+    }
+    last_ = pose;
+  }
+
+  void add_arc(std::size_t step, const Eigen::Isometry3d& via, const Eigen::Isometry3d& to) {
+    if (!last_)
+      throw UnusableInput(where(text_, step), "an arc that begins at angles of the axes",
+                          "let a move to a pose come before it");
+    const auto circle = Circle::through(last_->translation(), via.translation(), to.translation());
+    if (!circle)
+      throw UnusableInput(where(text_, step), "an arc whose three positions make no circle",
+                          "correct the program");
+    for (const Eigen::Vector3d& place : circle->places(settings_.arc_step)) {
+      Eigen::Isometry3d pose = via;
+      pose.translation() = place;
+      add(step, pose, std::nullopt);
+    }
+    add(step, via, text_.steps[step].via);
+  }
+
+  void add(std::size_t step, const Eigen::Isometry3d& pose,
+           const std::optional<std::size_t>& text) {
+    if (text && !known_.insert(*text).second) return;
+    if (!segment_)
+      segment_ = tool_paths::Segment{fmt::format("{}", result_.path.segments.size() + 1), {}};
+    segment_->waypoints.push_back({pose, {}});
+    result_.sources.push_back({step, text});
+  }
+
+  void end_segment() {
+    if (segment_) result_.path.segments.push_back(std::move(*segment_));
+    segment_.reset();
+  }
+
+  void keep(std::size_t step, const std::string& reason) {
+    result_.kept.push_back(where(text_, step) + ": " + reason + "; it stays as it is");
+  }
+
+  const ProgramText& text_;
+  const ProgramPathSettings settings_;
+  const PathFrame frame_;
+  Eigen::AlignedBox3d work_;
+  ProgramPath result_;
+  std::optional<tool_paths::Segment> segment_;
+  std::set<std::size_t> known_;            // poses of the text that are waypoints already
+  std::optional<Eigen::Isometry3d> last_;  // of the move before
+  bool last_was_joint_ = false;
+};
+
+/// The waypoints of a path over all segments.
+std::vector<const tool_paths::Waypoint*> waypoints_of(const tool_paths::ToolPath& path) {
+  std::vector<const tool_paths::Waypoint*> waypoints;
+  for (const tool_paths::Segment& segment : path.segments)
+    for (const tool_paths::Waypoint& waypoint : segment.waypoints)
+      waypoints.push_back(&waypoint);
+  return waypoints;
+}
+
+/// The program as it should read with these poses.
+Program with_poses(const ProgramText& text, const std::vector<Eigen::Isometry3d>& poses) {
+  Program program = text.program;
+  for (std::size_t step = 0; step < program.steps.size(); ++step) {
+    Move* move = std::get_if<Move>(&program.steps[step]);
+    if (!move) continue;
+    if (text.steps[step].pose) move->pose = poses.at(*text.steps[step].pose);
+    if (move->via && text.steps[step].via) move->via = poses.at(*text.steps[step].via);
+  }
+  return program;
+}
+
+}  // namespace
+
+ProgramPath path_of(const ProgramText& text, const ProgramPathSettings& settings) {
+  return Maker(text, settings).run();
+}
+
+std::vector<Eigen::Isometry3d> poses_of(const ProgramText& text, const ProgramPath& program_path,
+                                        const tool_paths::ToolPath& adapted) {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const PoseText& pose : text.poses)
+    poses.push_back(pose.pose);
+  const PathFrame frame(text, program_path.settings.in_base);
+  const auto waypoints = waypoints_of(adapted);
+  if (waypoints.size() != program_path.sources.size())
+    throw std::logic_error("an adapted path with another number of waypoints");
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const WaypointSource& source = program_path.sources[i];
+    if (source.pose) poses[*source.pose] = frame(source.step).inverse() * waypoints[i]->pose;
+  }
+  return poses;
+}
+
+std::vector<double> arc_errors(const ProgramText& text, const ProgramPath& program_path,
+                               const tool_paths::ToolPath& adapted) {
+  const PathFrame frame(text, program_path.settings.in_base);
+  const Program program = with_poses(text, poses_of(text, program_path, adapted));
+  std::vector<std::optional<Circle>> circles(program.steps.size());
+  const Move* last = nullptr;
+  std::size_t last_step = 0;
+  for (std::size_t step = 0; step < program.steps.size(); ++step) {
+    const Move* move = std::get_if<Move>(&program.steps[step]);
+    if (!move) continue;
+    if (last && move->kind == MotionKind::kCircular)
+      circles[step] = Circle::through(frame(last_step) * last->pose.translation(),
+                                      frame(step) * move->via->translation(),
+                                      frame(step) * move->pose.translation());
+    last = move;
+    last_step = step;
+  }
+  std::vector<double> errors(program.steps.size(), 0);
+  const auto waypoints = waypoints_of(adapted);
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const std::size_t step = program_path.sources[i].step;
+    if (program_path.sources[i].pose) continue;
+    const double error = circles[step] ? circles[step]->distance(waypoints[i]->pose.translation())
+                                       : std::numeric_limits<double>::infinity();
+    errors[step] = std::max(errors[step], error);
+  }
+  return errors;
+}
+
+std::vector<SourceFile> with_poses(const Language& language, const ProgramText& text,
+                                   const ReadSettings& known,
+                                   const std::vector<Eigen::Isometry3d>& poses) {
+  std::vector<SourceFile> files = edited(text.files, language.edits(text, poses));
+  const ProgramText again = language.read(files, known);
+  ReadBackLimits limits;
+  limits.speed = 0;
+  const std::string difference =
+      first_difference(with_poses(text, poses), again.program, {}, limits);
+  if (!difference.empty())
+    throw UnusableInput(language.title() + " program " + text.program.name,
+                        "read back it differs: " + difference,
+                        "nothing was written; please report this with the program");
+  return files;
+}
+
+}  // namespace tool_path_programs

@@ -1,0 +1,49 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "tool_paths/path_conventions.h"
+#include "tool_paths/tool_path.h"
+
+namespace tool_paths {
+
+/// Reads a tool path from CSV or YAML, by the file's ending. docs/tool_path_stretcher.md describes
+/// both formats.
+/// @throw scan_cell_common::FileError if it is missing or unreadable
+/// @throw scan_cell_common::UnusableInput naming file and line of what makes no sense: also of what
+/// could be an orientation, and is not known to be
+/// @throw scan_cell_common::InvalidParameter if the conventions make no sense or do not fit the
+/// file
+ToolPathFile load_tool_path_file(const std::string& path, const PathConventions& conventions = {});
+
+/// The path of it alone.
+ToolPath load_tool_path(const std::string& path, const PathConventions& conventions = {});
+
+/// Writes a tool path as CSV or YAML, by the file's ending; whole or not at all. Numbers in metres
+/// and radians come back to the last digit.
+/// @param layout of the file it came from: the same units, orientations, columns or YAML. Where
+/// that file was of the other format, the names and conventions of its poses are kept.
+/// @throw scan_cell_common::FileError if it cannot be written or the ending is neither
+void save_tool_path(const std::string& path, const ToolPath& tool_path,
+                    const PathLayout& layout = {});
+
+/// What save_tool_path() would refuse, before there is anything to save.
+/// @throw scan_cell_common::FileError if the ending is neither .csv nor .yaml, or the folder is not
+/// there
+void check_tool_path_name(const std::string& path);
+
+/// The parsers behind load_tool_path_file(); `source` names the text in errors.
+ToolPathFile parse_tool_path_csv(const std::string& text, const std::string& source,
+                                 const PathConventions& conventions = {});
+/// As parse_tool_path_csv().
+ToolPathFile parse_tool_path_yaml(const std::string& text, const std::string& source,
+                                  const PathConventions& conventions = {});
+
+/// The text of a CSV file.
+std::string tool_path_to_csv(const ToolPath& path, const PathLayout& layout = {});
+/// The text of a YAML file.
+std::string tool_path_to_yaml(const ToolPath& path, const PathLayout& layout = {});
+
+}  // namespace tool_paths
