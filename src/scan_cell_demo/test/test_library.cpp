@@ -114,7 +114,7 @@ TEST_F(Library, IsUsedByAProgramOutsideWithoutRos) {
 }
 
 TEST_F(Library, IsUsedWhereItIsInstalled) {
-  for (const char* package : {"scan_cell_common", "tool_path_stretcher"}) {
+  for (const char* package : {"scan_cell_common", "tool_paths", "tool_path_stretcher"}) {
     ASSERT_TRUE(run("cmake -DCMAKE_INSTALL_PREFIX=" + file("prefix") + " -P " BUILD_FOLDER "/" +
                     package + "/cmake_install.cmake"))
         << log();
