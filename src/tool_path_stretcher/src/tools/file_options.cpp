@@ -23,11 +23,7 @@ std::string FileOptions::units_of_object() const {
 }
 
 tool_paths::PathConventions FileOptions::path_conventions() const {
-  tool_paths::PathConventions result = conventions;
-  result.units = path_units.empty() ? units : path_units;
-  if (degrees) result.angles = tool_paths::AngleUnit::kDegrees;
-  if (radians) result.angles = tool_paths::AngleUnit::kRadians;
-  return result;
+  return path.typed(path_units.empty() ? units : path_units);
 }
 
 void add_file_options(CLI::App& app, FileOptions& options) {
@@ -36,17 +32,7 @@ void add_file_options(CLI::App& app, FileOptions& options) {
   app.add_option("--reference-units", options.reference_units, "of the reference, if others");
   app.add_option("--object-units", options.object_units, "of the object, if others");
   app.add_option("--path-units", options.path_units, "of the tool paths, if others");
-  tool_paths::PathConventions& path = options.conventions;
-  app.add_option("--euler", path.euler,
-                 "angles in the path: axes in the order of the turns, each about the turned frame "
-                 "(zyx: Kuka, Fanuc, roll-pitch-yaw; zyz: Comau)");
-  app.add_flag("--rotation-vector", path.rotation_vector,
-               "angles in the path are a rotation vector (Universal Robots)");
-  CLI::Option* const degrees = app.add_flag("--degrees", options.degrees, "angles in the path");
-  app.add_flag("--radians", options.radians, "angles in the path")->excludes(degrees);
-  app.add_option("--process-values", path.process_values,
-                 "names in the path, by commas, that are no orientation though they look so")
-      ->delimiter(',');
+  add_path_options(app, options.path);
 }
 
 }  // namespace tool_path_stretcher

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tool_paths/path_conventions.h"
+#include "tool_paths/path_options.h"
 
 namespace CLI {
 class App;
@@ -18,9 +18,7 @@ struct FileOptions {
   std::string reference_units;
   std::string object_units;
   std::string path_units;
-  bool degrees = false;
-  bool radians = false;
-  tool_paths::PathConventions conventions;
+  tool_paths::PathOptions path;
 
   /// The unit of a file: its own, else that of all files, else metres.
   std::string units_of_reference() const;

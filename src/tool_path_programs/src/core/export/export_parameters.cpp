@@ -6,7 +6,6 @@
 namespace tool_path_programs {
 
 void describe(scan_cell_common::ParameterTable& table, ExportParameters& parameters) {
-  table.add("name", parameters.name, "of the program");
   table.choice("waypoint_z", parameters.waypoint_z, {"not_given", "into_part", "out_of_part"},
                "where the z axis of the path's waypoints points; that of the robot's tool points "
                "into the part");
