@@ -44,6 +44,32 @@ Joints turned_near(Joints joints, const RobotModel& robot, const Joints& near) {
   return joints;
 }
 
+/// Levenberg and Marquardt's, of KDL: ends near each pose, or as near as it gets.
+class NearestJoints {
+ public:
+  explicit NearestJoints(const RobotModel& robot)
+      : robot_(robot), solver_(robot.chain(), weights(), kClose, kIterations) {}
+
+  Joints operator()(const Eigen::Isometry3d& flange, const Joints& start) {
+    KDL::JntArray ended(6);
+    solver_.CartToJnt(to_kdl(start), to_kdl(flange), ended);
+    return ended.data;
+  }
+
+  double gap(const Joints& joints, const Eigen::Isometry3d& flange) const {
+    return twist(robot_.flange_at(joints), flange).head<3>().norm();
+  }
+
+ private:
+  static constexpr double kClose = 1e-5;  // KDL takes smaller rotations for none: step_to goes on
+  static constexpr int kIterations = 60;  // chosen
+
+  static Joints weights() { return (Joints() << 1, 1, 1, 0.1, 0.1, 0.1).finished(); }
+
+  const RobotModel& robot_;
+  KDL::ChainIkSolverPos_LMA solver_;
+};
+
 }  // namespace
 
 std::optional<Joints> step_to(const RobotModel& robot, const Eigen::Isometry3d& flange,
@@ -64,19 +90,14 @@ std::optional<Joints> step_to(const RobotModel& robot, const Eigen::Isometry3d& 
 Postures postures_for(const RobotModel& robot, const Eigen::Isometry3d& flange,
                       const Joints& near) {
   constexpr unsigned kStarts = 48;
-  constexpr double kClose = 1e-5;  // KDL takes smaller rotations for none: step_to does the rest
-  constexpr int kIterations = 60;  // chosen
-  constexpr double kSame = 1e-4;   // [rad] chosen
-  const Joints weights = (Joints() << 1, 1, 1, 0.1, 0.1, 0.1).finished();
-  KDL::ChainIkSolverPos_LMA solver(robot.chain(), weights, kClose, kIterations);
+  constexpr double kSame = 1e-4;  // [rad] chosen
+  NearestJoints nearest(robot);
   Postures found;
   found.gap = std::numeric_limits<double>::infinity();
   for (unsigned i = 0; i <= kStarts; ++i) {
-    KDL::JntArray ended(6);
-    solver.CartToJnt(to_kdl(i == 0 ? near : start_of(i, robot)), to_kdl(flange), ended);
-    const Joints close = ended.data;
+    const Joints close = nearest(flange, i == 0 ? near : start_of(i, robot));
     if (!close.allFinite()) continue;
-    found.gap = std::min(found.gap, twist(robot.flange_at(close), flange).head<3>().norm());
+    found.gap = std::min(found.gap, nearest.gap(close, flange));
     const auto exact = step_to(robot, flange, close);
     if (!exact) continue;
     const Joints joints = turned_near(*exact, robot, near);
@@ -87,6 +108,14 @@ Postures postures_for(const RobotModel& robot, const Eigen::Isometry3d& flange,
   }
   if (!found.joints.empty()) found.gap = 0;
   return found;
+}
+
+double gap_from(const RobotModel& robot, const Eigen::Isometry3d& flange, Joints& joints) {
+  NearestJoints nearest(robot);
+  const Joints ended = nearest(flange, joints);
+  if (!ended.allFinite()) return nearest.gap(joints, flange);
+  joints = ended;
+  return nearest.gap(joints, flange);
 }
 
 double excess(const Joints& joints, const Joints& lower, const Joints& upper) {

@@ -23,6 +23,10 @@ struct Postures {
 };
 Postures postures_for(const RobotModel& robot, const Eigen::Isometry3d& flange, const Joints& near);
 
+/// How far the flange stays from a pose [m], begun at some joints and not regarding ranges.
+/// @param joints [rad] where it begins; becomes where it ends
+double gap_from(const RobotModel& robot, const Eigen::Isometry3d& flange, Joints& joints);
+
 /// How much a posture is outside the ranges [rad], summed over the joints.
 double excess(const Joints& joints, const Joints& lower, const Joints& upper);
 

@@ -16,20 +16,6 @@ namespace {
 constexpr double kRounding = 1e-6;  // [rad] or [m] beyond a limit; chosen
 constexpr const char* kOtherWay = "go there in joints, or by points between";
 
-/// The joints that a singular posture ties together, or nothing.
-std::string singular_joints(const RobotModel::Jacobian& jacobian) {
-  constexpr double kSingular = 0.01;  // of a wrist: axes 4 and 6 within a degree
-  constexpr double kTakesPart = 0.3;  // of a unit vector over the joints; chosen
-  const Eigen::JacobiSVD<RobotModel::Jacobian> svd(jacobian, Eigen::ComputeFullV);
-  if (svd.singularValues()[5] > kSingular) return "";
-  const Joints tied = svd.matrixV().col(5).cwiseAbs();
-  std::string names;
-  for (int i = 0; i < 6; ++i) {
-    if (tied[i] > kTakesPart) names += fmt::format("{}{}", names.empty() ? "J" : " and J", i + 1);
-  }
-  return names;
-}
-
 std::optional<Hindrance> outside_range(const Joints& joints, const RobotLimits& limits,
                                        const std::string& path, double way) {
   for (int i = 0; i < 6; ++i) {
@@ -44,7 +30,6 @@ std::optional<Hindrance> outside_range(const Joints& joints, const RobotLimits& 
 
 std::optional<Hindrance> singular(const RobotModel& robot, const Joints& before,
                                   const Joints& joints, const std::string& path, double way) {
-  constexpr double kJump = 0.2;  // [rad] in a step of a degree; chosen
   const std::string tied = singular_joints(robot.jacobian_at(joints));
   if (!tied.empty()) {
     return Hindrance{path, "passes a singular posture of " + tied + " at " + at(way), kOtherWay,
@@ -52,7 +37,7 @@ std::optional<Hindrance> singular(const RobotModel& robot, const Joints& before,
   }
   int joint = 0;
   const double jump = (joints - before).cwiseAbs().maxCoeff(&joint);
-  if (jump <= kJump) return std::nullopt;
+  if (jump <= kTurnsOver) return std::nullopt;
   return Hindrance{fmt::format("{}, J{}", path, joint + 1),
                    fmt::format("turns over by {:g} rad at {}", jump, at(way)), kOtherWay, way};
 }
@@ -68,6 +53,19 @@ void take(Strain& strain, const RobotModel& robot, const Joints& rate, double wa
 }
 
 }  // namespace
+
+std::string singular_joints(const RobotModel::Jacobian& jacobian) {
+  constexpr double kSingular = 0.01;  // of a wrist: axes 4 and 6 within a degree
+  constexpr double kTakesPart = 0.3;  // of a unit vector over the joints; chosen
+  const Eigen::JacobiSVD<RobotModel::Jacobian> svd(jacobian, Eigen::ComputeFullV);
+  if (svd.singularValues()[5] > kSingular) return "";
+  const Joints tied = svd.matrixV().col(5).cwiseAbs();
+  std::string names;
+  for (int i = 0; i < 6; ++i) {
+    if (tied[i] > kTakesPart) names += fmt::format("{}{}", names.empty() ? "J" : " and J", i + 1);
+  }
+  return names;
+}
 
 double steps_along(const Path::Stretch& stretch) {
   constexpr double kStepLength = 0.005;  // [m] chosen

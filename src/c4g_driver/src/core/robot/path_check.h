@@ -41,6 +41,12 @@ struct PathCheck {
 PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path& path,
                  const Joints& joints, double seconds);
 
+/// The joints that a singular posture ties together, such as "J4 and J6"; empty: it is none.
+std::string singular_joints(const RobotModel::Jacobian& jacobian);
+
+/// [rad] that no joint changes by in a step of follow(), unless an axis turns over.
+constexpr double kTurnsOver = 0.2;  // chosen, for a step of a degree
+
 /// Into which follow() cuts a stretch: of a few millimetres and a degree at most.
 double steps_along(const Path::Stretch& stretch);
 

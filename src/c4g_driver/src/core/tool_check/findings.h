@@ -1,0 +1,52 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "c4g_driver/tool_motion_check.h"
+#include "tool_check/track.h"
+
+namespace c4g_driver {
+
+/// Faults along a path: of each kind and joint the worst between two waypoints.
+class Findings {
+ public:
+  /// What a fault is about, and how bad it is.
+  struct About {
+    ToolFault::Kind kind;
+    double severity;        // compared with others of the kind
+    std::string what = "";  // beside the place, such as "J5"
+    int joint = -1;         // 0 .. 5, if it is about one
+  };
+
+  /// Takes the fault, unless a worse one of its kind is on the same way. Places come in their
+  /// order.
+  /// @param say gives value and cure, if it is taken
+  template <class Say>
+  void add(const TrackPlace& place, const About& about, const Say& say) {
+    if (Fault* fault = place_for(place, about)) {
+      std::tie(fault->fault.value, fault->fault.cure) = say();
+    }
+  }
+
+  /// In their order along the path.
+  std::vector<ToolFault> take();
+
+ private:
+  struct Fault {
+    ToolFault fault;
+    std::string what;
+    double severity;
+  };
+
+  Fault* place_for(const TrackPlace& place, const About& about);
+
+  std::vector<Fault> faults_;
+};
+
+/// "waypoint 12", "35 % of the way to waypoint 12"
+std::string place_name(std::size_t waypoint, double way);
+
+}  // namespace c4g_driver

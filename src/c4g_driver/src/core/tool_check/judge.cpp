@@ -1,0 +1,226 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_check/judge.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "robot/inverse_kinematics.h"
+#include "robot/path_check.h"
+#include "tool_check/findings.h"
+#include "tool_check/tool_line.h"
+
+namespace c4g_driver {
+namespace {
+
+using Kind = ToolFault::Kind;
+using Said = std::pair<std::string, std::string>;  // value and cure
+
+constexpr double kRounding = 1e-6;  // [rad], [m], or share of a speed beyond a limit; chosen
+
+std::string joint_name(int joint) {
+  return fmt::format("J{}", joint + 1);
+}
+
+/// What kind of posture ties these joints together, in an arm whose last three axes meet.
+const char* posture_name(const std::string& tied) {
+  const auto has = [&](const char* joint) { return tied.find(joint) != std::string::npos; };
+  if (has("J1")) return "the wrist stands above axis 1";
+  if (has("J2") || has("J3")) return "the arm is stretched out";
+  return "the wrist is straight";
+}
+
+/// Looks at one place after the other.
+class Judge {
+ public:
+  explicit Judge(const ToolCheckSubject& subject) : subject_(subject) {
+    for (JointMargin& margin : check_.margins)
+      margin.margin = std::numeric_limits<double>::infinity();
+    check_.joints.assign(subject.motion.waypoints.size(),
+                         Joints::Constant(std::numeric_limits<double>::quiet_NaN()));
+    for (const ToolWaypoint& waypoint : subject.motion.waypoints)
+      check_.tips.push_back(waypoint.tip);
+  }
+
+  /// The way to a waypoint, before its places.
+  void enter(const TrackPlace& place, const ToolLine& line) {
+    constexpr double kHalfTurn = 179.9 * M_PI / 180;  // [rad] as between the poses of an arc
+    said_lost_ = false;
+    length_ = line.length();
+    turn_seconds_ = line.angle() / subject_.parameters.rotational_speed;
+    wanted_ = subject_.motion.waypoints[place.waypoint].speed;
+    seconds_ = std::max(length_ / wanted_, turn_seconds_);
+    if (line.angle() > kHalfTurn) {
+      findings_.add(place, {Kind::kHalfTurn, 1, "orientation"}, [&] {
+        return Said(
+            fmt::format("{:g} rad from that of waypoint {}", line.angle(), place.waypoint - 1),
+            "give a waypoint between: which way round is open");
+      });
+    }
+    check_tool_speed(place, "tip", length_);
+  }
+
+  void look(const TrackPlace& place) {
+    check_workspace_at(place);
+    if (!place.reached) return say_lost(place);
+    lost_ = false;
+    nearest_ = place.joints;
+    if (place.way >= 1) check_.joints[place.waypoint] = place.joints;
+    check_singular(place);
+    check_ranges(place);
+    if (place.waypoint > 0 && place.tied.empty()) check_speeds(place);
+  }
+
+  ToolCheck take() {
+    check_.faults = findings_.take();
+    return std::move(check_);
+  }
+
+ private:
+  void say_lost(const TrackPlace& place) {
+    if (said_lost_) return;
+    said_lost_ = true;
+    const double gap = gap_at(place);
+    if (gap > 0) {
+      findings_.add(place, {Kind::kReach, 1}, [&] {
+        return Said(fmt::format("out of reach by {:g} m", gap),
+                    "move the part nearer to the robot, or tilt the tool");
+      });
+    } else {
+      findings_.add(place, {Kind::kPosture, 1}, [&] {
+        return Said("within reach in another posture of the robot only",
+                    "move the part, turn or tilt the tool, or divide the path here");
+      });
+    }
+  }
+
+  /// [m] by which a place is out of reach; the search in all postures is only made at the begin of
+  /// such a stretch, for it takes long.
+  double gap_at(const TrackPlace& place) {
+    constexpr double kNone = 1e-4;  // [m] the search is that exact; chosen
+    double gap = gap_from(subject_.robot, place.flange, nearest_);
+    if (gap > kNone && !lost_) gap = postures_for(subject_.robot, place.flange, nearest_).gap;
+    lost_ = true;
+    return gap > kNone ? gap : 0;
+  }
+
+  void check_singular(const TrackPlace& place) {
+    if (!place.tied.empty()) {
+      findings_.add(place, {Kind::kSingular, 1}, [&] {
+        return Said("singular posture of " + place.tied + ": " + posture_name(place.tied),
+                    "turn or tilt the tool there, or move the part");
+      });
+    }
+    if (place.jump <= kTurnsOver) return;
+    findings_.add(place, {Kind::kTurnsOver, place.jump, joint_name(place.jumping), place.jumping},
+                  [&] {
+                    return Said(fmt::format("turns over by {:g} rad in one step", place.jump),
+                                "turn or tilt the tool there, or move the part");
+                  });
+  }
+
+  void check_ranges(const TrackPlace& place) {
+    const double kept = subject_.parameters.joint_margin;
+    for (int joint = 0; joint < 6; ++joint) {
+      const double lower = subject_.limits.joint_lower[joint];
+      const double upper = subject_.limits.joint_upper[joint];
+      const double margin = std::min(place.joints[joint] - lower, upper - place.joints[joint]);
+      JointMargin& least = check_.margins[static_cast<std::size_t>(joint)];
+      if (margin < least.margin) least = {margin, place.waypoint};
+      if (margin >= kept - kRounding) continue;
+      findings_.add(place, {Kind::kJointRange, kept - margin, joint_name(joint), joint}, [&] {
+        return Said(fmt::format("{:g} rad", place.joints[joint]),
+                    fmt::format("its range is {}, of which {:g} rad are kept free: turn or tilt "
+                                "the tool, or move the part",
+                                range(lower, upper, " rad"), kept));
+      });
+    }
+  }
+
+  void check_workspace_at(const TrackPlace& place) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lower = subject_.limits.workspace_min[axis];
+      const double upper = subject_.limits.workspace_max[axis];
+      const double value = place.flange.translation()[axis];
+      const double outside = std::max(lower - value, value - upper);
+      if (outside <= kRounding) continue;
+      findings_.add(place,
+                    {Kind::kWorkspace, outside, fmt::format("{} of the flange", "xyz"[axis])}, [&] {
+                      return Said(fmt::format("{:g} m", value),
+                                  "the workspace is " + range(lower, upper, " m") +
+                                      ": move the part, or turn or tilt the tool");
+                    });
+    }
+  }
+
+  /// @param rate [m] by the way
+  void check_tool_speed(const TrackPlace& place, const std::string& name, double rate) {
+    if (rate <= subject_.speed.most * seconds_ * (1 + kRounding)) return;
+    findings_.add(place, {Kind::kToolSpeed, rate / seconds_, "speed of the " + name}, [&] {
+      return Said(
+          fmt::format("{:g} m/s", rate / seconds_),
+          fmt::format("the limit is {:g} m/s: {}", subject_.speed.most, subject_.speed.reason));
+    });
+  }
+
+  void check_speeds(const TrackPlace& place) {
+    if (subject_.speed.reduced) check_tool_speed(place, "flange", place.flange_rate);
+    const Joints seconds = place.rate.cwiseAbs().cwiseQuotient(subject_.robot.speed());
+    int slow = 0;
+    const double most = seconds.maxCoeff(&slow);
+    take_slowest(place, most, slow);
+    for (int joint = 0; joint < 6; ++joint) {
+      if (seconds[joint] <= seconds_ * (1 + kRounding)) continue;
+      findings_.add(place, {Kind::kJointSpeed, seconds[joint] / seconds_, joint_name(joint), joint},
+                    [&] { return too_fast(std::abs(place.rate[joint]), joint, most); });
+    }
+  }
+
+  /// @param rate [rad] by the way
+  /// @param most [s] that the slowest joint takes for it
+  Said too_fast(double rate, int joint, double most) const {
+    const std::string limit =
+        fmt::format("the limit is {:g} rad/s: ", subject_.robot.speed()[joint]);
+    const std::string value = fmt::format("{:g} rad/s", rate / seconds_);
+    if (turn_seconds_ * wanted_ > length_) {  // it is the tool's turn that makes the time
+      return {value, limit + fmt::format("set rotational_speed to {:g} rad/s or less",
+                                         subject_.parameters.rotational_speed * seconds_ / most)};
+    }
+    return {value + fmt::format(" at {:g} m/s of the tip", length_ / seconds_),
+            limit + fmt::format("go at {:g} m/s or less there", length_ / most)};
+  }
+
+  void take_slowest(const TrackPlace& place, double joint_seconds, int joint) {
+    if (length_ <= 0) return;
+    const bool turn = turn_seconds_ > joint_seconds;
+    const double speed = length_ / (turn ? turn_seconds_ : joint_seconds);
+    if (check_.slowest && check_.slowest->speed <= speed) return;
+    check_.slowest = {place.waypoint, place.way, speed, wanted_, turn ? 6 : joint};
+  }
+
+  const ToolCheckSubject& subject_;
+  ToolCheck check_;
+  Findings findings_;
+  bool lost_ = false;                // at the place before
+  bool said_lost_ = false;           // on this way
+  Joints nearest_ = Joints::Zero();  // [rad] at the place before, or as near as they get
+  double length_ = 0;                // [m] of the way to the waypoint
+  double turn_seconds_ = 0;
+  double wanted_ = 0;   // [m/s]
+  double seconds_ = 0;  // of the way, as the path wants it
+};
+
+}  // namespace
+
+ToolCheck judge(const Track& track, const ToolCheckSubject& subject) {
+  Judge judge(subject);
+  for (const TrackPlace& place : track.places) {
+    if (place.waypoint > 0 && place.way <= 0)
+      judge.enter(place, ToolLine(subject.motion, place.waypoint));
+    judge.look(place);
+  }
+  return judge.take();
+}
+
+}  // namespace c4g_driver
