@@ -12,6 +12,7 @@
 #include "scan_cell_common/tools/tool_main.h"
 #include "tool_path_programs/accepted_report.h"
 #include "tool_path_programs/path_to_program.h"
+#include "tool_path_programs/program_files.h"
 #include "tool_path_programs/read_back.h"
 #include "tool_paths/path_options.h"
 #include "tool_paths/tool_path_files.h"
@@ -120,16 +121,10 @@ WrittenProgram write(Options& options) {
   return written;
 }
 
-/// The main file last: where it is, the others are.
 void save(const Options& options, const WrittenProgram& written) {
-  const fs::path folder = fs::path(options.output).parent_path();
-  for (std::size_t i = written.files.size(); i-- > 1;) {
-    const std::string file = (folder / written.files[i].name).string();
-    scan_cell_common::save_text(file, written.files[i].text);
-    std::printf("%s\n", file.c_str());
-  }
-  scan_cell_common::save_text(options.output, written.files.front().text);
-  std::printf("%s\n", options.output.c_str());
+  save_program(options.output, written.files);
+  for (const std::string& name : names_of_saved(options.output, written.files))
+    std::printf("%s\n", name.c_str());
   for (const std::string& note : written.notes)
     std::printf("note: %s\n", note.c_str());
 }

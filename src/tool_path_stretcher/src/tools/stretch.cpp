@@ -10,13 +10,13 @@
 #include <sstream>
 
 #include "file_options.h"
+#include "path_input.h"
 #include "report.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/parameters/parameter_options.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
-#include "tool_paths/tool_path_files.h"
 
 namespace {
 
@@ -38,6 +38,7 @@ struct Options {
   std::string output;
   std::string report;
   tool_path_stretcher::FileOptions files;
+  tool_path_stretcher::ProgramOptions program;
   scan_cell_common::ParameterOptions typed;
   StretchParameters parameters;
 };
@@ -47,10 +48,16 @@ void add_options(CLI::App& app, Options& options, Outputs& outputs) {
                  "reference part: a cloud (PLY, PCD, XYZ, CSV) or a mesh (STL, OBJ, PLY)")
       ->required();
   app.add_option("--object", options.object, "scanned object: PLY, PCD, XYZ or CSV")->required();
-  app.add_option("--path", options.path, "tool path on the reference: CSV or YAML")->required();
-  outputs.add(app, "--output", options.output, "tool path on the object: CSV or YAML")->required();
+  app.add_option("--path", options.path,
+                 "tool path on the reference: CSV, YAML or a robot's program")
+      ->required();
+  outputs
+      .add(app, "--output", options.output,
+           "tool path on the object: CSV or YAML, or the same program with other poses")
+      ->required();
   outputs.add(app, "--report", options.report, "report: JSON")->required();
   add_file_options(app, options.files);
+  add_program_options(app, options.program);
   options.typed.add(app, options.parameters);
 }
 
@@ -71,7 +78,7 @@ double seconds_since(Clock::time_point start) {
 struct Run {
   StretchResult result;
   tool_path_stretcher::RunRecord record;
-  tool_paths::PathLayout layout;
+  std::unique_ptr<tool_path_stretcher::PathInput> path;
 };
 
 /// A path of an earlier run must not be taken for this one's.
@@ -94,20 +101,20 @@ void remove_old_report(const Options& options) {
 
 /// All that can be wrong with the options, before any file is read.
 void check_options(Options& options) {
-  tool_paths::check_tool_path_name(options.output);
+  tool_path_stretcher::PathInput::check_output(options.path, options.output);
   remove_old_path(options);
   options.typed.read(options.parameters);
 }
 
-tool_path_stretcher::ToolPath read_path(const Options& options, Run& run) {
+void read_path(const Options& options, Run& run) {
   using namespace tool_path_stretcher;
-  tool_paths::ToolPathFile file =
-      tool_paths::load_tool_path_file(options.path, options.files.path_conventions());
-  run.record.path = contents_of(file.path, file.layout);
-  run.record.path_file = record_of(options.path, file.layout.pose.units);
-  run.layout = std::move(file.layout);
+  run.path = PathInput::load(options.path, options.files, options.program);
+  if (options.parameters.resample_spacing > 0 && !run.path->may_be_resampled())
+    throw scan_cell_common::InvalidParameter("--resample-spacing", "given for a program",
+                                             "leave it out: a program keeps its moves");
+  run.record.path = run.path->contents();
+  run.record.path_file = record_of(options.path, run.record.path->units);
   std::cout << "path: " << to_string(*run.record.path) << std::endl;
-  return std::move(file.path);
 }
 
 tool_path_stretcher::Surface read_surface(const std::string& file, const std::string& units,
@@ -121,7 +128,7 @@ tool_path_stretcher::Surface read_surface(const std::string& file, const std::st
 void adapt(Options& options, Run& run) {
   const Clock::time_point start = Clock::now();
   check_options(options);
-  const tool_path_stretcher::ToolPath path = read_path(options, run);
+  read_path(options, run);
   const auto reference = read_surface(options.reference, options.files.units_of_reference(),
                                       options, run.record.reference);
   const auto object =
@@ -129,7 +136,7 @@ void adapt(Options& options, Run& run) {
   run.record.seconds_reading = seconds_since(start);
   const bool terminal = isatty(STDERR_FILENO) == 1;
   run.result = tool_path_stretcher::stretch(
-      reference, object, path, options.parameters,
+      reference, object, run.path->path(), options.parameters,
       terminal ? tool_path_stretcher::Progress(show_progress) : nullptr);
 }
 
@@ -139,19 +146,12 @@ StretchResult unusable(const std::string& message) {
   return result;
 }
 
-/// CSV has no place for what else stands in YAML.
-void tell_what_is_left_out(const Options& options, const Run& run) {
-  if (!run.layout.yaml || scan_cell_common::extension_of(options.output) != ".csv") return;
-  for (const std::string& key : run.layout.kept)
-    std::cout << "left out of " << options.output << ": " << key << '\n';
-}
-
 void save_path(const Options& options, Run& run) {
   const Clock::time_point start = Clock::now();
   try {
-    tool_paths::save_tool_path(options.output, run.result.path, run.layout);
-    tell_what_is_left_out(options, run);
-    run.record.output = tool_path_stretcher::record_of(options.output, run.layout.pose.units);
+    for (const std::string& note : run.path->save(options.output, run.result.path))
+      std::cout << note << '\n';
+    run.record.output = tool_path_stretcher::record_of(options.output, run.record.path->units);
   } catch (const scan_cell_common::Error& error) {
     run.result = unusable(error.what());
   }
