@@ -7,6 +7,7 @@
 #include <kdl/frames.hpp>
 #include <kdl/jntarray.hpp>
 #include <string>
+#include <vector>
 
 #include "c4g_driver/robot_state.h"
 
@@ -33,6 +34,16 @@ class RobotModel {
   /// the base's directions.
   Jacobian jacobian_at(const Joints& joints) const;
 
+  /// Links after each other from the base's first child to the flange, as the URDF calls them.
+  const std::vector<std::string>& link_names() const { return link_names_; }
+
+  /// Each of them in the base. @param joints [rad]
+  std::vector<Eigen::Isometry3d> links_at(const Joints& joints) const;
+
+  /// Where the next joint that moves has its origin, or the flange if there is none [m], in a link.
+  /// @param link index of link_names()
+  Eigen::Vector3d next_origin(std::size_t link) const;
+
   const Joints& lower() const { return lower_; }  //!< [rad]; -infinity for a joint without ends
   const Joints& upper() const { return upper_; }  //!< [rad]
   const Joints& speed() const { return speed_; }  //!< [rad/s]
@@ -41,6 +52,7 @@ class RobotModel {
 
  private:
   KDL::Chain chain_;
+  std::vector<std::string> link_names_;
   std::array<std::string, 6> names_;
   Joints lower_;
   Joints upper_;

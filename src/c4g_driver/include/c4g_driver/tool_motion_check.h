@@ -16,6 +16,8 @@ class ParameterTable;
 
 namespace c4g_driver {
 
+class CollisionScene;
+
 /// How a path of the tool is checked, beside the limits of every motion.
 struct ToolCheckParameters {
   double joint_margin = 0.02;   //!< [rad] that each joint keeps from the ends of its range
@@ -37,6 +39,7 @@ struct ToolFault {
     kTurnsOver,   //!< a joint jumps
     kWorkspace,   //!< the flange leaves its box
     kJointRange,  //!< a joint comes too near to an end of its range
+    kCollision,   //!< the robot or its tool runs into something
     kJointSpeed,  //!< a joint has to go too fast
   };
   Kind kind = Kind::kReach;  //!< what is wrong
@@ -86,12 +89,14 @@ struct ToolCheck {
 /// it is the present one; else the one that is nearest to it of those in which the path can be
 /// followed.
 /// @param limits narrowed() to the robot
+/// @param scene with which nothing may collide; none: collisions are not looked for
 /// @param from the robot at rest: its joints, and the mode that decides about the speed limit
 /// @return also where all is refused; if no posture can follow, of the one that gets farthest
 /// @throw scan_cell_common::UnusableInput if the path is none: less than two waypoints, numbers
 /// that are not finite, a pose that is not a rotation, a speed that is not above 0
 ToolCheck check_tool_motion(const RobotModel& robot, const RobotLimits& limits,
                             const RobotState& from, const ToolMotion& motion,
-                            const ToolCheckParameters& parameters = {});
+                            const ToolCheckParameters& parameters = {},
+                            const CollisionScene* scene = nullptr);
 
 }  // namespace c4g_driver

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 #include <limits>
@@ -82,6 +83,7 @@ RobotModel::RobotModel(const std::string& urdf, const std::string& base,
   chain_ = chain_of(*model, base, flange);
   std::size_t i = 0;
   for (const KDL::Segment& segment : chain_.segments) {
+    link_names_.push_back(segment.getName());
     if (segment.getJoint().getType() == KDL::Joint::None) continue;
     names_[i] = segment.getJoint().getName();
     const auto joint = model->getJoint(names_[i]);
@@ -106,6 +108,26 @@ Eigen::Isometry3d RobotModel::flange_at(const Joints& joints) const {
   KDL::Frame frame;
   solver.JntToCart(to_kdl(joints), frame);
   return from_kdl(frame);
+}
+
+std::vector<Eigen::Isometry3d> RobotModel::links_at(const Joints& joints) const {
+  std::vector<KDL::Frame> frames(chain_.getNrOfSegments());
+  KDL::ChainFkSolverPos_recursive solver(chain_);
+  solver.JntToCart(to_kdl(joints), frames);
+  std::vector<Eigen::Isometry3d> poses;
+  poses.reserve(frames.size() + 1);
+  for (const KDL::Frame& frame : frames)
+    poses.push_back(from_kdl(frame));
+  return poses;
+}
+
+Eigen::Vector3d RobotModel::next_origin(std::size_t link) const {
+  // joints turn about their link's origin: at 0 this is the same as at any angle
+  const std::vector<Eigen::Isometry3d> links = links_at(Joints::Zero());
+  std::size_t next = link + 1;
+  while (next < links.size() && chain_.segments[next].getJoint().getType() == KDL::Joint::None)
+    ++next;
+  return links[link].inverse() * links[std::min(next, links.size() - 1)].translation();
 }
 
 RobotModel::Jacobian RobotModel::jacobian_at(const Joints& joints) const {

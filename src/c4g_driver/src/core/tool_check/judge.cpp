@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "c4g_driver/collision_scene.h"
 #include "robot/inverse_kinematics.h"
 #include "robot/path_check.h"
 #include "tool_check/findings.h"
@@ -61,15 +62,11 @@ class Judge {
     check_tool_speed(place, "tip", length_);
   }
 
+  /// The begin of a way was the end of the one before: there, only the speeds are new.
   void look(const TrackPlace& place) {
-    check_workspace_at(place);
-    if (!place.reached) return say_lost(place);
-    lost_ = false;
-    nearest_ = place.joints;
-    if (place.way >= 1) check_.joints[place.waypoint] = place.joints;
-    check_singular(place);
-    check_ranges(place);
-    if (place.waypoint > 0 && place.tied.empty()) check_speeds(place);
+    const bool begin = place.waypoint > 0 && place.way <= 0;
+    if (!begin) check_place(place);
+    if (place.waypoint > 0 && place.reached && place.tied.empty()) check_speeds(place);
   }
 
   ToolCheck take() {
@@ -78,6 +75,17 @@ class Judge {
   }
 
  private:
+  void check_place(const TrackPlace& place) {
+    check_workspace_at(place);
+    if (!place.reached) return say_lost(place);
+    lost_ = false;
+    nearest_ = place.joints;
+    if (place.way >= 1) check_.joints[place.waypoint] = place.joints;
+    check_singular(place);
+    check_ranges(place);
+    if (subject_.scene != nullptr) check_collisions(place);
+  }
+
   void say_lost(const TrackPlace& place) {
     if (said_lost_) return;
     said_lost_ = true;
@@ -134,6 +142,19 @@ class Judge {
                     fmt::format("its range is {}, of which {:g} rad are kept free: turn or tilt "
                                 "the tool, or move the part",
                                 range(lower, upper, " rad"), kept));
+      });
+    }
+  }
+
+  void check_collisions(const TrackPlace& place) {
+    for (const Collision& collision :
+         subject_.scene->collisions(place.joints, subject_.motion.flange_to_tip)) {
+      const bool known = std::isfinite(collision.depth);
+      const std::string what = collision.moving + " and " + collision.standing;
+      findings_.add(place, {Kind::kCollision, known ? collision.depth : 0, what}, [&] {
+        return Said(known ? fmt::format("run into each other by {:g} m", collision.depth)
+                          : "run into each other",
+                    "turn or tilt the tool there, or move the part; or put right the shapes");
       });
     }
   }

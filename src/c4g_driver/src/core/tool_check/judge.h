@@ -14,6 +14,7 @@ struct ToolCheckSubject {
   SpeedLimit speed;
   const ToolMotion& motion;
   const ToolCheckParameters& parameters;
+  const CollisionScene* scene;  // or none
 };
 
 /// Turns joints by full turns all along the track, where their ranges ask for it.

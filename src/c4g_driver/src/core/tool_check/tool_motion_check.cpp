@@ -106,12 +106,13 @@ std::string ToolCheck::refusal() const {
 
 ToolCheck check_tool_motion(const RobotModel& robot, const RobotLimits& limits,
                             const RobotState& from, const ToolMotion& motion,
-                            const ToolCheckParameters& parameters) {
+                            const ToolCheckParameters& parameters, const CollisionScene* scene) {
   scan_cell_common::check(parameters);
   check_input(motion);
   check_margin(limits, parameters.joint_margin);
   check_model(robot, from);
-  const ToolCheckSubject subject = {robot, limits, speed_limit(limits, &from), motion, parameters};
+  const ToolCheckSubject subject = {robot,  limits,     speed_limit(limits, &from),
+                                    motion, parameters, scene};
   const Eigen::Isometry3d first = motion.waypoints.front().tip * motion.flange_to_tip.inverse();
   if (stands_at(from, first)) {
     ToolCheck check = judge(track(robot, motion, from.joints), subject);
