@@ -5,15 +5,16 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
-#include "client/adaptation.h"
+#include "client/adaptation_report.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
 
 namespace {
 
-class ClearResults : public testing::Test {
+class Adaptation : public testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
@@ -28,7 +29,7 @@ class ClearResults : public testing::Test {
 
 }  // namespace
 
-TEST_F(ClearResults, LeavesNothingOfAnEarlierRun) {
+TEST_F(Adaptation, LeavesNothingOfAnEarlierRun) {
   for (const char* name : {"object.ply", "adapted_path.csv", "report.json", "notes.txt"})
     write(name);
   scan_cell::clear_results({"reference.ply", "path.csv", folder_.string()});
@@ -38,7 +39,7 @@ TEST_F(ClearResults, LeavesNothingOfAnEarlierRun) {
   EXPECT_TRUE(fs::exists(folder_ / "notes.txt")) << "it belongs to somebody else";
 }
 
-TEST_F(ClearResults, NeverTakesAnInputForAResult) {
+TEST_F(Adaptation, NeverTakesAnInputForAResult) {
   const std::string path = write("adapted_path.csv");
   const std::string reference = write("object.ply");
   write("report.json");
@@ -51,8 +52,35 @@ TEST_F(ClearResults, NeverTakesAnInputForAResult) {
     EXPECT_TRUE(fs::exists(folder_ / name)) << name;
 }
 
-TEST_F(ClearResults, SaysWhereAnOldResultCannotBeRemoved) {
+TEST_F(Adaptation, SaysWhereAnOldResultCannotBeRemoved) {
   fs::create_directories(folder_ / "adapted_path.csv" / "something");
   EXPECT_THROW(scan_cell::clear_results({"reference.ply", "path.csv", folder_.string()}),
                scan_cell_common::FileError);
+}
+
+TEST_F(Adaptation, ReportSaysWhatBelongsTogether) {
+  scan_cell::AdaptationRecord record;
+  record.files = {write("reference.ply"), write("path.csv"), folder_.string()};
+  record.path_units = "mm";
+  record.adapted = write("adapted_path.csv");
+  record.object = write("object.ply");
+  record.scanned = 12.5;
+  record.calibration = {write("scanner.yaml"), "/on/another/machine.yaml"};
+  const auto report = nlohmann::json::parse(
+      scan_cell::completed(R"({"verdict": "accepted", "files": {"output": null}})", record, {}));
+  EXPECT_EQ(report["verdict"], "accepted");
+  // sha256sum of the file's bytes, which are its name
+  EXPECT_EQ(report["files"]["path"]["sha256"],
+            "d4aad7fb6bea9a8549e25bc0e37cdb47bb5dadd2dcaad355983d73adb24ec696");
+  EXPECT_EQ(report["files"]["path"]["units"], "mm");
+  EXPECT_EQ(report["files"]["output"]["name"], "adapted_path.csv");
+  EXPECT_EQ(report["files"]["output"]["sha256"],
+            "c187a55902952f2e29f22a47f8a9d6d64bf6a10887e06994efc9e0b8bd1416b7");
+  EXPECT_EQ(report["scanned"], 12.5);
+  EXPECT_EQ(report["calibration"]["scanner"]["sha256"],
+            "e7467fc73d2ab9895ef1be3a807f9738ea93c9ed926bc4a63e2df74be0d0bf65");
+  EXPECT_TRUE(report["calibration"]["cell"]["sha256"].is_null());
+  record.adapted.clear();
+  EXPECT_TRUE(
+      nlohmann::json::parse(scan_cell::completed("{}", record, {}))["files"]["output"].is_null());
 }

@@ -29,7 +29,7 @@ struct ExportParameters {
   double zone = 0.001;                          //!< [m] within a segment; its ends are stopped at
   double approach = 0.05;                       //!< [m] in front of each segment, along the tool
   double retract = 0.05;                        //!< [m] behind each segment, along the tool
-  std::string output;                           //!< digital output of the tool; empty: none
+  std::string tool_output;                      //!< digital output of the tool; empty: none
 };
 
 /// With range, unit and meaning of each.

@@ -33,7 +33,7 @@ ExportParameters parameters() {
   ExportParameters result;
   result.waypoint_z = WaypointZ::kOutOfPart;
   result.speed_unit = "mm/s";
-  result.output = "5";
+  result.tool_output = "5";
   return result;
 }
 
@@ -100,7 +100,7 @@ TEST(PathToProgram, OutputIsOnFromTheFirstToTheLastWaypointInContact) {
             "jll+-ll"
             "lllll");
   ExportParameters none = parameters();
-  none.output.clear();
+  none.tool_output.clear();
   EXPECT_EQ(kinds(program_of(raster(), none, {})), "jlllllllll");
 }
 

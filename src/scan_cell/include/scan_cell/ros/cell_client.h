@@ -15,6 +15,13 @@
 
 namespace scan_cell {
 
+/// What the cell is calibrated with: the files that its nodes were started with, as they name
+/// them.
+struct CalibrationFiles {
+  std::string scanner;  //!< scanner model; empty: not known
+  std::string cell;     //!< where robot and tool are; empty: not known
+};
+
 /// Uses a running cell the way a person does: scan, take the clean cloud, adapt a path.
 /// Its calls block; callbacks of the node must be served by another thread (ros::AsyncSpinner).
 /// While a goal is under way SIGINT, SIGTERM and SIGHUP cancel it, and the call returns its result.
@@ -28,6 +35,7 @@ class CellClient {
     std::string stretch = "/tool_path_stretcher/stretch";  //!< action
     std::string clean_cloud = "/preprocess/clean_cloud";   //!< topic, end of the preprocessing
     std::string report = "/preprocess/report";             //!< topic, reports of its stages
+    std::string frames = "/calibrated_frames";             //!< node with the calibration's files
   };
 
   /// @param what what is going on @param progress 0 .. 1
@@ -55,6 +63,8 @@ class CellClient {
   /// @throw ConnectionError if the stretcher is not there, or goes away
   scan_cell_msgs::StretchToolPathResult stretch(const scan_cell_msgs::StretchToolPathGoal& goal,
                                                 double timeout, const Progress& progress);
+
+  CalibrationFiles calibration_files() const;  //!< of the running cell
 
  private:
   ros::NodeHandle node_;

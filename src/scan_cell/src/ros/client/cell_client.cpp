@@ -149,4 +149,11 @@ scan_cell_msgs::StretchToolPathResult CellClient::stretch(
                                                            nothing, feedback);
 }
 
+CalibrationFiles CellClient::calibration_files() const {
+  CalibrationFiles files;
+  node_.getParam(names_.frames + "/scanner_file", files.scanner);
+  node_.getParam(names_.frames + "/cell_file", files.cell);
+  return files;
+}
+
 }  // namespace scan_cell

@@ -25,7 +25,7 @@ void describe(scan_cell_common::ParameterTable& table, ExportParameters& paramet
             "in front of each segment, along the tool's axis");
   table.add("retract", parameters.retract, {0, 10, "m"},
             "behind each segment, along the tool's axis");
-  table.add("output", parameters.output,
+  table.add("tool_output", parameters.tool_output,
             "digital output that switches the tool, as the language names it; empty: none");
 }
 

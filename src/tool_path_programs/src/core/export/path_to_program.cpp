@@ -120,7 +120,8 @@ class Export {
   }
 
   void set_output(bool on) {
-    if (!parameters_.output.empty()) program_.steps.emplace_back(SetOutput{parameters_.output, on});
+    if (!parameters_.tool_output.empty())
+      program_.steps.emplace_back(SetOutput{parameters_.tool_output, on});
   }
 
   Eigen::Isometry3d pose_of(const Waypoint& waypoint) const {
