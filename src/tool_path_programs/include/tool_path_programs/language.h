@@ -38,6 +38,7 @@ struct ReadSettings {
 struct PoseText {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< tip in the user frame [m]
   Place place;                                             //!< where its numbers stand
+  std::size_t offset = 0;  //!< of the first byte of what holds them, in the file
 };
 
 /// Where a step of a program comes from.

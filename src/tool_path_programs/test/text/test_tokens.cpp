@@ -53,6 +53,18 @@ TEST(TokenReader, NumberIncludesItsSign) {
   EXPECT_EQ(reader.place().line, 2u);
 }
 
+TEST(TokenReader, GoesBackToWhereItWas) {
+  const SourceFile file{"a.src", "A ; c\nB C"};
+  const auto tokens = tokens_of(file, kRules);
+  TokenReader reader(file, 0, tokens);
+  reader.next();
+  const std::size_t position = reader.position();
+  reader.skip_line();
+  EXPECT_EQ(reader.name(), "B");
+  reader.go_to(position);
+  EXPECT_TRUE(reader.at_line_end());
+}
+
 TEST(TokenReader, SaysWhatStandsThereAndWhatShould) {
   const SourceFile file{"a.src", "A1 B"};
   const auto tokens = tokens_of(file, kRules);

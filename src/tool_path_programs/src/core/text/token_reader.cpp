@@ -34,6 +34,11 @@ const Token& TokenReader::next() {
   return token;
 }
 
+void TokenReader::go_to(std::size_t position) {
+  at_ = position;
+  pass_comments();
+}
+
 bool TokenReader::at_symbol(char symbol) const {
   return peek().kind == TokenKind::kSymbol && peek().text.front() == symbol;
 }

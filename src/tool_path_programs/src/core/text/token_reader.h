@@ -28,6 +28,9 @@ class TokenReader {
   const Token& peek_after() const;                    //!< the one behind it
   const Token& next();                                //!< the one that was peeked at
 
+  std::size_t position() const { return at_; }  //!< of peek() among the tokens
+  void go_to(std::size_t position);             //!< to what was a position(), or beyond comments
+
   bool at_end() const { return peek().kind == TokenKind::kEnd; }
   bool at_line_end() const { return at_end() || peek().kind == TokenKind::kLineEnd; }
   bool at_symbol(char symbol) const;
