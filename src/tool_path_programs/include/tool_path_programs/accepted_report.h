@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,11 @@ namespace tool_path_programs {
 struct AcceptedReport {
   std::vector<std::string> comments;  //!< lines for the program: verdict, files, hashes
   std::vector<std::size_t> in_air;    //!< waypoints, counted over all segments
+  // SHA-256 of files; empty: the report does not say
+  std::string proven_path;        //!< of the path on the reference
+  std::string scanner;            //!< of the scanner model that the scan was made with
+  std::string cell;               //!< of the cell file that it was made with
+  std::optional<double> scanned;  //!< [s] since 1970, of the object; none: the report does not say
 };
 
 /// Reads a report, and makes sure that the path is the one that it accepted.

@@ -43,6 +43,8 @@ struct Move {
   double joint_speed = 0.1;                                //!< of kJoint: share of the axes' own
   double zone = 0;         //!< [m] how far from the pose the tip may leave its way; 0: it stops
   std::size_t frames = 0;  //!< which of Program::frames
+  /// Of the tool path that the program was made from, over all segments; none: it is on the way
+  std::optional<std::size_t> waypoint;
   /// [rad] with the controller's signs; where known, for languages that write configurations
   std::optional<JointAngles> joints;
 };

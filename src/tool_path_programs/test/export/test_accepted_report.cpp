@@ -46,6 +46,13 @@ TEST_F(AcceptedReports, GiveWaypointsInTheAirAndHashes) {
   EXPECT_EQ(report.comments[2], "path: path.csv sha256 ba7816bf8f01cfea");
 }
 
+TEST_F(AcceptedReports, SayWhatTheyDoNotKnow) {
+  const AcceptedReport report = read("accepted", its_);
+  EXPECT_EQ(report.scanner, "");
+  EXPECT_EQ(report.proven_path, "");
+  EXPECT_FALSE(report.scanned);
+}
+
 TEST_F(AcceptedReports, ARefusedPathBecomesNoProgram) {
   EXPECT_THROW(read("refused", its_), scan_cell_common::Refused);
 }

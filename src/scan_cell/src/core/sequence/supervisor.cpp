@@ -38,9 +38,13 @@ void Supervisor::wait_until_well() {
 }
 
 void Supervisor::start_move(const MoveTarget& target, double camera_rate) {
+  start_other([&] { robot_.start_move(target, camera_rate); });
+}
+
+void Supervisor::start_other(const std::function<void()>& start) {
   watch();  // no motion begins after a cancel
   moving_ = true;
-  on_robot([&] { robot_.start_move(target, camera_rate); });
+  on_robot(start);
 }
 
 void Supervisor::wait_until_moving() {

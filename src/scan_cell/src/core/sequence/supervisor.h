@@ -41,6 +41,9 @@ class Supervisor {
   void start_move(const MoveTarget& target, double camera_rate);
   void wait_until_moving();
 
+  /// Starts a motion of another kind, which robot.motion() tells of, too.
+  void start_other(const std::function<void()>& start);
+
   /// @param on_progress hears 0 .. 1
   void wait_for_motion(const std::function<void(double)>& on_progress);
 

@@ -27,6 +27,15 @@ void check_is_of(const Json& report, const std::string& report_file, const std::
                   "give the path as stretch wrote it, or stretch again");
 }
 
+/// Empty where the report does not say.
+std::string hash_of(const Json& report, const std::string& group, const std::string& file) {
+  const auto found = report.find(group);
+  if (found == report.end() || !found->contains(file)) return "";
+  const Json& record = found->at(file);
+  if (record.is_null() || record.at("sha256").is_null()) return "";
+  return record.at("sha256").get<std::string>();
+}
+
 std::string file_comment(const std::string& what, const Json& file) {
   if (file.is_null()) return what + ": not from a file";
   return what + ": " + file.at("name").get<std::string>() + " sha256 " +
@@ -50,6 +59,10 @@ AcceptedReport accepted_report(const std::string& report_file, const std::string
     const Json& quality = report.at("quality");
     for (std::size_t i = 0; i < quality.size(); ++i)
       if (quality[i].at("in_air").get<bool>()) result.in_air.push_back(i);
+    result.proven_path = hash_of(report, "files", "path");
+    result.scanner = hash_of(report, "calibration", "scanner");
+    result.cell = hash_of(report, "calibration", "cell");
+    if (report.contains("scanned")) result.scanned = report.at("scanned").get<double>();
     return result;
   } catch (const Json::exception& error) {
     throw scan_cell_common::UnusableInput(report_file, error.what(),

@@ -65,7 +65,8 @@ void ExportOptions::add(CLI::App& app) {
 
 WrittenProgram PathToExport::write(const ExportOptions& options) const {
   const Language& language = language_for(options, program);
-  AcceptedReport accepted{{"no report: nothing says that this path was accepted"}, {}};
+  AcceptedReport accepted;
+  accepted.comments = {"no report: nothing says that this path was accepted"};
   if (!report.empty()) accepted = accepted_report(report, path);
   ExportParameters parameters = options.parameters;
   options.typed_.read(parameters);

@@ -99,6 +99,7 @@ class Export {
     move.pose = pose_of(waypoint);
     move.speed = speed_of(waypoint);
     move.zone = stop ? 0 : parameters_.zone;
+    move.waypoint = waypoint_;
     program_.steps.emplace_back(move);
   }
 
