@@ -18,13 +18,17 @@ struct FakeFollower : session_test::FakeRobot, Follower {
     cell.note("check");
     return {refusal, {1, 2, 3, 4, 5, 6}};
   }
+  void set_joint_speed(double share) override { speed = share; }
+  void restore_speed() noexcept override { speed = 1; }
   void start_joints(const std::vector<double>& joints) override {
+    EXPECT_EQ(speed, 0.1) << "people may stand near";
     EXPECT_EQ(joints.at(5), 6);
     ++cell.pose;
     looks = 0;
     cell.note("joints");
   }
   void start_follow(const WorkPlan& plan) override {
+    EXPECT_EQ(speed, 1);
     ++cell.pose;
     looks = 0;
     count = plan.waypoints.size();
@@ -33,6 +37,7 @@ struct FakeFollower : session_test::FakeRobot, Follower {
   std::size_t passed() const override {
     return motion_ended_early ? 1 : std::min<std::size_t>(looks, count - 1);
   }
+  double speed = 1;
   std::string refusal;
   std::size_t count = 0;
   bool motion_ended_early = false;
@@ -108,6 +113,7 @@ TEST_F(Work, AnApproachThatFailsIsFollowedByNothing) {
   robot_.ends[1] = {Motion::State::kFailed, 0, "collision"};
   EXPECT_EQ(run().outcome, Outcome::kMotionFailed);
   EXPECT_EQ(cell_.count("follow"), 0);
+  EXPECT_EQ(robot_.speed, 1) << "the speed of others is left as it was";
 }
 
 TEST_F(Work, ACancelStopsTheRobotInAnyMotion) {

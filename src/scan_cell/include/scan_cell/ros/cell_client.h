@@ -6,6 +6,7 @@
 #include <scan_cell_msgs/CalibrateAction.h>
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/StretchToolPathAction.h>
+#include <scan_cell_msgs/WorkAction.h>
 
 #include <functional>
 #include <string>
@@ -31,6 +32,7 @@ class CellClient {
   struct Names {
     std::string scan = "/scan_cell/scan";                  //!< action
     std::string calibrate = "/scan_cell/calibrate";        //!< action
+    std::string work = "/scan_cell/work";                  //!< action
     std::string state = "/scan_cell/state";                //!< topic
     std::string stretch = "/tool_path_stretcher/stretch";  //!< action
     std::string clean_cloud = "/preprocess/clean_cloud";   //!< topic, end of the preprocessing
@@ -63,6 +65,11 @@ class CellClient {
   /// @throw ConnectionError if the stretcher is not there, or goes away
   scan_cell_msgs::StretchToolPathResult stretch(const scan_cell_msgs::StretchToolPathGoal& goal,
                                                 double timeout, const Progress& progress);
+
+  /// Runs an adapted path.
+  /// @throw ConnectionError if the cell is not there, or goes away
+  scan_cell_msgs::WorkResult work(const scan_cell_msgs::WorkGoal& goal, double timeout,
+                                  const Progress& progress);
 
   CalibrationFiles calibration_files() const;  //!< of the running cell
 

@@ -24,6 +24,12 @@ class Follower {
   /// Nothing moves. @throw scan_cell_common::Error if its driver cannot tell
   virtual FollowCheck check_follow(const WorkPlan& plan) = 0;
 
+  /// From here on joints move at this share of their own speed, until restore_speed().
+  virtual void set_joint_speed(double share) = 0;
+
+  /// Never throws: it is called when things go wrong, too.
+  virtual void restore_speed() noexcept = 0;
+
   /// Goes to angles of the joints [rad], all together.
   virtual void start_joints(const std::vector<double>& joints) = 0;
 

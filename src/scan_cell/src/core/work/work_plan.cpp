@@ -68,6 +68,7 @@ WorkPlan plan_of(const ToolPath& path, const tool_path_programs::ExportParameter
   const Program program = tool_path_programs::program_of(from_waypoint(path, from), parameters, {},
                                                          shifted(in_air, from));
   WorkPlan plan;
+  plan.joint_speed = parameters.joint_speed;
   std::uint32_t outputs = 0;
   for (const Step& step : program.steps) {
     if (const Move* move = std::get_if<Move>(&step)) {

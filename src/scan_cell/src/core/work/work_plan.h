@@ -25,6 +25,7 @@ struct WorkWaypoint {
 /// What the robot follows. The first waypoint is gone to by the joints.
 struct WorkPlan {
   Eigen::Isometry3d flange_to_tip = Eigen::Isometry3d::Identity();  //!< [m]
+  double joint_speed = 0.1;  //!< on the way to the first waypoint: share of the joints' own
   std::vector<WorkWaypoint> waypoints;
 };
 

@@ -33,6 +33,7 @@ SequenceEnd WorkSequence::run(const WorkPlan& plan, const WhyToCancel& why_to_ca
     end = {Outcome::kMotionFailed, error.what()};
   }
   supervisor_.stop_robot();
+  follower_.restore_speed();
   return end;
 }
 
@@ -43,9 +44,11 @@ void WorkSequence::work(const WorkPlan& plan) {
   const FollowCheck check =
       on(Outcome::kRefused, Outcome::kRobotLost, [&] { return follower_.check_follow(plan); });
   if (!check.refusal.empty()) throw EndEarly{Outcome::kRefused, check.refusal};
+  on_robot([&] { follower_.set_joint_speed(plan.joint_speed); });
   supervisor_.start_other([&] { follower_.start_joints(check.start); });
   supervisor_.wait_for_motion(
       [&](double progress) { observer_.on_progress("approach", kApproach * progress); });
+  follower_.restore_speed();
   supervisor_.start_other([&] { follower_.start_follow(plan); });
   try {
     supervisor_.wait_for_motion([&](double progress) {

@@ -6,13 +6,15 @@
 #include "actions/grab_image.h"
 #include "actions/record_pose.h"
 #include "actions/scan_action.h"
+#include "actions/work_action.h"
 #include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
 int main(int argc, char** argv) {
   return scan_cell_common::node_main<scan_cell::Parameters>(
-      argc, argv, "scan_cell", "Directs the cell: the actions of a scan and of a calibration.", [] {
+      argc, argv, "scan_cell",
+      "Directs the cell: the actions of a scan, of a calibration and of the work.", [] {
         ros::NodeHandle node("~");
         const auto parameters = scan_cell_common::load_parameters<scan_cell::Parameters>(node);
         constexpr int kThreads =
@@ -23,6 +25,7 @@ int main(int argc, char** argv) {
         const scan_cell::StateTopic state(node);
         scan_cell::ScanAction scan(node, parameters, devices, cell, state);
         scan_cell::CalibrateAction calibrate(node, parameters, devices, cell, state);
+        scan_cell::WorkAction work(node, parameters, devices, cell, state);
         const scan_cell::GrabImage grab_image(node, parameters, cell);
         const scan_cell::RecordPose record_pose(node, parameters.base_frame, devices.robot);
         scan_cell_common::take_over_shutdown();

@@ -149,6 +149,16 @@ scan_cell_msgs::StretchToolPathResult CellClient::stretch(
                                                            nothing, feedback);
 }
 
+scan_cell_msgs::WorkResult CellClient::work(const scan_cell_msgs::WorkGoal& goal, double timeout,
+                                            const Progress& progress) {
+  const auto feedback = [&](const scan_cell_msgs::WorkFeedbackConstPtr& news) {
+    progress(fmt::format("{}, {} waypoints", news->doing, news->passed), news->progress);
+  };
+  const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
+  return run_action<scan_cell_msgs::WorkAction>(node_, names_.work, goal, timeout, watched,
+                                                feedback);
+}
+
 CalibrationFiles CellClient::calibration_files() const {
   CalibrationFiles files;
   node_.getParam(names_.frames + "/scanner_file", files.scanner);

@@ -92,6 +92,7 @@ void describe(ParameterTable& table, Parameters& parameters) {
   describe_names(table, parameters);
   describe_scan(table, parameters);
   describe_calibration(table, parameters.session, parameters.calibration_limits);
+  table.group("work", parameters.work);
   parameters.session.stall = parameters.timing.stall;
 }
 

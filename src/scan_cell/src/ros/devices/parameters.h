@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "devices/work_parameters.h"
 #include "scan_calibration/calibration_run.h"
 #include "scan_cell/scan_request.h"
 #include "sequence/scan_sequence.h"
@@ -33,6 +34,7 @@ struct Parameters {
   SessionSequence::Timing session;  //!< of calibration sessions; stall as in timing
   scan_calibration::CalibrationLimits
       calibration_limits;  //!< what a model must reach to be written
+  WorkParameters work;
 
   /// [s] of silence that a device which ticks at `rate` [Hz] may keep: five periods where that is
   /// longer, up to one second.

@@ -4,6 +4,7 @@
 
 #include <actionlib/client/simple_action_client.h>
 #include <ros/node_handle.h>
+#include <scan_cell_msgs/FollowAction.h>
 #include <scan_cell_msgs/MoveAction.h>
 #include <scan_cell_msgs/PeakProfile.h>
 #include <scan_cell_msgs/RobotStatus.h>
@@ -20,11 +21,12 @@
 #include "devices/last_heard.h"
 #include "devices/parameters.h"
 #include "sequence/devices.h"
+#include "work/follower.h"
 
 namespace scan_cell {
 
 /// The robot behind a node with c4g_driver's interface.
-class RosRobot : public Robot {
+class RosRobot : public Robot, public Follower {
  public:
   RosRobot(ros::NodeHandle node, const Parameters& parameters);
 
@@ -38,6 +40,13 @@ class RosRobot : public Robot {
   Eigen::Isometry3d static_pose() override;
   void stop() noexcept override;
 
+  FollowCheck check_follow(const WorkPlan& plan) override;
+  void set_joint_speed(double share) override;
+  void restore_speed() noexcept override;
+  void start_joints(const std::vector<double>& joints) override;
+  void start_follow(const WorkPlan& plan) override;
+  std::size_t passed() const override;
+
   /// Drops what the robot was told before this object was made, by an earlier life of this node:
   /// nobody watches over that.
   /// @return false where the driver is not there yet: ask again
@@ -45,13 +54,18 @@ class RosRobot : public Robot {
 
  private:
   using Client = actionlib::SimpleActionClient<scan_cell_msgs::MoveAction>;
+  using FollowClient = actionlib::SimpleActionClient<scan_cell_msgs::FollowAction>;
 
   scan_cell_msgs::MoveGoal goal_of(const MoveTarget& target, double camera_rate) const;
+  scan_cell_msgs::FollowGoal goal_of(const WorkPlan& plan) const;
+  void set_override(double percent) const;
+  std::uint64_t begin_motion();
+  void send(const scan_cell_msgs::MoveGoal& goal);
+  void end_motion(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
+                  const std::optional<Motion>& end);
   void on_status(const scan_cell_msgs::RobotStatus& status);
   void on_transforms(const tf2_msgs::TFMessage& transforms);
-  void on_done(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
-               const scan_cell_msgs::MoveResultConstPtr& result);
-  void on_feedback(std::uint64_t move, const scan_cell_msgs::MoveFeedbackConstPtr& feedback);
+  void on_feedback(std::uint64_t move, double progress, std::size_t passed);
 
   const Parameters parameters_;
   const ros::Time made_ = ros::Time::now();
@@ -60,10 +74,13 @@ class RosRobot : public Robot {
   LastHeard transform_;  // of the flange
   mutable std::mutex mutex_;
   scan_cell_msgs::RobotStatus last_status_;
+  std::optional<double> override_before_;  // [%] set_joint_speed() is in force
   Motion motion_;
   std::uint64_t move_ =
-      0;           // number of the motion that counts; late news of earlier ones is ignored
-  Client client_;  // last, as the subscriber: their callbacks use all the rest
+      0;  // number of the motion that counts; late news of earlier ones is ignored
+  std::size_t passed_ = 0;  // waypoints of the path that is followed
+  Client client_;           // last, as the subscriber: their callbacks use all the rest
+  FollowClient follow_client_;
   ros::Subscriber status_subscriber_;
   ros::Subscriber transform_subscriber_;
 };

@@ -35,6 +35,13 @@ Motion::State state_of(std::uint8_t outcome) {
   }
 }
 
+/// How a motion ended, as the driver says it.
+template <class ResultPtr>
+std::optional<Motion> ended(const ResultPtr& result) {
+  if (!result) return std::nullopt;
+  return Motion{state_of(result->outcome), 0, result->message};
+}
+
 /// @throw ConnectionError where the driver lost the controller, Refused where one of them refuses
 template <class Service>
 typename Service::Response call_driver(const std::string& name,
@@ -50,7 +57,9 @@ typename Service::Response call_driver(const std::string& name,
 }  // namespace
 
 RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
-    : parameters_(parameters), client_(node, parameters.robot + "/move", false) {
+    : parameters_(parameters),
+      client_(node, parameters.robot + "/move", false),
+      follow_client_(node, parameters.robot + "/follow", false) {
   status_subscriber_ = node.subscribe(parameters.robot + "/status", 10, &RosRobot::on_status, this);
   transform_subscriber_ = node.subscribe("/tf", 100, &RosRobot::on_transforms, this,
                                          ros::TransportHints().tcpNoDelay());
@@ -147,37 +156,45 @@ std::optional<MovesCheck> RosRobot::check(const std::vector<PlannedMove>& moves)
 }
 
 void RosRobot::start_move(const MoveTarget& target, double camera_rate) {
-  const MoveGoal goal = goal_of(target, camera_rate);
-  std::uint64_t move = 0;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    motion_ = Motion();
-    move = ++move_;
-  }
+  send(goal_of(target, camera_rate));
+}
+
+void RosRobot::send(const MoveGoal& goal) {
+  const std::uint64_t move = begin_motion();
   client_.sendGoal(
-      goal, [this, move](const auto& state, const auto& result) { on_done(move, state, result); },
+      goal,
+      [this, move](const auto& state, const scan_cell_msgs::MoveResultConstPtr& result) {
+        end_motion(move, state, ended(result));
+      },
       Client::SimpleActiveCallback(),
-      [this, move](const auto& feedback) { on_feedback(move, feedback); });
+      [this, move](const auto& feedback) { on_feedback(move, feedback->progress, 0); });
 }
 
-void RosRobot::on_feedback(std::uint64_t move,
-                           const scan_cell_msgs::MoveFeedbackConstPtr& feedback) {
+std::uint64_t RosRobot::begin_motion() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (move == move_ && motion_.state == Motion::State::kMoving) {
-    motion_.progress = feedback->progress;
-  }
+  motion_ = Motion();
+  passed_ = 0;
+  return ++move_;
 }
 
-void RosRobot::on_done(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
-                       const scan_cell_msgs::MoveResultConstPtr& result) {
+void RosRobot::on_feedback(std::uint64_t move, double progress, std::size_t passed) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (move != move_ || motion_.state != Motion::State::kMoving) return;
+  motion_.progress = progress;
+  passed_ = passed;
+}
+
+/// @param end as the driver says it; none: it is gone
+void RosRobot::end_motion(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
+                          const std::optional<Motion>& end) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (move != move_) return;
   if (state == actionlib::SimpleClientGoalState::SUCCEEDED) {
     motion_ = {Motion::State::kReached, 1, ""};
     return;
   }
-  motion_.state = !result ? Motion::State::kLost : state_of(result->outcome);
-  motion_.message = result && !result->message.empty() ? result->message : state.getText();
+  motion_.state = end ? end->state : Motion::State::kLost;
+  motion_.message = end && !end->message.empty() ? end->message : state.getText();
 }
 
 Motion RosRobot::motion() const {
@@ -210,13 +227,16 @@ Eigen::Isometry3d RosRobot::static_pose() {
 bool RosRobot::drop_earlier_goals() {
   if (!client_.isServerConnected()) return false;
   client_.cancelGoalsAtAndBeforeTime(made_);
+  if (follow_client_.isServerConnected()) follow_client_.cancelGoalsAtAndBeforeTime(made_);
   return true;
 }
 
 void RosRobot::stop() noexcept {
   // By its number, however the clock was set meanwhile; and what was told before it.
   client_.cancelGoal();
+  follow_client_.cancelGoal();
   client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
+  follow_client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
 }
 
 }  // namespace scan_cell

@@ -1,0 +1,127 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/this_node.h>
+#include <scan_cell_msgs/CheckFollow.h>
+#include <scan_cell_msgs/SetOverride.h>
+
+#include "devices/ros_devices.h"
+#include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell {
+
+using scan_cell_msgs::FollowGoal;
+using scan_cell_msgs::FollowResult;
+
+namespace {
+
+constexpr double kCheckOfAWaypoint = 1e-3;  // [s] twice what the check takes
+constexpr std::size_t kJoints = 6;
+
+Motion motion_of(const FollowResult& result) {
+  Motion motion{Motion::State::kFailed, 0, result.message};
+  if (result.outcome == FollowResult::LINK_LOST) motion.state = Motion::State::kLost;
+  if (result.outcome == FollowResult::STOPPED) motion.state = Motion::State::kStopped;
+  return motion;
+}
+
+}  // namespace
+
+FollowGoal RosRobot::goal_of(const WorkPlan& plan) const {
+  FollowGoal goal;
+  goal.header.frame_id = parameters_.base_frame;
+  goal.header.stamp = ros::Time::now();
+  goal.flange_to_tip = scan_cell_common::to_ros_pose(plan.flange_to_tip);
+  for (const WorkWaypoint& each : plan.waypoints) {
+    scan_cell_msgs::FollowWaypoint waypoint;
+    waypoint.tip = scan_cell_common::to_ros_pose(each.tip);
+    waypoint.speed = each.speed;
+    waypoint.zone = each.zone;
+    waypoint.outputs = each.outputs;
+    goal.waypoints.push_back(waypoint);
+  }
+  goal.watcher = ros::this_node::getName();
+  return goal;
+}
+
+FollowCheck RosRobot::check_follow(const WorkPlan& plan) {
+  const std::string service = parameters_.robot + "/check_follow";
+  scan_cell_msgs::CheckFollow::Request request;
+  request.path = goal_of(plan);
+  const double timeout =
+      parameters_.call_timeout + kCheckOfAWaypoint * static_cast<double>(plan.waypoints.size());
+  const auto answer = ask<scan_cell_msgs::CheckFollow>(service, request, timeout);
+  if (answer.link_lost)
+    throw scan_cell_common::ConnectionError(service, "link lost", answer.message);
+  check_answer(service, answer);
+  FollowCheck check{answer.message, {}};
+  if (answer.joints.size() >= kJoints)
+    check.start.assign(answer.joints.begin(), answer.joints.begin() + kJoints);
+  else if (check.refusal.empty())
+    check.refusal = service + " gives no joints";
+  return check;
+}
+
+/// Of all motions: the driver has one speed for joints, the controller's override.
+void RosRobot::set_joint_speed(double share) {
+  double before = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    before = override_before_.value_or(last_status_.override);
+  }
+  set_override(before * share);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  override_before_ = before;
+}
+
+void RosRobot::restore_speed() noexcept {
+  std::optional<double> before;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    before = override_before_;
+    override_before_.reset();
+  }
+  if (!before) return;
+  try {
+    set_override(*before);
+  } catch (const std::exception& error) {
+    ROS_WARN("The override stays lowered: %s; set it to %g %%", error.what(), *before);
+  }
+}
+
+void RosRobot::set_override(double percent) const {
+  scan_cell_msgs::SetOverride::Request request;
+  request.override = percent;
+  const std::string service = parameters_.robot + "/set_override";
+  check_answer(service,
+               ask<scan_cell_msgs::SetOverride>(service, request, parameters_.call_timeout));
+}
+
+void RosRobot::start_joints(const std::vector<double>& joints) {
+  scan_cell_msgs::MoveGoal goal;
+  goal.kind = scan_cell_msgs::MoveGoal::JOINT;
+  goal.joints = joints;
+  goal.watcher = ros::this_node::getName();
+  send(goal);
+}
+
+void RosRobot::start_follow(const WorkPlan& plan) {
+  const std::uint64_t move = begin_motion();
+  follow_client_.sendGoal(
+      goal_of(plan),
+      [this, move](const auto& state, const scan_cell_msgs::FollowResultConstPtr& result) {
+        if (result) on_feedback(move, 1, result->waypoint);
+        end_motion(move, state, result ? std::optional<Motion>(motion_of(*result)) : std::nullopt);
+      },
+      FollowClient::SimpleActiveCallback(),
+      [this, move](const auto& feedback) {
+        on_feedback(move, feedback->progress, feedback->waypoint);
+      });
+}
+
+std::size_t RosRobot::passed() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return passed_;
+}
+
+}  // namespace scan_cell
