@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "client/adaptation_report.h"
+#include "scan_cell/ros/adaptation_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +74,9 @@ Json calibration(const std::string& file) {
 std::string completed(const std::string& report, const AdaptationRecord& record,
                       const scan_cell_msgs::CloudStatistics& scan) {
   Json all = Json::parse(report);
-  all["files"] = {{"reference", input(record.files.reference, "m")},
+  all["files"] = {{"reference", input(record.reference, "m")},
                   {"object", output(record.object, "m")},
-                  {"path", input(record.files.path, record.path_units)},
+                  {"path", input(record.path, record.path_units)},
                   {"output", output(record.adapted, record.path_units)}};
   all["scanned"] = record.scanned;
   all["calibration"] = {{"scanner", calibration(record.calibration.scanner)},

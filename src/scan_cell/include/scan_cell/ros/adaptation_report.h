@@ -6,18 +6,19 @@
 
 #include <string>
 
-#include "client/adaptation.h"
+#include "scan_cell/ros/cell_client.h"
 
 namespace scan_cell {
 
 /// What belongs to an adaptation in a running cell, besides the stretcher's result.
 struct AdaptationRecord {
-  AdaptationFiles files;
-  std::string path_units;  //!< m, mm or inch
-  std::string adapted;     //!< file; empty: refused
-  std::string object;      //!< file
-  double scanned = 0;      //!< [s] since 1970, of the object's cloud
-  CalibrationFiles calibration;
+  std::string reference;         //!< file
+  std::string path;              //!< file, proven on the reference
+  std::string path_units;        //!< m, mm or inch; of both paths
+  std::string object;            //!< file
+  std::string adapted;           //!< file; empty: refused
+  double scanned = 0;            //!< [s] since 1970, of the object's cloud
+  CalibrationFiles calibration;  //!< of the cell
 };
 
 /// The stretcher's report with the files, what the cell was calibrated with, and how the passes of
