@@ -4,15 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "robot/inverse_kinematics.h"
 #include "robot/motion_check.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/parameters/parameter_table.h"
-#include "tool_check/findings.h"
-#include "tool_check/judge.h"
+#include "tool_check/attempts.h"
+#include "tool_check/judge/findings.h"
 
 namespace c4g_driver {
 namespace {
@@ -60,49 +58,7 @@ void check_margin(const RobotLimits& limits, double margin) {
   }
 }
 
-bool stands_at(const RobotState& from, const Eigen::Isometry3d& flange) {
-  constexpr double kPosition = 1e-3;  // [m] as a goal is reached
-  constexpr double kAngle = 5e-3;     // [rad]
-  const auto off = twist(from.flange, flange);
-  return off.head<3>().norm() <= kPosition && off.tail<3>().norm() <= kAngle;
-}
-
-/// Postures to begin with, first the one that the robot gets to soonest. Those outside the ranges
-/// are no use, unless there are no others.
-std::vector<Joints> starts(const RobotModel& robot, const RobotLimits& limits,
-                           const RobotState& from, const Eigen::Isometry3d& flange) {
-  std::vector<Joints> found = postures_for(robot, flange, from.joints).joints;
-  const auto outside = std::stable_partition(found.begin(), found.end(), [&](const Joints& joints) {
-    return excess(joints, limits.joint_lower, limits.joint_upper) <= 0;
-  });
-  if (outside != found.begin()) found.erase(outside, found.end());
-  if (found.empty()) return {from.joints};
-  const auto seconds = [&](const Joints& joints) {
-    return (joints - from.joints).cwiseAbs().cwiseQuotient(robot.speed()).maxCoeff();
-  };
-  std::stable_sort(found.begin(), found.end(),
-                   [&](const Joints& a, const Joints& b) { return seconds(a) < seconds(b); });
-  return found;
-}
-
-/// Where the first fault is, in waypoints from the beginning.
-double got_to(const ToolCheck& check) {
-  const ToolFault& fault = check.faults.front();
-  return static_cast<double>(fault.waypoint) + fault.way;
-}
-
 }  // namespace
-
-void describe(scan_cell_common::ParameterTable& table, ToolCheckParameters& parameters) {
-  table.add("joint_margin", parameters.joint_margin, {0, 1, "rad"},
-            "that each joint keeps from the ends of its range");
-  table.add("rotational_speed", parameters.rotational_speed, {1e-3, 10, "rad/s"},
-            "of the tool, where it turns more than it moves");
-}
-
-std::string ToolCheck::refusal() const {
-  return possible() ? "" : faults.front().what();
-}
 
 ToolCheck check_tool_motion(const RobotModel& robot, const RobotLimits& limits,
                             const RobotState& from, const ToolMotion& motion,
@@ -113,21 +69,10 @@ ToolCheck check_tool_motion(const RobotModel& robot, const RobotLimits& limits,
   check_model(robot, from);
   const ToolCheckSubject subject = {robot,  limits,     speed_limit(limits, &from),
                                     motion, parameters, scene};
-  const Eigen::Isometry3d first = motion.waypoints.front().tip * motion.flange_to_tip.inverse();
-  if (stands_at(from, first)) {
-    ToolCheck check = judge(track(robot, motion, from.joints), subject);
-    check.stands_there = true;
-    return check;
+  if (parameters.free_about_z) {
+    if (auto check = check_with_free_turn(subject, from)) return std::move(*check);
   }
-  std::optional<ToolCheck> best;
-  for (const Joints& start : starts(robot, limits, from, first)) {
-    Track followed = track(robot, motion, start);
-    choose_turns(followed, subject);
-    ToolCheck check = judge(followed, subject);
-    if (check.possible()) return check;
-    if (!best || got_to(check) > got_to(*best)) best = std::move(check);
-  }
-  return *best;
+  return check_as_given(subject, from);
 }
 
 }  // namespace c4g_driver

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_check/judge.h"
+#include "tool_check/judge/judge.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include "c4g_driver/collision_scene.h"
 #include "robot/inverse_kinematics.h"
 #include "robot/path_check.h"
-#include "tool_check/findings.h"
-#include "tool_check/tool_line.h"
+#include "tool_check/judge/findings.h"
+#include "tool_check/judge/tool_line.h"
 
 namespace c4g_driver {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_check/findings.h"
+#include "tool_check/judge/findings.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_check/track.h"
+#include "tool_check/judge/track.h"
 
 #include "robot/inverse_kinematics.h"
 #include "robot/path_check.h"
-#include "tool_check/tool_line.h"
+#include "tool_check/judge/tool_line.h"
 
 namespace c4g_driver {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tool_check/tool_line.h"
+#include "tool_check/judge/tool_line.h"
 
 #include "robot/path_check.h"
 #include "scan_cell_common/pose/timed_pose.h"

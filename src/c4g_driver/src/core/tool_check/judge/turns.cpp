@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "tool_check/judge.h"
+#include "tool_check/judge/judge.h"
 
 namespace c4g_driver {
 namespace {

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "c4g_driver/tool_motion_check.h"
-#include "tool_check/track.h"
+#include "c4g_driver/tool_check.h"
+#include "tool_check/judge/track.h"
 
 namespace c4g_driver {
 

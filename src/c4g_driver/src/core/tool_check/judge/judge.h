@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "c4g_driver/tool_motion_check.h"
-#include "tool_check/track.h"
+#include "c4g_driver/limits.h"
+#include "c4g_driver/tool_check.h"
+#include "tool_check/judge/track.h"
 
 namespace c4g_driver {
+
+class CollisionScene;
 
 /// What a path is judged by.
 struct ToolCheckSubject {
