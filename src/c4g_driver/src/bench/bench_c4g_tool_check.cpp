@@ -33,7 +33,8 @@ RobotState standing() {
 }
 
 /// Lines across a waved part, the tool tilted as its surface.
-ToolMotion path_of(int count) {
+/// @param farther [m] from the robot than where it can follow
+ToolMotion path_of(int count, double farther) {
   ToolMotion motion;
   motion.flange_to_tip = Isometry3d(Translation3d(0.03, 0, 0.2));
   for (int i = 0; i < count; ++i) {
@@ -41,7 +42,7 @@ ToolMotion path_of(int count) {
     const int line = static_cast<int>(along / 0.4);
     const double y = line % 2 == 0 ? along - 0.4 * line - 0.2 : 0.2 - (along - 0.4 * line);
     ToolWaypoint waypoint;
-    waypoint.tip = looking_down(0.7 + 0.05 * line, y, 0.3 + 0.02 * std::sin(20 * y)) *
+    waypoint.tip = looking_down(0.7 + farther + 0.05 * line, y, 0.3 + 0.02 * std::sin(20 * y)) *
                    AngleAxisd(0.3 * std::cos(20 * y), Vector3d::UnitX());
     motion.waypoints.push_back(waypoint);
   }
@@ -100,12 +101,15 @@ double yardstick(const ToolMotion& motion, const Joints& start) {
 
 class Bench {
  public:
-  explicit Bench(int count) : motion_(path_of(count)), from_(standing()) {
+  explicit Bench(int count) : motion_(path_of(count, 0)), from_(standing()) {
     limits_.operation = Operation::kAutomatic;
     limits_ = narrowed(limits_, smart5_six());
     yardstick_ = yardstick(motion_, from_.joints);
     std::printf("  %-44s %7.3f s\n", "KDL's solver, joints at the waypoints alone", yardstick_);
   }
+
+  /// As far away as the robot cannot follow.
+  void move_away() { motion_ = path_of(static_cast<int>(motion_.waypoints.size()), 0.6); }
 
   void run(const char* what, bool free_about_z, const CollisionScene* scene) const {
     ToolCheckParameters parameters;
@@ -128,7 +132,7 @@ class Bench {
 
 int measure(int count) {
   std::printf("check of a path of %d waypoints over 2 m\n", count);
-  const Bench bench(count);
+  Bench bench(count);
   CollisionScene scene(smart5_six(), shapes());
   bench.run("check", false, nullptr);
   bench.run("check, 9 shapes", false, &scene);
@@ -137,6 +141,9 @@ int measure(int count) {
   bench.run("check, 9 shapes and a part of 50,000 points", false, &scene);
   bench.run("free turn", true, nullptr);
   bench.run("free turn, 9 shapes and the part", true, &scene);
+  bench.move_away();
+  bench.run("check, much of it out of reach", false, nullptr);
+  bench.run("free turn, much of it out of reach", true, nullptr);
   return 0;
 }
 

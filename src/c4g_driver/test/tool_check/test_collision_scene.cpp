@@ -93,6 +93,9 @@ TEST_F(CollisionTest, MovesWithTheTipAndTheLinks) {
                     shape("floor", "base_link", Kind::kHalfSpace, {0, 0, 1},
                           Isometry3d(Translation3d(0, 0, tip.z() - 0.0101)))};
   EXPECT_TRUE(collisions().empty());
+  shapes_.clearance = 2e-4;
+  EXPECT_EQ(collisions().size(), 1u);
+  shapes_.clearance = 0;
   shapes_.shapes[1].pose.translation().z() += 2e-4;
   EXPECT_EQ(collisions().size(), 1u);
 }

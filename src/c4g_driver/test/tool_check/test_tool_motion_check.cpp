@@ -215,11 +215,41 @@ TEST_F(ToolCheckTest, NamesWhereTheFlangeLeavesItsBox) {
   expect_within(found.refusal(), "waypoint 31, y of the flange: 0.11 m");
 }
 
+TEST_F(ToolCheckTest, BlamesNoWaypointForTheOneBeforeIt) {
+  add_line({0.8, -0.2, 0.6}, {0.8, 0.2, 0.6}, 41);
+  limits_.workspace_min.y() = -0.105;  // half way from 9 to 10
+  const ToolCheck found = check();
+  ASSERT_EQ(found.faults.size(), 10u);
+  EXPECT_EQ(found.faults.back().waypoint, 9u);
+}
+
+TEST_F(ToolCheckTest, SaysWhereOnlyAnotherPostureReaches) {
+  // turned round by J1, the shoulder is 0.3 m farther from what lies in front
+  limits_.workspace_max.setConstant(3);
+  add_line({0.5, 0.2, 0.9}, {1.1, 0.2, 0.9}, 31);
+  const Isometry3d first = looking_down(0.5, 0.2, 0.9);
+  for (const Joints& joints : postures_for(smart5_six(), first, Joints::Zero()).joints) {
+    if (std::abs(joints[0]) > 2) stand(joints);
+  }
+  ASSERT_GT(std::abs(from_.joints[0]), 2);
+  const ToolCheck found = check();
+  EXPECT_TRUE(found.stands_there);
+  const ToolFault* lost = first_of(found, Kind::kPosture);
+  ASSERT_NE(lost, nullptr);
+  EXPECT_EQ(first_of(found, Kind::kReach), nullptr);
+  std::size_t out = 0;
+  while (std::hypot(std::hypot(0.5 + 0.02 * static_cast<double>(out), 0.2) + 0.15,
+                    0.9 + 0.095 - 0.45) < 0.59 + std::hypot(0.64707, 0.13))
+    ++out;
+  EXPECT_EQ(lost->waypoint, out);
+}
+
 TEST_F(ToolCheckTest, NamesATurnThatHasTwoWaysRound) {
   add_line({0.8, -0.01, 0.6}, {0.8, 0.01, 0.6}, 3);
   motion_.waypoints[2].tip.linear() =
       motion_.waypoints[1].tip.linear() * AngleAxisd(M_PI, Vector3d::UnitZ());
   const ToolCheck found = check();
+  ASSERT_FALSE(found.possible());
   EXPECT_EQ(found.faults.front().kind, Kind::kHalfTurn);
   EXPECT_EQ(found.faults.front().waypoint, 2u);
   expect_within(found.refusal(), "which way round is open");
@@ -234,6 +264,22 @@ TEST_F(ToolCheckTest, TakesThePostureInWhichThePathCanBeFollowed) {
   const ToolCheck found = check();
   EXPECT_TRUE(found.possible()) << found.refusal();
   EXPECT_GT(found.joints.front()[4], 0);
+}
+
+TEST_F(ToolCheckTest, LeavesThePostureThatFailsOnTheWay) {
+  for (int i = 0; i <= 20; ++i)  // the wrist bends more and more
+    add_flange(looking_down(0.8, 0, 0.6) * AngleAxisd(-0.02 * i, Vector3d::UnitY()));
+  stand(degrees(0, 8, -124, 170, -48, -170));  // the wrist turned over
+  const double first = check().joints.front()[4];
+  const double last = check().joints.back()[4];
+  ASSERT_LT(first, 0);
+  ASSERT_LT(last, first - 0.3);
+  limits_.joint_lower[4] = (first + last) / 2;
+  const ToolCheck found = check();
+  EXPECT_TRUE(found.possible()) << found.refusal();
+  EXPECT_NEAR(found.joints.front()[4], -first, 1e-6);
+  limits_.joint_upper[4] = -(first + last) / 2 - 0.1;  // the other one gets less far
+  EXPECT_LT(check().joints.front()[4], 0);
 }
 
 }  // namespace

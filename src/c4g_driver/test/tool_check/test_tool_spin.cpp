@@ -8,12 +8,13 @@ namespace {
 
 using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
+using Eigen::Translation3d;
 using Eigen::Vector3d;
 
 class ToolSpinTest : public ToolCheckTest {
  protected:
   ToolSpinTest() {
-    motion_.flange_to_tip = Isometry3d(Eigen::Translation3d(0.05, 0, 0.2));
+    motion_.flange_to_tip = Isometry3d(Translation3d(0.05, 0, 0.2));
     parameters_.free_about_z = true;
   }
 
@@ -88,7 +89,7 @@ TEST_F(ToolSpinTest, MovesTheJointsNoMoreThanAnyOneOrientationDoes) {
 TEST_F(ToolSpinTest, TurnsTheToolSoThatTheWristStandsStill) {
   // on a circle about axis 1, looking down with the tip on J6's axis: J1 has to go, and J6 only
   // where the orientation has to stay
-  motion_.flange_to_tip = Isometry3d(Eigen::Translation3d(0, 0, 0.2));
+  motion_.flange_to_tip = Isometry3d(Translation3d(0, 0, 0.2));
   for (int i = 0; i <= 200; ++i) {
     const double angle = 0.01 * i - 1;
     ToolWaypoint waypoint;
@@ -105,6 +106,29 @@ TEST_F(ToolSpinTest, TurnsTheToolSoThatTheWristStandsStill) {
   }
   EXPECT_NEAR(most[0] - least[0], 2.0, 1e-6);  // J1 is given by the way
   EXPECT_LT(most[5] - least[5], 0.02);
+}
+
+TEST_F(ToolSpinTest, StraightensTurnsThatGoToAndFroOnACurvedPart) {
+  const auto add_arch = [&](double to_and_fro) {
+    motion_.waypoints.clear();
+    for (int i = 0; i <= 100; ++i) {
+      const double tilt = 0.01 * i - 0.5;
+      motion_.waypoints.emplace_back().tip =
+          Translation3d(0.8, 0.2 * std::sin(tilt), 0.2 + 0.2 * std::cos(tilt)) *
+          AngleAxisd(-tilt, Vector3d::UnitX()) * looking_down(0, 0, 0) *
+          AngleAxisd(i % 2 == 0 ? to_and_fro : -to_and_fro, Vector3d::UnitZ());
+    }
+  };
+  parameters_.free_about_z = false;
+  add_arch(0);
+  const ToolCheck smooth = check();
+  ASSERT_TRUE(smooth.possible()) << smooth.refusal();
+  add_arch(0.4);
+  parameters_.free_about_z = true;
+  const ToolCheck found = check();
+  EXPECT_TRUE(found.possible()) << found.refusal();
+  expect_only_turned(found);
+  EXPECT_LT(way_of(found), 1.02 * way_of(smooth));
 }
 
 TEST_F(ToolSpinTest, BeginsAsTheRobotStands) {
@@ -128,7 +152,7 @@ TEST_F(ToolSpinTest, BeginsAsTheRobotStands) {
 }
 
 TEST_F(ToolSpinTest, TurnsTheBracketAwayFromAClamp) {
-  motion_.flange_to_tip = Isometry3d(Eigen::Translation3d(0, 0, 0.2));
+  motion_.flange_to_tip = Isometry3d(Translation3d(0, 0, 0.2));
   for (int i = 0; i <= 80; ++i)
     motion_.waypoints.emplace_back().tip = looking_down(0.8, 0.005 * i - 0.2, 0.4);
   // the bracket sticks out to x = 1.1 as given; a post stands there, in the middle of the path
@@ -139,7 +163,7 @@ TEST_F(ToolSpinTest, TurnsTheBracketAwayFromAClamp) {
        "base_link",
        CellShape::Kind::kBox,
        {0.05, 0.05, 2},
-       Isometry3d(Eigen::Translation3d(1.05, 0, 0))}};
+       Isometry3d(Translation3d(1.05, 0, 0))}};
   const CollisionScene scene(smart5_six(), shapes);
   const auto check_among = [&] {
     return check_tool_motion(smart5_six(), narrowed(limits_, smart5_six()), from_, motion_,

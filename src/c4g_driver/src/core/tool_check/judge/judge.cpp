@@ -78,7 +78,7 @@ class Judge {
   void check_place(const TrackPlace& place) {
     check_workspace_at(place);
     if (!place.reached) return say_lost(place);
-    lost_ = false;
+    beyond_ = false;
     nearest_ = place.joints;
     if (place.way >= 1) check_.joints[place.waypoint] = place.joints;
     check_singular(place);
@@ -103,14 +103,18 @@ class Judge {
     }
   }
 
-  /// [m] by which a place is out of reach; the search in all postures is only made at the begin of
-  /// such a stretch, for it takes long.
+  /// [m] by which a place is out of reach in any posture. All are only searched at the begin of a
+  /// stretch that is, for it takes long.
   double gap_at(const TrackPlace& place) {
     constexpr double kNone = 1e-4;  // [m] the search is that exact; chosen
     double gap = gap_from(subject_.robot, place.flange, nearest_);
-    if (gap > kNone && !lost_) gap = postures_for(subject_.robot, place.flange, nearest_).gap;
-    lost_ = true;
-    return gap > kNone ? gap : 0;
+    if (gap > kNone && !beyond_) {
+      const Postures postures = postures_for(subject_.robot, place.flange, nearest_);
+      gap = postures.gap;
+      if (!postures.joints.empty()) nearest_ = postures.joints.front();
+    }
+    beyond_ = gap > kNone;
+    return beyond_ ? gap : 0;
   }
 
   void check_singular(const TrackPlace& place) {
@@ -223,7 +227,7 @@ class Judge {
   const ToolCheckSubject& subject_;
   ToolCheck check_;
   Findings findings_;
-  bool lost_ = false;                // at the place before
+  bool beyond_ = false;              // reach, at the place before
   bool said_lost_ = false;           // on this way
   Joints nearest_ = Joints::Zero();  // [rad] at the place before, or as near as they get
   double length_ = 0;                // [m] of the way to the waypoint
