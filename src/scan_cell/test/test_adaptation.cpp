@@ -7,7 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "client/adaptation_report.h"
+#include "client/adaptation.h"
+#include "scan_cell/ros/adaptation_report.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace fs = std::filesystem;
@@ -60,7 +61,8 @@ TEST_F(Adaptation, SaysWhereAnOldResultCannotBeRemoved) {
 
 TEST_F(Adaptation, ReportSaysWhatBelongsTogether) {
   scan_cell::AdaptationRecord record;
-  record.files = {write("reference.ply"), write("path.csv"), folder_.string()};
+  record.reference = write("reference.ply");
+  record.path = write("path.csv");
   record.path_units = "mm";
   record.adapted = write("adapted_path.csv");
   record.object = write("object.ply");

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "client/adaptation_report.h"
+#include "scan_cell/ros/adaptation_report.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
@@ -64,11 +64,11 @@ scan_cell_msgs::StretchVerdict adapt(CellClient& client, const AdaptationFiles& 
   const bool accepted = result.verdict.reason == scan_cell_msgs::StretchVerdict::ACCEPTED;
   scan_cell_common::save_text(
       (output / kReport).string(),
-      completed(
-          result.report,
-          {files, path.layout.pose.units, accepted ? (output / kPath).string() : "",
-           (output / kObject).string(), object.header.stamp.toSec(), client.calibration_files()},
-          scan));
+      completed(result.report,
+                {files.reference, files.path, path.layout.pose.units, (output / kObject).string(),
+                 accepted ? (output / kPath).string() : "", object.header.stamp.toSec(),
+                 client.calibration_files()},
+                scan));
   return result.verdict;
 }
 
