@@ -5,11 +5,12 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "tool_path_programs/language.h"
+#include "urscript/urscript.h"
 
 namespace tool_path_programs {
 
 const std::vector<const Language*>& languages() {
-  static const std::vector<const Language*> all = {};
+  static const std::vector<const Language*> all = {&urscript()};
   return all;
 }
 

@@ -1,0 +1,20 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scan_cell_common/testing/fuzzing.h"
+#include "tool_path_programs/language.h"
+
+/// The readers of robots' programs, for the fuzzers: one target a language.
+std::vector<scan_cell_common::FuzzTarget> robot_program_targets();
+
+/// A program that was read has finite poses; with the same poses it keeps every byte, and with
+/// others it reads back with those.
+/// @param bytes of the main file
+void check_robot_program(const tool_path_programs::Language& language, const std::string& bytes,
+                         const tool_path_programs::ReadSettings& settings = {});
+
+scan_cell_common::FuzzTarget urscript_target();
