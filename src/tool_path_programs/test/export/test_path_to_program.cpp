@@ -113,6 +113,13 @@ TEST(PathToProgram, StopsWhereTheOutputChangesAndFliesByElsewhere) {
   EXPECT_EQ(moves[7]->zone, ExportParameters().zone);
 }
 
+TEST(PathToProgram, ZonesOfNeighboursDoNotOverlap) {
+  ExportParameters wide = parameters();
+  wide.zone = 1;
+  const auto program = program_of(raster(), wide, {}, {0});
+  EXPECT_NEAR(moves_of(program)[7]->zone, 0.045, 1e-12) << "neighbours are 0.1 m away";
+}
+
 TEST(PathToProgram, AnEmptyPathIsRefused) {
   EXPECT_THROW(program_of(ToolPath(), parameters(), {}), scan_cell_common::UnusableInput);
 }

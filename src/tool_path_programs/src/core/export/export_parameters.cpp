@@ -20,7 +20,7 @@ void describe(scan_cell_common::ParameterTable& table, ExportParameters& paramet
             "of the way to the first approach: share of the axes' own speed");
   table.add("zone", parameters.zone, {0, 1, "m"},
             "how far from a waypoint the tool may leave its lines, so that it need not stop there; "
-            "at the ends of segments it stops");
+            "at most 45 % of the way to a neighbour; at the ends of segments it stops");
   table.add("approach", parameters.approach, {0, 10, "m"},
             "in front of each segment, along the tool's axis");
   table.add("retract", parameters.retract, {0, 10, "m"},

@@ -69,11 +69,11 @@ class Export {
     const std::size_t last = first + segment.waypoints.size() - 1;
     const auto contact = contact_within(first, last);
     go_to_front_of(pose_of(segment.waypoints.front()));
-    for (const Waypoint& waypoint : segment.waypoints) {
+    while (waypoint_ <= last) {
       const bool end = waypoint_ == first || waypoint_ == last;
       const bool switches =
           contact && (waypoint_ == contact->first || waypoint_ == contact->second);
-      add(waypoint, end || switches);
+      add(segment, first, end || switches);
       if (contact && waypoint_ == contact->first) set_output(true);
       if (contact && waypoint_ == contact->second) set_output(false);
       ++waypoint_;
@@ -94,13 +94,25 @@ class Export {
     return std::pair(first, last);
   }
 
-  void add(const Waypoint& waypoint, bool stop) {
+  void add(const Segment& segment, std::size_t first, bool stop) {
+    const Waypoint& waypoint = segment.waypoints[waypoint_ - first];
     Move move;
     move.pose = pose_of(waypoint);
     move.speed = speed_of(waypoint);
-    move.zone = stop ? 0 : parameters_.zone;
+    move.zone = stop ? 0 : zone_at(segment, waypoint_ - first);
     move.waypoint = waypoint_;
     program_.steps.emplace_back(move);
+  }
+
+  /// Zones of neighbours do not overlap: no controller can go around two corners at once.
+  double zone_at(const Segment& segment, std::size_t i) const {
+    constexpr double kShare = 0.45;  // of the way to a neighbour; chosen
+    const auto place = [&segment](std::size_t k) {
+      return segment.waypoints[k].pose.translation();
+    };
+    const double before = (place(i) - place(i - 1)).norm();
+    const double after = (place(i + 1) - place(i)).norm();
+    return std::min(parameters_.zone, kShare * std::min(before, after));
   }
 
   void go_to_front_of(const Eigen::Isometry3d& pose) {
