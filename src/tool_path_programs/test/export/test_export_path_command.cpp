@@ -1,0 +1,100 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "scan_cell_common/files/files.h"
+#include "scan_cell_common/files/sha256.h"
+
+namespace fs = std::filesystem;
+using scan_cell_common::save_text;
+
+namespace {
+
+class ExportPathCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("export_path_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    save_text(file("path.csv"), "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n0.1,0,0,0,0,0,1\n");
+    save_report("accepted");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string text(const std::string& name) const {
+    return scan_cell_common::read_file(file(name));
+  }
+
+  void save_report(const std::string& verdict) const {
+    save_text(
+        file("report.json"),
+        R"({"verdict": ")" + verdict +
+            R"(", "message": "m", "files": {"reference": null, "object": null, "path": null, )"
+            R"("output": {"name": "path.csv", "sha256": ")" +
+            scan_cell_common::sha256_of_file(file("path.csv")) +
+            R"("}}, "quality": [{"in_air": false}, {"in_air": false}]})");
+  }
+
+  int run(const std::string& options, const std::string& output = "part.script") const {
+    const std::string command = std::string(EXPORT_PATH) + " --path " + file("path.csv") +
+                                " --output " + file(output) + " " + options + " > " +
+                                file("stdout") + " 2> " + file("stderr");
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string report() const { return "--report " + file("report.json") + " "; }
+
+  fs::path folder_;
+};
+
+TEST_F(ExportPathCommand, WritesAnAcceptedPathAndNamesTheReport) {
+  ASSERT_EQ(run(report() + "--waypoint-z into_part --comment 'part 7'"), 0) << text("stderr");
+  EXPECT_NE(text("part.script").find("part 7"), std::string::npos);
+  EXPECT_NE(text("part.script")
+                .find("verdict: accepted, report sha256 " +
+                      scan_cell_common::sha256_of_file(file("report.json")).substr(0, 16)),
+            std::string::npos);
+}
+
+TEST_F(ExportPathCommand, APathThatWasNotAcceptedLeavesNoProgram) {
+  save_text(file("part.script"), "of an earlier part");
+  save_report("refused");
+  EXPECT_EQ(run(report() + "--waypoint-z into_part"), 2);
+  EXPECT_FALSE(fs::exists(file("part.script")));
+  save_report("accepted");
+  save_text(file("path.csv"), text("path.csv") + "0.2,0,0,0,0,0,1\n");
+  EXPECT_EQ(run(report() + "--waypoint-z into_part"), 2) << "edited by hand";
+}
+
+TEST_F(ExportPathCommand, WithoutAReportItHasToBeSaid) {
+  EXPECT_EQ(run("--waypoint-z into_part"), 1);
+  EXPECT_EQ(run("--no-report --waypoint-z into_part"), 0) << text("stderr");
+  EXPECT_NE(text("part.script").find("no report"), std::string::npos);
+}
+
+TEST_F(ExportPathCommand, WhereTheToolPointsAndWhichLanguageIsNotGuessed) {
+  EXPECT_EQ(run("--no-report"), 1);
+  EXPECT_NE(text("stderr").find("waypoint"), std::string::npos);
+  EXPECT_EQ(run("--no-report --waypoint-z into_part", "part.txt"), 1);
+  EXPECT_NE(text("stderr").find("--language"), std::string::npos);
+}
+
+TEST_F(ExportPathCommand, AFolderThatIsNotThereIsSaid) {
+  EXPECT_EQ(run("--no-report --waypoint-z into_part", "none/part.script"), 1);
+}
+
+TEST_F(ExportPathCommand, ALocaleWithCommasChangesNothing) {
+  ASSERT_EQ(run("--no-report --waypoint-z into_part"), 0);
+  const std::string program = text("part.script");
+  ASSERT_EQ(setenv("LC_ALL", "de_DE.UTF-8", 1), 0);
+  EXPECT_EQ(run("--no-report --waypoint-z into_part"), 0);
+  unsetenv("LC_ALL");
+  EXPECT_EQ(text("part.script"), program);
+}
+
+}  // namespace
