@@ -84,6 +84,12 @@ TEST_F(ExportPathCommand, WhereTheToolPointsAndWhichLanguageIsNotGuessed) {
   EXPECT_NE(text("stderr").find("--language"), std::string::npos);
 }
 
+TEST_F(ExportPathCommand, NoetherGetsThePathItself) {
+  ASSERT_EQ(run(report() + "--language noether", "part.yaml"), 0) << text("stderr");
+  EXPECT_NE(text("part.yaml").find("{x: 0.1, y: 0, z: 0, qw: 1, qx: 0, qy: 0, qz: 0}"),
+            std::string::npos);
+}
+
 TEST_F(ExportPathCommand, AFolderThatIsNotThereIsSaid) {
   EXPECT_EQ(run("--no-report --waypoint-z into_part", "none/part.script"), 1);
 }

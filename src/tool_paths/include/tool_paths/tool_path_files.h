@@ -45,5 +45,9 @@ ToolPathFile parse_tool_path_yaml(const std::string& text, const std::string& so
 std::string tool_path_to_csv(const ToolPath& path, const PathLayout& layout = {});
 /// The text of a YAML file.
 std::string tool_path_to_yaml(const ToolPath& path, const PathLayout& layout = {});
+/// As noether reads and writes tool paths: a list of tool paths, here one, each a list of segments,
+/// each a list of waypoints {x, y, z, qw, qx, qy, qz}. Process values have no place there.
+/// @throw scan_cell_common::UnusableInput if the path has no orientations
+std::string tool_path_to_noether_yaml(const ToolPath& path);
 
 }  // namespace tool_paths

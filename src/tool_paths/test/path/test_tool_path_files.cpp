@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <filesystem>
 #include <fstream>
@@ -240,6 +241,35 @@ TEST(ToolPathCsv, IsReadAsSpreadsheetsWriteIt) {
       names(csv_complaint("x;y;z\n0,5;1;2\n"), "separated by ';'; separate them by commas"));
   EXPECT_TRUE(names(csv_complaint("x,y,z\n0,5,1,25,2,0\n"), "line 2: 6 values"));
   EXPECT_TRUE(names(csv_complaint("x,y,z\n0,5,1,25,2,0\n"), "write 0.5, not 0,5"));
+}
+
+TEST(ToolPathYaml, ComesBackFromNoethersForm) {
+  ToolPath path;
+  path.has_orientation = true;
+  for (int s = 0; s < 2; ++s) {
+    Segment segment;
+    for (int i = 0; i < 3; ++i) {
+      Waypoint waypoint;
+      waypoint.pose.translation() << 0.1 * i, 0.01 * s, -1.0 / 3;
+      waypoint.pose.rotate(Eigen::AngleAxisd(2 + i, Eigen::Vector3d(1, 2, 3).normalized()));
+      segment.waypoints.push_back(waypoint);
+    }
+    path.segments.push_back(segment);
+  }
+  const std::string text = tool_path_to_noether_yaml(path);
+  // a list of tool paths of segments of waypoints
+  const YAML::Node node = YAML::Load(text);
+  ASSERT_EQ(node.size(), 1u);
+  ASSERT_EQ(node[0].size(), 2u);
+  EXPECT_EQ(node[0][1][2]["x"].as<double>(), 0.2);
+  const ToolPath again = parse_tool_path_yaml(text, "noether").path;
+  ASSERT_EQ(again.segments.size(), 2u);
+  for (int s = 0; s < 2; ++s)
+    for (int i = 0; i < 3; ++i)
+      EXPECT_TRUE(
+          again.segments[s].waypoints[i].pose.isApprox(path.segments[s].waypoints[i].pose, 1e-12));
+  path.has_orientation = false;
+  EXPECT_THROW(tool_path_to_noether_yaml(path), UnusableInput);
 }
 
 TEST(ToolPathYaml, IsReadAsEditorsWriteIt) {

@@ -19,11 +19,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kNoether = "noether";
+
 std::string language_names() {
   std::string names;
   for (const Language* language : languages())
-    names += (names.empty() ? "" : ", ") + language->name();
-  return names;
+    names += language->name() + ", ";
+  return names + kNoether;
+}
+
+/// No program, but the path itself for programs that plan with it.
+WrittenProgram noether_yaml(const tool_paths::ToolPath& path, const std::string& file) {
+  WrittenProgram written;
+  written.files.push_back({fs::path(file).filename().string(), tool_path_to_noether_yaml(path)});
+  const auto again = tool_paths::parse_tool_path_yaml(written.files.front().text, file).path;
+  const auto before = positions_of(path);
+  const auto after = positions_of(again);
+  if (before != after)
+    throw scan_cell_common::UnusableInput(file, "read back it differs",
+                                          "please report this with the path");
+  written.notes.push_back(std::to_string(before.size()) + " waypoints, read back the same");
+  if (!path.process_names.empty()) written.notes.emplace_back("process values have no place there");
+  return written;
 }
 
 const Language& language_for(const ExportOptions& options, const std::string& program) {
@@ -64,10 +81,12 @@ void ExportOptions::add(CLI::App& app) {
 }
 
 WrittenProgram PathToExport::write(const ExportOptions& options) const {
-  const Language& language = language_for(options, program);
   AcceptedReport accepted;
   accepted.comments = {"no report: nothing says that this path was accepted"};
   if (!report.empty()) accepted = accepted_report(report, path);
+  if (options.language == kNoether)
+    return noether_yaml(tool_paths::load_tool_path(path, conventions), program);
+  const Language& language = language_for(options, program);
   ExportParameters parameters = options.parameters;
   options.typed_.read(parameters);
   parameters.name = fs::path(program).stem().string();
