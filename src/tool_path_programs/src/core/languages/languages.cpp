@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "rapid/rapid.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "tool_path_programs/language.h"
@@ -10,7 +11,7 @@
 namespace tool_path_programs {
 
 const std::vector<const Language*>& languages() {
-  static const std::vector<const Language*> all = {&urscript()};
+  static const std::vector<const Language*> all = {&rapid(), &urscript()};
   return all;
 }
 

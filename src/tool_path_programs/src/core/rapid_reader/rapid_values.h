@@ -1,0 +1,56 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "text/token_reader.h"
+
+namespace tool_path_programs {
+
+/// The tokens of a file of RAPID without comments and ends of lines, which mean nothing there.
+std::vector<Token> rapid_tokens(const SourceFile& file);
+
+/// Passes over what one bracket holds, however deep: [..], (..) or {..}. Other tokens: over one.
+void pass_over_brackets(TokenReader& reader);
+
+/// The numbers of a pose as they stand in a text: x y z [mm], q1 (real) to q4.
+struct RapidPose {
+  std::array<NumberText, 7> numbers;
+  std::string where;  //!< for errors
+
+  /// @throw scan_cell_common::UnusableInput if the quaternion is none
+  Eigen::Isometry3d pose() const;
+};
+
+/// From "[[x,y,z],[q1,q2,q3,q4]" on, the first thing in a robtarget and all of a pose; what comes
+/// behind is left.
+/// @throw scan_cell_common::UnusableInput with file and line if a number does not stand there
+RapidPose read_rapid_pose(TokenReader& reader);
+
+/// The tip of a tool on the flange; none where the tool stands still and the robot holds the part.
+std::optional<Eigen::Isometry3d> read_tooldata(TokenReader& reader);
+
+/// A work object in the world; none where the robot or another machine moves it.
+std::optional<Eigen::Isometry3d> read_wobjdata(TokenReader& reader);
+
+/// Speed of the tip in a speeddata [mm/s].
+double read_speeddata(TokenReader& reader);
+
+/// Radius of the tip's zone in a zonedata [mm]; 0: it stops.
+double read_zonedata(TokenReader& reader);
+
+/// Speed of the tip of a predefined speeddata such as v50 [mm/s].
+std::optional<double> predefined_speed(const std::string& name);
+
+/// Radius of a predefined zonedata such as z1 [mm]; 0 of fine.
+std::optional<double> predefined_zone(const std::string& name);
+
+/// Angles of the robot's axes in a jointtarget [degree].
+std::vector<double> read_jointtarget(TokenReader& reader);
+
+}  // namespace tool_path_programs
