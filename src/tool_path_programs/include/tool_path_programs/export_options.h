@@ -30,6 +30,17 @@ struct ExportOptions {
   scan_cell_common::ParameterOptions typed_;
 };
 
+/// A robot that may run a program.
+class ProgramRobot {
+ public:
+  virtual ~ProgramRobot() = default;
+
+  /// Looks whether it can run the program, and sets Move::joints of every move.
+  /// @return what the person should know
+  /// @throw scan_cell_common::Refused naming the first waypoint that it cannot run
+  virtual std::vector<std::string> check(Program& program) const = 0;
+};
+
 /// A path in files, and the program that it becomes.
 struct PathToExport {
   std::string path;                         //!< adapted: CSV or YAML
@@ -42,10 +53,12 @@ struct PathToExport {
   /// @return what the person should know: the files, and notes
   /// @throw scan_cell_common::Refused if the report does not accept this path
   /// @throw scan_cell_common::Error if the files are of no use or the language cannot say it
-  std::vector<std::string> run(const ExportOptions& options) const;
+  /// @param robot checks the program before it is written; none: nothing does
+  std::vector<std::string> run(const ExportOptions& options,
+                               const ProgramRobot* robot = nullptr) const;
 
  private:
-  WrittenProgram write(const ExportOptions& options) const;
+  WrittenProgram write(const ExportOptions& options, const ProgramRobot* robot) const;
 };
 
 }  // namespace tool_path_programs

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <optional>
 
+#include "checked_robot.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "tool_path_programs/export_options.h"
@@ -16,6 +18,7 @@ struct Options {
   std::string units;
   tool_paths::PathOptions conventions;
   tool_path_programs::ExportOptions program;
+  tool_path_programs::RobotOptions robot;
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -32,6 +35,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--units", options.units, "of lengths in the path: m, mm or inch");
   add_path_options(app, options.conventions);
   options.program.add(app);
+  options.robot.add(app);
 }
 
 int run(Options& options) {
@@ -39,7 +43,9 @@ int run(Options& options) {
     throw scan_cell_common::InvalidParameter(
         "--report", "not given", "give the report of the path, or --no-report if there is none");
   options.files.conventions = options.conventions.typed(options.units);
-  for (const std::string& line : options.files.run(options.program))
+  std::optional<tool_path_programs::CheckedRobot> robot;
+  if (!options.robot.urdf.empty()) robot.emplace(options.robot);
+  for (const std::string& line : options.files.run(options.program, robot ? &*robot : nullptr))
     std::printf("%s\n", line.c_str());
   return 0;
 }
@@ -49,7 +55,8 @@ int run(Options& options) {
 int main(int argc, char** argv) {
   CLI::App app(
       "Writes an adapted tool path as a program in a robot's language, and reads it back.\n"
-      "Exit code 0: written; 2: the path was not accepted; 1: unusable input, or the language "
+      "Exit code 0: written; 2: the path was not accepted, or the robot cannot run it; 1: unusable "
+      "input, or the language "
       "cannot say it.");
   Options options;
   add_options(app, options);

@@ -90,6 +90,22 @@ TEST_F(ExportPathCommand, NoetherGetsThePathItself) {
             std::string::npos);
 }
 
+/// The arm of the suite in its simulated place; the path is in front of it, or out of reach.
+TEST_F(ExportPathCommand, TheRobotChecksTheProgramBeforeItIsWritten) {
+  const std::string robot = "--no-report --waypoint-z out_of_part --robot " ROBOT_URDF
+                            " --cell " CELL_FILE " --start 0 0 -1.57 0 1.57 0";
+  save_text(file("path.csv"), "x,y,z,qx,qy,qz,qw\n0,0,0.1,0,0,0,1\n0.1,0,0.1,0,0,0,1\n");
+  EXPECT_EQ(run(robot), 0) << text("stderr");
+  EXPECT_NE(text("stdout").find("the robot can run it"), std::string::npos) << text("stdout");
+  EXPECT_NE(text("part.script").find("qnear"), std::string::npos) << "with the joints' angles";
+  save_text(file("path.csv"), "x,y,z,qx,qy,qz,qw\n0,0,0.1,0,0,0,1\n3,0,0.1,0,0,0,1\n");
+  EXPECT_EQ(run(robot), 2);
+  EXPECT_NE(text("stderr").find("waypoint"), std::string::npos) << text("stderr");
+  EXPECT_FALSE(fs::exists(file("part.script")));
+  EXPECT_EQ(run("--no-report --waypoint-z out_of_part --robot " ROBOT_URDF), 1);
+  EXPECT_NE(text("stderr").find("--cell"), std::string::npos) << text("stderr");
+}
+
 TEST_F(ExportPathCommand, AFolderThatIsNotThereIsSaid) {
   EXPECT_EQ(run("--no-report --waypoint-z into_part", "none/part.script"), 1);
 }

@@ -80,7 +80,7 @@ void ExportOptions::add(CLI::App& app) {
   typed_.add(app, parameters);
 }
 
-WrittenProgram PathToExport::write(const ExportOptions& options) const {
+WrittenProgram PathToExport::write(const ExportOptions& options, const ProgramRobot* robot) const {
   AcceptedReport accepted;
   accepted.comments = {"no report: nothing says that this path was accepted"};
   if (!report.empty()) accepted = accepted_report(report, path);
@@ -94,7 +94,10 @@ WrittenProgram PathToExport::write(const ExportOptions& options) const {
   Program steps = program_of(tool_path, parameters, frames_of(options), accepted.in_air);
   steps.comments = options.comments;
   steps.comments.insert(steps.comments.end(), accepted.comments.begin(), accepted.comments.end());
+  std::vector<std::string> found;
+  if (robot) found = robot->check(steps);
   WrittenProgram written = write_checked(language, steps, options.settings);
+  written.notes.insert(written.notes.begin(), found.begin(), found.end());
   written.notes.insert(written.notes.begin(),
                        std::to_string(moves_of(steps).size()) + " moves, read back the same");
   if (!tool_path.has_orientation)
@@ -102,11 +105,12 @@ WrittenProgram PathToExport::write(const ExportOptions& options) const {
   return written;
 }
 
-std::vector<std::string> PathToExport::run(const ExportOptions& options) const {
+std::vector<std::string> PathToExport::run(const ExportOptions& options,
+                                           const ProgramRobot* robot) const {
   scan_cell_common::refuse_overwriting(program, {path, report, options.cell});
   WrittenProgram written;
   try {
-    written = write(options);
+    written = write(options, robot);
   } catch (const scan_cell_common::Error&) {
     scan_cell_common::remove_old(program);
     throw;
