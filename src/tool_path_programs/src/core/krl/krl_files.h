@@ -1,0 +1,26 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tool_path_programs/source_text.h"
+
+namespace tool_path_programs {
+
+/// Lines that stay in one file: a move, and what must stand beside it.
+using KrlBlock = std::vector<std::string>;
+
+/// A program's text before it is divided into files.
+struct KrlRoutine {
+  std::string name;
+  std::vector<std::string> head;  //!< of the main file: comments, initialisation, frames
+  std::vector<KrlBlock> blocks;   //!< in their order
+};
+
+/// One file; where that is too long, a main one that calls name_1, name_2 ... one after the other.
+/// @throw scan_cell_common::InvalidParameter if a block or the main file does not fit max_lines
+std::vector<SourceFile> krl_files(const KrlRoutine& routine, std::size_t max_lines);
+
+}  // namespace tool_path_programs

@@ -1,0 +1,55 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "krl_reader/krl_state.h"
+
+namespace tool_path_programs {
+
+/// Collects what a program does, motion by motion.
+class KrlMotions {
+ public:
+  KrlMotions(ProgramText& text, const KrlVariables& variables, KrlSetter& setter)
+      : text_(text), variables_(variables), setter_(setter) {}
+
+  /// From behind the word, such as lin, to the end of the line.
+  void move(const std::string& word, const Place& place, TokenReader& reader);
+
+  void set_output(const SetOutput& output, const Place& place);
+
+  /// An output that a TRIGGER sets at the end of the next motion.
+  void set_output_behind_next(const SetOutput& output, const Place& place);
+
+ private:
+  /// What stands behind LIN: a pose, or what is none.
+  struct Target {
+    std::optional<KrlAggregate> pose;
+    std::optional<JointMove> joints;  // empty where only the controller knows them
+    bool stays = false;               // $POS_ACT: no motion
+  };
+
+  Target target(TokenReader& reader);
+  Target named_target(TokenReader& reader);
+  void read_behind(TokenReader& reader, bool& flies);
+  void add_pose_move(MotionKind kind, const std::optional<KrlAggregate>& via,
+                     const KrlAggregate& pose, bool flies, const Place& place);
+  void add_axes_move(const JointMove& move, const Place& place);
+  void add_waiting_outputs();
+  std::size_t pose_text(const KrlAggregate& literal, std::size_t frames, const Place& place);
+  std::size_t frames_index();
+
+  ProgramText& text_;
+  const KrlVariables& variables_;
+  KrlSetter& setter_;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> poses_;  // by file and offset
+  std::map<std::string, std::size_t> frames_;
+  std::vector<std::pair<SetOutput, Place>> waiting_;
+  std::optional<std::size_t> last_pose_;  // where the last motion ended; none: only axes are known
+  std::size_t last_frames_ = 0;
+};
+
+}  // namespace tool_path_programs
