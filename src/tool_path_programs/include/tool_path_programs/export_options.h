@@ -48,6 +48,15 @@ struct PathToExport {
   std::string report;                       //!< of stretch; empty: there is none
   std::string program;                      //!< main file; its stem is the program's name
 
+  /// What the program will do.
+  /// @param robot checks it; none: nothing does
+  /// @param notes gets what the person should know
+  /// @throw scan_cell_common::Refused if the report does not accept this path, or the robot cannot
+  /// run it
+  /// @throw scan_cell_common::Error if the files are of no use
+  Program steps(const ExportOptions& options, const ProgramRobot* robot,
+                std::vector<std::string>& notes) const;
+
   /// Reads the path, writes the program and reads it back. Where the path is of no use, or not
   /// accepted, a program of an earlier one is removed; where a file cannot be written, it stays.
   /// @return what the person should know: the files, and notes

@@ -37,6 +37,9 @@ class CheckedRobot : public ProgramRobot {
 
   std::vector<std::string> check(Program& program) const override;
 
+  const std::array<std::string, 6>& joint_names() const { return model_.joint_names(); }
+  double rotational_speed() const { return options_.check.rotational_speed; }  //!< [rad/s]
+
  private:
   const RobotOptions options_;
   const c4g_driver::RobotModel model_;

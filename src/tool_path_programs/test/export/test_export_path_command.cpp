@@ -1,7 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <nav_msgs/Path.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <sys/wait.h>
+#include <trajectory_msgs/JointTrajectory.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -104,6 +108,35 @@ TEST_F(ExportPathCommand, TheRobotChecksTheProgramBeforeItIsWritten) {
   EXPECT_FALSE(fs::exists(file("part.script")));
   EXPECT_EQ(run("--no-report --waypoint-z out_of_part --robot " ROBOT_URDF), 1);
   EXPECT_NE(text("stderr").find("--cell"), std::string::npos) << text("stderr");
+}
+
+TEST_F(ExportPathCommand, ABagHoldsPosesAndJointsWithTheirTimes) {
+  save_text(file("path.csv"), "x,y,z,qx,qy,qz,qw\n0,0,0.1,0,0,0,1\n0.1,0,0.1,0,0,0,1\n");
+  const std::string command =
+      std::string(PATH_TO_BAG) + " --path " + file("path.csv") + " --output " + file("path.bag") +
+      " --no-report --waypoint-z out_of_part --speed 0.05 --robot " ROBOT_URDF " --cell " CELL_FILE
+      " --start 0 0 -1.57 0 1.57 0 > " +
+      file("stdout") + " 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0) << text("stdout");
+  rosbag::Bag bag(file("path.bag"));
+  rosbag::View view(bag);
+  ASSERT_EQ(view.size(), 2u);
+  for (const rosbag::MessageInstance& each : view) {
+    if (const auto path = each.instantiate<nav_msgs::Path>()) {
+      ASSERT_EQ(path->poses.size(), 4u) << "approach, two waypoints, retract";
+      EXPECT_NEAR(path->poses[2].pose.position.x, 0.1, 1e-12);
+      EXPECT_EQ(path->poses[2].header.frame_id, "world");
+    }
+    if (const auto joints = each.instantiate<trajectory_msgs::JointTrajectory>()) {
+      ASSERT_EQ(joints->points.size(), 4u);
+      EXPECT_EQ(joints->points[0].time_from_start.toSec(), 0);
+      // 50 mm to the part and 100 mm along it at 50 mm/s, 50 mm away at 250 mm/s
+      EXPECT_NEAR(joints->points[1].time_from_start.toSec(), 1, 1e-9);
+      EXPECT_NEAR(joints->points[2].time_from_start.toSec(), 3, 1e-9);
+      EXPECT_NEAR(joints->points[3].time_from_start.toSec(), 3.2, 1e-9);
+      EXPECT_EQ(joints->points[3].positions.size(), 6u);
+    }
+  }
 }
 
 TEST_F(ExportPathCommand, AFolderThatIsNotThereIsSaid) {

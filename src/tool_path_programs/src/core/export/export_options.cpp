@@ -80,28 +80,38 @@ void ExportOptions::add(CLI::App& app) {
   typed_.add(app, parameters);
 }
 
-WrittenProgram PathToExport::write(const ExportOptions& options, const ProgramRobot* robot) const {
+Program PathToExport::steps(const ExportOptions& options, const ProgramRobot* robot,
+                            std::vector<std::string>& notes) const {
   AcceptedReport accepted;
   accepted.comments = {"no report: nothing says that this path was accepted"};
   if (!report.empty()) accepted = accepted_report(report, path);
-  if (options.language == kNoether)
-    return noether_yaml(tool_paths::load_tool_path(path, conventions), program);
-  const Language& language = language_for(options, program);
   ExportParameters parameters = options.parameters;
   options.typed_.read(parameters);
   parameters.name = fs::path(program).stem().string();
   const auto tool_path = tool_paths::load_tool_path(path, conventions);
-  Program steps = program_of(tool_path, parameters, frames_of(options), accepted.in_air);
-  steps.comments = options.comments;
-  steps.comments.insert(steps.comments.end(), accepted.comments.begin(), accepted.comments.end());
-  std::vector<std::string> found;
-  if (robot) found = robot->check(steps);
-  WrittenProgram written = write_checked(language, steps, options.settings);
-  written.notes.insert(written.notes.begin(), found.begin(), found.end());
-  written.notes.insert(written.notes.begin(),
-                       std::to_string(moves_of(steps).size()) + " moves, read back the same");
+  Program made = program_of(tool_path, parameters, frames_of(options), accepted.in_air);
+  made.comments = options.comments;
+  made.comments.insert(made.comments.end(), accepted.comments.begin(), accepted.comments.end());
   if (!tool_path.has_orientation)
-    written.notes.emplace_back("the path has no orientations: the tool points along -z");
+    notes.emplace_back("the path has no orientations: the tool points along -z");
+  if (robot)
+    for (const std::string& found : robot->check(made))
+      notes.push_back(found);
+  return made;
+}
+
+WrittenProgram PathToExport::write(const ExportOptions& options, const ProgramRobot* robot) const {
+  if (options.language == kNoether) {
+    if (!report.empty()) accepted_report(report, path);
+    return noether_yaml(tool_paths::load_tool_path(path, conventions), program);
+  }
+  const Language& language = language_for(options, program);
+  std::vector<std::string> notes;
+  const Program meant = steps(options, robot, notes);
+  notes.insert(notes.begin(),
+               std::to_string(moves_of(meant).size()) + " moves, read back the same");
+  WrittenProgram written = write_checked(language, meant, options.settings);
+  written.notes.insert(written.notes.begin(), notes.begin(), notes.end());
   return written;
 }
 
