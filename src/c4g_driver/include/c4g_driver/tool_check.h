@@ -46,12 +46,16 @@ struct ToolFault {
   double way = 1;            //!< 0 .. 1 of the way from the waypoint before; 1: at the waypoint
   Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();  //!< there, in base_link
   std::optional<int> joint;                               //!< 0 .. 5, if it is about one
-  std::string thing;                                      //!< such as "waypoint 12, J5"
-  std::string value;                                      //!< the figure
-  std::string cure;                                       //!< what to do
+  std::string about;  //!< beside the place, such as "J5" or "z of the flange"; may be empty
+  std::string thing;  //!< such as "waypoint 12, J5"
+  std::string value;  //!< the figure
+  std::string cure;   //!< what to do
 
   std::string what() const { return thing + ": " + value + "; " + cure; }  //!< for a person
 };
+
+/// "joint_range"
+const char* to_string(ToolFault::Kind kind);
 
 /// Where the tip has to go slowest.
 struct SlowestPlace {

@@ -22,6 +22,10 @@ struct RobotInCell {
   double approach_speed = 0.2;  //!< [m/s] to the start of a pass
 };
 
+/// The robot's base in its frame.
+/// @throw scan_cell_common::InvalidParameter if that is neither world nor base_link
+Eigen::Isometry3d base_link_in_frame(const RobotInCell& robot);
+
 /// Whether the robot can run passes: by the driver's own check of whole programs.
 class Reach {
  public:

@@ -24,6 +24,8 @@ Motion motion_to(const scan_cell::MoveTarget& target, const Eigen::Isometry3d& t
   return motion;
 }
 
+}  // namespace
+
 Eigen::Isometry3d base_link_in_frame(const RobotInCell& robot) {
   if (robot.frame == "world") return robot.base_link_in_world;
   if (robot.frame == "base_link") return Eigen::Isometry3d::Identity();
@@ -32,8 +34,6 @@ Eigen::Isometry3d base_link_in_frame(const RobotInCell& robot) {
       "give part and program in world or base_link: where the robot stands in another frame is not "
       "known");
 }
-
-}  // namespace
 
 Reach::Reach(const RobotInCell& robot)
     : robot_(robot),

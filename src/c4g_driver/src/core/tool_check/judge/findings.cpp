@@ -12,14 +12,14 @@ namespace c4g_driver {
 Findings::Fault* Findings::place_for(const TrackPlace& place, const About& about) {
   auto fault = faults_.rbegin();
   for (; fault != faults_.rend() && fault->fault.waypoint == place.waypoint; ++fault) {
-    if (fault->fault.kind != about.kind || fault->what != about.what) continue;
+    if (fault->fault.kind != about.kind || fault->fault.about != about.what) continue;
     if (about.severity <= fault->severity) return nullptr;
     break;
   }
   const bool known = fault != faults_.rend() && fault->fault.waypoint == place.waypoint;
   if (!known) faults_.emplace_back();
   Fault& taken = known ? *fault : faults_.back();
-  taken.what = about.what;
+  taken.fault.about = about.what;
   taken.severity = about.severity;
   taken.fault.kind = about.kind;
   taken.fault.waypoint = place.waypoint;

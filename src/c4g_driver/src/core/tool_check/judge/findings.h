@@ -38,7 +38,6 @@ class Findings {
  private:
   struct Fault {
     ToolFault fault;
-    std::string what;
     double severity;
   };
 

@@ -15,6 +15,13 @@ void describe(scan_cell_common::ParameterTable& table, ToolCheckParameters& para
             "of the tool, where it turns more than it moves");
 }
 
+const char* to_string(ToolFault::Kind kind) {
+  constexpr std::array<const char*, 10> kNames = {
+      "half_turn",  "tool_speed", "reach",       "posture",   "singular",
+      "turns_over", "workspace",  "joint_range", "collision", "joint_speed"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
 std::string ToolCheck::refusal() const {
   return possible() ? "" : faults.front().what();
 }

@@ -1,0 +1,76 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "c4g_driver/cell_shapes.h"
+#include "c4g_driver/tool_motion_check.h"
+#include "pass_planner/reach.h"
+#include "tool_path_programs/path_to_program.h"
+#include "tool_paths/tool_path.h"
+
+namespace c4g_driver {
+class CollisionScene;
+}
+
+namespace pass_planner {
+
+/// A tool path as the robot follows it: approaches, waypoints and retracts.
+struct PathForRobot {
+  Eigen::Isometry3d frame_in_base_link;  //!< the path's own frame [m]
+  c4g_driver::ToolMotion motion;         //!< in base_link
+  std::vector<std::optional<std::size_t>>
+      waypoint;  //!< of the path, counted over all segments, of
+                 //!< each of the motion; none: approach, retract
+};
+
+/// @param tip_in_flange [m]
+/// @throw scan_cell_common::Error as program_of() of tool_path_programs
+PathForRobot path_for_robot(const tool_paths::ToolPath& path,
+                            const tool_path_programs::ExportParameters& parameters,
+                            const Eigen::Isometry3d& frame_in_base_link,
+                            const Eigen::Isometry3d& tip_in_flange);
+
+/// "waypoint 12", "35 % of the way to waypoint 12", "the approach to waypoint 0"
+/// @param step of the motion
+std::string place_on_path(const PathForRobot& path, std::size_t step, double way);
+
+/// The path with the orientations that the tool has in a check of it, in its own frame.
+/// @param checked tips of the motion, in base_link
+tool_paths::ToolPath turned_path(tool_paths::ToolPath path, const PathForRobot& asked,
+                                 const std::vector<Eigen::Isometry3d>& checked);
+
+/// The driver's check of a path of the tool, also of the way by the joints to its begin.
+class ToolPathCheck {
+ public:
+  /// @param robot its approach_speed does not matter
+  /// @throw scan_cell_common::InvalidParameter if the URDF, the frame or a limit makes no sense
+  explicit ToolPathCheck(const RobotInCell& robot);
+
+  /// The path's frame in base_link.
+  Eigen::Isometry3d frame_in_base_link() const { return frame_in_base_link_; }
+
+  const c4g_driver::RobotModel& model() const { return model_; }  //!< of the robot
+
+  /// @param scene with which nothing may collide; none: that is not looked for
+  c4g_driver::ToolCheck check(const PathForRobot& path,
+                              const c4g_driver::ToolCheckParameters& parameters,
+                              const c4g_driver::CollisionScene* scene) const;
+
+  /// Why the robot cannot go by the joints to where a checked path begins; empty: it can, or stands
+  /// there.
+  /// @param joint_speed share of the joints' own
+  std::string approach_refusal(const c4g_driver::ToolCheck& checked, double joint_speed) const;
+
+ private:
+  c4g_driver::RobotState start() const;
+
+  RobotInCell robot_;
+  c4g_driver::RobotModel model_;
+  Eigen::Isometry3d frame_in_base_link_;
+};
+
+}  // namespace pass_planner

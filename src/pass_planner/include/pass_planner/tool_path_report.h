@@ -1,0 +1,23 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "pass_planner/tool_path_check.h"
+
+namespace pass_planner {
+
+/// A fault for a person, with waypoints counted as in the path.
+std::string fault_text(const PathForRobot& path, const c4g_driver::ToolFault& fault);
+
+/// What was found, as the JSON text of docs/pass_planner.md.
+/// @param approach why the robot cannot go to the begin; empty: it can
+std::string tool_check_to_json(const PathForRobot& path, const c4g_driver::ToolCheck& check,
+                               const std::string& approach);
+
+/// For a person: what fails, the slowest place, the joint that comes nearest to its end.
+std::string summary_of(const PathForRobot& path, const c4g_driver::ToolCheck& check,
+                       const std::string& approach);
+
+}  // namespace pass_planner
