@@ -54,6 +54,7 @@ struct ProgramText {
   Program program;                //!< in the order of the motion, calls followed
   std::vector<StepText> steps;    //!< of each of program.steps
   std::vector<PoseText> poses;    //!< of all moves
+  std::string dialect;            //!< that it is in, where the language has several
 };
 
 /// What a language leaves to the controller's settings, or to the machine.

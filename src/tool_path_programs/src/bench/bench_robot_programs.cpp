@@ -51,6 +51,14 @@ double seconds_as_csv(const tool_paths::ToolPath& path) {
   return seconds_since(start);
 }
 
+/// G-code knows frames by number alone, and joint moves at the machine's own speed.
+Program program_for(const Language& language, const tool_paths::ToolPath& path,
+                    ExportParameters parameters) {
+  if (language.name() != "gcode") return program_of(path, parameters, frames());
+  parameters.joint_speed = 1;
+  return program_of(path, parameters, {{"1", {}}, {"G54", {}}});
+}
+
 void run(int waypoints) {
   const tool_paths::ToolPath path = long_path(waypoints);
   const double csv = seconds_as_csv(path);
@@ -62,7 +70,7 @@ void run(int waypoints) {
   parameters.waypoint_z = WaypointZ::kOutOfPart;
   for (const Language* language : languages()) {
     try {
-      const Program program = program_of(path, parameters, frames());
+      const Program program = program_for(*language, path, parameters);
       const Clock::time_point start = Clock::now();
       const WrittenProgram written = write_checked(*language, program, {});
       const double seconds = seconds_since(start);

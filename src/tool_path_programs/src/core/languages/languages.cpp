@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "gcode/gcode.h"
 #include "krl/krl.h"
 #include "rapid/rapid.h"
 #include "scan_cell_common/errors/errors.h"
@@ -12,7 +13,7 @@
 namespace tool_path_programs {
 
 const std::vector<const Language*>& languages() {
-  static const std::vector<const Language*> all = {&krl(), &rapid(), &urscript()};
+  static const std::vector<const Language*> all = {&gcode(), &krl(), &rapid(), &urscript()};
   return all;
 }
 

@@ -235,8 +235,10 @@ std::vector<SourceFile> with_poses(const Language& language, const ProgramText& 
   const ProgramText again = language.read(files, known);
   ReadBackLimits limits;
   limits.speed = 0;
+  WriteSettings as_it_was;
+  as_it_was.dialect = text.dialect;
   const std::string difference =
-      first_difference(with_poses(text, poses), again.program, {}, limits);
+      first_difference(with_poses(text, poses), again.program, language.unsaid(as_it_was), limits);
   if (!difference.empty())
     throw UnusableInput(language.title() + " program " + text.program.name,
                         "read back it differs: " + difference,

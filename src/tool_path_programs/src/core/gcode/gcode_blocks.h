@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tool_path_programs/source_text.h"
+
+namespace tool_path_programs {
+
+/// A letter with its number
+struct GcodeWord {
+  char letter = 'G';  //!< upper case
+  double value = 0;
+  std::size_t offset = 0;         //!< of the letter, in the file
+  std::size_t number_offset = 0;  //!< of the number
+  std::size_t number_length = 0;
+};
+
+/// A line of a program.
+struct GcodeBlock {
+  std::vector<GcodeWord> words;  //!< without line numbers
+  std::size_t line = 1;          //!< from 1
+  bool may_be_skipped = false;   //!< begins with /
+
+  /// The last one of that letter; null: none.
+  const GcodeWord* find(char letter) const;
+};
+
+/// The lines of a program that hold words. Comments in brackets and behind ; are left out, and so
+/// are lines of %, program numbers and lines that set parameters.
+/// @throw scan_cell_common::UnusableInput naming file and line of what is none, such as a number
+/// that is computed or a subroutine
+std::vector<GcodeBlock> gcode_blocks(const SourceFile& file);
+
+}  // namespace tool_path_programs
