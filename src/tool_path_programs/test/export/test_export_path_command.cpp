@@ -143,13 +143,4 @@ TEST_F(ExportPathCommand, AFolderThatIsNotThereIsSaid) {
   EXPECT_EQ(run("--no-report --waypoint-z into_part", "none/part.script"), 1);
 }
 
-TEST_F(ExportPathCommand, ALocaleWithCommasChangesNothing) {
-  ASSERT_EQ(run("--no-report --waypoint-z into_part"), 0);
-  const std::string program = text("part.script");
-  ASSERT_EQ(setenv("LC_ALL", "de_DE.UTF-8", 1), 0);
-  EXPECT_EQ(run("--no-report --waypoint-z into_part"), 0);
-  unsetenv("LC_ALL");
-  EXPECT_EQ(text("part.script"), program);
-}
-
 }  // namespace
