@@ -14,12 +14,12 @@ class CollisionScene;
 /// between in steps of 5 mm and a degree at most, along the lines and turns that the controller
 /// goes. The posture stays the same all along the path. If the robot stands at the first waypoint,
 /// it is the present one; else the one that is nearest to it of those in which the path can be
-/// followed. With free_about_z the tool is turned so that the joints move least, at least as far as
-/// the posture, ranges, box and scene let it; where no such turns are found, faults are those of
-/// the path as given.
+/// followed. With free_about_z the tool is turned so that the joints move least, as far as
+/// posture, ranges, box and scene let it; where no such turns are found, the path is checked as
+/// given.
 /// @param limits narrowed() to the robot
-/// @param scene with which nothing may collide; none: collisions are not looked for
 /// @param from the robot at rest: its joints, and the mode that decides about the speed limit
+/// @param scene with which nothing may collide; none: collisions are not looked for
 /// @return also where all is refused; if no posture can follow, of the one that gets farthest
 /// @throw scan_cell_common::UnusableInput if the path is none: less than two waypoints, numbers
 /// that are not finite, a pose that is not a rotation, a speed that is not above 0

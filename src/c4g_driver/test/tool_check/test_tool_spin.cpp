@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <random>
+
 #include "c4g_driver/collision_scene.h"
 #include "tool_check/tool_check_test.h"
 
@@ -184,6 +186,36 @@ TEST_F(ToolSpinTest, TellsTheFaultsOfThePathAsGivenWhereNoTurnHelps) {
   ASSERT_FALSE(found.possible());
   EXPECT_EQ(found.faults.front().kind, ToolFault::Kind::kWorkspace);
   EXPECT_TRUE(found.tips[50].isApprox(motion_.waypoints[50].tip, 1e-12));
+}
+
+TEST_F(ToolSpinTest, RefusesNoPathThatIsPossibleAsGiven) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> share(-1, 1);
+  limits_.workspace_min.setConstant(-10);
+  limits_.workspace_max.setConstant(10);
+  const Joints middle = degrees(0, 10, -100, 0, 60, 0);
+  const Joints wide = degrees(100, 30, 40, 100, 30, 120);
+  int possible = 0;
+  for (int path = 0; path < 20; ++path) {
+    Joints begin, change;
+    for (int k = 0; k < 6; ++k) {
+      begin[k] = middle[k] + wide[k] * share(random);
+      change[k] = 0.4 * share(random);
+    }
+    motion_.waypoints.clear();
+    for (int i = 0; i <= 60; ++i)
+      add_flange(flange_by_denavit_hartenberg(begin + change * i / 60.0), 0.01);
+    parameters_.free_about_z = false;
+    const ToolCheck given = check();
+    parameters_.free_about_z = true;
+    const ToolCheck found = check();
+    if (!given.possible()) continue;
+    ++possible;
+    EXPECT_TRUE(found.possible()) << path << ": " << found.refusal();
+    EXPECT_LT(way_of(found), 1.05 * way_of(given)) << path;
+    expect_only_turned(found);
+  }
+  EXPECT_GT(possible, 12);
 }
 
 TEST_F(ToolSpinTest, GivesTheSameTurnsEachTime) {

@@ -83,16 +83,14 @@ std::optional<ToolCheck> check_with_free_turn(const ToolCheckSubject& subject,
       if (!postures.empty()) break;
     }
   }
-  std::optional<ToolCheck> best;
   for (const Joints& posture : postures) {
     for (const Spacing& spacing : {kCoarse, kFine}) {
       auto check = follow_spun(subject, turn, posture, standing.has_value(), spacing);
       if (!check) break;
-      keep(best, std::move(*check));
-      if (best->possible()) return best;
+      if (check->possible()) return check;
     }
   }
-  return best;
+  return std::nullopt;
 }
 
 }  // namespace c4g_driver

@@ -13,7 +13,7 @@ namespace c4g_driver {
 ToolCheck check_as_given(const ToolCheckSubject& subject, const RobotState& from);
 
 /// The path with the turns about the tool's z that move the joints least.
-/// @return none if no turns can be found
+/// @return none if no turns are found with which the path can be followed
 std::optional<ToolCheck> check_with_free_turn(const ToolCheckSubject& subject,
                                               const RobotState& from);
 

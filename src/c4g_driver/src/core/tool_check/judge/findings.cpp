@@ -44,6 +44,10 @@ std::vector<ToolFault> Findings::take() {
   return faults;
 }
 
+std::string joint_name(int joint) {
+  return fmt::format("J{}", joint + 1);
+}
+
 std::string place_name(std::size_t waypoint, double way) {
   if (way >= 1) return fmt::format("waypoint {}", waypoint);
   return fmt::format("{} % of the way to waypoint {}", std::lround(100 * way), waypoint);

@@ -4,12 +4,16 @@
 
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "c4g_driver/tool_check.h"
 #include "tool_check/judge/track.h"
 
 namespace c4g_driver {
+
+/// Value and cure of a fault.
+using Said = std::pair<std::string, std::string>;
 
 /// Faults along a path: of each kind and joint the worst between two waypoints.
 class Findings {
@@ -45,6 +49,9 @@ class Findings {
 
   std::vector<Fault> faults_;
 };
+
+/// "J5" of joint 4
+std::string joint_name(int joint);
 
 /// "waypoint 12", "35 % of the way to waypoint 12"
 std::string place_name(std::size_t waypoint, double way);

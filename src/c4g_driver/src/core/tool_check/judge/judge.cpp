@@ -11,18 +11,14 @@
 #include "robot/path_check.h"
 #include "tool_check/judge/findings.h"
 #include "tool_check/judge/tool_line.h"
+#include "tool_check/judge/way_speeds.h"
 
 namespace c4g_driver {
 namespace {
 
 using Kind = ToolFault::Kind;
-using Said = std::pair<std::string, std::string>;  // value and cure
 
-constexpr double kRounding = 1e-6;  // [rad], [m], or share of a speed beyond a limit; chosen
-
-std::string joint_name(int joint) {
-  return fmt::format("J{}", joint + 1);
-}
+constexpr double kRounding = 1e-6;  // [rad] or [m] beyond a limit; chosen
 
 /// What kind of posture ties these joints together, in an arm whose last three axes meet.
 const char* posture_name(const std::string& tied) {
@@ -35,7 +31,7 @@ const char* posture_name(const std::string& tied) {
 /// Looks at one place after the other.
 class Judge {
  public:
-  explicit Judge(const ToolCheckSubject& subject) : subject_(subject) {
+  explicit Judge(const ToolCheckSubject& subject) : subject_(subject), speeds_(subject, findings_) {
     for (JointMargin& margin : check_.margins)
       margin.margin = std::numeric_limits<double>::infinity();
     check_.joints.assign(subject.motion.waypoints.size(),
@@ -48,29 +44,25 @@ class Judge {
   void enter(const TrackPlace& place, const ToolLine& line) {
     constexpr double kHalfTurn = 179.9 * M_PI / 180;  // [rad] as between the poses of an arc
     said_lost_ = false;
-    length_ = line.length();
-    turn_seconds_ = line.angle() / subject_.parameters.rotational_speed;
-    wanted_ = subject_.motion.waypoints[place.waypoint].speed;
-    seconds_ = std::max(length_ / wanted_, turn_seconds_);
     if (line.angle() > kHalfTurn) {
       findings_.add(place, {Kind::kHalfTurn, 1, "orientation"}, [&] {
-        return Said(
-            fmt::format("{:g} rad from that of waypoint {}", line.angle(), place.waypoint - 1),
-            "give a waypoint between: which way round is open");
+        return Said(fmt::format("{:g} rad from that of the waypoint before", line.angle()),
+                    "give a waypoint between: which way round is open");
       });
     }
-    check_tool_speed(place, "tip", length_);
+    speeds_.enter(place, line);
   }
 
   /// The begin of a way was the end of the one before: there, only the speeds are new.
   void look(const TrackPlace& place) {
     const bool begin = place.waypoint > 0 && place.way <= 0;
     if (!begin) check_place(place);
-    if (place.waypoint > 0 && place.reached && place.tied.empty()) check_speeds(place);
+    if (place.waypoint > 0 && place.reached && place.tied.empty()) speeds_.look(place);
   }
 
   ToolCheck take() {
     check_.faults = findings_.take();
+    check_.slowest = speeds_.slowest();
     return std::move(check_);
   }
 
@@ -179,61 +171,13 @@ class Judge {
     }
   }
 
-  /// @param rate [m] by the way
-  void check_tool_speed(const TrackPlace& place, const std::string& name, double rate) {
-    if (rate <= subject_.speed.most * seconds_ * (1 + kRounding)) return;
-    findings_.add(place, {Kind::kToolSpeed, rate / seconds_, "speed of the " + name}, [&] {
-      return Said(
-          fmt::format("{:g} m/s", rate / seconds_),
-          fmt::format("the limit is {:g} m/s: {}", subject_.speed.most, subject_.speed.reason));
-    });
-  }
-
-  void check_speeds(const TrackPlace& place) {
-    if (subject_.speed.reduced) check_tool_speed(place, "flange", place.flange_rate);
-    const Joints seconds = place.rate.cwiseAbs().cwiseQuotient(subject_.robot.speed());
-    int slow = 0;
-    const double most = seconds.maxCoeff(&slow);
-    take_slowest(place, most, slow);
-    for (int joint = 0; joint < 6; ++joint) {
-      if (seconds[joint] <= seconds_ * (1 + kRounding)) continue;
-      findings_.add(place, {Kind::kJointSpeed, seconds[joint] / seconds_, joint_name(joint), joint},
-                    [&] { return too_fast(std::abs(place.rate[joint]), joint, most); });
-    }
-  }
-
-  /// @param rate [rad] by the way
-  /// @param most [s] that the slowest joint takes for it
-  Said too_fast(double rate, int joint, double most) const {
-    const std::string limit =
-        fmt::format("the limit is {:g} rad/s: ", subject_.robot.speed()[joint]);
-    const std::string value = fmt::format("{:g} rad/s", rate / seconds_);
-    if (turn_seconds_ * wanted_ > length_) {  // it is the tool's turn that makes the time
-      return {value, limit + fmt::format("set rotational_speed to {:g} rad/s or less",
-                                         subject_.parameters.rotational_speed * seconds_ / most)};
-    }
-    return {value + fmt::format(" at {:g} m/s of the tip", length_ / seconds_),
-            limit + fmt::format("go at {:g} m/s or less there", length_ / most)};
-  }
-
-  void take_slowest(const TrackPlace& place, double joint_seconds, int joint) {
-    if (length_ <= 0) return;
-    const bool turn = turn_seconds_ > joint_seconds;
-    const double speed = length_ / (turn ? turn_seconds_ : joint_seconds);
-    if (check_.slowest && check_.slowest->speed <= speed) return;
-    check_.slowest = {place.waypoint, place.way, speed, wanted_, turn ? 6 : joint};
-  }
-
   const ToolCheckSubject& subject_;
   ToolCheck check_;
   Findings findings_;
+  WaySpeeds speeds_;
   bool beyond_ = false;              // reach, at the place before
   bool said_lost_ = false;           // on this way
   Joints nearest_ = Joints::Zero();  // [rad] at the place before, or as near as they get
-  double length_ = 0;                // [m] of the way to the waypoint
-  double turn_seconds_ = 0;
-  double wanted_ = 0;   // [m/s]
-  double seconds_ = 0;  // of the way, as the path wants it
 };
 
 }  // namespace
