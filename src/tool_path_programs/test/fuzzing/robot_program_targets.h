@@ -17,6 +17,7 @@ std::vector<scan_cell_common::FuzzTarget> robot_program_targets();
 void check_robot_program(const tool_path_programs::Language& language, const std::string& bytes,
                          const tool_path_programs::ReadSettings& settings = {});
 
+scan_cell_common::FuzzTarget fanuc_target();
 scan_cell_common::FuzzTarget gcode_target();
 scan_cell_common::FuzzTarget krl_target();
 scan_cell_common::FuzzTarget rapid_target();

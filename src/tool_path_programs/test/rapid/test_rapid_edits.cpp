@@ -67,7 +67,7 @@ TEST(RapidEdits, OtherPosesChangeTheirNumbersAlone) {
   const ProgramText text = example();
   std::vector<Eigen::Isometry3d> poses = poses_in(text);
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    poses[i].translation() += Eigen::Vector3d(0.00123456, -0.0021, 0.0003 * i);
+    poses[i].translation() += Eigen::Vector3d(0.00123456, -0.0021, 0.0003 * (i + 1));
     poses[i].linear() = Eigen::AngleAxisd(0.01, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix() *
                         poses[i].linear();
   }
@@ -87,7 +87,7 @@ TEST(RapidEdits, OtherPosesChangeTheirNumbersAlone) {
        {"TRUE,[[0,0,120.5],[0.7071,0,0.7071,0]],[2.1,", "Clean 3, \\Fast;", "SetDO doGun, 1 ;\r\n",
         "\"p10 := [[1,2,3],[1,0,0,0]]\"", "[0,-1,0,1],\r\n    [9E+09,", "[[0,-20,30,0,60,0],"})
     EXPECT_NE(now.find(part), std::string::npos) << part;
-  EXPECT_NE(now.find("[[ 813.5746 , -57.2000,\t400.0000],["), std::string::npos);
+  EXPECT_NE(now.find("[[ 813.5746 , -57.2000,\t400.3000],["), std::string::npos);
 }
 
 TEST(RapidEdits, QuaternionsKeepTheirSign) {

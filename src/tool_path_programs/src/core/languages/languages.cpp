@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "fanuc/fanuc.h"
 #include "gcode/gcode.h"
 #include "krl/krl.h"
 #include "rapid/rapid.h"
@@ -13,7 +14,8 @@
 namespace tool_path_programs {
 
 const std::vector<const Language*>& languages() {
-  static const std::vector<const Language*> all = {&gcode(), &krl(), &rapid(), &urscript()};
+  static const std::vector<const Language*> all = {&fanuc(), &gcode(), &krl(), &rapid(),
+                                                   &urscript()};
   return all;
 }
 

@@ -65,8 +65,10 @@ void add_edits(const RapidPose& old, const Eigen::Isometry3d& pose, const Source
     if (i < 3 ? place_stays : turn_stays) continue;
     const NumberText& number = old.numbers[i];
     const std::string before = source.text.substr(number.offset, number.length);
-    const std::string text = like(before, numbers[i], i < 3 ? kLengthDigits : kQuaternionDigits);
-    if (text != before) edits.push_back({file, number.offset, number.length, text});
+    const int digits = i < 3 ? kLengthDigits : kQuaternionDigits;
+    const std::string text = like(before, numbers[i], digits);
+    if (text != like(before, number.value, digits))
+      edits.push_back({file, number.offset, number.length, text});
   }
 }
 
