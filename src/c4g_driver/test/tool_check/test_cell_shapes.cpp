@@ -67,6 +67,10 @@ TEST(CellShapes, NameTheEntryThatMakesNoSense) {
   expect_complaint("shapes: [{name: '', frame: flange, sphere: 1}]", "name: empty");
   expect_complaint("shapes: [{name: part, frame: flange, sphere: 1}]", "'part' again");
   expect_complaint("shapes: [{name: a, frame: base_link, half_space: [0, 0, 0]}]", "no direction");
+  expect_complaint("shapes: [{name: a, frame: base_link, half_space: [0, 0, 1e308]}]",
+                   "no direction");
+  expect_complaint("shapes: [{name: a, frame: base_link, half_space: [0, 0, 1e-320]}]",
+                   "no direction");
   expect_complaint("shapes: [{name: a, frame: flange, half_space: [0, 0, 1]}]",
                    "a half-space stands in base_link");
   expect_complaint("links: [{link: link_1, radius: -1}]", "radius: -1 m");
