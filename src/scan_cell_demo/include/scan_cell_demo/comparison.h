@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "tool_path_stretcher/tool_path.h"
@@ -25,6 +27,14 @@ PathError compare(const tool_path_stretcher::ToolPath& path,
 /// and of the orientation the tool's axis.
 PathError compare_lines(const tool_path_stretcher::ToolPath& path,
                         const tool_path_stretcher::ToolPath& truth);
+
+/// How far the tool's tip went from the true path: of each true waypoint the distance to the
+/// nearest place of the way that the tip went, and of the farthest waypoint.
+/// @param way places of the tip [m] in the order of time; it went straight between them
+/// @return orientations are not compared: 0
+/// @throw scan_cell_common::UnusableInput if one of them is empty
+PathError compare_way(const std::vector<Eigen::Vector3d>& way,
+                      const tool_path_stretcher::ToolPath& truth);
 
 /// A path on the reference part, carried to where the object's deformation, scale and pose truly
 /// take it: the simulator's ground truth.

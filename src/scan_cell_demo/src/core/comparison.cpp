@@ -88,6 +88,36 @@ PathError compare_lines(const ToolPath& path, const ToolPath& truth) {
           std::max(ours.orientation_rms, theirs.orientation_rms)};
 }
 
+namespace {
+
+double distance_to_line(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
+                        const Eigen::Vector3d& to) {
+  const Eigen::Vector3d line = to - from;
+  const double share = line.dot(point - from) / std::max(line.squaredNorm(), 1e-30);
+  return (from + std::clamp(share, 0.0, 1.0) * line - point).norm();
+}
+
+}  // namespace
+
+PathError compare_way(const std::vector<Eigen::Vector3d>& way, const ToolPath& truth) {
+  const auto places = waypoints(truth);
+  if (way.empty() || places.empty())
+    throw scan_cell_common::UnusableInput(
+        "way of the tip", fmt::format("{} places, {} waypoints", way.size(), places.size()),
+        "record it while the robot follows the path");
+  PathError error;
+  for (const Waypoint* waypoint : places) {
+    const Eigen::Vector3d at = waypoint->pose.translation();
+    double nearest = (way.front() - at).norm();
+    for (std::size_t i = 1; i < way.size(); ++i)
+      nearest = std::min(nearest, distance_to_line(at, way[i - 1], way[i]));
+    error.rms += nearest * nearest;
+    error.max = std::max(error.max, nearest);
+  }
+  error.rms = std::sqrt(error.rms / static_cast<double>(places.size()));
+  return error;
+}
+
 ToolPath true_path(const ToolPath& path, const std::string& reference, const std::string& object,
                    const std::string& part) {
   const scan_cell_sim::World from = scan_cell_sim::load_world(reference);

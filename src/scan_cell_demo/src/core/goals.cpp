@@ -25,6 +25,11 @@ std::vector<std::string> missed_goals(const Figures& figures, const Goals& goals
   check_distance("a cloud is", "RMS ", figures.cloud_rms, goals.cloud_rms, missed);
   check_distance("the path is", "RMS ", figures.path_rms, goals.path_rms, missed);
   check_distance("the farthest waypoint is", "", figures.path_max, goals.path_max, missed);
+  if (figures.worked) {
+    check_distance("the tool's tip went", "RMS ", figures.tip_rms, goals.tip_rms, missed);
+    check_distance("at the farthest waypoint the tip went", "", figures.tip_max, goals.tip_max,
+                   missed);
+  }
   const std::uint64_t known = figures.frames_bound + figures.frames_accounted_for;
   if (known < figures.pulses) {
     missed.push_back(fmt::format("{} of {} pulses are not accounted for", figures.pulses - known,

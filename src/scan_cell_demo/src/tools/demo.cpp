@@ -12,9 +12,11 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/goals.h"
 #include "scan_cell/progress_bar.h"
+#include "scan_cell/ros/adaptation_report.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors/errors.h"
@@ -24,6 +26,7 @@
 #include "scan_cell_demo/comparison.h"
 #include "tool_path_stretcher/ros/conversions.h"
 #include "tool_paths/tool_path_files.h"
+#include "tools/true_tip.h"
 
 namespace {
 
@@ -34,6 +37,8 @@ constexpr double kMillimetres = 1e3;
 constexpr const char* kAdaptedPath = "adapted_path.csv";
 constexpr const char* kTruePath = "true_path.csv";
 constexpr const char* kReport = "report.json";
+constexpr const char* kAdaptation = "adaptation.json";
+constexpr const char* kTracedPath = "traced_path.csv";
 constexpr int kGoalMissed = 3;
 
 struct Options {
@@ -43,6 +48,8 @@ struct Options {
   std::string program = ros::package::getPath("scan_cell") + "/config/both_lasers.yaml";
   std::string part = "frame";
   std::string simulator = "/scan_cell_sim";
+  std::string true_cell = ros::package::getPath("scan_cell_sim") + "/config/cell.yaml";
+  bool no_work = false;
   double timeout = 60;          // [s] for the cell to start
   scan_cell_demo::Goals goals;  // [m]
 };
@@ -65,7 +72,9 @@ class Demo {
     const Scanned object = scan("object", options_.object);
     const ToolPath path = proven_path();
     const auto stretched = stretch(reference, object, path);
-    const std::vector<std::string> missed = report(reference, object, path, stretched);
+    if (is_accepted(stretched)) save_paths(object, path, stretched);
+    if (is_accepted(stretched) && !options_.no_work) work();
+    const std::vector<std::string> missed = report(reference, object, stretched);
     for (const std::string& goal : missed)
       std::fprintf(stderr, "goal missed: %s\n", goal.c_str());
     if (is_accepted(stretched)) return missed.empty() ? 0 : kGoalMissed;
@@ -118,9 +127,49 @@ class Demo {
     });
   }
 
+  /// The adapted path as ~work takes it, and the true one.
+  void save_paths(const Scanned& object, const ToolPath& path,
+                  const scan_cell_msgs::StretchToolPathResult& stretched) {
+    tool_paths::save_tool_path(out(kAdaptedPath),
+                               tool_path_stretcher::from_message(stretched.path));
+    truth_ = scan_cell_demo::true_path(path, options_.reference, options_.object, options_.part);
+    tool_paths::save_tool_path(out(kTruePath), truth_);
+    scan_cell_common::save_text(
+        out(kAdaptation),
+        scan_cell::completed(
+            stretched.report,
+            {out("reference.ply"), out("tool_path.csv"), "m", out("object.ply"), out(kAdaptedPath),
+             object.header.stamp.toSec(), client_.calibration_files()},
+            object.result.statistics));
+  }
+
+  /// The robot traces the adapted path with the tool.
+  void work() {
+    scan_cell_msgs::WorkGoal goal;
+    goal.path = std::filesystem::absolute(out(kAdaptedPath)).string();
+    goal.report = std::filesystem::absolute(out(kAdaptation)).string();
+    goal.waypoint_z = scan_cell_msgs::WorkGoal::Z_OUT_OF_PART;
+    scan_cell_demo::TrueTip tip(ros::NodeHandle(), options_.simulator, options_.true_cell);
+    scan_cell::ProgressBar bar("trace the path");
+    const auto result =
+        client_.work(goal, options_.timeout,
+                     [&bar](const std::string& what, double share) { bar.show(what, share); });
+    if (result.outcome != scan_cell_msgs::WorkResult::FINISHED)
+      throw scan_cell_common::Refused("work", "ended early", result.message);
+    const std::vector<Eigen::Vector3d> way = tip.way();
+    traced_ = scan_cell_demo::compare_way(way, truth_);
+    save_way(way);
+  }
+
+  void save_way(const std::vector<Eigen::Vector3d>& way) const {
+    std::string text = "x,y,z\n";
+    for (const Eigen::Vector3d& place : way)
+      text += fmt::format("{:.6f},{:.6f},{:.6f}\n", place.x(), place.y(), place.z());
+    scan_cell_common::save_text(out(kTracedPath), text);
+  }
+
   /// @return the goals that were missed; a refused path has no goals
   std::vector<std::string> report(const Scanned& reference, const Scanned& object,
-                                  const ToolPath& path,
                                   const scan_cell_msgs::StretchToolPathResult& stretched) const {
     scan_cell_demo::Figures figures;
     nlohmann::ordered_json json;
@@ -131,9 +180,16 @@ class Demo {
     json["scale_true"] =
         scan_cell_demo::true_scale(options_.reference, options_.object, options_.part);
     figures.cloud_rms = add_cloud_errors(json, reference, object);
-    const scan_cell_demo::PathError error = add_path_errors(json, path, stretched);
+    const scan_cell_demo::PathError error = add_path_errors(json, stretched);
     figures.path_rms = error.rms;
     figures.path_max = error.max;
+    if (traced_) {
+      figures.worked = true;
+      figures.tip_rms = traced_->rms;
+      figures.tip_max = traced_->max;
+      json["tip_rms_mm"] = traced_->rms * kMillimetres;
+      json["tip_max_mm"] = traced_->max * kMillimetres;
+    }
     for (const Scanned* scanned : {&reference, &object}) {
       figures.pulses += scanned->result.audit.triggers;
       figures.frames_bound += scanned->result.audit.frames_bound;
@@ -174,19 +230,14 @@ class Demo {
 
   /// @return NaN, and null in the report, if there is no path
   scan_cell_demo::PathError add_path_errors(
-      nlohmann::ordered_json& json, const ToolPath& path,
-      const scan_cell_msgs::StretchToolPathResult& stretched) const {
+      nlohmann::ordered_json& json, const scan_cell_msgs::StretchToolPathResult& stretched) const {
     scan_cell_demo::PathError error;
     error.rms = error.max = error.orientation_rms = std::numeric_limits<double>::quiet_NaN();
     if (is_accepted(stretched)) {
       const ToolPath adapted = tool_path_stretcher::from_message(stretched.path);
-      const ToolPath truth =
-          scan_cell_demo::true_path(path, options_.reference, options_.object, options_.part);
-      tool_paths::save_tool_path(out("adapted_path.csv"), adapted);
-      tool_paths::save_tool_path(out("true_path.csv"), truth);
       const bool own_image = !stretched.verdict.candidates.empty();
-      error = own_image ? scan_cell_demo::compare_lines(adapted, truth)
-                        : scan_cell_demo::compare(adapted, truth);
+      error = own_image ? scan_cell_demo::compare_lines(adapted, truth_)
+                        : scan_cell_demo::compare(adapted, truth_);
     }
     json["path_rms_mm"] = error.rms * kMillimetres;  // NaN is written as null
     json["path_max_mm"] = error.max * kMillimetres;
@@ -200,6 +251,8 @@ class Demo {
 
   Options options_;
   scan_cell::ScanProgram program_;
+  ToolPath truth_;
+  std::optional<scan_cell_demo::PathError> traced_;
   scan_cell::CellClient client_{ros::NodeHandle(), {}};
 };
 
@@ -217,11 +270,13 @@ int main(int argc, char** argv) {
   Options options;
   scan_cell_common::Outputs outputs;
   CLI::App app(
-      "Scans two parts in the simulated cell, adapts the path, and compares it with the truth.\n"
+      "Scans two parts in the simulated cell, adapts the path, traces it with the tool, and "
+      "compares "
+      "both with the truth.\n"
       "Exit code 0: accepted, all goals met; 2: refused; 3: a goal missed; 1: no result.");
   outputs
       .add_folder(app, "--output", options.output, "folder for clouds, paths and report",
-                  {kAdaptedPath, kTruePath, kReport})
+                  {kAdaptedPath, kTruePath, kReport, kAdaptation, kTracedPath})
       ->capture_default_str();
   app.add_option("--reference", options.reference, "world file of the reference part");
   app.add_option("--object", options.object, "world file of the changed part");
@@ -231,6 +286,11 @@ int main(int argc, char** argv) {
            "of a cloud from the true surfaces, RMS");
   add_goal(app, "--max-path-rms", options.goals.path_rms, "of the path from the true one, RMS");
   add_goal(app, "--max-path-error", options.goals.path_max, "of the path's farthest waypoint");
+  app.add_flag("--no-work", options.no_work, "do not trace the adapted path with the tool");
+  add_goal(app, "--max-tip-rms", options.goals.tip_rms,
+           "of the tool's true tip from the true path, RMS");
+  add_goal(app, "--max-tip-error", options.goals.tip_max, "of the tip at the farthest waypoint");
+  app.add_option("--true-cell", options.true_cell, "the simulator's own cell file");
   app.add_option("--simulator", options.simulator, "node of the simulator");
   app.add_option("--timeout", options.timeout, "seconds to wait for the cell");
   return scan_cell_common::ros_tool_main(
