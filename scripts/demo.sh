@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the whole cell without hardware: scans a reference and a changed part, adapts the tool path, and compares it
-# with the ground truth. Writes clouds, paths, picture and report to out/. Tool and world are those that were taught in
+# Runs the whole cell without hardware: scans a reference and a changed part, adapts the tool path, traces it with the
+# tool, and compares both with the ground truth. Writes clouds, paths, picture and report to out/. Tool and world are those that were taught in
 # the simulated cell just before, not the simulator's own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -21,7 +21,7 @@ scripts/teach_cell.sh "$out" || { tail -n 25 "$out/teach.log" >&2; exit 1; }
 
 echo "Starting the simulated cell (log: out/cell.log)"
 roslaunch --wait launch/scan_cell.launch sim:=true rviz:=$rviz record:="$out/demo.bag" \
-  cell:="$out/cell.yaml" >"$out/cell.log" 2>&1 &
+  cell:="$out/cell.yaml" settings:="$PWD/src/scan_cell_demo/config/demo.yaml" >"$out/cell.log" 2>&1 &
 cell=$!
 roscore -p "${DEMO_MASTER_PORT:-11321}" >"$out/roscore.log" 2>&1 &
 core=$!
@@ -31,7 +31,7 @@ status=0
 rosrun scan_cell_demo demo --output "$out" || status=$?
 if [ "$status" -eq 0 ] || [ "$status" -eq 3 ]; then
   rosrun scan_cell_demo plot_result.py --reference "$out/reference.ply" --object "$out/object.ply" \
-    --path "$out/tool_path.csv" --adapted "$out/adapted_path.csv" --truth "$out/true_path.csv" \
+    --path "$out/tool_path.csv" --adapted "$out/adapted_path.csv" --truth "$out/true_path.csv" --traced "$out/traced_path.csv" \
     --output "$out/result.png"
   echo "Results in out/: $(cd "$out" && ls ./*.ply ./*.csv ./*.png ./*.json | sed 's,^./,,' | tr '\n' ' ')"
 else

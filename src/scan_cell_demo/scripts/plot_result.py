@@ -57,10 +57,23 @@ def show_top(axes, object_cloud, adapted, truth):
     axes.set_title('adapted path against the ground truth')
 
 
-def show_errors(axes, adapted, truth):
+def distances_to_line(points, line):
+    """Of each point from the nearest place of a line [m]."""
+    start, step = line[:-1], np.diff(line, axis=0)
+    squared = np.maximum((step ** 2).sum(axis=1), 1e-30)
+    nearest = []
+    for point in points:
+        share = np.clip(((point - start) * step).sum(axis=1) / squared, 0, 1)
+        nearest.append(np.linalg.norm(start + share[:, None] * step - point, axis=1).min())
+    return np.array(nearest)
+
+
+def show_errors(axes, adapted, truth, traced):
     difference = (adapted - truth) * MM
     axes.plot(np.linalg.norm(difference, axis=1), c='black', lw=1, label='total')
     axes.plot(np.abs(difference[:, 2]), c='crimson', lw=0.8, label='along z')
+    if traced is not None:
+        axes.plot(distances_to_line(truth, traced) * MM, c='royalblue', lw=1, label="the tool's true tip")
     axes.set_xlabel('waypoint')
     axes.set_ylabel('error [mm]')
     axes.set_ylim(bottom=0)
@@ -81,6 +94,7 @@ def main():
     parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
     for name in ('reference', 'object', 'path', 'adapted', 'truth', 'output'):
         parser.add_argument('--' + name, required=True)
+    parser.add_argument('--traced', help="way of the tool's true tip; without it none is drawn")
     names = parser.parse_args()
     reference, object_cloud = read_points(names.reference), read_points(names.object)
     path, adapted, truth = (read_path(p) for p in (names.path, names.adapted, names.truth))
@@ -89,7 +103,7 @@ def main():
     grid = figure.add_gridspec(2, 2, width_ratios=[1.5, 1], height_ratios=[2.2, 1])
     show_both(figure.add_subplot(grid[:, 0], projection='3d'), reference, object_cloud, path, adapted)
     show_top(figure.add_subplot(grid[0, 1]), object_cloud, adapted, truth)
-    show_errors(figure.add_subplot(grid[1, 1]), adapted, truth)
+    show_errors(figure.add_subplot(grid[1, 1]), adapted, truth, read_path(names.traced) if names.traced else None)
     figure.tight_layout()
     figure.savefig(names.output, dpi=110)
 
