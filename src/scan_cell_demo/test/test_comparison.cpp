@@ -56,6 +56,21 @@ TEST(CompareLines, FindsWhatOnlyTheTruthCovers) {
   EXPECT_NEAR(scan_cell_demo::compare_lines(shorter, three_waypoints()).max, lost, 1e-12);
 }
 
+TEST(CompareWay, MeasuresFromEachTrueWaypointToTheWayOfTheTip) {
+  // beside the path by 0.3 mm, and 4 mm too short; sampled elsewhere than at the waypoints
+  const std::vector<Eigen::Vector3d> way = {{-0.01, 3e-4, 0}, {0.07, 3e-4, 0}, {0.196, 3e-4, 0}};
+  const auto error = scan_cell_demo::compare_way(way, three_waypoints());
+  const double last = std::hypot(4e-3, 3e-4);
+  EXPECT_NEAR(error.max, last, 1e-12);
+  EXPECT_NEAR(error.rms, std::sqrt((2 * 9e-8 + last * last) / 3), 1e-12);
+}
+
+TEST(CompareWay, RefusesAWayThatNobodyRecorded) {
+  EXPECT_THROW(scan_cell_demo::compare_way({}, three_waypoints()), scan_cell_common::UnusableInput);
+  EXPECT_THROW(scan_cell_demo::compare_way({{0, 0, 0}}, ToolPath()),
+               scan_cell_common::UnusableInput);
+}
+
 TEST(ComparePaths, RefusesPathsOfDifferentLength) {
   ToolPath longer = three_waypoints();
   longer.segments[0].waypoints.emplace_back();

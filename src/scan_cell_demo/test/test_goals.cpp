@@ -53,6 +53,20 @@ TEST(Goals, NameWhatWasMissed) {
   EXPECT_EQ(only_miss(figures), "only 500 of 1000 pulses gave a frame with a pose");
 }
 
+TEST(Goals, CountTheTipWhereTheRobotWorked) {
+  Figures figures = good();
+  figures.tip_rms = 0.4e-3;
+  EXPECT_TRUE(missed_goals(figures, {}).empty()) << "it did not work";
+  figures.worked = true;
+  EXPECT_EQ(only_miss(figures),
+            "the tool's tip went 0.4 mm RMS off the ground truth; the goal is 0.3 mm");
+  figures.tip_rms = 0.1e-3;
+  figures.tip_max = 0.9e-3;
+  EXPECT_EQ(
+      only_miss(figures),
+      "at the farthest waypoint the tip went 0.9 mm off the ground truth; the goal is 0.8 mm");
+}
+
 TEST(Goals, MayBeWider) {
   Figures figures = good();
   figures.path_rms = 0.5e-3;
