@@ -13,6 +13,7 @@
 #include "c4g_driver/limits.h"
 #include "c4g_driver/link_report.h"
 #include "c4g_driver/motion_plan.h"
+#include "c4g_driver/tool_motion_check.h"
 
 namespace c4g_driver {
 
@@ -33,6 +34,7 @@ struct ClientOptions {
   std::shared_ptr<const RobotModel> robot;  //!< required
   RobotLimits limits;                       //!< that every motion is checked against
   ArrivalTolerance arrival;                 //!< what counts as arrived
+  ToolCheckParameters tool_check;           //!< how a path of the tool is checked
 };
 
 /// The driver's side of c4g_protocol.md. Connects by itself and again after a loss, keeps the
@@ -67,6 +69,20 @@ class Client {
                       double camera_rate);
   /// Moves all axes together to six joints [rad]. @throw as move()
   void move_to_joints(const std::vector<double>& joints, double camera_rate);
+
+  /// Follows a path of the tool if the robot can; it is checked first, then loaded, and begun when
+  /// the controller has confirmed all of it. The tip stands at the waypoint to begin with.
+  /// @param from waypoint to begin with, counted from 0; 0: the whole path
+  /// @param go_on asked while the path is loaded; where it says no, nothing moves
+  /// @throw as move(); scan_cell_common::UnusableInput if the path is none
+  void follow(const ToolMotion& motion, std::size_t from = 0,
+              const std::function<bool()>& go_on = nullptr);
+
+  /// Whether the robot could follow a path; nothing moves.
+  /// @param from as of follow()
+  /// @param joints six [rad], where the robot comes from; empty: where it stands
+  /// @return counted from `from`
+  ToolCheck check(const ToolMotion& motion, std::size_t from, const std::vector<double>& joints);
 
   /// Whether the robot could carry out motions one after the other; nothing moves. From where it
   /// stands: where a motion is under way, or still brakes, its end is awaited for up to 0.5 s.
@@ -110,8 +126,10 @@ class Client {
   RobotState standing() const;
   MotionSettings settings_in_force();
   SpeedLimit speed_limit() const;
+  ToolCheck check_path(const ToolMotion& motion, std::size_t from, const RobotState& state);
 
   const ClientOptions options_;
+  std::uint64_t paths_ = 0;    // loaded; under settings_mutex_
   std::mutex settings_mutex_;  // what a motion was checked with stays so until it begins
   std::unique_ptr<Link> link_;
 };

@@ -39,7 +39,9 @@ class Goal {
   Outcome outcome() const { return outcome_; }                      //!< of this moment
   bool underway() const { return outcome_ == Outcome::kUnderway; }  //!< whether it has not ended
   double progress() const { return progress_; }                     //!< 0 .. 1
-  const std::string& message() const { return message_; }           //!< why it ended so
+  /// Of a path of the tool, the last one that was passed or reached, counted from 0.
+  std::uint64_t waypoint() const { return waypoint_; }
+  const std::string& message() const { return message_; }  //!< why it ended so
 
  private:
   std::string missed_by(const RobotState& state) const;
@@ -49,6 +51,7 @@ class Goal {
   ArrivalTolerance tolerance_;
   Outcome outcome_ = Outcome::kNone;
   double progress_ = 0;
+  std::uint64_t waypoint_ = 0;
   std::string message_;
 };
 

@@ -23,6 +23,8 @@ FakeController::FakeController(std::uint16_t port)
               {"mode", "remote"},
               {"override", 100},
               {"linear_speed", 250},
+              {"waypoint", 0},
+              {"outputs", 0},
               {"error", nullptr},
               {"alarms", nlohmann::json::array()}}) {
   sockaddr_in address{};

@@ -18,14 +18,15 @@ const char* const kStreamed =
     R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204, "t": 48123456,
 "pose": [798.301, 42, 875.5, 0, 180, 180],
 "joints": [-3.0117, -0.6729, -108.0738, 0, 72.5991, -3.0117],
-"status": "moving", "motion": 13, "progress": 0.42, "camera_fps": 100,
+"status": "moving", "motion": 13, "progress": 0.42, "waypoint": 7, "outputs": 5, "camera_fps": 100,
 "e_stop": false, "drives": true, "mode": "remote", "override": 100, "linear_speed": 100,
 "error": null, "alarms": []})";
 const char* const kAcknowledged =
     R"({"c4g": 1, "session": 1790000000000000, "type": "ack", "seq": 18,
 "error": {"code": 12, "text": "J3 5 deg is outside -170 .. 0"}, "value": [0, 1, 2, 3, 4, 5],
 "state": {"t": 1, "pose": [-800.123, 1e2, 600, 33, 44, -55], "joints": [0, 0, -90, 0, 90, 0],
-"status": "stopped", "motion": 0, "progress": 0E42, "camera_fps": 0, "e_stop": true,
+"status": "stopped", "motion": 0, "progress": 0E42, "waypoint": 0, "outputs": 4294967295,
+"camera_fps": 0, "e_stop": true,
 "drives": false, "mode": "programming", "override": 0.01, "linear_speed": 1500,
 "error": {"code": 11, "text": "emergency stop"}, "alarms": [{"code": 11, "text": "emergency stop"},
 {"code": 15, "text": "following error of J2"}]}})";
@@ -64,6 +65,8 @@ void compare(const c4g_driver::StreamedState& state, const std::string& datagram
   same("n", static_cast<double>(state.number), 1);
   same("t", static_cast<double>(state.robot.controller_time), 1e3);
   same("progress", state.robot.progress, 1);
+  same("waypoint", static_cast<double>(state.robot.waypoint), 1);
+  same("outputs", state.robot.outputs, 1);
   same("override", state.robot.override, 1);
   same("linear_speed", state.robot.linear_speed, 1e-3);
   if (!stands_once(datagram, "\"pose\"")) return;
@@ -115,6 +118,48 @@ void ask_controller(const std::string& datagram) {
   throw ProtocolError("request", acknowledgement.error->text.c_str(), "as it says");
 }
 
+/// A path's only piece, whatever it says: it is followed if the controller has all of it.
+void ask_to_follow(const std::string& piece) {
+  constexpr Nanoseconds kSecond = 1'000'000'000;
+  scan_cell_sim::OfflineController controller;
+  controller.answer(sealed(R"({"c4g":1,"session":100,"seq":1,"cmd":"OPEN"})"), kSecond);
+  controller.answer(sealed(R"({"c4g":1,"session":100,"seq":2,"cmd":"LOAD_PATH","path":1,"size":2,)"
+                           R"("tool":[0,0,150,0,0,0]})"),
+                    kSecond);
+  const auto answer = controller.answer(piece, kSecond);
+  if (!answer) throw ProtocolError("piece", "not answered", "send what the protocol says");
+  const auto loaded = check_answer(*answer);
+  if (loaded.error) throw ProtocolError("piece", loaded.error->text.c_str(), "as it says");
+  promise(controller.motions_begun() == 0, "a piece that moves the robot");
+  const auto value = nlohmann::json::parse(loaded.value.empty() ? "[]" : loaded.value);
+  if (value.size() != 2) throw ProtocolError("piece", "another request", "send a piece");
+  const nlohmann::json begin = {{"c4g", 1},
+                                {"session", 100},
+                                {"seq", 4},
+                                {"path", 1},
+                                {"from", 0},
+                                {"cmd", "FOLLOW_PATH"},
+                                {"checksum", value[1]}};
+  const auto begun = check_answer(controller.answer(sealed(begin.dump()), kSecond).value());
+  promise(controller.motions_begun() == (begun.error ? 0 : 1), "refused and begun, or neither");
+  for (const Nanoseconds later : {kSecond + kSecond / 20, 2 * kSecond, 100'000 * kSecond}) {
+    const auto state = controller.state(later);
+    promise(scan_cell_sim::outside_limits(state.joints).empty(), "a joint outside its range");
+    promise(state.flange.matrix().allFinite(), "a pose that is no pose");
+    promise(state.waypoint <= 1, "a waypoint that is none");
+  }
+  promise(controller.state(100'000 * kSecond).outputs == 0, "outputs that stay on");
+  if (begun.error) throw ProtocolError("path", begun.error->text.c_str(), "as it says");
+}
+
+std::vector<std::string> pieces() {
+  const std::string head =
+      R"({"c4g":1,"session":100,"seq":3,"cmd":"PATH_PIECE","path":1,"first":0,"waypoints":[)"
+      R"([800,0,450,0,180,180,50,0,1],)";
+  return {head + R"([850,0,450,0,180,180,50,0,3]]})", head + R"([800,60,450,10,170,180,0.1,5,0]]})",
+          head + R"([800,0,450,0,180,90,1500,100,4294967295]]})"};
+}
+
 /// What the driver writes is what it was given, and fits.
 void write_parameter(const std::string& text) {
   const std::size_t middle = text.find('|');
@@ -138,6 +183,7 @@ std::vector<std::string> requests() {
           head + R"("MOVE_CIRCULAR","via":[700,0,600,0,180,180],)" +
               R"("pose":[750,60,650,20,170,180],"camera_fps":0})",
           head + R"("MOVE_JOINT","joints":[0,0,-90,0,90,0],"camera_fps":0})",
+          head + R"("LOAD_PATH","path":1,"size":2,"tool":[0,0,150,0,0,0]})",
           head + R"("STOP"})",
           head + R"("SET_OVERRIDE","override":50})",
           head + R"("SET_LINSPEED","linear_speed":100})",
@@ -172,6 +218,16 @@ const std::vector<std::string> kWords = {"\"c4g\"",
                                          "\"MOVE_CARTESIAN\"",
                                          "\"MOVE_CIRCULAR\"",
                                          "\"MOVE_JOINT\"",
+                                         "\"LOAD_PATH\"",
+                                         "\"PATH_PIECE\"",
+                                         "\"FOLLOW_PATH\"",
+                                         "\"path\"",
+                                         "\"first\"",
+                                         "\"size\"",
+                                         "\"waypoints\"",
+                                         "\"checksum\"",
+                                         "\"waypoint\"",
+                                         "\"outputs\"",
                                          "\"OPEN\"",
                                          "\"value\"",
                                          "\"name\"",
@@ -217,11 +273,16 @@ std::vector<FuzzTarget> c4g_datagram_targets() {
   asked.run = [](const std::string& packet) { ask_controller(sealed(packet)); };
   asked.seeds = requests();
   asked.words = kWords;
+  FuzzTarget paths;
+  paths.name = "paths";
+  paths.run = [](const std::string& packet) { ask_to_follow(sealed(packet)); };
+  paths.seeds = pieces();
+  paths.words = kWords;
   FuzzTarget parameters;
   parameters.name = "parameters";
   parameters.run = write_parameter;
   parameters.seeds = {"motion_type|\"linear\"", "user_frame|[1, 2.5, 3e1, 4, 5, 6]", "override|50",
                       "x|{\"a\": [null, true, \"b\"]}"};
   parameters.words = kWords;
-  return {raw, answers, asked, parameters};
+  return {raw, answers, asked, paths, parameters};
 }

@@ -70,6 +70,8 @@ TEST(Parse, AllocatesNothingForADatagramHoweverItsValuesLie) {
                      {"mode", "remote"},
                      {"override", 100},
                      {"linear_speed", 250},
+                     {"waypoint", 0},
+                     {"outputs", 0},
                      {"error", nullptr},
                      {"alarms", json::array()}};
   const std::string text = good.dump();

@@ -21,7 +21,8 @@ namespace {
 const char* const kState = R"({"c4g": 1, "session": 1790000000000000, "type": "state", "n": 1204,
   "t": 48123456, "pose": [798.301, 42, 875.5, 0, 180, 180],
   "joints": [-3.0117, -0.6729, -108.0738, 0, 72.5991, -3.0117],
-  "status": "moving", "motion": 13, "progress": 0.42, "camera_fps": 100, "e_stop": false,
+  "status": "moving", "motion": 13, "progress": 0.42, "waypoint": 7, "outputs": 5,
+  "camera_fps": 100, "e_stop": false,
   "drives": true, "mode": "remote", "override": 100, "linear_speed": 100, "error": null,
   "alarms": []})";
 
@@ -143,6 +144,8 @@ TEST(Parse, ReadsAStateIntoSiUnits) {
   EXPECT_NEAR(state.robot.joints[2], -108.0738 * M_PI / 180, 1e-12);
   EXPECT_EQ(state.robot.status, c4g_driver::MotionStatus::kMoving);
   EXPECT_EQ(state.robot.motion, 13u);
+  EXPECT_EQ(state.robot.waypoint, 7u);
+  EXPECT_EQ(state.robot.outputs, 5u);
   EXPECT_EQ(state.robot.linear_speed, 0.1);
   EXPECT_EQ(state.robot.override, 100);
   EXPECT_EQ(state.robot.mode, c4g_driver::ControllerMode::kRemote);
@@ -212,6 +215,11 @@ TEST(Parse, NamesTheKeyThatMakesNoSense) {
       {"motion", -1},
       {"progress", 1.5},
       {"progress", "half"},
+      {"waypoint", -1},
+      {"waypoint", 1.5},
+      {"outputs", -1},
+      {"outputs", 1ull << 32},
+      {"outputs", "on"},
       {"e_stop", 0},
       {"drives", "yes"},
       {"mode", "auto"},

@@ -12,6 +12,7 @@
 
 #include "scan_cell_sim/controller/offline_controller.h"
 #include "wire/codec.h"
+#include "wire/path_pieces.h"
 #include "wire/seal.h"
 
 using nlohmann::json;
@@ -50,6 +51,26 @@ json without_seal(const std::string& datagram) {
   return packet;
 }
 
+/// Looking down, with x against the base's x.
+c4g_driver::ToolWaypoint waypoint(double x, double y, double z, double speed, double zone,
+                                  std::uint32_t outputs) {
+  c4g_driver::ToolWaypoint result;
+  result.tip.translation() << x, y, z;
+  result.tip.linear() = Eigen::Vector3d(-1, 1, -1).asDiagonal();
+  result.speed = speed;
+  result.zone = zone;
+  result.outputs = outputs;
+  return result;
+}
+
+/// By the seals that the document shows.
+std::uint32_t checksum() {
+  c4g_driver::PathChecksum sum;
+  for (const std::string& example : examples_with("\"path\""))
+    if (example.find("FOLLOW_PATH") == std::string::npos) sum.add(example);
+  return sum.value();
+}
+
 /// What the document's requests ask for, in their order.
 std::vector<c4g_driver::Request> requests() {
   using namespace c4g_driver;  // NOLINT
@@ -63,21 +84,27 @@ std::vector<c4g_driver::Request> requests() {
   const auto turned = [&](double angle) {
     return out * Eigen::AngleAxisd(angle, -Eigen::Vector3d::UnitZ()) * back * flange;
   };
-  return {Open{},
-          ResetAlarms{},
-          SetDrives{true},
-          SetOverride{100},
-          SetLinearSpeed{0.1},
-          SetParameter{"motion_type", "\"linear\""},
-          SetParameter{"interpolation", "\"linear\""},
-          SetParameter{"user_frame", "[500, 0, 100, 0, 0, 90]"},
-          GetParameter{"user_frame"},
-          MoveJoint{joints, 0},
-          Stop{},
-          GetStaticPose{},
-          MoveCartesian{flange, 100},
-          MoveCircular{turned(M_PI / 2), turned(M_PI), 100},
-          Close{}};
+  return {
+      Open{},
+      ResetAlarms{},
+      SetDrives{true},
+      SetOverride{100},
+      SetLinearSpeed{0.1},
+      SetParameter{"motion_type", "\"linear\""},
+      SetParameter{"interpolation", "\"linear\""},
+      SetParameter{"user_frame", "[500, 0, 100, 0, 0, 90]"},
+      GetParameter{"user_frame"},
+      MoveJoint{joints, 0},
+      Stop{},
+      GetStaticPose{},
+      MoveCartesian{flange, 100},
+      MoveCircular{turned(M_PI / 2), turned(M_PI), 100},
+      LoadPath{1, 4, Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.15))},
+      PathPiece{
+          1, 0, {waypoint(0.8, -0.1, 0.45, 0.05, 0, 0), waypoint(0.8, 0, 0.45, 0.05, 0.002, 1)}},
+      PathPiece{1, 2, {waypoint(0.85, 0, 0.45, 0.1, 0, 1), waypoint(0.85, 0, 0.5, 0.1, 0, 0)}},
+      FollowPath{1, 0, checksum()},
+      Close{}};
 }
 
 /// The same to the rounding of what was computed.
@@ -119,7 +146,7 @@ TEST(ProtocolDocument, ShowsRequestsThatTheControllerCarriesOut) {
     if (request.find("GET_PARAMETER") == std::string::npos) continue;
     EXPECT_EQ(json::parse(acknowledgement.value), (json{500.0, 0.0, 100.0, 0.0, 0.0, 90.0}));
   }
-  EXPECT_EQ(controller.motions_begun(), 3u);
+  EXPECT_EQ(controller.motions_begun(), 4u);
 }
 
 TEST(ProtocolDocument, ShowsAStateAndAcknowledgementsThatTheClientReads) {
@@ -150,4 +177,15 @@ TEST(ProtocolDocument, ShowsTheStateWithTheKeysThatTheControllerSends) {
     EXPECT_TRUE(sent.contains(key)) << key;
   for (const auto& [key, value] : sent.items())
     EXPECT_TRUE(shown.contains(key)) << key;
+}
+
+TEST(ProtocolDocument, ShowsTheChecksumOfItsPath) {
+  std::ifstream file(PROTOCOL_DOCUMENT);
+  const std::string page((std::istreambuf_iterator<char>(file)), {});
+  std::string seals;
+  for (const std::string& example : examples_with("\"path\"")) {
+    if (example.find("FOLLOW_PATH") != std::string::npos) continue;
+    seals += std::to_string(json::parse(example)["crc"].get<std::uint32_t>()) + ",";
+  }
+  EXPECT_NE(page.find("`" + seals + "`, " + std::to_string(checksum()) + "."), std::string::npos);
 }

@@ -50,7 +50,7 @@ std::vector<WireSix> sixes_after(const std::string& words) {
   return found;
 }
 
-const char* const kPose = "(?:\"pose\": |\"via\": |pose `)";
+const char* const kPose = "(?:\"pose\": |\"tool\": |\"via\": |pose `)";
 const char* const kJoints = "(?:\"joints\": |joints `)";
 const char* const kFrame = "\"value\": ";
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "link/link.h"
+#include "link/path_loader.h"
 #include "robot/motion_check.h"
 #include "scan_cell_common/errors/errors.h"
 #include "wire/parameter_values.h"
@@ -96,6 +97,49 @@ void Client::move(const Motion& motion) {
   const MotionEnd end = MotionCheck(*options_.robot, options_.limits, from, settings).run(motion);
   const Request request = request_of(motion);
   const Link::Start start{target_of(motion), end.max_override};
+  link_->request(request, &start);
+}
+
+ToolCheck Client::check_path(const ToolMotion& motion, std::size_t from, const RobotState& state) {
+  if (from + 2 > motion.waypoints.size()) {
+    throw scan_cell_common::UnusableInput("waypoint to begin with",
+                                          fmt::format("{} of {}", from, motion.waypoints.size()),
+                                          "give one that is followed by another");
+  }
+  ToolMotion rest = motion;
+  rest.waypoints.erase(rest.waypoints.begin(),
+                       rest.waypoints.begin() + static_cast<std::ptrdiff_t>(from));
+  ToolCheckParameters parameters = options_.tool_check;
+  parameters.rotational_speed = rotational_speed_of(get_parameter("rotational_speed"));
+  return check_tool_motion(*options_.robot, options_.limits, state, rest, parameters);
+}
+
+ToolCheck Client::check(const ToolMotion& motion, std::size_t from,
+                        const std::vector<double>& joints) {
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  RobotState state = current();
+  if (!joints.empty()) {
+    state.joints = check_joints(joints, options_.limits);
+    state.flange = options_.robot->flange_at(state.joints);
+  }
+  return check_path(motion, from, state);
+}
+
+void Client::follow(const ToolMotion& motion, std::size_t from,
+                    const std::function<bool()>& go_on) {
+  const std::lock_guard<std::mutex> settled(settings_mutex_);
+  if (goal().underway()) throw Refused("path", "another motion is under way", "stop it first");
+  const ToolCheck check = check_path(motion, from, standing());
+  if (!check.possible()) {
+    const ToolFault& fault = check.faults.front();
+    throw Refused(fault.thing, fault.value, fault.cure);
+  }
+  if (!check.stands_there) {
+    throw Refused("path", fmt::format("the tool's tip is not at waypoint {}", from),
+                  "move it there first");
+  }
+  const Request request = load_path(*link_, motion, ++paths_, from, go_on);
+  const Link::Start start{motion.waypoints.back().tip * motion.flange_to_tip.inverse(), 100};
   link_->request(request, &start);
 }
 

@@ -20,6 +20,7 @@ Goal::Goal(std::uint64_t motion, const Target& target, const ArrivalTolerance& t
 void Goal::update(const RobotState& state) {
   if (!underway() || state.motion != motion_) return;
   progress_ = state.progress;
+  waypoint_ = state.waypoint;
   switch (state.status) {
     case MotionStatus::kIdle:
     case MotionStatus::kMoving:

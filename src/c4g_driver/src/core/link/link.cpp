@@ -130,10 +130,12 @@ void Link::lose(const std::string& reason) {
   changed_.notify_all();
 }
 
-Acknowledgement Link::request(const Request& request, const Start* start) {
+Acknowledgement Link::request(const Request& request, const Start* start, std::string* sent) {
   const std::lock_guard<std::mutex> serial(request_mutex_);
   const std::uint64_t malformed = receiver_.malformed().count;
-  const auto answer = exchange(next_datagram(request, start));
+  const std::string datagram = next_datagram(request, start);
+  if (sent != nullptr) *sent = datagram;
+  const auto answer = exchange(datagram);
   if (!answer || (answer->error && ends_the_session(*answer->error))) {
     const std::string reason =
         answer ? fmt::format("dropped the session: {}", answer->error->text.c_str())

@@ -43,8 +43,10 @@ class Link {
   };
 
   /// @param start where the request starts a motion
+  /// @param sent the datagram, if it is wanted
   /// @throw as Client's requests
-  Acknowledgement request(const Request& request, const Start* start = nullptr);
+  Acknowledgement request(const Request& request, const Start* start = nullptr,
+                          std::string* sent = nullptr);
 
   const std::string& name() const { return name_; }
   Goal goal() const;

@@ -27,12 +27,23 @@ json value_of(const SetParameter& set) {
   return value;
 }
 
+json to_json(const ToolWaypoint& waypoint) {
+  json numbers = to_wire(waypoint.tip);
+  numbers.push_back(waypoint.speed / kMillimetre);
+  numbers.push_back(waypoint.zone / kMillimetre);
+  numbers.push_back(waypoint.outputs);
+  return numbers;
+}
+
 struct Name {
   const char* operator()(const Open&) const { return "OPEN"; }
   const char* operator()(const Close&) const { return "CLOSE"; }
   const char* operator()(const MoveCartesian&) const { return "MOVE_CARTESIAN"; }
   const char* operator()(const MoveCircular&) const { return "MOVE_CIRCULAR"; }
   const char* operator()(const MoveJoint&) const { return "MOVE_JOINT"; }
+  const char* operator()(const LoadPath&) const { return "LOAD_PATH"; }
+  const char* operator()(const PathPiece&) const { return "PATH_PIECE"; }
+  const char* operator()(const FollowPath&) const { return "FOLLOW_PATH"; }
   const char* operator()(const Stop&) const { return "STOP"; }
   const char* operator()(const SetOverride&) const { return "SET_OVERRIDE"; }
   const char* operator()(const SetLinearSpeed&) const { return "SET_LINSPEED"; }
@@ -54,6 +65,18 @@ struct Arguments {
   }
   json operator()(const MoveJoint& move) const {
     return {{"joints", to_wire(move.joints)}, {"camera_fps", move.camera_rate}};
+  }
+  json operator()(const LoadPath& load) const {
+    return {{"path", load.path}, {"size", load.size}, {"tool", to_wire(load.flange_to_tip)}};
+  }
+  json operator()(const PathPiece& piece) const {
+    json waypoints = json::array();
+    for (const ToolWaypoint& waypoint : piece.waypoints)
+      waypoints.push_back(to_json(waypoint));
+    return {{"path", piece.path}, {"first", piece.first}, {"waypoints", waypoints}};
+  }
+  json operator()(const FollowPath& follow) const {
+    return {{"path", follow.path}, {"from", follow.from}, {"checksum", follow.checksum}};
   }
   json operator()(const SetOverride& set) const { return {{"override", set.override}}; }
   json operator()(const SetLinearSpeed& set) const {

@@ -7,8 +7,10 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "c4g_driver/robot_state.h"
+#include "c4g_driver/tool_motion.h"
 
 /// Packets of c4g_protocol.md to text and back. Nothing here knows of sockets or time.
 namespace c4g_driver {
@@ -30,6 +32,21 @@ struct MoveJoint {
   Joints joints;
   double camera_rate;  //!< [Hz]
 };
+struct LoadPath {
+  std::uint64_t path;  //!< its number, above 0
+  std::uint64_t size;  //!< waypoints
+  Eigen::Isometry3d flange_to_tip;
+};
+struct PathPiece {
+  std::uint64_t path;
+  std::uint64_t first;  //!< number of its first waypoint, counted from 0
+  std::vector<ToolWaypoint> waypoints;
+};
+struct FollowPath {
+  std::uint64_t path;
+  std::uint64_t from;      //!< waypoint
+  std::uint32_t checksum;  //!< see PathChecksum
+};
 struct Stop {};
 struct SetOverride {
   double override;  //!< [%]
@@ -50,9 +67,9 @@ struct SetDrives {
 };
 struct ResetAlarms {};
 
-using Request =
-    std::variant<Open, Close, MoveCartesian, MoveCircular, MoveJoint, Stop, SetOverride,
-                 SetLinearSpeed, GetStaticPose, GetParameter, SetParameter, SetDrives, ResetAlarms>;
+using Request = std::variant<Open, Close, MoveCartesian, MoveCircular, MoveJoint, LoadPath,
+                             PathPiece, FollowPath, Stop, SetOverride, SetLinearSpeed,
+                             GetStaticPose, GetParameter, SetParameter, SetDrives, ResetAlarms>;
 
 /// The command's name on the wire.
 std::string name_of(const Request& request);

@@ -127,7 +127,7 @@ void assign_printable(std::string_view said, boost::static_string<80>& shown) {
 }
 
 ControllerError complaint(const Json& value) {
-  constexpr std::uint64_t kMaxCode = 1'000'000;  // c4g_protocol.md goes to 19; chosen
+  constexpr std::uint64_t kMaxCode = 1'000'000;  // c4g_protocol.md goes to 22; chosen
   ControllerError result;
   result.code = static_cast<int>(whole(value, "code", kMaxCode));
   assign_printable(text(value, "text"), result.text);
@@ -162,6 +162,8 @@ RobotState robot_state(const Json& packet) {
   state.motion = whole(packet, "motion", UINT64_MAX);
   state.progress = number(entry(packet, "progress"), "progress");
   if (state.progress < 0 || state.progress > 1) refuse("progress", "outside 0 .. 1");
+  state.waypoint = whole(packet, "waypoint", UINT64_MAX);
+  state.outputs = static_cast<std::uint32_t>(whole(packet, "outputs", UINT32_MAX));
   state.camera_rate = number(entry(packet, "camera_fps"), "camera_fps");
   state.e_stop = truth(packet, "e_stop");
   state.drives = truth(packet, "drives");

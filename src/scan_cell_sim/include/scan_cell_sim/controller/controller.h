@@ -34,6 +34,9 @@ class Controller : public FlangeMotion {
   /// the current motion.
   Eigen::Isometry3d flange_at(scan_cell_common::Nanoseconds host) const override;
 
+  /// True digital outputs at an instant of the host's clock; bit n: output n + 1 is on.
+  std::uint32_t outputs_at(scan_cell_common::Nanoseconds host) const;
+
   /// The true state now.
   MotionState state() const;
   std::uint64_t motions_begun() const;  //!< since its start

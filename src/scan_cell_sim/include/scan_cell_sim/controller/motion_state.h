@@ -27,6 +27,8 @@ struct MotionState {
   MotionStatus status = MotionStatus::kIdle;  //!< of the latest motion
   std::uint64_t motion = 0;                   //!< number of the motion that the status is about
   double progress = 0;                        //!< 0 .. 1
+  std::uint64_t waypoint = 0;                 //!< of a path of the tool, the last one passed
+  std::uint32_t outputs = 0;                  //!< bit n: digital output n + 1 is on
   double camera_rate = 0;                     //!< [Hz]
   Readiness readiness;                        //!< mode, drives, emergency stop, alarms
   std::optional<Complaint> why;               //!< of Stopped and Error; none for a stop by request

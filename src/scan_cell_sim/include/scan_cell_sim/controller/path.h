@@ -4,7 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "scan_cell_sim/controller/kinematics.h"
 #include "scan_cell_sim/controller/refusal.h"
@@ -18,6 +20,20 @@ class Path {
   virtual Eigen::Isometry3d flange(
       double way) const = 0;                    //!< tool0 in base_link [m], at a way from 0 to 1
   virtual Joints joints(double way) const = 0;  //!< [rad] at a way from 0 to 1
+
+  /// Of a path of the tool, the last waypoint that is passed at a way; else 0.
+  virtual std::uint64_t waypoint(double) const { return 0; }
+  /// Of a path of the tool, what is on at a way while it is followed; else nothing.
+  virtual std::uint32_t outputs(double) const { return 0; }
+};
+
+/// A part of a path, and how fast it may be run, in ways a second.
+struct SpeedStep {
+  double end = 1;            //!< way; it begins where the one before ends
+  double speed = 1;          //!< [1/s] as programmed; the override multiplies it
+  double max_speed = 1;      //!< [1/s] what the axes and the corner allow
+  double reduced_speed = 1;  //!< [1/s] at which the flange moves at 250 mm/s at most
+  bool stop = false;         //!< at its end
 };
 
 /// A path with the speeds it may be run at, in ways a second.
@@ -26,6 +42,7 @@ struct PlannedPath {
   double speed = 1;                  //!< [1/s] as programmed; the override multiplies it
   double max_speed = 1;              //!< [1/s] what the axes allow
   double acceleration = 1;           //!< [1/s^2]
+  std::vector<SpeedStep> steps;      //!< of a path of the tool, instead of the speeds; else none
 };
 
 /// Speeds along a line or an arc.
@@ -55,6 +72,22 @@ PlannedPath plan_line(const Joints& from, const Eigen::Isometry3d& to,
 /// turn
 PlannedPath plan_arc(const Joints& from, const Eigen::Isometry3d& via, const Eigen::Isometry3d& to,
                      const LineSettings& settings);
+
+/// Where the tool's tip goes, as c4g_protocol.md has it.
+struct TipWaypoint {
+  Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();  //!< in base_link [m]
+  double speed = 0.05;                                    //!< [m/s] on the way to here
+  double zone = 0;            //!< [m] how far from here the tip may leave its lines; 0: it stops
+  std::uint32_t outputs = 0;  //!< on from here on
+};
+
+/// Lines of the tool's tip from waypoint to waypoint, rounded within their zones, in the posture of
+/// `from`. It begins where the tip stands, at waypoint `first`.
+/// @throw ControllerRefusal as plan_line(); if the tip is not at waypoint `first`, two waypoints
+/// are the same, or a turn is within 0.1 degree of half a turn
+PlannedPath plan_tool_path(const Joints& from, const Eigen::Isometry3d& flange_to_tip,
+                           const std::vector<TipWaypoint>& waypoints, std::size_t first,
+                           const LineSettings& settings);
 
 /// [m] The most that the flange moves on this path for each way: its speed [m/s] at one way a
 /// second.

@@ -28,6 +28,9 @@ enum class ControllerErrorCode {
   kAlarm = 17,
   kOutOfTurn = 18,
   kNoArc = 19,
+  kNoPath = 20,
+  kBadPath = 21,
+  kNotAtStart = 22,
 };
 
 /// Why a motion did not arrive, or an alarm.

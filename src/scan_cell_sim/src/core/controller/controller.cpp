@@ -36,6 +36,10 @@ Eigen::Isometry3d Controller::flange_at(Nanoseconds host) const {
   return run.path->flange(run.way(host));
 }
 
+std::uint32_t Controller::outputs_at(Nanoseconds host) const {
+  return implementation_->motion().log().at(host).outputs(host);
+}
+
 MotionState Controller::state() const {
   return implementation_->motion().state(host_now());
 }

@@ -154,6 +154,7 @@ void ProtocolServer::open(const json& request, std::uint64_t session, std::uint6
   last_seq_ = 0;
   last_answer_.clear();
   streamed_ = 0;
+  path_ = {};
 }
 
 /// @return whether the command is one that begins a motion
@@ -167,15 +168,31 @@ bool ProtocolServer::begin_motion(const std::string& command, const json& reques
   } else if (command == "MOVE_JOINT") {
     motion_.move_to_joints(last_seq_, joints_from_wire(six(entry(request, "joints"), "joints")),
                            camera_rate(request), now);
+  } else if (command == "FOLLOW_PATH") {
+    const std::size_t first = path_.check(request);
+    motion_.follow(last_seq_, path_.flange_to_tip(), path_.waypoints(), first, now);
   } else {
     return false;
   }
   return true;
 }
 
+/// @return the answer, if the command is about loading a path
+std::optional<json> ProtocolServer::load(const std::string& command, const json& request) {
+  if (command == "LOAD_PATH") {
+    path_ = LoadedPath(request);
+  } else if (command == "PATH_PIECE") {
+    path_.add(request);
+  } else {
+    return std::nullopt;
+  }
+  return json{{"value", {path_.waypoints().size(), path_.checksum()}}};
+}
+
 json ProtocolServer::perform(const json& request, Nanoseconds now) {
   require_version(request);
   const std::string command = command_of(request);
+  if (auto loaded = load(command, request)) return *loaded;
   if (begin_motion(command, request, now)) {
     last_moving_ = now;  // the shortest motion is streamed too
   } else if (command == "STOP") {
@@ -226,6 +243,8 @@ json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
                  {"status", name_of(truth.status)},
                  {"motion", truth.motion},
                  {"progress", truth.progress},
+                 {"waypoint", truth.waypoint},
+                 {"outputs", truth.outputs},
                  {"camera_fps", truth.camera_rate},
                  {"e_stop", truth.readiness.e_stop()},
                  {"drives", truth.readiness.drives()},

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "controller/controller_parameters.h"
+#include "controller/loaded_path.h"
 #include "controller/motion/motion_control.h"
 #include "controller/wire/datagram.h"
 #include "controller/wire/drifting_clock.h"
@@ -50,6 +51,7 @@ class ProtocolServer {
             Nanoseconds now);
   Json take_up(const Json& request, const std::string& datagram, Nanoseconds now);
   Json perform(const Json& request, Nanoseconds now);
+  std::optional<Json> load(const std::string& command, const Json& request);
   bool begin_motion(const std::string& command, const Json& request, Nanoseconds now);
   Json state(const MotionState& truth, Nanoseconds now);
   Eigen::Isometry3d measured(const Eigen::Isometry3d& flange);
@@ -68,6 +70,7 @@ class ProtocolServer {
   std::string last_answer_;
   Nanoseconds last_heard_ = 0;
   std::uint64_t streamed_ = 0;
+  LoadedPath path_;
   Nanoseconds last_moving_ = 0;
 };
 

@@ -60,7 +60,7 @@ double FlangePath::follow(const Joints& from) {
   constexpr double kKnotLength = 0.01;  // [m] chosen
   constexpr double kKnotAngle = 0.035;  // [rad] chosen
   refuse_singular(from, from, name());
-  knots_.assign(1, {0, from});
+  knots_.assign(1, {0, from, 0});
   double max_speed = std::numeric_limits<double>::infinity();
   double begin = 0;
   for (const Stretch& stretch : stretches()) {
@@ -88,8 +88,9 @@ double FlangePath::step_to(double way) {
     throw ControllerRefusal(ControllerErrorCode::kJointLimit, "on the " + name() + " " + outside);
   }
   const Joints turn = (*next - before.joints).cwiseAbs() / (way - before.way);
-  knots_.push_back({way, *next});
-  return 1 / std::max(turn.cwiseQuotient(joint_limits().speed).maxCoeff(), kNothing);
+  const double most = 1 / std::max(turn.cwiseQuotient(joint_limits().speed).maxCoeff(), kNothing);
+  knots_.push_back({way, *next, most});
+  return most;
 }
 
 }  // namespace scan_cell_sim

@@ -17,6 +17,13 @@ class FlangePath : public Path {
  public:
   Joints joints(double way) const override;
 
+  struct Knot {
+    double way;
+    Joints joints;
+    double max_speed;  // [1/s] what the axes allow on the way to here
+  };
+  const std::vector<Knot>& knots() const { return knots_; }
+
   virtual double length() const = 0;  // [m]
   /// [rad] the most that it turns for each way: what the rotational speed is of
   double turning() const;
@@ -38,10 +45,6 @@ class FlangePath : public Path {
   virtual std::vector<Stretch> stretches() const = 0;
   double step_to(double way);
 
-  struct Knot {
-    double way;
-    Joints joints;
-  };
   std::vector<Knot> knots_;
 };
 

@@ -61,22 +61,44 @@ void MotionControl::move_to_joints(std::uint64_t motion, const Joints& joints, d
   begin(motion, plan_joint_path(standing(now), joints), camera_rate, now);
 }
 
+void MotionControl::follow(std::uint64_t motion, const Eigen::Isometry3d& flange_to_tip,
+                           const std::vector<TipWaypoint>& waypoints, std::size_t first,
+                           Nanoseconds now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  begin(motion, plan_tool_path(standing(now), flange_to_tip, waypoints, first, settings_.line), 0,
+        now);
+}
+
 double MotionControl::cruise() const {
   const double programmed = std::min(plan_.speed * settings_.override, plan_.max_speed);
   return readiness_.mode() == ControllerMode::kProgramming ? std::min(programmed, reduced_)
                                                            : programmed;
 }
 
+/// To the end of the plan, from a way and a speed.
+SpeedProfile MotionControl::profile(double way, double speed) const {
+  if (plan_.steps.empty())
+    return SpeedProfile::trapezoid(way, 1, speed, cruise(), plan_.acceleration);
+  const bool reduced = readiness_.mode() == ControllerMode::kProgramming;
+  std::vector<LimitedWay> limited;
+  for (const SpeedStep& step : plan_.steps) {
+    const double programmed = std::min(step.speed * settings_.override, step.max_speed);
+    limited.push_back(
+        {step.end, reduced ? std::min(programmed, step.reduced_speed) : programmed, step.stop});
+  }
+  return SpeedProfile::through(limited, way, speed, plan_.acceleration);
+}
+
 void MotionControl::begin(std::uint64_t motion, const PlannedPath& plan, double camera_rate,
                           Nanoseconds now) {
   plan_ = plan;
-  reduced_ = kReduced / std::max(flange_travel(*plan.path), kNoTravel);
+  if (plan.steps.empty()) reduced_ = kReduced / std::max(flange_travel(*plan.path), kNoTravel);
   motion_ = motion;
   camera_rate_ = camera_rate;
   ending_ = MotionStatus::kArrived;
   why_.reset();
   ++begun_;
-  log_.begin({now, plan.path, SpeedProfile::trapezoid(0, 1, 0, cruise(), plan.acceleration)});
+  log_.begin({now, plan.path, profile(0, 0), true});
 }
 
 void MotionControl::brake(double harder, MotionStatus ending, const std::optional<Complaint>& why,
@@ -87,7 +109,8 @@ void MotionControl::brake(double harder, MotionStatus ending, const std::optiona
   ending_ = ending;
   why_ = why;
   log_.begin({now, run.path,
-              SpeedProfile::brake(run.way(now), run.speed(now), harder * plan_.acceleration)});
+              SpeedProfile::brake(run.way(now), run.speed(now), harder * plan_.acceleration),
+              false});
 }
 
 void MotionControl::stop(const std::optional<Complaint>& why, Nanoseconds now) {
@@ -169,9 +192,7 @@ void MotionControl::set(const MotionSettings& settings, Nanoseconds now) {
   settings_ = settings;
   const Run run = log_.at(now);
   if (run.over(now) || ending_ != MotionStatus::kArrived) return;
-  log_.begin(
-      {now, run.path,
-       SpeedProfile::trapezoid(run.way(now), 1, run.speed(now), cruise(), plan_.acceleration)});
+  log_.begin({now, run.path, profile(run.way(now), run.speed(now)), true});
 }
 
 MotionState MotionControl::state(Nanoseconds now) const {
@@ -185,6 +206,8 @@ MotionState MotionControl::state(Nanoseconds now) const {
   state.readiness = readiness_;
   if (state.status == MotionStatus::kStopped || state.status == MotionStatus::kError)
     state.why = why_;
+  state.waypoint = motion_ == 0 ? 0 : run.path->waypoint(run.way(now));
+  state.outputs = run.outputs(now);
   state.flange = run.path->flange(run.way(now));
   state.joints = run.path->joints(run.way(now));
   state.settings = settings_;

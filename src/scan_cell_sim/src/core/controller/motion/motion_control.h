@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "controller/motion/motion_log.h"
 #include "scan_cell_sim/controller/motion_state.h"
@@ -30,6 +31,10 @@ class MotionControl {
                       const Eigen::Isometry3d& flange, double camera_rate, Nanoseconds now);
   void move_to_joints(std::uint64_t motion, const Joints& joints, double camera_rate,
                       Nanoseconds now);
+
+  /// @param waypoints at least two after `first`
+  void follow(std::uint64_t motion, const Eigen::Isometry3d& flange_to_tip,
+              const std::vector<TipWaypoint>& waypoints, std::size_t first, Nanoseconds now);
 
   /// Brakes along the path, as hard as the motion was planned. Does nothing if it stands still.
   void stop(const std::optional<Complaint>& why, Nanoseconds now);
@@ -72,6 +77,7 @@ class MotionControl {
   void cut_power(MotionStatus ending, const Complaint& why, Nanoseconds now,
                  const std::function<void()>& change);
   double cruise() const;
+  SpeedProfile profile(double way, double speed) const;
 
   mutable std::mutex mutex_;
   MotionLog log_;

@@ -21,8 +21,12 @@ bool Run::over(Nanoseconds host) const {
   return to_seconds(host - start) >= profile.duration();
 }
 
+std::uint32_t Run::outputs(Nanoseconds host) const {
+  return follows && !over(host) ? path->outputs(way(host)) : 0;
+}
+
 MotionLog::MotionLog(const Joints& start) {
-  runs_.push_back({0, plan_joint_path(start, start).path, SpeedProfile::rest(1)});
+  runs_.push_back({0, plan_joint_path(start, start).path, SpeedProfile::rest(1), false});
 }
 
 void MotionLog::begin(const Run& run) {

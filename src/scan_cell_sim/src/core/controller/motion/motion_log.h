@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -17,10 +18,12 @@ struct Run {
   scan_cell_common::Nanoseconds start = 0;  //!< host time
   std::shared_ptr<const Path> path;
   SpeedProfile profile;
+  bool follows = false;  // its outputs are on: it does not brake to a stop
 
   double way(scan_cell_common::Nanoseconds host) const;
   double speed(scan_cell_common::Nanoseconds host) const;  //!< [1/s]
   bool over(scan_cell_common::Nanoseconds host) const;
+  std::uint32_t outputs(scan_cell_common::Nanoseconds host) const;
 };
 
 /// Where the robot is and was, without gaps: each run lasts until the next begins. Safe for use

@@ -19,13 +19,54 @@ SpeedProfile SpeedProfile::trapezoid(double start, double end, double initial_sp
   profile.reached_ = start;
   profile.speed_ = initial_speed;
   profile.end_ = end;
-  const double way = end - start;
+  profile.run(end, speed, 0, acceleration);
+  return profile;
+}
+
+/// From where it is to `end`, where it has the final speed.
+void SpeedProfile::run(double end, double speed, double final_speed, double acceleration) {
   // the speed from which the rest of the way is just enough to brake, after accelerating until then
-  const double peak = std::sqrt(acceleration * way + initial_speed * initial_speed / 2);
-  profile.change_speed(std::min(speed, std::max(peak, initial_speed)), acceleration);
-  const double braking_way = profile.speed_ * profile.speed_ / (2 * acceleration);
-  profile.cruise(end - braking_way - profile.reached_);
-  profile.change_speed(0, acceleration);
+  const double squares = (speed_ * speed_ + final_speed * final_speed) / 2;
+  const double peak = std::sqrt(acceleration * std::max(end - reached_, 0.0) + squares);
+  change_speed(std::min(speed, std::max(peak, speed_)), acceleration);
+  const double braking_way = (speed_ * speed_ - final_speed * final_speed) / (2 * acceleration);
+  cruise(end - braking_way - reached_);
+  change_speed(final_speed, acceleration);
+}
+
+namespace {
+
+/// [1/s^2] squares of the highest speeds at the ends of the steps, so that each can be braked to.
+std::vector<double> squares_ahead(const std::vector<LimitedWay>& steps, double acceleration) {
+  std::vector<double> squares(steps.size(), 0);
+  for (std::size_t i = steps.size() - 1; i > 0; --i) {
+    const double slower = std::min(steps[i - 1].speed, steps[i].speed);
+    const double way = steps[i].end - steps[i - 1].end;
+    const double most = steps[i - 1].stop ? 0 : slower * slower;
+    squares[i - 1] = std::min(most, squares[i] + 2 * acceleration * way);
+  }
+  return squares;
+}
+
+}  // namespace
+
+SpeedProfile SpeedProfile::through(const std::vector<LimitedWay>& steps, double start,
+                                   double initial_speed, double acceleration) {
+  SpeedProfile profile;
+  profile.reached_ = start;
+  profile.speed_ = initial_speed;
+  const std::vector<double> squares = squares_ahead(steps, acceleration);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double way = steps[i].end - profile.reached_;
+    if (way <= 0) continue;
+    const double square = profile.speed_ * profile.speed_;
+    const double reach = 2 * acceleration * way;
+    const double final_square = std::max(std::min(squares[i], square + reach), square - reach);
+    profile.run(steps[i].end, std::max(steps[i].speed, std::sqrt(std::max(final_square, 0.0))),
+                std::sqrt(std::max(final_square, 0.0)), acceleration);
+    profile.reached_ = steps[i].end;
+  }
+  profile.end_ = steps.back().end;
   return profile;
 }
 
@@ -41,41 +82,40 @@ SpeedProfile SpeedProfile::brake(double start, double initial_speed, double dece
 void SpeedProfile::change_speed(double to, double acceleration) {
   const double duration = std::abs(to - speed_) / acceleration;
   if (duration <= 0) return;
-  phases_.push_back({duration, reached_, speed_, to > speed_ ? acceleration : -acceleration});
+  phases_->push_back(
+      {duration_, duration, reached_, speed_, to > speed_ ? acceleration : -acceleration});
+  duration_ += duration;
   reached_ += (speed_ + to) / 2 * duration;
   speed_ = to;
 }
 
 void SpeedProfile::cruise(double way) {
   if (way <= 0 || speed_ <= 0) return;
-  phases_.push_back({way / speed_, reached_, speed_, 0});
+  phases_->push_back({duration_, way / speed_, reached_, speed_, 0});
+  duration_ += way / speed_;
   reached_ += way;
 }
 
+/// None once it is over.
+const SpeedProfile::Phase* SpeedProfile::phase_at(double time) const {
+  if (phases_->empty() || time >= duration_) return nullptr;
+  const auto later =
+      std::upper_bound(phases_->begin() + 1, phases_->end(), time,
+                       [](double wanted, const Phase& phase) { return wanted < phase.begin; });
+  return &*std::prev(later);
+}
+
 double SpeedProfile::position(double time) const {
-  for (const Phase& phase : phases_) {
-    if (time < phase.duration) {
-      const double passed = std::max(time, 0.0);
-      return phase.position + passed * (phase.speed + passed * phase.acceleration / 2);
-    }
-    time -= phase.duration;
-  }
-  return end_;
+  const Phase* const phase = phase_at(time);
+  if (phase == nullptr) return end_;
+  const double passed = std::clamp(time - phase->begin, 0.0, phase->duration);
+  return phase->position + passed * (phase->speed + passed * phase->acceleration / 2);
 }
 
 double SpeedProfile::speed(double time) const {
-  for (const Phase& phase : phases_) {
-    if (time < phase.duration) return phase.speed + std::max(time, 0.0) * phase.acceleration;
-    time -= phase.duration;
-  }
-  return 0;
-}
-
-double SpeedProfile::duration() const {
-  double sum = 0;
-  for (const Phase& phase : phases_)
-    sum += phase.duration;
-  return sum;
+  const Phase* const phase = phase_at(time);
+  if (phase == nullptr) return 0;
+  return phase->speed + std::clamp(time - phase->begin, 0.0, phase->duration) * phase->acceleration;
 }
 
 }  // namespace scan_cell_sim
