@@ -7,6 +7,7 @@
 #include "messages.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/service_answer.h"
+#include "watcher.h"
 
 namespace c4g_driver {
 
@@ -39,6 +40,8 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
       client_(parameters.client, [this](const MeasuredState& state) { publish(state); }),
       server_(
           private_node, "move", [this](const auto& goal) { move(goal); }, false),
+      path_follower_(private_node, client_, listeners_, status_.getTopic(), parameters.base_frame,
+                     parameters.feedback_rate),
       diagnostics_(node, private_node) {
   diagnostics_.setHardwareID(parameters.client.address);
   diagnostics_.add("link", [this](auto& status) { diagnosis_.report(client_.link(), status); });
@@ -59,9 +62,11 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
   advertise<scan_cell_msgs::SetControllerParameter>(services, "set_parameter",
                                                     &DriverNode::set_parameter);
   advertise<scan_cell_msgs::CheckMotions>(services, "check_motions", &DriverNode::check_motions);
+  advertise<scan_cell_msgs::CheckFollow>(services, "check_follow", &DriverNode::check_follow);
   status_timer_ = node.createTimer(ros::Duration(1 / parameters.status_rate),
                                    [this](const ros::TimerEvent&) { publish_status(); });
   server_.start();
+  path_follower_.start();
   service_spinner_.start();
 }
 
@@ -111,18 +116,8 @@ void DriverNode::move(const scan_cell_msgs::MoveGoalConstPtr& goal) {
 }
 
 void DriverNode::start(const MoveGoal& goal) {
-  if (!goal.watcher.empty() && !listeners_.contains(goal.watcher)) {
-    throw Refused("watcher", "'" + goal.watcher + "', which does not listen to the status",
-                  "subscribe to " + status_.getTopic() + " first, or give none");
-  }
+  require_watcher(goal.watcher, listeners_, status_.getTopic());
   client_.move(to_motion(goal, parameters_.base_frame));
-}
-
-std::string DriverNode::why_to_stop(const std::string& watcher) {
-  if (ros::isShuttingDown() || !ros::ok()) return "the driver is shutting down";
-  if (server_.isPreemptRequested()) return "cancelled";
-  if (!watcher.empty() && !listeners_.contains(watcher)) return watcher + " is gone";
-  return "";
 }
 
 Goal DriverNode::follow(const std::string& watcher) {
@@ -137,7 +132,8 @@ Goal DriverNode::follow(const std::string& watcher) {
       feedback.pose = to_pose(*state, parameters_.base_frame);
       server_.publishFeedback(feedback);
     }
-    const std::string reason = stopping ? "" : why_to_stop(watcher);
+    const std::string reason =
+        stopping ? "" : why_to_stop(server_.isPreemptRequested(), watcher, listeners_);
     if (reason.empty()) continue;
     try {
       client_.stop();
@@ -231,6 +227,14 @@ void DriverNode::check_motions(const scan_cell_msgs::CheckMotions::Request& requ
   }
   fill_in(response, client_.check(plan, request.linear != 0U, request.joints),
           parameters_.base_frame);
+}
+
+void DriverNode::check_follow(const scan_cell_msgs::CheckFollow::Request& request,
+                              scan_cell_msgs::CheckFollow::Response& response) {
+  fill_in(response,
+          client_.check(to_tool_motion(request.path, parameters_.base_frame),
+                        request.path.from_waypoint, {request.joints.begin(), request.joints.end()}),
+          request.path.from_waypoint);
 }
 
 void DriverNode::get_static_pose(const scan_cell_msgs::GetStaticPose::Request&,

@@ -6,6 +6,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <scan_cell_msgs/CheckFollow.h>
 #include <scan_cell_msgs/CheckMotions.h>
 #include <scan_cell_msgs/GetControllerParameter.h>
 #include <scan_cell_msgs/GetStaticPose.h>
@@ -22,6 +23,7 @@
 #include "c4g_driver/client.h"
 #include "driver_diagnostics.h"
 #include "driver_parameters.h"
+#include "path_follower.h"
 #include "scan_cell_common/ros/listeners.h"
 
 namespace c4g_driver {
@@ -43,7 +45,6 @@ class DriverNode {
   void move(const scan_cell_msgs::MoveGoalConstPtr& goal);
   void start(const scan_cell_msgs::MoveGoal& goal);
   Goal follow(const std::string& watcher);
-  std::string why_to_stop(const std::string& watcher);
   void finish(std::uint8_t outcome, const std::string& message);
   void finish(const Goal& end);
 
@@ -60,6 +61,8 @@ class DriverNode {
                     std_srvs::Trigger::Response& response);
   void check_motions(const scan_cell_msgs::CheckMotions::Request& request,
                      scan_cell_msgs::CheckMotions::Response& response);
+  void check_follow(const scan_cell_msgs::CheckFollow::Request& request,
+                    scan_cell_msgs::CheckFollow::Response& response);
   void get_static_pose(const scan_cell_msgs::GetStaticPose::Request& request,
                        scan_cell_msgs::GetStaticPose::Response& response);
   void get_parameter(const scan_cell_msgs::GetControllerParameter::Request& request,
@@ -83,6 +86,7 @@ class DriverNode {
   // The later ones use the earlier ones from their own threads.
   Client client_;
   MoveServer server_;
+  PathFollower path_follower_;
   diagnostic_updater::Updater diagnostics_;
   ros::Timer status_timer_;
 

@@ -133,4 +133,39 @@ void fill_in(scan_cell_msgs::CheckMotions::Response& response, const PlanCheck& 
   if (!plan.ends.empty()) response.joints.assign(plan.ends.back().begin(), plan.ends.back().end());
 }
 
+ToolMotion to_tool_motion(const scan_cell_msgs::FollowGoal& goal, const std::string& base_frame) {
+  using scan_cell_common::checked_from_ros;
+  if (goal.header.frame_id != base_frame)
+    throw Refused("frame", "'" + goal.header.frame_id + "'",
+                  "give the tip's poses in " + base_frame);
+  ToolMotion motion;
+  motion.flange_to_tip = checked_from_ros<Refused>(goal.flange_to_tip, "flange_to_tip");
+  for (std::size_t i = 0; i < goal.waypoints.size(); ++i) {
+    const scan_cell_msgs::FollowWaypoint& waypoint = goal.waypoints[i];
+    motion.waypoints.push_back(
+        {checked_from_ros<Refused>(waypoint.tip, fmt::format("waypoint {} orientation", i)),
+         waypoint.speed, waypoint.zone, waypoint.outputs});
+  }
+  return motion;
+}
+
+void fill_in(scan_cell_msgs::CheckFollow::Response& response, const ToolCheck& check,
+             std::size_t from) {
+  response.message = check.refusal();
+  for (const ToolFault& fault : check.faults) {
+    scan_cell_msgs::FollowFault message;
+    message.waypoint = static_cast<std::uint32_t>(from + fault.waypoint);
+    message.way = fault.way;
+    message.tip = scan_cell_common::to_ros_pose(fault.tip);
+    message.message = fault.what();
+    response.faults.push_back(message);
+  }
+  for (const Joints& joints : check.joints)
+    response.joints.insert(response.joints.end(), joints.begin(), joints.end());
+  response.slowest_speed = std::nan("");
+  if (!check.slowest) return;
+  response.slowest_waypoint = static_cast<std::uint32_t>(from + check.slowest->waypoint);
+  response.slowest_speed = check.slowest->speed;
+}
+
 }  // namespace c4g_driver

@@ -4,7 +4,9 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <scan_cell_msgs/CheckFollow.h>
 #include <scan_cell_msgs/CheckMotions.h>
+#include <scan_cell_msgs/FollowGoal.h>
 #include <scan_cell_msgs/MoveGoal.h>
 #include <scan_cell_msgs/RobotStatus.h>
 #include <sensor_msgs/JointState.h>
@@ -14,6 +16,8 @@
 #include <string>
 
 #include "c4g_driver/client.h"
+#include "c4g_driver/tool_check.h"
+#include "c4g_driver/tool_motion.h"
 
 /// The driver's states as messages.
 namespace c4g_driver {
@@ -37,6 +41,14 @@ scan_cell_msgs::RobotStatus to_status(const LinkReport& link,
 /// @throw scan_cell_common::Refused for an unknown kind, poses in another frame, or a quaternion
 /// that is none
 Motion to_motion(const scan_cell_msgs::MoveGoal& goal, const std::string& base_frame);
+
+/// @throw scan_cell_common::Refused for another frame, or a quaternion that is none
+ToolMotion to_tool_motion(const scan_cell_msgs::FollowGoal& goal, const std::string& base_frame);
+
+/// @param check of the path from a waypoint on
+/// @param from that waypoint, counted from 0
+void fill_in(scan_cell_msgs::CheckFollow::Response& response, const ToolCheck& check,
+             std::size_t from);
 
 /// @param plan that was checked, of which the answer tells
 void fill_in(scan_cell_msgs::CheckMotions::Response& response, const PlanCheck& plan,
