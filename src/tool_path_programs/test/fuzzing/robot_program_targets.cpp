@@ -28,5 +28,6 @@ void check_robot_program(const Language& language, const std::string& bytes,
 }
 
 std::vector<scan_cell_common::FuzzTarget> robot_program_targets() {
-  return {fanuc_target(), gcode_target(), krl_target(), rapid_target(), urscript_target()};
+  return {fanuc_target(), gcode_target(), krl_target(),
+          pdl2_target(),  rapid_target(), urscript_target()};
 }

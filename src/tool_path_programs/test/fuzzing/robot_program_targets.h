@@ -20,5 +20,6 @@ void check_robot_program(const tool_path_programs::Language& language, const std
 scan_cell_common::FuzzTarget fanuc_target();
 scan_cell_common::FuzzTarget gcode_target();
 scan_cell_common::FuzzTarget krl_target();
+scan_cell_common::FuzzTarget pdl2_target();
 scan_cell_common::FuzzTarget rapid_target();
 scan_cell_common::FuzzTarget urscript_target();

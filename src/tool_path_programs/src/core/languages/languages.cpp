@@ -5,6 +5,7 @@
 #include "fanuc/fanuc.h"
 #include "gcode/gcode.h"
 #include "krl/krl.h"
+#include "pdl2/pdl2.h"
 #include "rapid/rapid.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
@@ -14,8 +15,8 @@
 namespace tool_path_programs {
 
 const std::vector<const Language*>& languages() {
-  static const std::vector<const Language*> all = {&fanuc(), &gcode(), &krl(), &rapid(),
-                                                   &urscript()};
+  static const std::vector<const Language*> all = {&fanuc(), &gcode(), &krl(),
+                                                   &pdl2(),  &rapid(), &urscript()};
   return all;
 }
 

@@ -1,0 +1,33 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tool_path_programs/source_text.h"
+
+namespace tool_path_programs {
+
+/// Lines that stay in one file: a move, and what must stand beside it.
+using Pdl2Block = std::vector<std::string>;
+
+/// A program's text before it is divided into files.
+struct Pdl2Routine {
+  std::string name;
+  std::vector<std::string> comments;
+  std::vector<std::string> variables;  //!< declarations of frames that other programs hold
+  std::vector<std::string> head;       //!< first statements of the main program
+  std::vector<Pdl2Block> blocks;       //!< in their order
+};
+
+/// @throw scan_cell_common::UnusableInput with a name that would do: letters, digits and _, at most
+/// 32
+void check_pdl2_name(const std::string& thing, const std::string& name);
+
+/// One program; where that is too long, a main one that calls the routines R_name_1, R_name_2 ...
+/// of programs name_1, name_2 ...
+/// @throw scan_cell_common::InvalidParameter if a block or the main program does not fit max_lines
+std::vector<SourceFile> pdl2_files(const Pdl2Routine& routine, std::size_t max_lines);
+
+}  // namespace tool_path_programs

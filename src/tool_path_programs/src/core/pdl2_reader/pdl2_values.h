@@ -1,0 +1,49 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pdl2_reader/pdl2_conventions.h"
+#include "text/token_reader.h"
+
+namespace tool_path_programs {
+
+const LexicalRules& pdl2_rules();
+
+/// Six numbers that stand in the text: POS(1, 2, 3, 0, 90, 0, ''), or X:1 Y:2 Z:3 A:0 E:90 R:0.
+struct Pdl2Pose {
+  std::array<NumberText, 6> numbers{};
+  std::size_t offset = 0;  // of POS or X
+  Place place;
+
+  Pdl2Numbers values() const;
+};
+
+/// What a name stands for. All empty: something that only the controller knows.
+struct Pdl2Value {
+  std::optional<Pdl2Pose> pose;
+  std::optional<std::vector<double>> joints;  // {1, 2, 3}
+  std::optional<double> number;
+  Place place;  // where it got it
+};
+
+/// From POS or X; none if one of the six is not a number, the reader is somewhere behind it then.
+std::optional<Pdl2Pose> read_pos(TokenReader& reader);
+
+/// A value that is a literal: POS(..), XTNDPOS(POS(..), ..), {..}, a number.
+Pdl2Value read_pdl2_value(TokenReader& reader);
+
+/// A name as it is used: "p1", "points[3]", in lower case. Empty if an index is not a number.
+std::string read_pdl2_variable(TokenReader& reader);
+
+/// Behind the parenthesis that closes the one before the next token.
+void skip_parentheses(TokenReader& reader);
+
+/// Whether a statement ends here.
+bool at_statement_end(const TokenReader& reader);
+
+}  // namespace tool_path_programs
