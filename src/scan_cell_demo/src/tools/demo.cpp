@@ -148,7 +148,7 @@ class Demo {
     scan_cell_msgs::WorkGoal goal;
     goal.path = std::filesystem::absolute(out(kAdaptedPath)).string();
     goal.report = std::filesystem::absolute(out(kAdaptation)).string();
-    goal.waypoint_z = scan_cell_msgs::WorkGoal::Z_OUT_OF_PART;
+    goal.waypoint_z = scan_cell_msgs::WorkGoal::Z_INTO_PART;
     scan_cell_demo::TrueTip tip(ros::NodeHandle(), options_.simulator, options_.true_cell);
     scan_cell::ProgressBar bar("trace the path");
     const auto result =
