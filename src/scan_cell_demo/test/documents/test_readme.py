@@ -11,11 +11,13 @@ import unittest
 import numpy
 import rostest
 
-from readme_user import SIMULATOR, User, readme_command
+from readme_user import ROOT, SIMULATOR, User, commands, readme_command
 
 OBJECT_WORLD = os.path.join(SIMULATOR, 'object_frame.yaml')
+SETTINGS = os.path.join(ROOT, 'src/scan_cell_demo/config/demo.yaml')
 MAX_CLOUD_RMS = 0.1  # [mm]
 MAX_PATH_RMS = 0.2  # [mm]
+MAX_TIP_RMS = 0.3  # [mm]
 
 
 def positions(path):
@@ -30,12 +32,14 @@ class Readme(unittest.TestCase):
         cls.user = User(tempfile.mkdtemp(prefix='readme_'))
         cls.addClassCleanup(shutil.rmtree, cls.user.folder)
         cell = cls.user.start(readme_command('roslaunch launch/scan_cell.launch sim:=true') +
-                              ' record:=$PWD/out/demo.bag', 'cell.log')
+                              ' record:=$PWD/out/demo.bag settings:=' + SETTINGS, 'cell.log')
         try:
             cls.codes = {}
             for name, command in (('demo', 'rosrun scan_cell_demo demo --output out'),
                                   ('scan', readme_command('rosrun scan_cell scan ')),
-                                  ('adapt', readme_command('rosrun scan_cell adapt '))):
+                                  ('adapt', readme_command('rosrun scan_cell adapt ')),
+                                  ('dry', commands('README.md', 'rosrun scan_cell work ')[0]),
+                                  ('work', commands('README.md', 'rosrun scan_cell work ')[1])):
                 cls.codes[name] = cls.user.run(command, name + '.log')
         finally:
             cls.user.end(cell)
@@ -55,6 +59,7 @@ class Readme(unittest.TestCase):
         self.assertEqual(report['goals_missed'], [])
         self.assertLess(report['cloud_rms_mm'], MAX_CLOUD_RMS)
         self.assertLess(report['path_rms_mm'], MAX_PATH_RMS)
+        self.assertLess(report['tip_rms_mm'], MAX_TIP_RMS)
         self.expect_true_path('out', 'adapted_path.csv')
 
     def test_scan_leaves_the_raw_and_the_clean_cloud(self):
@@ -72,11 +77,21 @@ class Readme(unittest.TestCase):
         self.assertEqual(json.loads(self.user.text('out/adapted/report.json'))['verdict'], 'accepted')
         self.expect_true_path('out', 'adapted', 'adapted_path.csv')
 
+    def test_cell_runs_the_path_dry_and_then_really(self):
+        self.assertIn('--dry-run', commands('README.md', 'rosrun scan_cell work ')[0])
+        for name in ('dry', 'work'):
+            self.expect_well(name)
+            self.assertRegex(self.user.log(name + '.log'), r'(\d+) of \1 waypoints passed')
+
     def test_stretch_needs_no_master(self):
         code = self.user.run(readme_command('rosrun tool_path_stretcher stretch '), 'stretch.log')
         self.assertEqual(code, 0, self.user.log('stretch.log'))
         self.assertEqual(json.loads(self.user.text('report.json'))['verdict'], 'accepted')
         self.expect_true_path('adapted.csv')
+        code = self.user.run(readme_command('rosrun tool_path_programs export_path '), 'export.log')
+        self.assertEqual(code, 0, self.user.log('export.log'))
+        self.assertIn('read back the same', self.user.log('export.log'))
+        self.assertIn('DEF part', self.user.text('part.src'))
 
     def test_replay_gives_the_same_bytes_each_time_it_is_started(self):
         command = readme_command('roslaunch launch/replay.launch ')
