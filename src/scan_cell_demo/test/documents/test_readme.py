@@ -91,7 +91,7 @@ class Readme(unittest.TestCase):
         code = self.user.run(readme_command('rosrun tool_path_programs export_path '), 'export.log')
         self.assertEqual(code, 0, self.user.log('export.log'))
         self.assertIn('read back the same', self.user.log('export.log'))
-        self.assertIn('DEF part', self.user.text('part.src'))
+        self.assertIn(b'DEF part', self.user.text('part.src'))
 
     def test_replay_gives_the_same_bytes_each_time_it_is_started(self):
         command = readme_command('roslaunch launch/replay.launch ')
