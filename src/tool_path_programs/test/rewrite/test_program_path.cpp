@@ -114,6 +114,18 @@ TEST(ProgramPath, APoseThatIsUsedTwiceIsOneWaypoint) {
   EXPECT_EQ(waypoints(path_of(text.done())), 2u);
 }
 
+TEST(ProgramPath, APoseInTwoFramesIsRefused) {
+  Text text;
+  text.frames({"base_1", at(1, 0)}).move(kLinear, at(0, 0)).move(kLinear, at(0.1, 0));
+  text.frames({"base_2", at(0, 2)}).again(0);
+  try {
+    path_of(text.done());
+    FAIL();
+  } catch (const UnusableInput& error) {
+    EXPECT_EQ(error.thing(), "part.src, line 3");
+  }
+}
+
 TEST(ProgramPath, MappedPosesComeBackInTheFramesTheyStandIn) {
   const Eigen::Isometry3d first = at(1, 0) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
   const Eigen::Isometry3d second = at(0, 2) * Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX());

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <set>
+#include <map>
 
 #include "rewrite/circle.h"
 #include "scan_cell_common/errors/errors.h"
@@ -129,11 +129,22 @@ class Maker {
 
   void add(std::size_t step, const Eigen::Isometry3d& pose,
            const std::optional<std::size_t>& text) {
-    if (text && !known_.insert(*text).second) return;
+    if (text && is_known(step, *text, pose)) return;
     if (!segment_)
       segment_ = tool_paths::Segment{fmt::format("{}", result_.path.segments.size() + 1), {}};
     segment_->waypoints.push_back({pose, {}});
     result_.sources.push_back({step, text});
+  }
+
+  /// One pose of the text is one waypoint, wherever it is used.
+  bool is_known(std::size_t step, std::size_t text, const Eigen::Isometry3d& pose) {
+    const auto [known, is_new] = known_.emplace(text, pose);
+    if (is_new) return false;
+    if (!known->second.isApprox(pose, 1e-9))
+      throw UnusableInput(where(text_, step),
+                          "its pose is used in two user frames, and has one place in the text",
+                          "give each move a pose of its own");
+    return true;
   }
 
   void end_segment() {
@@ -151,7 +162,8 @@ class Maker {
   Eigen::AlignedBox3d work_;
   ProgramPath result_;
   std::optional<tool_paths::Segment> segment_;
-  std::set<std::size_t> known_;            // poses of the text that are waypoints already
+  std::map<std::size_t, Eigen::Isometry3d>
+      known_;  // poses of the text that are waypoints, in the path's frame
   std::optional<Eigen::Isometry3d> last_;  // of the move before
   bool last_was_joint_ = false;
 };
