@@ -54,7 +54,9 @@ double seconds_as_csv(const tool_paths::ToolPath& path) {
 /// G-code knows frames by number alone, and joint moves at the machine's own speed.
 Program program_for(const Language& language, const tool_paths::ToolPath& path,
                     ExportParameters parameters) {
-  if (language.name() != "gcode") return program_of(path, parameters, frames());
+  Frames known = frames();
+  if (language.name() == "fanuc") known.tool.name = known.user.name = "1";  // by number alone
+  if (language.name() != "gcode") return program_of(path, parameters, known);
   parameters.joint_speed = 1;
   return program_of(path, parameters, {{"1", {}}, {"G54", {}}});
 }
