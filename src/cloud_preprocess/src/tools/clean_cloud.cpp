@@ -82,22 +82,8 @@ void add_limits(CLI::App& app, YAML::Node& root) {
   }
 }
 
-/// Options are carried out in the order they are added in: the file first.
-void add_settings(CLI::App& app, YAML::Node& root) {
-  app.add_option_function<std::string>(
-      "--config", [&root](const std::string& path) { root = scan_cell_common::load_yaml(path); },
-      "YAML file with the parameters of the stages; the options below override it");
-  for (const std::string stage : {"floor", "outliers"}) {
-    app.add_option_function<std::string>(
-           "--" + stage,
-           [&root, stage](const std::string& word) { root[stage]["automatic"] = word == "auto"; },
-           "auto: find and remove; off: only cut by the limits")
-        ->check(CLI::IsMember({"auto", "off"}));
-  }
-  app.add_option_function<std::string>(
-      "--up", [&root](const std::string& up) { set_up(root, up); },
-      "X,Y,Z: direction away from the floor; auto: a table in any direction");
-  add_limits(app, root);
+/// Which object is kept.
+void add_isolation(CLI::App& app, YAML::Node& root) {
   app.add_option_function<std::string>(
       "--reference",
       [&root](const std::string& file) {
@@ -117,6 +103,25 @@ void add_settings(CLI::App& app, YAML::Node& root) {
          },
          "the object to keep")
       ->check(CLI::IsMember({"off", "largest", "nearest", "index", "reference"}));
+}
+
+/// Options are carried out in the order they are added in: the file first.
+void add_settings(CLI::App& app, YAML::Node& root) {
+  app.add_option_function<std::string>(
+      "--config", [&root](const std::string& path) { root = scan_cell_common::load_yaml(path); },
+      "YAML file with the parameters of the stages; the options below override it");
+  for (const std::string stage : {"floor", "outliers"}) {
+    app.add_option_function<std::string>(
+           "--" + stage,
+           [&root, stage](const std::string& word) { root[stage]["automatic"] = word == "auto"; },
+           "auto: find and remove; off: only cut by the limits")
+        ->check(CLI::IsMember({"auto", "off"}));
+  }
+  app.add_option_function<std::string>(
+      "--up", [&root](const std::string& up) { set_up(root, up); },
+      "X,Y,Z: direction away from the floor; auto: a table in any direction");
+  add_limits(app, root);
+  add_isolation(app, root);
   app.add_option_function<std::string>(
       "--grid", [&root](const std::string& leaf) { set_grid(root, leaf); },
       "X,Y,Z: size of a cell [mm]; off: keep every point");

@@ -100,6 +100,26 @@ class Rate {
   double best_ = 0;
 };
 
+/// [m] between points of the same rows; nothing where their numbers differ.
+std::optional<double> farthest(const std::vector<ScanPoint>& points,
+                               const std::vector<Eigen::Vector3f>& others) {
+  if (points.size() != others.size()) return std::nullopt;
+  double apart = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector3f point(points[k].x, points[k].y, points[k].z);
+    apart = std::max(apart, static_cast<double>((point - others[k]).norm()));
+  }
+  return apart;
+}
+
+void pass_in_turns(const std::vector<Rate*>& rates) {
+  constexpr int kPasses = 100;  // in turns, so that other load affects all alike; chosen
+  for (int i = 0; i < kPasses; ++i) {
+    for (Rate* rate : rates)
+      rate->pass();
+  }
+}
+
 int bench() {
   cv::setNumThreads(1);
   const scan_cell_common::ScannerModel model = scanner();
@@ -124,20 +144,14 @@ int bench() {
   Rate ours(triangulate);
   Rate plain([&](std::size_t i) { triangulate_plainly(i, kOpenCvsOwn); });
   Rate undistorted([&](std::size_t i) { undistort(model.camera, position[i], kOpenCvsOwn, rays); });
-  constexpr int kPasses = 100;  // in turns, so that other load affects all alike; chosen
-  for (int i = 0; i < kPasses; ++i) {
-    for (Rate* rate : {&ours, &plain, &undistorted})
-      rate->pass();
-  }
+  pass_in_turns({&ours, &plain, &undistorted});
   double apart = 0;
   for (std::size_t i = 0; i < kProfiles; ++i) {
     triangulate(i);
     triangulate_plainly(i, kTightest);
-    if (points.size() != plain_points.size()) return 1;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Eigen::Vector3f point(points[k].x, points[k].y, points[k].z);
-      apart = std::max(apart, static_cast<double>((point - plain_points[k]).norm()));
-    }
+    const std::optional<double> most = farthest(points, plain_points);
+    if (!most) return 1;
+    apart = std::max(apart, *most);
   }
   constexpr double kMicrometre = 1e6;  // in a metre
   std::printf(

@@ -117,6 +117,35 @@ constexpr const char* kLookAt =
     "; look at the calibration, at the time offset between poses and pulses, and whether a part "
     "moved between the passes";
 
+/// Mends the passes, or says in the message why not.
+/// @return whether a person should look for the cause
+bool mend(const SharedPlaces& shared, const std::vector<double>& deviations, ScanCloud& cloud,
+          PassAgreement& result) {
+  const std::string why_not = why_not_mended(shared.sweeps, deviations);
+  if (!why_not.empty()) {
+    result.message += "; not corrected: " + why_not;
+    return false;
+  }
+  const Eigen::MatrixXd covariance = covariance_of(shared.sweeps, deviations);
+  const PassCorrection correction = find_correction(shared, result.overlaps, covariance);
+  if (const std::optional<std::size_t> too_far = beyond(correction, covariance)) {
+    if (far_enough_to_end(result.overlaps)) result.agreement = Agreement::kDisagree;
+    result.message += fmt::format(
+        "; not corrected: {} would have to move further than the calibration's uncertainty "
+        "explains",
+        name_of(shared.sweeps[*too_far]));
+    return true;
+  }
+  std::vector<PassOverlap> after = compare_sweeps(moved(shared, correction));
+  if (any_disagree(after)) return false;
+  apply(correction, shared.sweeps, cloud);
+  result.agreement = Agreement::kMended;
+  result.overlaps = std::move(after);
+  result.message += "; corrected: " + figures(worst_of(result.overlaps));
+  result.correction = correction;
+  return false;
+}
+
 }  // namespace
 
 PassAgreement bring_together(ScanCloud& cloud, const std::vector<double>& deviations) {
@@ -132,30 +161,7 @@ PassAgreement bring_together(ScanCloud& cloud, const std::vector<double>& deviat
   }
   result.agreement = any_disagree(result.overlaps) ? Agreement::kDisagree : Agreement::kAgree;
   result.message = figures(worst_of(result.overlaps));
-  bool look = false;
-  const std::string why_not = why_not_mended(shared.sweeps, deviations);
-  if (!why_not.empty()) {
-    result.message += "; not corrected: " + why_not;
-  } else {
-    const Eigen::MatrixXd covariance = covariance_of(shared.sweeps, deviations);
-    const PassCorrection correction = find_correction(shared, result.overlaps, covariance);
-    const std::optional<std::size_t> too_far = beyond(correction, covariance);
-    std::vector<PassOverlap> after = compare_sweeps(moved(shared, correction));
-    if (too_far) {
-      if (far_enough_to_end(result.overlaps)) result.agreement = Agreement::kDisagree;
-      result.message += fmt::format(
-          "; not corrected: {} would have to move further than the calibration's uncertainty "
-          "explains",
-          name_of(shared.sweeps[*too_far]));
-      look = true;
-    } else if (!any_disagree(after)) {
-      apply(correction, shared.sweeps, cloud);
-      result.agreement = Agreement::kMended;
-      result.overlaps = std::move(after);
-      result.message += "; corrected: " + figures(worst_of(result.overlaps));
-      result.correction = correction;
-    }
-  }
+  const bool look = mend(shared, deviations, cloud, result);
   if (look || result.agreement == Agreement::kDisagree) result.message += kLookAt;
   result.message += alone;
   return result;

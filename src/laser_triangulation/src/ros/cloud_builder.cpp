@@ -68,9 +68,8 @@ CloudBuilder::CloudBuilder(const scan_cell_common::ScannerModel& model, const Pe
       max_points_(max_points),
       deviations_(deviations) {}
 
-void CloudBuilder::add(const BoundProfile& bound) {
+void CloudBuilder::check(const BoundProfile& bound, const std::string& name) const {
   const scan_cell_msgs::PeakProfile& profile = bound.profile;
-  const std::string name = fmt::format("profile of frame {}", profile.frame_counter);
   if (agreement_ && agreement_->correction) {
     throw scan_cell_common::Refused(name, "it came after the passes were brought together",
                                     "wait longer for late profiles, or scan again");
@@ -94,8 +93,6 @@ void CloudBuilder::add(const BoundProfile& bound) {
   if (bound.pass_index > std::numeric_limits<std::uint8_t>::max())
     throw UnusableInput(name, fmt::format("pass {}", bound.pass_index),
                         "scan in at most 256 passes");
-  const auto pass = static_cast<std::uint8_t>(bound.pass_index);
-  const Eigen::Isometry3d pose = pose_of(bound, name);
   if (profiles() > 0 && bound.header.frame_id != header_.frame_id) {
     throw UnusableInput(name, "in frame " + bound.header.frame_id,
                         "the scan is in " + header_.frame_id + "; bind it in one frame");
@@ -104,11 +101,19 @@ void CloudBuilder::add(const BoundProfile& bound) {
     throw scan_cell_common::Refused("cloud", fmt::format("full with {} points", points_.size()),
                                     "raise max_points, or make the scan shorter");
   }
+}
+
+void CloudBuilder::add(const BoundProfile& bound) {
+  const scan_cell_msgs::PeakProfile& profile = bound.profile;
+  const std::string name = fmt::format("profile of frame {}", profile.frame_counter);
+  check(bound, name);
+  const auto pass = static_cast<std::uint8_t>(bound.pass_index);
+  const Eigen::Isometry3d pose = pose_of(bound, name);
   const auto begin = std::chrono::steady_clock::now();
   header_ = bound.header;
   profile_.clear();
-  triangulator_.add({profile.laser, profile.first_row, rows, profile.position.data(),
-                     profile.width.data(), profile.intensity.data(), pass},
+  triangulator_.add({profile.laser, profile.first_row, profile.position.size(),
+                     profile.position.data(), profile.width.data(), profile.intensity.data(), pass},
                     pose, profile_);
   points_.append(profile_);
   agreement_.reset();

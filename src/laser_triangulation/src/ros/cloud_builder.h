@@ -56,6 +56,8 @@ class CloudBuilder {
       const scan_cell_msgs::CloudStatistics& statistics);
 
  private:
+  void check(const scan_cell_msgs::BoundProfile& bound, const std::string& name) const;
+
   Triangulator triangulator_;
   /// A pass with one of its lasers.
   struct Sweep {

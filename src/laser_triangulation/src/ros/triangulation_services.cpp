@@ -158,6 +158,20 @@ void TriangulationServices::tell(const FinishCloud::Response& response) const {
             ROSCONSOLE_DEFAULT_NAME, "scan %s: %s", scan_id_.c_str(), line.c_str());
 }
 
+/// The verdict on a cloud that was made; a whole one is published.
+void TriangulationServices::fill(const CloudBuilder& scan, const FinishCloud::Request& request,
+                                 FinishCloud::Response& response) {
+  last_ = response.statistics;
+  failure_ = find_fault(scan, request.profiles);
+  if (failure_.empty() && request.partial == 0) failure_ = scan.find_dark_sweep();
+  response.success = failure_.empty();
+  response.message = response.success ? scan.summary() : failure_;
+  if (!response.file.empty()) response.message += "; too many for a message: " + response.file;
+  const bool apart = last_.agreement == scan_cell_msgs::CloudStatistics::DISAGREE;
+  if (response.success && response.file.empty() && !request.partial && !apart)
+    whole_cloud_.publish(response.cloud);
+}
+
 bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::Response& response) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (!scan_ || finishing_) {
@@ -187,15 +201,7 @@ bool TriangulationServices::finish(FinishCloud::Request& request, FinishCloud::R
     ROS_ERROR("scan %s: %s", scan_id_.c_str(), response.message.c_str());
     return true;
   }
-  last_ = response.statistics;
-  failure_ = find_fault(*scan, request.profiles);
-  if (failure_.empty() && request.partial == 0) failure_ = scan->find_dark_sweep();
-  response.success = failure_.empty();
-  response.message = response.success ? scan->summary() : failure_;
-  if (!response.file.empty()) response.message += "; too many for a message: " + response.file;
-  const bool apart = last_.agreement == scan_cell_msgs::CloudStatistics::DISAGREE;
-  if (response.success && response.file.empty() && !request.partial && !apart)
-    whole_cloud_.publish(response.cloud);
+  fill(*scan, request, response);
   tell(response);
   return true;
 }

@@ -39,6 +39,8 @@ class TriangulationServices {
   void wait_for(std::uint64_t profiles, double timeout, std::unique_lock<std::mutex>& lock);
   std::string find_fault(const CloudBuilder& scan, std::uint64_t profiles) const;
   void give_cloud(CloudBuilder& scan, scan_cell_msgs::FinishCloud::Response& response) const;
+  void fill(const CloudBuilder& scan, const scan_cell_msgs::FinishCloud::Request& request,
+            scan_cell_msgs::FinishCloud::Response& response);
   void tell(const scan_cell_msgs::FinishCloud::Response& response) const;
   void publish_increment();  // call with the mutex held
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -85,48 +85,73 @@ Agreement measure_agreement(const std::string& scanner, std::uint64_t first_seed
   return result;
 }
 
-FaceAtAngle measure_face(const std::string& scanner, double lean, double roll) {
-  const auto model = scan_cell_common::load_scanner_model(scanner);
-  constexpr double kHalf = 0.03;  // [m] of the face's side; a margin of 5 mm is left out
-  constexpr double kInner = 0.025;
+namespace {
+
+constexpr double kFace = 0.06;        // [m] of the face's side
+constexpr double kInner = 0.025;      // [m] from its middle; a margin of 5 mm is left out
+constexpr double kThickness = 0.001;  // [m]
+
+scan_cell_sim::Part leaning_face(double lean, double roll) {
   scan_cell_sim::Part box;
   box.name = "face";
-  box.shape = scan_cell_sim::BoxShape{{2 * kHalf, 2 * kHalf, 0.001}};
+  box.shape = scan_cell_sim::BoxShape{{kFace, kFace, kThickness}};
   box.pose = Eigen::Translation3d(0, 0, 0.02) * Eigen::AngleAxisd(-lean, Vector3d::UnitY()) *
-             Eigen::AngleAxisd(roll, Vector3d::UnitX()) * Eigen::Translation3d(0, 0, -0.001);
-  const scan_cell_sim::Scene scene({std::nullopt, std::nullopt, {box}});
+             Eigen::AngleAxisd(roll, Vector3d::UnitX()) * Eigen::Translation3d(0, 0, -kThickness);
+  return box;
+}
+
+std::vector<Vector3d> places_on(const scan_cell_sim::Part& box) {
   std::vector<Vector3d> places;
   for (double x = -kInner; x <= kInner; x += 0.005) {
     for (double y = -kInner; y <= kInner; y += 0.005)
-      places.emplace_back(box.pose * Vector3d(x, y, 0.001));
+      places.emplace_back(box.pose * Vector3d(x, y, kThickness));
   }
+  return places;
+}
+
+/// A straight pass over the face.
+Sweep sweep_over() {
   scan_cell::ScanPass pass;
   for (const double x : {-0.06, 0.06}) {
     pass.poses.emplace_back(Eigen::Translation3d(x, 0, 0.595) *
                             Eigen::AngleAxisd(M_PI, Vector3d::UnitX()));
   }
-  const Sweep sweep = sweeps_of({pass}).front();
+  return sweeps_of({pass}).front();
+}
+
+/// [m] RMS of the points on the face from it; 0: there are none.
+double rms_on(const scan_cell_sim::Part& box, const std::vector<Vector3d>& scan) {
+  double squares = 0;
+  double count = 0;
+  for (const Vector3d& point : scan) {
+    const Vector3d on_box = box.pose.inverse() * point;
+    if (on_box.head<2>().cwiseAbs().maxCoeff() > kInner) continue;
+    squares += std::pow(on_box.z() - kThickness, 2);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+}  // namespace
+
+FaceAtAngle measure_face(const std::string& scanner, double lean, double roll) {
+  const auto model = scan_cell_common::load_scanner_model(scanner);
+  const scan_cell_sim::Part box = leaning_face(lean, roll);
+  const scan_cell_sim::Scene scene({std::nullopt, std::nullopt, {box}});
+  const Sweep sweep = sweep_over();
   const Surface surface(shape_of(box.mesh(1e-5)));
   SightParameters parameters = as_in_the_cell();
   parameters.max_light_angle = parameters.max_sight_angle = 1.57;
   const SightCheck check(model, surface, parameters);
   const Sighting middle =
-      check.along(sweep, {surface.nearest(box.pose * Vector3d(0, 0, 0.001))}).front();
+      check.along(sweep, {surface.nearest(box.pose * Vector3d(0, 0, kThickness))}).front();
 
   FaceAtAngle result;
   result.light_angle = middle.light_angle;
   result.sight_angle = middle.sight_angle;
-  double squares = 0;
-  double count = 0;
   const auto scan = simulated_scan(scene, model, sweep);
-  for (const Vector3d& point : scan) {
-    const Vector3d on_box = box.pose.inverse() * point;
-    if (on_box.head<2>().cwiseAbs().maxCoeff() > kInner) continue;
-    squares += std::pow(on_box.z() - 0.001, 2);
-    ++count;
-  }
-  if (count > 0) result.rms = std::sqrt(squares / count);
-  const auto off = distances(places, scan);
+  result.rms = rms_on(box, scan);
+  const auto off = distances(places_on(box), scan);
   result.measured = static_cast<double>(std::count_if(off.begin(), off.end(),
                                                       [](double d) { return d <= kNear; })) /
                     static_cast<double>(off.size());

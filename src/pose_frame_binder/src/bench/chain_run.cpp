@@ -74,6 +74,29 @@ void print_usage(const std::pair<Sample, Sample>& samples, double point_size) {
       end.usage.memory - end.points * point_size);
 }
 
+/// Ends the scan of a fed chain.
+struct Ended {
+  scan_cell_msgs::BindingAudit audit;
+  scan_cell_msgs::FinishCloud::Response cloud;
+};
+
+Ended finish(const Pace& pace) {
+  constexpr double kTimeout = 5;  // [s] chosen
+  scan_cell_msgs::FinishBinding::Request binding;
+  binding.triggers = pace.frames();
+  binding.timeout = ros::Duration(kTimeout);
+  Ended ended;
+  ended.audit = call<scan_cell_msgs::FinishBinding>("/binder/finish", binding).audit;
+  scan_cell_msgs::FinishCloud::Request cloud;
+  cloud.profiles = ended.audit.frames_bound;
+  cloud.timeout = ros::Duration(kTimeout);
+  cloud.partial = true;
+  ended.cloud = call<scan_cell_msgs::FinishCloud>("/triangulation/finish", cloud);
+  if (!ended.cloud.file.empty())
+    std::filesystem::remove(ended.cloud.file);  // the cloud, too large to answer
+  return ended;
+}
+
 }  // namespace
 
 int run_chain(const std::string& program, const std::string& kind, const Pace& pace) {
@@ -92,30 +115,20 @@ int run_chain(const std::string& program, const std::string& kind, const Pace& p
     return Sample{chain.usage(), own, static_cast<double>(arrivals.count()),
                   std::chrono::steady_clock::now()};
   });
-  constexpr double kTimeout = 5;  // [s] chosen
-  scan_cell_msgs::FinishBinding::Request binding;
-  binding.triggers = pace.frames();
-  binding.timeout = ros::Duration(kTimeout);
-  const auto audit = call<scan_cell_msgs::FinishBinding>("/binder/finish", binding).audit;
-  scan_cell_msgs::FinishCloud::Request cloud;
-  cloud.profiles = audit.frames_bound;
-  cloud.timeout = ros::Duration(kTimeout);
-  cloud.partial = true;
-  const auto answer = call<scan_cell_msgs::FinishCloud>("/triangulation/finish", cloud);
-  if (!answer.file.empty()) std::filesystem::remove(answer.file);  // the cloud, too large to answer
-  const scan_cell_msgs::CloudStatistics& statistics = answer.statistics;
+  const Ended ended = finish(pace);
+  const std::uint64_t triangulated = ended.cloud.statistics.profiles;
   arrivals.wait(points);
 
   std::printf("%s\n", chain.here() ? "nodelets in one process" : "two nodes");
   print_feeder(feeder);
   std::printf(
       "  %lu bound, %lu triangulated, %lu lost (goal 0); %lu of %lu points came on ~cloud\n",
-      audit.frames_bound, statistics.profiles, pace.frames() - statistics.profiles,
-      arrivals.count(), points);
+      ended.audit.frames_bound, triangulated, pace.frames() - triangulated, arrivals.count(),
+      points);
   print_latency("from a profile to the arrival of its last point (goal 50 ms, p99)",
                 latency_of(feeder.sent(), arrivals.all(), pace.rows));
   print_usage(samples, kPointSize);
-  if (!answer.success) std::printf("  ~finish: %s\n", answer.message.c_str());
+  if (!ended.cloud.success) std::printf("  ~finish: %s\n", ended.cloud.message.c_str());
   return 0;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "gcode/gcode_arcs.h"
+#include "gcode_reader/gcode_arcs.h"
 
 namespace tool_path_programs {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "gcode/gcode_axes.h"
+#include "gcode_reader/gcode_axes.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace tool_path_programs {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "krl_reader/krl_conventions.h"
+#include "krl_values/krl_conventions.h"
 
 namespace tool_path_programs {
 namespace {

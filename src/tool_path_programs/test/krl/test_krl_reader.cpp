@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "krl/krl.h"
-#include "krl_reader/krl_conventions.h"
+#include "krl_values/krl_conventions.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace tool_path_programs {

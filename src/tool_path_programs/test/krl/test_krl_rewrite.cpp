@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "krl/krl.h"
-#include "krl_reader/krl_conventions.h"
+#include "krl_values/krl_conventions.h"
 #include "tool_path_programs/program_path.h"
 
 namespace tool_path_programs {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "krl/krl.h"
-#include "krl_reader/krl_conventions.h"
+#include "krl_values/krl_conventions.h"
 #include "scan_cell_common/errors/errors.h"
 #include "tool_path_programs/read_back.h"
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <opencv2/calib3d.hpp>
+#include <optional>
 
 #include "geometry/opencv.h"
 #include "geometry/statistics.h"
@@ -127,6 +128,25 @@ double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<d
   return sum.rms();
 }
 
+namespace {
+
+/// From a start; nothing where these corners give no camera near it.
+std::optional<CameraFit> fit_from(const scan_cell_common::CameraIntrinsics& start,
+                                  const FitChoice& choice, bool robust, const BoardSurface& surface,
+                                  BoardViews& views) {
+  try {
+    FreePoses poses(views, surface, start);
+    poses.solve(choice);
+    if (robust) poses.solve_robustly(choice);
+    return poses.result();
+  } catch (const UnusableInput&) {  // no camera near this start
+  } catch (const cv::Exception&) {  // these corners give no pose
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, int height,
                      bool square_pixels, bool robust) {
   constexpr double kGood = 2;        // [px] of the median view, chosen: no better start is needed
@@ -138,22 +158,14 @@ CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, 
   CameraFit best;
   for (const double focal : focal_lengths(views, width, height)) {
     BoardViews trial = views;
-    CameraFit found;
-    try {
-      FreePoses poses(trial, surface,
-                      {width, height, focal, focal, (width - 1) / 2., (height - 1) / 2.});
-      poses.solve(choice);
-      if (robust) poses.solve_robustly(choice);
-      found = poses.result();
-    } catch (const UnusableInput&) {
-      continue;  // no camera near this start: try the next
-    } catch (const cv::Exception&) {
-      continue;  // these corners give no pose
-    }
-    const double typical = median(found.rms_px);
+    const std::optional<CameraFit> found =
+        fit_from({width, height, focal, focal, (width - 1) / 2., (height - 1) / 2.}, choice, robust,
+                 surface, trial);
+    if (!found) continue;
+    const double typical = median(found->rms_px);
     if (typical < least) {
       least = typical;
-      best = found;
+      best = *found;
       scratch = trial;
     }
     if (least < kGood) break;

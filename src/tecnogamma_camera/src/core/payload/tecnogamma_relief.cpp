@@ -67,6 +67,30 @@ void set_place(const Region& region, ImageView8& image) {
   image.first_row = region.y;
 }
 
+/// What stands in the payload of a whole frame: peaks, or an image.
+void read_payload(const std::uint8_t* begin, const TecnogammaFrameInfo& info, const Region& region,
+                  DecodedFrame& frame) {
+  const auto rows = static_cast<std::size_t>(region.height);
+  const auto columns = static_cast<std::size_t>(region.width);
+  if (is_decimated(info, columns, rows)) {
+    throw UnusableInput("relief frame", fmt::format("an image decimated by {}", info.decimation),
+                        "switch the decimation off");
+  }
+  if (info.size == kThreshold * rows || info.size == kCenter * rows) {
+    frame.peaks.clear(region.y, region.height);
+    read_peaks(begin, info.size / rows, region, frame);
+  } else if (info.size == columns * rows) {
+    frame.pixels.assign(begin, begin + info.size);
+    frame.image.pixels = frame.pixels.data();
+    frame.image.stride = region.width;
+  } else {
+    throw UnusableInput("relief frame",
+                        fmt::format("payload of {} bytes for the region {}, decimation {}",
+                                    info.size, to_text(region), info.decimation),
+                        "a payload has 4 or 8 bytes per row, or one byte per pixel");
+  }
+}
+
 }  // namespace
 
 void TecnogammaSettings::check() const {
@@ -143,26 +167,7 @@ std::size_t TecnogammaDecoder::decode(const ImageView8& payload,
         "relief frame", fmt::format("cut off after {} bytes of memory", memory),
         fmt::format("its payload has {} bytes from byte {}", info.size, info.offset));
   }
-  const std::uint8_t* const begin = bytes.data() + kInfoSize + info.offset;
-  const auto rows = static_cast<std::size_t>(region.height);
-  const auto columns = static_cast<std::size_t>(region.width);
-  if (is_decimated(info, columns, rows)) {
-    throw UnusableInput("relief frame", fmt::format("an image decimated by {}", info.decimation),
-                        "switch the decimation off");
-  }
-  if (info.size == kThreshold * rows || info.size == kCenter * rows) {
-    frame.peaks.clear(region.y, region.height);
-    read_peaks(begin, info.size / rows, region, frame);
-  } else if (info.size == columns * rows) {
-    frame.pixels.assign(begin, begin + info.size);
-    frame.image.pixels = frame.pixels.data();
-    frame.image.stride = region.width;
-  } else {
-    throw UnusableInput("relief frame",
-                        fmt::format("payload of {} bytes for the region {}, decimation {}",
-                                    info.size, to_text(region), info.decimation),
-                        "a payload has 4 or 8 bytes per row, or one byte per pixel");
-  }
+  read_payload(bytes.data() + kInfoSize + info.offset, info, region, frame);
   return 1;
 }
 

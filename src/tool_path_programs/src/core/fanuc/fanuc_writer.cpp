@@ -10,6 +10,7 @@
 
 #include "fanuc/fanuc_words.h"
 #include "fanuc_reader/fanuc_angles.h"
+#include "program/turn.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "text/number_text.h"
@@ -27,7 +28,6 @@ constexpr std::size_t kLongestRemark = 32;
 constexpr std::size_t kMostLinesOfFrames = 2;
 constexpr int kMostFrames = 61;
 constexpr int kMostTools = 29;
-constexpr double kHalfTurn = 179.9 * M_PI / 180;
 
 /// Statements of a program, and its positions.
 struct Part {
@@ -152,9 +152,8 @@ class Writing {
       throw UnusableInput(name_of_waypoint(), "an arc without a pose before it",
                           "begin with a line");
     if (!last_ || last_->frames != move.frames) return;
-    const double turn = Eigen::Quaterniond(last_->pose.linear())
-                            .angularDistance(Eigen::Quaterniond(move.pose.linear()));
-    if (turn >= kHalfTurn)
+    const double turn = turn_between(*last_, move);
+    if (turn >= kOpenTurn)
       throw UnusableInput(name_of_waypoint(),
                           fmt::format("turned by {:.4g} degrees from the one before, which leaves "
                                       "open which way round",

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gcode/gcode.h"
 
-#include "gcode/gcode_axes.h"
-#include "gcode/gcode_reader.h"
 #include "gcode/gcode_writer.h"
+#include "gcode_reader/gcode_axes.h"
+#include "gcode_reader/gcode_reader.h"
 
 namespace tool_path_programs {
 namespace {

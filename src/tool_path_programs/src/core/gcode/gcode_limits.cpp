@@ -9,7 +9,8 @@
 #include <cstdlib>
 #include <set>
 
-#include "gcode/gcode_axes.h"
+#include "gcode_reader/gcode_axes.h"
+#include "program/turn.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace tool_path_programs {
@@ -17,7 +18,6 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kHalfTurn = 179.9 * M_PI / 180;
 constexpr double kSameTurn = 0.001 * M_PI / 180;
 constexpr double kFeedStep = 1e-6 / 60;      // [m/s] 0.001 mm/min
 constexpr double kSmallestTolerance = 1e-6;  // [m]
@@ -96,8 +96,7 @@ class Limits {
   }
 
   void check_turn(const Move& move) const {
-    const double angle = Eigen::Quaterniond(before_->pose.linear())
-                             .angularDistance(Eigen::Quaterniond(move.pose.linear()));
+    const double angle = turn_between(*before_, move);
     if (dialect_.name() == "xyz" && angle > kSameTurn)
       fail(fmt::format("turned by {:.3g} degrees from the one before", angle * 180 / M_PI),
            "three axes keep the tool's direction: give a path with one orientation, or a dialect "
@@ -105,7 +104,7 @@ class Limits {
     const double tilt = std::acos(
         std::clamp(before_->pose.linear().col(2).dot(move.pose.linear().col(2)), -1.0, 1.0));
     const double way = dialect_.says_orientations() ? angle : tilt;
-    if (dialect_.name() != "xyz" && way >= kHalfTurn)
+    if (dialect_.name() != "xyz" && way >= kOpenTurn)
       fail(fmt::format("turned by {:.1f} degrees from the one before", way * 180 / M_PI),
            "which way round is open: put a waypoint between the two");
   }

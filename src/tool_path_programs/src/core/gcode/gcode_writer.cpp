@@ -8,8 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "gcode/gcode_axes.h"
 #include "gcode/gcode_limits.h"
+#include "gcode_reader/gcode_axes.h"
+#include "program/turn.h"
 #include "scan_cell_common/errors/errors.h"
 #include "text/number_text.h"
 
@@ -19,7 +20,6 @@ namespace {
 constexpr int kMillimetreDigits = 4;
 constexpr int kDegreeDigits = 5;
 constexpr double kPerMinute = 60e3;  // [mm/min] in m/s
-constexpr double kHalfTurn = 179.9;  // [degrees]
 
 class Writer {
  public:
@@ -81,7 +81,7 @@ class Writer {
     for (const Eigen::Index axis : dialect_.axes()) {
       const double way = std::abs(axes[axis] - at_[axis]);
       const char letter = "XYZABC"[axis];
-      if (axis > 2 && move.kind != MotionKind::kJoint && way >= kHalfTurn)
+      if (axis > 2 && move.kind != MotionKind::kJoint && way >= kOpenTurn * 180 / M_PI)
         throw scan_cell_common::UnusableInput(
             fmt::format("program {}, waypoint {}", program_.name, waypoint_),
             fmt::format("axis {} turns by {:.1f} degrees in one step", letter, way),

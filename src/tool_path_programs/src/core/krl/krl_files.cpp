@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t kFrameLines = 5;  // of every file: &ACCESS, &REL, &PARAM, DEF, END
 
-std::size_t count(const std::vector<KrlBlock>& blocks) {
+std::size_t count(const std::vector<Block>& blocks) {
   std::size_t lines = 0;
-  for (const KrlBlock& block : blocks)
+  for (const Block& block : blocks)
     lines += block.size();
   return lines;
 }
@@ -23,11 +23,11 @@ void append(std::string& text, const std::vector<std::string>& lines) {
 }
 
 SourceFile file(const std::string& name, const std::vector<std::string>& head,
-                const std::vector<KrlBlock>& blocks) {
+                const std::vector<Block>& blocks) {
   SourceFile file{name + ".src", ""};
   append(file.text, {"&ACCESS RVP", "&REL 1", "&PARAM EDITMASK = *", "DEF " + name + " ( )"});
   append(file.text, head);
-  for (const KrlBlock& block : blocks)
+  for (const Block& block : blocks)
     append(file.text, block);
   append(file.text, {"END"});
   return file;
@@ -37,22 +37,10 @@ SourceFile file(const std::string& name, const std::vector<std::string>& head,
   throw scan_cell_common::InvalidParameter("max_lines", std::to_string(max_lines), cure);
 }
 
-/// Blocks that fill files one after the other.
-std::vector<std::vector<KrlBlock>> parts_of(const std::vector<KrlBlock>& blocks,
-                                            std::size_t max_lines) {
-  std::vector<std::vector<KrlBlock>> parts;
-  std::size_t left = 0;
-  for (const KrlBlock& block : blocks) {
+void check_fit(const std::vector<Block>& blocks, std::size_t max_lines) {
+  for (const Block& block : blocks)
     if (block.size() + kFrameLines > max_lines)
       refuse(max_lines, "a move needs " + std::to_string(block.size() + kFrameLines) + " lines");
-    if (parts.empty() || block.size() > left) {
-      parts.emplace_back();
-      left = max_lines - kFrameLines;
-    }
-    parts.back().push_back(block);
-    left -= block.size();
-  }
-  return parts;
 }
 
 }  // namespace
@@ -61,8 +49,9 @@ std::vector<SourceFile> krl_files(const KrlRoutine& routine, std::size_t max_lin
   if (kFrameLines + routine.head.size() + count(routine.blocks) <= max_lines)
     return {file(routine.name, routine.head, routine.blocks)};
   std::vector<SourceFile> parts;
-  KrlBlock calls;
-  for (const std::vector<KrlBlock>& part : parts_of(routine.blocks, max_lines)) {
+  Block calls;
+  check_fit(routine.blocks, max_lines);
+  for (const std::vector<Block>& part : filled(routine.blocks, max_lines - kFrameLines)) {
     const std::string name = routine.name + "_" + std::to_string(parts.size() + 1);
     check_krl_name(name);
     parts.push_back(file(name, {}, part));

@@ -5,18 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "text/blocks.h"
 #include "tool_path_programs/source_text.h"
 
 namespace tool_path_programs {
-
-/// Lines that stay in one file: a move, and what must stand beside it.
-using KrlBlock = std::vector<std::string>;
 
 /// A program's text before it is divided into files.
 struct KrlRoutine {
   std::string name;
   std::vector<std::string> head;  //!< of the main file: comments, initialisation, frames
-  std::vector<KrlBlock> blocks;   //!< in their order
+  std::vector<Block> blocks;      //!< in their order
 };
 
 /// One file; where that is too long, a main one that calls name_1, name_2 ... one after the other.

@@ -8,9 +8,11 @@
 
 #include "krl/krl_files.h"
 #include "krl/krl_limits.h"
-#include "krl_reader/krl_conventions.h"
+#include "krl_values/krl_conventions.h"
+#include "program/turn.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
+#include "text/blocks.h"
 #include "text/number_text.h"
 
 namespace tool_path_programs {
@@ -18,11 +20,10 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kFastest = 3;                       // [m/s] of $VEL.CP
-constexpr double kLargestTurn = 179.9 * M_PI / 180;  // of one line: beyond it the way is open
-constexpr std::size_t kCommentWidth = 120;           // longer ones go on in the next line
-constexpr int kSpeedDigits = 7;                      // $VEL.CP [m/s]: 0.0001 mm/s
-constexpr int kZoneDigits = 4;                       // $APO.CDIS [mm]
+constexpr double kFastest = 3;              // [m/s] of $VEL.CP
+constexpr std::size_t kCommentWidth = 120;  // longer ones go on in the next line
+constexpr int kSpeedDigits = 7;             // $VEL.CP [m/s]: 0.0001 mm/s
+constexpr int kZoneDigits = 4;              // $APO.CDIS [mm]
 
 class Writer {
  public:
@@ -46,22 +47,12 @@ class Writer {
  private:
   void add_head() {
     for (const std::string& comment : program_.comments)
-      add_comment(comment);
+      for (const std::string& line : comment_lines(comment, kCommentWidth))
+        routine_.head.push_back("; " + line);
     for (const char* line :
          {";FOLD INI", "GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )",
           "INTERRUPT ON 3", "BAS (#INITMOV,0 )", ";ENDFOLD (INI)", "PTP $AXIS_ACT"})
       routine_.head.emplace_back(line);
-  }
-
-  void add_comment(const std::string& comment) {
-    std::string line;
-    for (const char character : comment + "\n") {
-      if (character == '\n' || line.size() == kCommentWidth) {
-        routine_.head.push_back("; " + line);
-        line.clear();
-      }
-      if (character != '\n' && character != '\r') line += character;
-    }
   }
 
   void add(const Move& move) {
@@ -178,9 +169,8 @@ class Writer {
 
   void check_turn(const Move& move) const {
     if (!last_ || move.kind == MotionKind::kJoint || last_->frames != move.frames) return;
-    const double turn = Eigen::Quaterniond(last_->pose.linear())
-                            .angularDistance(Eigen::Quaterniond(move.pose.linear()));
-    if (turn >= kLargestTurn)
+    const double turn = turn_between(*last_, move);
+    if (turn >= kOpenTurn)
       refuse(fmt::format("the tool turns by {:.4g} degrees in one step", turn * 180 / M_PI),
              "which way round is open: put a waypoint between");
   }
@@ -194,16 +184,6 @@ class Writer {
           .append(" ")
           .append(fixed(numbers[field], krl_digits(field)));
     return text + "}";
-  }
-
-  /// With as many digits as it takes to come back the same.
-  static std::string exact(double number) {
-    std::string text;
-    for (int digits = 0; digits < 18; ++digits) {
-      text = fixed(number, digits);
-      if (scan_cell_common::parse_number(text) == number) break;
-    }
-    return text;
   }
 
   std::vector<std::string> notes() const {
@@ -223,7 +203,7 @@ class Writer {
   const Program& program_;
   const WriteSettings& settings_;
   KrlRoutine routine_;
-  KrlBlock block_;
+  Block block_;
   std::size_t waypoint_ = 0;
   std::size_t frames_ = std::size_t(-1);
   const Move* last_ = nullptr;

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "krl_reader/krl_reader.h"
-#include "krl_reader/krl_values.h"
+#include "krl_values/krl_values.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "text/number_text.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "krl_reader/krl_state.h"
+#include "krl_values/krl_state.h"
 
 namespace tool_path_programs {
 

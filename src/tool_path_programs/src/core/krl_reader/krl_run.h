@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "krl_reader/krl_motions.h"
-#include "krl_reader/krl_source.h"
-#include "krl_reader/krl_state.h"
+#include "krl_values/krl_source.h"
+#include "krl_values/krl_state.h"
 
 namespace tool_path_programs {
 

@@ -26,8 +26,8 @@ void append(Lines& lines, const Lines& more, const std::string& indent = "") {
     lines.push_back(indent + line);
 }
 
-void append(Lines& lines, const std::vector<Pdl2Block>& blocks) {
-  for (const Pdl2Block& block : blocks)
+void append(Lines& lines, const std::vector<Block>& blocks) {
+  for (const Block& block : blocks)
     append(lines, block, "  ");
 }
 
@@ -42,8 +42,7 @@ std::string exported(const std::string& program) {
   return "ROUTINE R_" + program + " EXPORTED FROM " + program;
 }
 
-Lines main_of(const Pdl2Routine& routine, const Lines& declared,
-              const std::vector<Pdl2Block>& blocks) {
+Lines main_of(const Pdl2Routine& routine, const Lines& declared, const std::vector<Block>& blocks) {
   Lines lines = {"PROGRAM " + routine.name};
   append(lines, routine.comments);
   if (!routine.variables.empty()) lines.emplace_back("VAR");
@@ -56,8 +55,7 @@ Lines main_of(const Pdl2Routine& routine, const Lines& declared,
   return lines;
 }
 
-Lines part_of(const std::string& name, const std::vector<Pdl2Block>& blocks,
-              const Lines& variables) {
+Lines part_of(const std::string& name, const std::vector<Block>& blocks, const Lines& variables) {
   Lines lines = {"PROGRAM " + name};
   if (!variables.empty()) lines.emplace_back("VAR");
   append(lines, variables, "  ");
@@ -73,20 +71,10 @@ Lines part_of(const std::string& name, const std::vector<Pdl2Block>& blocks,
       "give at least " + std::to_string(needed) + ", or a shorter path");
 }
 
-std::vector<std::vector<Pdl2Block>> parts_of(const Pdl2Routine& routine, std::size_t max_lines) {
-  const std::size_t beside = kPartLines + routine.variables.size();
-  std::vector<std::vector<Pdl2Block>> parts;
-  std::size_t left = 0;
-  for (const Pdl2Block& block : routine.blocks) {
+/// @param beside lines of a file that are no blocks
+void check_fit(const std::vector<Block>& blocks, std::size_t beside, std::size_t max_lines) {
+  for (const Block& block : blocks)
     if (block.size() + beside > max_lines) refuse(max_lines, block.size() + beside);
-    if (parts.empty() || block.size() > left) {
-      parts.emplace_back();
-      left = max_lines - beside;
-    }
-    parts.back().push_back(block);
-    left -= block.size();
-  }
-  return parts;
 }
 
 }  // namespace
@@ -108,8 +96,10 @@ std::vector<SourceFile> pdl2_files(const Pdl2Routine& routine, std::size_t max_l
   if (whole.size() <= max_lines) return {file(routine.name, whole)};
   std::vector<SourceFile> parts;
   Lines declared;
-  Pdl2Block calls;
-  for (const std::vector<Pdl2Block>& part : parts_of(routine, max_lines)) {
+  Block calls;
+  const std::size_t beside = kPartLines + routine.variables.size();
+  check_fit(routine.blocks, beside, max_lines);
+  for (const std::vector<Block>& part : filled(routine.blocks, max_lines - beside)) {
     const std::string name = routine.name + "_" + std::to_string(parts.size() + 1);
     check_pdl2_name("program name", "R_" + name);
     parts.push_back(file(name, part_of(name, part, routine.variables)));

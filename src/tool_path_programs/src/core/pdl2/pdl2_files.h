@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "text/blocks.h"
 #include "tool_path_programs/source_text.h"
 
 namespace tool_path_programs {
-
-/// Lines that stay in one file: a move, and what must stand beside it.
-using Pdl2Block = std::vector<std::string>;
 
 /// A program's text before it is divided into files.
 struct Pdl2Routine {
@@ -18,7 +16,7 @@ struct Pdl2Routine {
   std::vector<std::string> comments;
   std::vector<std::string> variables;  //!< declarations of frames that other programs hold
   std::vector<std::string> head;       //!< first statements of the main program
-  std::vector<Pdl2Block> blocks;       //!< in their order
+  std::vector<Block> blocks;           //!< in their order
 };
 
 /// @throw scan_cell_common::UnusableInput with a name that would do: letters, digits and _, at most

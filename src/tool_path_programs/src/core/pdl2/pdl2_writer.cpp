@@ -9,8 +9,10 @@
 
 #include "pdl2/pdl2_files.h"
 #include "pdl2_reader/pdl2_conventions.h"
+#include "program/turn.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
+#include "text/blocks.h"
 #include "text/number_text.h"
 
 namespace tool_path_programs {
@@ -18,12 +20,11 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kMostLines = 5000;             // what a public post takes
-constexpr double kLargestTurn = 179.9 * M_PI / 180;  // of one line: beyond it the way is open
-constexpr double kFastest = 3;                       // [m/s]
-constexpr std::size_t kCommentWidth = 120;           // longer ones go on in the next line
-constexpr int kSpeedDigits = 7;                      // $LIN_SPD [m/s]
-constexpr int kZoneDigits = 4;                       // $FLY_DIST [mm]
+constexpr std::size_t kMostLines = 5000;    // what a public post takes
+constexpr double kFastest = 3;              // [m/s]
+constexpr std::size_t kCommentWidth = 120;  // longer ones go on in the next line
+constexpr int kSpeedDigits = 7;             // $LIN_SPD [m/s]
+constexpr int kZoneDigits = 4;              // $FLY_DIST [mm]
 
 void check_dialect(const std::string& dialect) {
   if (!dialect.empty() && dialect != "c5g" && dialect != "c4g")
@@ -36,16 +37,6 @@ std::string pos(const Eigen::Isometry3d& pose) {
   for (std::size_t field = 0; field < numbers.size(); ++field)
     text.append(fixed(numbers[field], pdl2_digits(field))).append(", ");
   return text + "'')";
-}
-
-/// With as many digits as it takes to come back the same.
-std::string exact(double number) {
-  std::string text;
-  for (int digits = 0; digits < 18; ++digits) {
-    text = fixed(number, digits);
-    if (scan_cell_common::parse_number(text) == number) break;
-  }
-  return text;
 }
 
 class Writer {
@@ -68,21 +59,11 @@ class Writer {
  private:
   void add_head() {
     for (const std::string& comment : program_.comments)
-      add_comment(comment);
+      for (const std::string& line : comment_lines(comment, kCommentWidth))
+        routine_.comments.push_back("-- " + line);
     routine_.head = {"$ORNT_TYPE := RS_WORLD", "$MOVE_TYPE := JOINT", "$CNFG_CARE := FALSE",
                      "$TURN_CARE := FALSE",    "$TERM_TYPE := FINE",  "$FLY_TYPE := FLY_CART",
                      "$FLY_TRAJ := FLY_FROM",  "$SPD_OPT := SPD_LIN"};
-  }
-
-  void add_comment(const std::string& comment) {
-    std::string line;
-    for (const char character : comment + "\n") {
-      if (character == '\n' || line.size() == kCommentWidth) {
-        routine_.comments.push_back("-- " + line);
-        line.clear();
-      }
-      if (character != '\n' && character != '\r') line += character;
-    }
   }
 
   void add(const Move& move) {
@@ -208,9 +189,8 @@ class Writer {
     if (!last_ && move.kind == MotionKind::kCircular)
       refuse("an arc that begins at angles of the axes", "let a move to a pose come before it");
     if (!last_ || last_->frames != move.frames) return;
-    const double turn = Eigen::Quaterniond(last_->pose.linear())
-                            .angularDistance(Eigen::Quaterniond(move.pose.linear()));
-    if (turn >= kLargestTurn)
+    const double turn = turn_between(*last_, move);
+    if (turn >= kOpenTurn)
       refuse(fmt::format("the tool turns by {:.4g} degrees in one step", turn * 180 / M_PI),
              "which way round is open: put a waypoint between");
   }
@@ -231,7 +211,7 @@ class Writer {
   const Program& program_;
   const WriteSettings& settings_;
   Pdl2Routine routine_;
-  Pdl2Block block_;
+  Block block_;
   std::size_t waypoint_ = 0;
   std::size_t frames_ = std::size_t(-1);
   const Move* last_ = nullptr;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "program/turn.h"
 #include "rapid/rapid_frames.h"
 #include "rapid/rapid_move_text.h"
 #include "rapid/rapid_names.h"
@@ -22,7 +23,6 @@ constexpr std::size_t kMostLines = 5000;  // what public post-processors put int
 constexpr std::size_t kFewestLines = 20;
 constexpr std::size_t kLongestName = 32;
 constexpr std::size_t kLinesAround = 4;  // of a part: MODULE, PROC and their ends
-constexpr double kHalfTurn = 179.9 * M_PI / 180;
 
 class Writing {
  public:
@@ -90,9 +90,8 @@ class Writing {
     if (move.kind == MotionKind::kCircular && !last_)
       throw UnusableInput(thing, "an arc without a pose before it", "begin with a line");
     if (!last_ || last_->frames != move.frames) return;
-    const double turn = Eigen::Quaterniond(last_->pose.linear())
-                            .angularDistance(Eigen::Quaterniond(move.pose.linear()));
-    if (turn >= kHalfTurn)
+    const double turn = turn_between(*last_, move);
+    if (turn >= kOpenTurn)
       throw UnusableInput(thing,
                           fmt::format("turned by {:.4g} degrees from the one before, which leaves "
                                       "open which way round",

@@ -3,9 +3,9 @@
 #include "rapid_reader/rapid_instructions.h"
 
 #include <map>
-#include <set>
 
 #include "scan_cell_common/errors/text.h"
+#include "text/words.h"
 
 namespace tool_path_programs {
 namespace {
@@ -55,6 +55,21 @@ const std::map<std::string, RapidMotion>& motions() {
   return all;
 }
 
+// Statements that move nothing and move no pose either.
+constexpr std::string_view kMoveNothing =
+    "accset actunit add arckill arcrefresh bitclear bitset break cirpathmode clear "
+    "clearpath clkreset clkstart clkstop close confj confl connect cornerpathwarning "
+    "corrclear deactunit decr eoffsoff eoffson eoffsset erasemodule errlog errwrite "
+    "gripload idelete idisable ienable incr invertdo isignalai isignaldi isignaldo isleep "
+    "itimer iwatch load mechunitload motionsup open pathacclim pathresol pdispoff pulsedo "
+    "rewind save setao setgo singarea softact softdeact speedrefresh startload stop "
+    "syncmoveoff syncmoveon systemstopaction texttabinstall tperase tpreadfk tpreadnum "
+    "tpshow tpwrite triggcheckio triggequip triggint triggio triggrampao triggspeed "
+    "tunereset tuneservo uimsgbox unload waitai waitao waitdi waitdo waitgi waitgo "
+    "waitload waitrob waitsynctask waittestandset waittime waituntil worldacclim write "
+    "writeanybin writebin writestrbin wzdisable wzenable wzfree retry trynext raise "
+    "resetretrycount stopmove startmove testsigndefine";
+
 }  // namespace
 
 const RapidMotion* rapid_motion(const std::string& name) {
@@ -63,113 +78,8 @@ const RapidMotion* rapid_motion(const std::string& name) {
 }
 
 bool rapid_moves_nothing(const std::string& name) {
-  static const std::set<std::string> all = {
-      "accset",
-      "actunit",
-      "add",
-      "arckill",
-      "arcrefresh",
-      "bitclear",
-      "bitset",
-      "break",
-      "cirpathmode",
-      "clear",
-      "clearpath",
-      "clkreset",
-      "clkstart",
-      "clkstop",
-      "close",
-      "confj",
-      "confl",
-      "connect",
-      "cornerpathwarning",
-      "corrclear",
-      "deactunit",
-      "decr",
-      "eoffsoff",
-      "eoffson",
-      "eoffsset",
-      "erasemodule",
-      "errlog",
-      "errwrite",
-      "gripload",
-      "idelete",
-      "idisable",
-      "ienable",
-      "incr",
-      "invertdo",
-      "isignalai",
-      "isignaldi",
-      "isignaldo",
-      "isleep",
-      "itimer",
-      "iwatch",
-      "load",
-      "mechunitload",
-      "motionsup",
-      "open",
-      "pathacclim",
-      "pathresol",
-      "pdispoff",
-      "pulsedo",
-      "rewind",
-      "save",
-      "setao",
-      "setgo",
-      "singarea",
-      "softact",
-      "softdeact",
-      "speedrefresh",
-      "startload",
-      "stop",
-      "syncmoveoff",
-      "syncmoveon",
-      "systemstopaction",
-      "texttabinstall",
-      "tperase",
-      "tpreadfk",
-      "tpreadnum",
-      "tpshow",
-      "tpwrite",
-      "triggcheckio",
-      "triggequip",
-      "triggint",
-      "triggio",
-      "triggrampao",
-      "triggspeed",
-      "tunereset",
-      "tuneservo",
-      "uimsgbox",
-      "unload",
-      "waitai",
-      "waitao",
-      "waitdi",
-      "waitdo",
-      "waitgi",
-      "waitgo",
-      "waitload",
-      "waitrob",
-      "waitsynctask",
-      "waittestandset",
-      "waittime",
-      "waituntil",
-      "worldacclim",
-      "write",
-      "writeanybin",
-      "writebin",
-      "writestrbin",
-      "wzdisable",
-      "wzenable",
-      "wzfree",
-      "retry",
-      "trynext",
-      "raise",
-      "resetretrycount",
-      "stopmove",
-      "startmove",
-      "testsigndefine",
-  };
-  return all.count(lower_case(name)) != 0;
+  static const Words words = words_of(kMoveNothing);
+  return words.count(lower_case(name)) != 0;
 }
 
 const char* rapid_unresolvable(const std::string& name) {

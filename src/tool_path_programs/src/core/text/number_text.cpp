@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 
+#include "scan_cell_common/errors/text.h"
+
 namespace tool_path_programs {
 namespace {
 
@@ -30,6 +32,16 @@ std::string shortest(double number, int digits) {
   if (text.find('.') == std::string::npos) return text;
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string exact(double number) {
+  constexpr int kMostDigits = 17;
+  std::string text;
+  for (int digits = 0; digits <= kMostDigits; ++digits) {
+    text = fixed(number, digits);
+    if (scan_cell_common::parse_number(text) == number) break;
+  }
   return text;
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urscript/urscript.h"
 
-#include "urscript/urscript_reader.h"
 #include "urscript/urscript_writer.h"
+#include "urscript_reader/urscript_reader.h"
 
 namespace tool_path_programs {
 namespace {

@@ -8,16 +8,16 @@
 #include <limits>
 #include <map>
 
+#include "program/turn.h"
 #include "scan_cell_common/errors/errors.h"
 #include "text/number_text.h"
-#include "urscript/urscript_names.h"
+#include "urscript_reader/urscript_names.h"
 
 namespace tool_path_programs {
 namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kHalfTurn = 179.9 * M_PI / 180;
 constexpr int kOutputs = 8;  // standard, and as many configurable ones
 constexpr int kToolOutputs = 2;
 
@@ -122,9 +122,8 @@ class Limits {
 
   void check_turn(const Move& move) const {
     if (move.kind == MotionKind::kJoint) return;
-    const double angle = Eigen::Quaterniond(before_.move->pose.linear())
-                             .angularDistance(Eigen::Quaterniond(move.pose.linear()));
-    if (angle >= kHalfTurn)
+    const double angle = turn_between(*before_.move, move);
+    if (angle >= kOpenTurn)
       throw UnusableInput(
           waypoint(),
           fmt::format("turned by {:.1f} degrees from the one before", angle * 180 / M_PI),

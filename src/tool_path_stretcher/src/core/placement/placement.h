@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "placement/strangers.h"
+#include "local_surface/strangers.h"
 #include "tool_path_stretcher/tool_path.h"
 #include "tool_path_stretcher/waypoint_quality.h"
 #include "uncertainty/mapping_error.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "placement/local_surface.h"
+#include "local_surface/local_surface.h"
 #include "tool_path_stretcher/tool_path.h"
 #include "uncertainty/mapping_error.h"
 

@@ -1,0 +1,20 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "tool_path_programs/program.h"
+
+namespace tool_path_programs {
+
+/// [rad] of one step: from here on it is open which way round the tool turns.
+constexpr double kOpenTurn = 179.9 * M_PI / 180;
+
+/// [rad] by which the tool turns from one pose to the other, the shorter way.
+inline double turn_between(const Move& from, const Move& to) {
+  return Eigen::Quaterniond(from.pose.linear())
+      .angularDistance(Eigen::Quaterniond(to.pose.linear()));
+}
+
+}  // namespace tool_path_programs

@@ -1,0 +1,91 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "local_surface/strangers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/clusters.h"
+#include "geometry/points.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// All scanned points that lie farther off the reference.
+Points off_reference(const SurfacePair& surfaces, const Mapping& mapping,
+                     const std::vector<Residual>& residuals, double max_off) {
+  const auto& [reference, object] = surfaces;
+  const double scale = mapping.similarity.scale;
+  const auto is_off = [&, &reference = reference](const Residual& residual) {
+    if (scale * std::hypot(residual.along_normal, residual.beside) <= max_off) return false;
+    const double far = max_off / scale;  // from what no scan was thought to show, too
+    return !reference.whole ||
+           reference.whole->nearest(residual.pulled_back).squared_distance > far * far;
+  };
+  Points off;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (is_off(residuals[i])) off.push_back(object.points[i]);
+  }
+  for (const Eigen::Vector3d& other : object.others) {
+    if (is_off(residual_of(reference, mapping, other))) off.push_back(other);
+  }
+  return off;
+}
+
+/// Those that have neighbours as points of a surface do, and loose ones do not.
+Points on_surfaces(const Points& points, double spacing) {
+  constexpr double kReach = 2;       // spacings; chosen
+  constexpr std::size_t kLeast = 5;  // of about 12 on a surface, itself included; chosen
+  Points result;
+  if (points.empty()) return result;
+  const KdTree tree(points);
+  std::vector<KdTree::Neighbour> neighbours;
+  for (const Eigen::Vector3d& point : points) {
+    tree.within(point, kReach * spacing, neighbours);
+    if (neighbours.size() >= kLeast) result.push_back(point);
+  }
+  return result;
+}
+
+}  // namespace
+
+Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
+                     const std::vector<Residual>& residuals, double max_off) {
+  constexpr double kGap = 2.5;        // spacings between neighbours of one patch; chosen
+  constexpr std::size_t kLeast = 12;  // points: a patch of 3 by 4 spacings; chosen
+  const double spacing = surfaces.object.spacing;
+  const KdTree off(on_surfaces(off_reference(surfaces, mapping, residuals, max_off), spacing));
+  if (off.points().empty()) return;
+  Points points;
+  for (const std::vector<std::size_t>& patch : clusters(off, kGap * spacing)) {
+    if (patch.size() < kLeast) break;  // the largest come first
+    const Points chosen = select(off.points(), patch);
+    patches_.push_back(
+        {static_cast<double>(chosen.size()) * spacing * spacing, principal_frame(chosen).centroid});
+    points.insert(points.end(), chosen.begin(), chosen.end());
+    patch_of_.resize(points.size(), patches_.size() - 1);
+  }
+  if (!points.empty()) points_ = std::make_unique<const KdTree>(std::move(points));
+}
+
+Strangers::Beside Strangers::beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
+                                    double radius) const {
+  constexpr double kReach = 4;  // radii; chosen
+  Beside found;
+  if (!points_) return found;
+  std::vector<KdTree::Neighbour> neighbours;
+  points_->within(at, kReach * radius, neighbours);
+  std::vector<std::size_t> counts(patches_.size(), 0);
+  for (const KdTree::Neighbour& neighbour : neighbours) {
+    const Eigen::Vector3d way = points_->points()[neighbour.index] - at;
+    if ((way - way.dot(normal) * normal).norm() >= radius) continue;
+    ++found.points;
+    ++counts[patch_of_[neighbour.index]];
+  }
+  if (found.points == 0) return found;
+  const auto most = std::max_element(counts.begin(), counts.end());
+  found.patch = patches_[static_cast<std::size_t>(most - counts.begin())];
+  return found;
+}
+
+}  // namespace tool_path_stretcher
