@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "client/clean_cloud_watch.h"
+#include "client/scan_record.h"
 #include "scan_cell/progress_bar.h"
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -21,6 +22,7 @@ struct Options {
   std::string scan_id;
   std::string output;
   std::string clean;
+  std::string report;
   std::string units = "m";
   double timeout = 10;
 };
@@ -71,6 +73,8 @@ void scan(const Options& options) {
     result = client.scan(program, options.scan_id, options.timeout,
                          [&bar](const std::string& what, double share) { bar.show(what, share); });
   }
+  if (!options.report.empty())
+    scan_cell::save_scan_record(options.report, result, client.calibration_files());
   tell(options, result);
   if (options.clean.empty()) return;
   scan_cell::check_published(result.cloud_file);
@@ -87,6 +91,9 @@ int main(int argc, char** argv) {
   app.add_option("--program", options.program, "scan program (YAML)")->required();
   app.add_option("--id", options.scan_id, "name of the scan; made from the time if not given");
   outputs.add(app, "--output", options.output, "whole cloud as it was scanned (.ply, .pcd)");
+  outputs.add(app, "--report", options.report,
+              "how its frames were bound, how its passes agree, what the cell is calibrated with "
+              "(.json)");
   outputs.add(app, "--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
   app.add_option("--units", options.units, "of the clouds")
       ->check(CLI::IsMember(scan_cell_common::length_units()))

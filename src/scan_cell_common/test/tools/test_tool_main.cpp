@@ -9,7 +9,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/tools/tool_main.h"
-#include "tools/version.h"
+#include "scan_cell_common/tools/version.h"
 
 using namespace scan_cell_common;  // NOLINT
 

@@ -57,7 +57,7 @@ bool YamlEntry::has(const std::string& key) const {
 }
 
 YamlEntry YamlEntry::operator[](const std::string& key) const {
-  if (!has(key)) YamlEntry({}, file_, child(key)).refuse("missing", "add it");
+  if (!has(key)) YamlEntry(node_, file_, child(key)).refuse("missing", "add it");
   return {node_[key], file_, child(key)};
 }
 
@@ -101,7 +101,9 @@ void YamlEntry::refuse_unknown(const std::set<std::string>& known) const {
 }
 
 void YamlEntry::refuse(const std::string& value, const std::string& cure) const {
-  throw UnusableInput(name_.empty() ? file_ : file_ + ": " + name_, value, cure);
+  const int line = node_.Mark().line;  // counted from 0; -1: it was not read from a text
+  throw UnusableInput(name_.empty() ? file_ : file_ + ": " + name_,
+                      line < 0 ? value : fmt::format("{} (line {})", value, line + 1), cure);
 }
 
 YAML::Node yaml_pose(const Eigen::Isometry3d& pose) {

@@ -10,7 +10,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "tools/suggestion.h"
-#include "tools/version.h"
+#include "scan_cell_common/tools/version.h"
 
 namespace scan_cell_common {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/version.h"
+#include "scan_cell_common/tools/version.h"
 
 namespace scan_cell_common {
 

@@ -1,0 +1,29 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/CloudStatistics.h>
+#include <scan_cell_msgs/ScanResult.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scan_cell/ros/cell_client.h"
+
+namespace scan_cell {
+
+using Json = nlohmann::ordered_json;
+
+/// How the passes of a scan agree, as `passes`; nothing where there was one sweep.
+void add_passes(Json& all, const scan_cell_msgs::CloudStatistics& scan);
+
+/// Name and SHA-256 of each file. One that is not on this machine has no hash: null.
+Json to_json(const CalibrationFiles& calibration);
+
+/// Writes what the cell said of a scan: when it was, how its frames were bound, how its passes
+/// agree, and what the cell was calibrated with.
+/// @throw scan_cell_common::FileError if it cannot be written
+void save_scan_record(const std::string& file, const scan_cell_msgs::ScanResult& scan,
+                      const CalibrationFiles& calibration);
+
+}  // namespace scan_cell
