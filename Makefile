@@ -24,7 +24,7 @@ IN_WORKSPACE = source $(DEVEL)/setup.bash &&
 all: build
 
 dependencies:
-	@scripts/install_dependencies.sh
+	@scripts/install_dependencies.sh packages.txt
 
 src/CMakeLists.txt:
 	@ln -s /usr/share/catkin/cmake/toplevel.cmake $@
@@ -55,6 +55,7 @@ fuzz: build
 	@$(IN_WORKSPACE) for fuzzer in $(DEVEL)/lib/*/fuzz_*; do $$fuzzer --runs $(RUNS) || exit 1; done
 
 test: build
+	@scripts/install_dependencies.sh packages_for_tests.txt
 	@cmake --build $(BUILD) --parallel $(JOBS) --target tests
 	@$(IN_WORKSPACE) scripts/run_tests.sh $(BUILD) $(JOBS) $(CELLS)
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing; fast if there are none.
+# install_dependencies.sh LIST...   installs the Debian packages of these lists that are missing; fast if there are none.
 set -euo pipefail
 
-packages_file="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
-mapfile -t packages < <(grep -v '^#' "$packages_file")
+cd "$(dirname "${BASH_SOURCE[0]}")"
+mapfile -t packages < <(grep -hv '^#' "$@")
 
 missing=()
 installed="$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' 2>/dev/null || true)"

@@ -75,14 +75,14 @@ TEST_F(CellFile, ComesBackToTheLastDigit) {
 
 TEST_F(CellFile, IsRefusedWithTheNameOfTheBadEntry) {
   EXPECT_EQ(complaint(std::string(kBase) + kTool), "nothing");
-  EXPECT_EQ(complaint(kBase), ": tool_tip_in_tool0: missing; add it");
+  EXPECT_EQ(complaint(kBase), ": tool_tip_in_tool0: missing (line 1); add it");
   EXPECT_EQ(complaint(std::string(kBase) + kTool + "tool: 1"),
-            ": tool: no such entry; check its spelling");
+            ": tool: no such entry (line 3); check its spelling");
   EXPECT_EQ(complaint(std::string(kBase) + "tool_tip_in_tool0: {translation: [0, 0], rotation: "
                                            "[0, 0, 0, 1]}"),
-            ": tool_tip_in_tool0.translation: 2 numbers; give 3");
+            ": tool_tip_in_tool0.translation: 2 numbers (line 2); give 3");
   EXPECT_EQ(complaint(std::string(kTool) + "base_link_in_world: {translation: [0, 0, 0]}"),
-            ": base_link_in_world.rotation: missing; add it");
+            ": base_link_in_world.rotation: missing (line 2); add it");
   EXPECT_THROW(scan_calibration::load_cell("/no/such/cell.yaml"), scan_cell_common::FileError);
 }
 

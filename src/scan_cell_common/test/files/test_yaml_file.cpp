@@ -36,22 +36,22 @@ TEST(YamlEntry, GivesAPoseToTheLastDigit) {
   EXPECT_TRUE(read["tool"].pose().isApprox(pose, 1e-15));
 }
 
-TEST(YamlEntry, IsRefusedByItsWholeName) {
+TEST(YamlEntry, IsRefusedByItsWholeNameAndLine) {
   const std::string pose = "a: {translation: [0, 0, 1], rotation: [0, 0, 0, 1]}";
   EXPECT_EQ(complaint(pose, [](const YamlEntry& e) { e["a"].pose(); }), "nothing");
-  EXPECT_EQ(complaint("a: {}", [](const YamlEntry& e) { e["a"]["b"]; }),
-            "a.yaml: a.b: missing; add it");
-  EXPECT_EQ(complaint("a: {b: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
-            "a.yaml: a.b: no such entry; check its spelling");
-  EXPECT_EQ(complaint("a: {[b]: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
-            "a.yaml: a: a name that is a list or a map; give name: value");
-  EXPECT_EQ(complaint("a: [1, wide]", [](const YamlEntry& e) { e["a"].elements()[1].as<int>(); }),
-            "a.yaml: a[1]: of the wrong type; correct it");
-  EXPECT_EQ(complaint("a: {b: 1}", [](const YamlEntry& e) { e["a"].elements(); }),
-            "a.yaml: a: no list; give a list");
+  EXPECT_EQ(complaint("\na: {}", [](const YamlEntry& e) { e["a"]["b"]; }),
+            "a.yaml: a.b: missing (line 2); add it");
+  EXPECT_EQ(complaint("\na: {b: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
+            "a.yaml: a.b: no such entry (line 2); check its spelling");
+  EXPECT_EQ(complaint("\na: {[b]: 1}", [](const YamlEntry& e) { e["a"].refuse_unknown({"c"}); }),
+            "a.yaml: a: a name that is a list or a map (line 2); give name: value");
+  EXPECT_EQ(complaint("\na: [1, wide]", [](const YamlEntry& e) { e["a"].elements()[1].as<int>(); }),
+            "a.yaml: a[1]: of the wrong type (line 2); correct it");
+  EXPECT_EQ(complaint("\na: {b: 1}", [](const YamlEntry& e) { e["a"].elements(); }),
+            "a.yaml: a: no list (line 2); give a list");
   EXPECT_EQ(complaint("a: []", [](const YamlEntry& e) { e["a"].elements(); }), "nothing");
-  EXPECT_EQ(complaint("a: [1, .nan]", [](const YamlEntry& e) { e["a"].vector<2>(); }),
-            "a.yaml: a: not finite; give numbers");
+  EXPECT_EQ(complaint("\na: [1, .nan]", [](const YamlEntry& e) { e["a"].vector<2>(); }),
+            "a.yaml: a: not finite (line 2); give numbers");
   EXPECT_EQ(
       complaint("a: {translation: [0, 0, 1], rotation: [0, 0, 1, 1]}",
                 [](const YamlEntry& e) { e["a"].pose(); }),

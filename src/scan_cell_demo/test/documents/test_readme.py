@@ -2,6 +2,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The commands of the README, as they stand there, on a simulated cell of their own."""
+import glob
 import json
 import os
 import shutil
@@ -38,6 +39,9 @@ class Readme(unittest.TestCase):
             for name, command in (('demo', 'rosrun scan_cell_demo demo --output out'),
                                   ('scan', readme_command('rosrun scan_cell scan ')),
                                   ('adapt', readme_command('rosrun scan_cell adapt ')),
+                                  ('new', readme_command('rosrun part_recipes recipe new ')),
+                                  ('run', readme_command('rosrun part_recipes run ')),
+                                  ('history', readme_command('rosrun part_recipes history list ')),
                                   ('dry', commands('README.md', 'rosrun scan_cell work ')[0]),
                                   ('work', commands('README.md', 'rosrun scan_cell work ')[1])):
                 cls.codes[name] = cls.user.run(command, name + '.log')
@@ -76,6 +80,16 @@ class Readme(unittest.TestCase):
         self.expect_well('adapt')
         self.assertEqual(json.loads(self.user.text('out/adapted/report.json'))['verdict'], 'accepted')
         self.expect_true_path('out', 'adapted', 'adapted_path.csv')
+
+    def test_recipe_makes_a_run_with_a_true_path_and_a_report(self):
+        for name in ('new', 'run', 'history'):
+            self.expect_well(name)
+        runs = glob.glob(self.user.path('runs', '2*'))
+        self.assertEqual(len(runs), 1)
+        self.expect_true_path(runs[0], 'adapted_path.csv')
+        self.assertIn(b'DEF frame', self.user.text(os.path.join(runs[0], 'programs', 'frame.src')))
+        self.assertGreater(len(self.user.text(os.path.join(runs[0], 'report.html'))), 100000)
+        self.assertIn('accepted', self.user.log('history.log'))
 
     def test_cell_runs_the_path_dry_and_then_really(self):
         self.assertIn('--dry-run', commands('README.md', 'rosrun scan_cell work ')[0])

@@ -9,8 +9,8 @@
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
-#include "tools/suggestion.h"
 #include "scan_cell_common/tools/version.h"
+#include "tools/suggestion.h"
 
 namespace scan_cell_common {
 namespace {

@@ -1,0 +1,35 @@
+add_library(${PROJECT_NAME}_core
+  src/core/clock/utc_time.cpp src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp src/core/recipe/places_file.cpp
+  src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_file.cpp
+  src/core/recipe/recipe_names.cpp src/core/replay/job_folder.cpp src/core/replay/replay.cpp
+  src/core/run/again.cpp src/core/run/figures.cpp
+  src/core/run/prove.cpp src/core/run/recipe_picture.cpp src/core/run/run_folder.cpp src/core/run/run_recipe.cpp
+  src/core/run/run_record.cpp src/core/run/tool_call.cpp)
+target_link_libraries(${PROJECT_NAME}_core
+  PUBLIC scan_cell::scan_cell_common_core
+  PRIVATE
+    scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_yaml scan_cell::scan_cell_core
+    scan_cell::tool_path_stretcher_core nlohmann_json::nlohmann_json Boost::filesystem)
+
+install(TARGETS ${PROJECT_NAME}_core
+  ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
+if(CATKIN_ENABLE_TESTING)
+  catkin_add_gtest(test_${PROJECT_NAME}_recipe 
+    test/made_up_part.cpp test/recipe/test_recipe_file.cpp test/temporary_folder.cpp)
+  target_link_libraries(test_${PROJECT_NAME}_recipe
+    ${PROJECT_NAME}_core scan_cell::scan_cell_common_clouds gtest_main)
+  catkin_add_gtest(test_${PROJECT_NAME}_run
+    test/made_up_part.cpp test/run/test_run.cpp test/run/test_run_folder.cpp
+    test/temporary_folder.cpp)
+  target_link_libraries(test_${PROJECT_NAME}_run
+    ${PROJECT_NAME}_core scan_cell::scan_cell_common_clouds gtest_main)
+  add_dependencies(test_${PROJECT_NAME}_run clean_cloud export_path stretch)
+  catkin_add_gtest(test_${PROJECT_NAME}_replay
+    test/made_up_part.cpp test/replay/test_job_folder.cpp test/replay/test_replay.cpp
+    test/temporary_folder.cpp)
+  target_link_libraries(test_${PROJECT_NAME}_replay
+    ${PROJECT_NAME}_core scan_cell::scan_cell_common_clouds gtest_main)
+  add_dependencies(test_${PROJECT_NAME}_replay clean_cloud export_path stretch)
+endif()

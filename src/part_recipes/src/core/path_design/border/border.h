@@ -1,0 +1,29 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "path_design/surface/mesh_search.h"
+#include "path_design/trace/trace.h"
+
+namespace part_recipes::path_design {
+
+/// The closed lines along which a mesh ends, the surface on the left. Corners are marked where they
+/// turn, or the surface bends, by more than `corner_angle` [rad].
+std::vector<Trace> borders_of(const PartMesh& mesh, double corner_angle);
+
+/// Whether a border goes around a hole or a crack, rather than around the surface.
+bool is_hole(const Trace& border);
+
+/// [m] of a hole: four times its area over its girth, the diameter of a round one, twice the width
+/// of a slot, nothing of a crack.
+double width_of(const Trace& border);
+
+/// A border of a cloud with its noise smoothed out: fits of second order over `reach` [m] to each
+/// side, up to the corners, which are set where the sides before and behind them meet.
+Trace smoothed_border(const Trace& border, double reach, double corner_angle,
+                      const MeshSearch& surface);
+
+/// Marks the points at which a trace turns by more than an angle [rad].
+void mark_corners(Trace& border, double corner_angle);
+
+}  // namespace part_recipes::path_design

@@ -1,0 +1,19 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "recipe/recipe.h"
+
+namespace part_recipes {
+
+/// Where a run keeps the places for its tools.
+constexpr const char* kPlacesFile = "places.yaml";
+
+/// Writes a list of name, position [m] and radius [m].
+/// @throw scan_cell_common::FileError if it cannot be written
+void save_places(const std::string& file, const std::vector<Place>& places);
+
+}  // namespace part_recipes

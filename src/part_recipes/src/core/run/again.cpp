@@ -1,0 +1,77 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/again.h"
+
+#include <set>
+
+#include "run/run_folder.h"
+#include "scan_cell_common/errors/errors.h"
+
+namespace part_recipes {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path scan_in(const fs::path& inputs) {
+  for (const auto& entry : fs::directory_iterator(inputs)) {
+    if (entry.path().stem() == "scan" && entry.path().filename() != "scan.json")
+      return entry.path();
+  }
+  throw scan_cell_common::UnusableInput(inputs.string(), "holds no scan",
+                                        "take a run whose scan was finished");
+}
+
+bool is_result(const std::string& name) {
+  return name.rfind("stages/", 0) != 0;
+}
+
+/// The scan of a run, if nobody changed it.
+RunRequest request_of(const fs::path& folder, const RunRecord& before, const fs::path& runs,
+                      const Stop& stop) {
+  check_files(folder, before);
+  RunRequest request;
+  request.runs = runs;
+  request.scan = scan_in(folder / "inputs");
+  request.scan_units = before.scan_units;
+  if (fs::exists(folder / "scan.json")) request.scan_record = folder / "scan.json";
+  request.prove = true;  // what was run once may be looked at again
+  request.again_of = before.id;
+  request.note = before.note;
+  request.stop = stop;
+  return request;
+}
+
+}  // namespace
+
+EndedRun run_again(const fs::path& folder, const fs::path& runs, const StageBegins& begins,
+                   const Stop& stop) {
+  const RunRecord before = load_run(folder);
+  const RunRequest request = request_of(folder, before, runs, stop);
+  return run_recipe(load_recipe(folder / "inputs"), request, begins);
+}
+
+EndedRun run_with(const fs::path& folder, const Recipe& recipe, const fs::path& runs,
+                  const Stop& stop) {
+  const RunRecord before = load_run(folder);
+  return run_recipe(recipe, request_of(folder, before, runs, stop), {});
+}
+
+std::vector<std::string> differences(const fs::path& one, const fs::path& other) {
+  const auto first = load_run(one).files;
+  const auto second = load_run(other).files;
+  std::set<std::string> names;
+  for (const auto& files : {first, second}) {
+    for (const auto& [name, file] : files) {
+      if (is_result(name)) names.insert(name);
+    }
+  }
+  std::vector<std::string> different;
+  for (const std::string& name : names) {
+    const bool both = first.count(name) != 0 && second.count(name) != 0;
+    const bool same = both && first.at(name).sha256 == second.at(name).sha256;
+    if (!same) different.push_back(name);
+  }
+  return different;
+}
+
+}  // namespace part_recipes

@@ -1,0 +1,92 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/figures.h"
+
+#include <nlohmann/json.hpp>
+
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+
+namespace part_recipes {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// @param use gets what the file holds
+template <class Use>
+void read(const std::filesystem::path& file, const Use& use) {
+  const std::string text = scan_cell_common::read_file(file.string());
+  try {
+    use(Json::parse(text));
+  } catch (const nlohmann::json::exception& error) {
+    throw scan_cell_common::UnusableInput(file.string(), error.what(), "see the log of its stage");
+  }
+}
+
+void save(const std::filesystem::path& file, const Json& all) {
+  constexpr int kIndent = 2;
+  scan_cell_common::save_text(file.string(), all.dump(kIndent) + "\n");
+}
+
+std::optional<double> number(const Json& all, const char* key) {
+  const auto found = all.find(key);
+  if (found == all.end() || found->is_null()) return std::nullopt;
+  return found->get<double>();
+}
+
+}  // namespace
+
+void read_report(const std::filesystem::path& report, RunRecord& record) {
+  read(report, [&record](const Json& all) {
+    record.reason = all.at("reason").get<std::string>();
+    record.message = all.at("message").get<std::string>();
+    RunFigures& figures = record.figures;
+    figures.scale = number(all, "scale");
+    figures.rms = number(all, "rms");
+    figures.largest_displacement = number(all, "largest_displacement");
+    figures.expected_error_normal = number(all, "largest_expected_error_normal");
+    figures.expected_error_tangential = number(all, "largest_expected_error_tangential");
+    figures.expected_error_orientation = number(all, "largest_expected_error_orientation");
+  });
+}
+
+void read_deviations(const std::filesystem::path& summary, RunRecord& record) {
+  read(summary, [&record](const Json& all) {
+    record.figures.deviation_rms = number(all, "rms");
+    record.figures.deviation_min = number(all, "min");
+    record.figures.deviation_max = number(all, "max");
+    for (const Json& place : all.at("places"))
+      record.figures.places[place.at("name").get<std::string>()] = number(place, "deviation");
+  });
+}
+
+void read_scan(const std::filesystem::path& scan, RunRecord& record) {
+  read(scan, [&record](const Json& all) {
+    for (const auto& [name, file] : all.at("calibration").items()) {
+      if (!file.at("sha256").is_null())
+        record.calibration[name] = file.at("sha256").get<std::string>();
+    }
+  });
+}
+
+void take_times_out(const std::filesystem::path& report) {
+  read(report, [&](Json all) {
+    all.erase("seconds");
+    all.erase("seconds_of");
+    save(report, all);
+  });
+}
+
+void complete_report(const std::filesystem::path& report, const std::filesystem::path& scan) {
+  read(report, [&](const Json& before) {
+    read(scan, [&](const Json& told) {
+      Json all = before;
+      for (const char* key : {"scanned", "calibration", "passes"}) {
+        if (told.contains(key)) all[key] = told.at(key);
+      }
+      save(report, all);
+    });
+  });
+}
+
+}  // namespace part_recipes

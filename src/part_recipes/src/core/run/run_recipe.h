@@ -1,0 +1,48 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "recipe/recipe.h"
+#include "run/run_record.h"
+
+namespace part_recipes {
+
+/// What a run is made from besides its recipe.
+struct RunRequest {
+  std::filesystem::path runs;  //!< folder of all runs
+  std::optional<std::filesystem::path>
+      scan;                      //!< raw cloud in the world's frame; none: the running cell scans
+  std::string scan_units = "m";  //!< of that cloud
+  std::optional<std::filesystem::path>
+      scan_record;             //!< what the cell said of that cloud: scan.json
+  double timeout = 10;         //!< [s] to wait for the cell
+  bool prove = false;          //!< the recipe need not be proven
+  std::string again_of;        //!< id of the run that this one repeats
+  std::string note;            //!< of the person
+  std::function<bool()> stop;  //!< whether to end now; there is no run then
+};
+
+/// Called as a stage begins.
+using StageBegins = std::function<void(const std::string& stage)>;
+
+/// A run that ended, and is whole on the disk.
+struct EndedRun {
+  std::filesystem::path folder;
+  RunRecord record;
+  std::string warning;  //!< what the person should know; empty: nothing
+};
+
+/// Scans (unless a cloud is given), cleans, adapts, measures the deviations, writes the robot's
+/// programs, and seals all that as one folder (docs/part_recipes.md). A refusal is a run, too, and
+/// so is a stage that failed.
+/// @throw scan_cell_common::Refused if the recipe is not as it was proven, or the run was stopped:
+/// there is no run then
+/// @throw scan_cell_common::FileError if the run cannot be written: there is none then
+EndedRun run_recipe(const Recipe& recipe, const RunRequest& request, const StageBegins& begins);
+
+}  // namespace part_recipes

@@ -1,0 +1,53 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "history_draw.h"
+
+#include <cstdlib>
+
+#include "run/tool_call.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
+
+namespace fs = std::filesystem;
+
+using scan_cell_common::FileError;
+
+namespace {
+
+/// A folder that is removed with this object.
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string name = (fs::temp_directory_path() / "history_chart_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw FileError(name, "no such folder can be made", "check the folder for temporary files");
+    path_ = name;
+  }
+  ~WorkFolder() {
+    std::error_code failure;
+    fs::remove_all(path_, failure);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+void draw_chart(const std::string& data, const fs::path& output) {
+  const WorkFolder folder;
+  const fs::path figures = folder.path() / "figures.json", log = folder.path() / "log";
+  scan_cell_common::save_text(figures.string(), data);
+  const part_recipes::ToolCall call = {
+      "chart",
+      "part_recipes",
+      {"history_chart.py", figures.string(), "--output", fs::absolute(output).string()}};
+  const auto never = [] { return false; };
+  if (part_recipes::run_tool(call, folder.path(), log, never).exit_code == 0) return;
+  throw FileError(output.string(), "not drawn: " + part_recipes::last_line(log),
+                  "check the folder, and that python3-matplotlib is installed");
+}

@@ -1,0 +1,130 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <thread>
+
+#include "history/history.h"
+#include "recipe/recipe.h"
+#include "replay/replay.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/tools/interrupts.h"
+#include "scan_cell_common/tools/tool_main.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using part_recipes::JobFolder;
+
+struct Options {
+  std::string jobs;    // folder that the workers share
+  std::string runs;    // recorded runs; empty: no jobs are added
+  std::string recipe;  // folder
+  part_recipes::HistoryFilter filter;
+  unsigned workers = 0;
+  bool only_add = false;
+  unsigned lease = 60;  // [s]
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--jobs", options.jobs, "folder that all workers share; it is made")->required();
+  auto* const runs = app.add_option("--runs", options.runs,
+                                    "folder of the recorded runs to add; without it, only works on "
+                                    "jobs that are there");
+  app.add_option("--recipe", options.recipe, "folder of the recipe to run them with")->needs(runs);
+  app.add_option("--recorded-recipe", options.filter.recipe, "only runs of this recipe")
+      ->needs(runs);
+  app.add_option("--state", options.filter.state, "only accepted, refused or unusable ones")
+      ->needs(runs);
+  app.add_option("--since", options.filter.since, "only from then on (UTC)")->needs(runs);
+  app.add_option("--until", options.filter.until, "only up to then (UTC)")->needs(runs);
+  app.add_option("--limit", options.filter.limit, "only the last so many")->needs(runs);
+  app.add_flag("--only-add", options.only_add, "adds the jobs and leaves them to others")
+      ->needs(runs);
+  app.add_option("--workers", options.workers, "processes here; 0: one a core");
+  app.add_option("--lease", options.lease,
+                 "a job whose worker was not heard of so long is given to another [s]")
+      ->check(CLI::Range(1U, 86400U))
+      ->capture_default_str();
+}
+
+void add_jobs(const Options& options, const JobFolder& folder) {
+  if (options.runs.empty()) return;
+  if (options.recipe.empty())
+    throw scan_cell_common::InvalidParameter("--recipe", "not given", "give a recipe's folder");
+  part_recipes::load_recipe(options.recipe);  // before a thousand workers find out
+  std::vector<part_recipes::Job> jobs;
+  for (const auto& run : part_recipes::History(options.runs).query(options.filter))
+    jobs.push_back({run.record.id, fs::path(options.runs) / run.record.id, options.recipe});
+  folder.add(jobs);
+}
+
+bool interrupted() {
+  return scan_cell_common::CatchInterrupts::interrupted();
+}
+
+int work(const Options& options, const JobFolder& folder) {
+  const auto begins = [](const std::string& id) { std::printf("%s\n", id.c_str()); };
+  work_on(folder, std::chrono::seconds(options.lease), begins, interrupted);
+  return 0;
+}
+
+/// @return whether all of them ended well
+bool work_side_by_side(const Options& options, const JobFolder& folder) {
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned count = options.workers == 0 ? cores : options.workers;
+  std::vector<pid_t> workers;
+  for (unsigned i = 0; i < count; ++i) {
+    const pid_t worker = fork();
+    if (worker < 0) throw scan_cell_common::Refused("a worker", "no process", "end other programs");
+    if (worker == 0) {
+      try {
+        _exit(work(options, folder));
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "replay_runs: %s\n", error.what());
+        _exit(scan_cell_common::kUnusable);
+      }
+    }
+    workers.push_back(worker);
+  }
+  bool well = true;
+  for (const pid_t worker : workers) {
+    int status = 0;
+    while (waitpid(worker, &status, 0) < 0 && errno == EINTR)
+      kill(worker, SIGINT);
+    well = well && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+  return well;
+}
+
+/// @return the process's exit code
+int run(const Options& options) {
+  const scan_cell_common::CatchInterrupts interrupts;
+  const JobFolder folder(options.jobs);
+  add_jobs(options, folder);
+  if (options.only_add) {
+    std::printf("%zu jobs\n", folder.jobs().size());
+    return 0;
+  }
+  const bool well = work_side_by_side(options, folder);
+  const auto done = replayed(folder);
+  std::fputs(to_text(done).c_str(), stdout);
+  const std::size_t left = folder.jobs().size() - done.size();
+  if (left > 0) std::printf("%zu runs are left: others do them, or call this again\n", left);
+  return well && left == 0 ? 0 : scan_cell_common::kUnusable;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Runs recorded scans again with another recipe or version and compares run by run.\n"
+      "Any number of machines may work on the same jobs.");
+  Options options;
+  add_options(app, options);
+  return scan_cell_common::tool_main("replay_runs", app, argc, argv, [&] { return run(options); });
+}

@@ -1,0 +1,134 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "history/history.h"
+#include "run/again.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
+#include "scan_cell_common/tools/interrupts.h"
+#include "scan_cell_common/tools/tool_main.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using part_recipes::EndedRun;
+using part_recipes::RunState;
+
+struct Options {
+  std::string name;
+  std::string recipes = "recipes";
+  std::string runs = "runs";
+  std::string again;  // folder of a run
+  std::string scan;
+  part_recipes::RunRequest request;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  CLI::Option* const again =
+      app.add_option("--again", options.again, "folder of a run: does it again from its own files");
+  app.add_option("name", options.name, "recipe")->excludes(again);
+  app.add_option("--recipes", options.recipes, "folder of the recipes")
+      ->envname("SCAN_CELL_RECIPES")
+      ->capture_default_str();
+  app.add_option("--runs", options.runs, "folder of the runs")
+      ->envname("SCAN_CELL_RUNS")
+      ->capture_default_str();
+  app.add_option("--scan", options.scan,
+                 "raw cloud in the world's frame (PLY, PCD ...); without it the running cell scans")
+      ->excludes(again);
+  app.add_option("--scan-units", options.request.scan_units, "of that cloud")
+      ->check(CLI::IsMember(scan_cell_common::length_units()))
+      ->capture_default_str();
+  app.add_option("--note", options.request.note, "kept with the run");
+  app.add_option("--timeout", options.request.timeout, "seconds to wait for the cell")
+      ->capture_default_str();
+}
+
+bool interrupted() {
+  return scan_cell_common::CatchInterrupts::interrupted();
+}
+
+/// A line a stage, the same line on a terminal.
+void show(const std::string& stage) {
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  std::fprintf(stderr, terminal ? "\r\033[K%s ..." : "%s ...\n", stage.c_str());
+  std::fflush(stderr);
+}
+
+/// A run that is not in the history is a run; history rebuild finds it.
+void remember(EndedRun& ended, const std::string& runs) {
+  try {
+    part_recipes::History(runs).add(ended.folder);
+  } catch (const scan_cell_common::Error& error) {
+    ended.warning += (ended.warning.empty() ? "" : "; ") + std::string(error.what());
+  }
+}
+
+/// @return the process's exit code
+int tell(const EndedRun& ended) {
+  if (isatty(STDERR_FILENO) == 1) std::fputs("\r\033[K", stderr);
+  const auto& record = ended.record;
+  if (!ended.warning.empty()) std::fprintf(stderr, "warning: %s\n", ended.warning.c_str());
+  for (const auto& stage : record.stages)
+    std::printf("%-12s %6.2f s\n", stage.name.c_str(), stage.seconds);
+  std::printf("%s: %s\n", to_string(record.state).c_str(), record.message.c_str());
+  std::printf("%s\n", (ended.folder / "report.html").c_str());
+  switch (record.state) {
+    case RunState::kAccepted:
+      return 0;
+    case RunState::kRefused:
+      return scan_cell_common::kRefused;
+    case RunState::kUnusable:
+      break;
+  }
+  return scan_cell_common::kUnusable;
+}
+
+/// @return the process's exit code
+int run_again(const Options& options) {
+  EndedRun ended = part_recipes::run_again(options.again, options.runs, show, interrupted);
+  remember(ended, options.runs);
+  const int code = tell(ended);
+  const auto different = part_recipes::differences(options.again, ended.folder);
+  if (different.empty()) {
+    std::printf("the same bytes as %s\n", options.again.c_str());
+    return code;
+  }
+  for (const std::string& name : different)
+    std::fprintf(stderr, "%s is not the same\n", name.c_str());
+  return scan_cell_common::kRefused;
+}
+
+/// @return the process's exit code
+int run(Options& options) {
+  const scan_cell_common::CatchInterrupts interrupts;
+  if (!options.again.empty()) return run_again(options);
+  if (options.name.empty())
+    throw scan_cell_common::InvalidParameter("recipe", "not given", "give its name: run NAME");
+  options.request.runs = options.runs;
+  options.request.stop = interrupted;
+  if (!options.scan.empty()) options.request.scan = options.scan;
+  const auto folder = part_recipes::find_recipe(options.recipes, options.name);
+  EndedRun ended =
+      part_recipes::run_recipe(part_recipes::load_recipe(folder), options.request, show);
+  remember(ended, options.runs);
+  return tell(ended);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Scans a part by its recipe, cleans, adapts the path, writes the robot's programs and the "
+      "report.\n"
+      "Exit code 0: accepted; 2: refused, the report says why; 1: it failed.");
+  Options options;
+  add_options(app, options);
+  return scan_cell_common::tool_main(
+      "run", app, argc, argv, [&] { return run(options); }, scan_cell_common::kRefused);
+}

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# Copyright 2026 the scan cell developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A recipe from a first scan to a run in the simulated cell, by what people type and by the action."""
+import glob
+import json
+import os
+import shutil
+import subprocess
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from scan_cell_msgs.msg import RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
+from scan_cell_msgs.srv import ListRecipes
+
+PATIENCE = 120  # [s] a scan takes 10 to 20 s
+
+
+def rosrun(*command):
+    return subprocess.run(['rosrun'] + list(command), check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
+
+
+class Recipes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.recipes = rospy.get_param('/part_recipes/recipes')
+        cls.runs = rospy.get_param('/part_recipes/runs')
+        for folder in (cls.recipes, cls.runs):
+            shutil.rmtree(folder, ignore_errors=True)
+        os.makedirs(cls.recipes)
+        cls.file = staticmethod(lambda name: os.path.join(os.path.dirname(cls.recipes), name))
+        package = subprocess.check_output(['rospack', 'find', 'scan_cell'], universal_newlines=True).strip()
+        program = package + '/config/both_lasers.yaml'
+        rosrun('scan_cell', 'scan', '--program', program, '--output', cls.file('raw.ply'), '--clean', cls.file('part.ply'))
+        rosrun('part_recipes', 'path', 'from-slices', '--reference', cls.file('part.ply'), '--reference-units', 'm',
+               '--output', cls.file('path.csv'), '--spacing', '0.02')
+        rosrun('part_recipes', 'recipe', '--recipes', cls.recipes, 'new', 'frame', '--reference', cls.file('part.ply'),
+               '--path', cls.file('path.csv'), '--program', program)
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(os.path.dirname(cls.recipes))
+
+    def setUp(self):
+        self.lasers = None
+        rospy.Subscriber('/laser_trigger/state', TriggerState, self.on_trigger)
+        self.client = actionlib.SimpleActionClient('/part_recipes/run', RunRecipeAction)
+        self.assertTrue(self.client.wait_for_server(rospy.Duration(PATIENCE)))
+
+    def on_trigger(self, message):
+        self.lasers = message
+
+    def run_recipe(self, **goal):
+        self.client.send_goal(RunRecipeGoal(**goal))
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(PATIENCE)))
+        return self.client.get_result()
+
+    def list(self):
+        rospy.wait_for_service('/part_recipes/list', PATIENCE)
+        return {recipe.name: recipe for recipe in rospy.ServiceProxy('/part_recipes/list', ListRecipes)().recipes}
+
+    def test_a_scan_by_the_cell_becomes_a_run_that_work_can_go_by(self):
+        result = self.run_recipe(recipe='frame', note='first')
+        self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
+        with open(os.path.join(result.folder, 'run.json')) as file:
+            run = json.load(file)
+        self.assertEqual(run['note'], 'first')
+        self.assertEqual([stage['name'] for stage in run['stages']][:3], ['scan', 'clean', 'stretch'])
+        self.assertLess(abs(run['figures']['scale'] - 1), 1e-3)
+        with open(os.path.join(result.folder, 'report.json')) as file:
+            report = json.load(file)
+        self.assertEqual(report['calibration']['scanner']['name'], rospy.get_param('/calibrated_frames/scanner_file'))
+        self.assertEqual(run['calibration']['scanner'], report['calibration']['scanner']['sha256'])
+        self.assertGreater(report['scanned'], 0)
+        self.assertTrue(os.path.exists(os.path.join(result.folder, 'report.html')))
+        again = subprocess.run(['rosrun', 'part_recipes', 'run', '--again', result.folder, '--runs', self.runs])
+        self.assertEqual(again.returncode, 0)
+
+    def test_a_recipe_is_proven_by_the_cell_and_refused_after_another_calibration(self):
+        result = self.run_recipe(recipe='frame', prove=True)
+        self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
+        self.assertTrue(result.proven)
+        self.assertEqual(self.list()['frame'].state, RecipeState.PROVEN)
+        proof_file = os.path.join(self.recipes, 'frame', 'proof.json')
+        with open(proof_file) as file:
+            text = file.read()
+        proof = json.loads(text)
+        self.assertIn('scanner', proof['calibration'])
+        proof['calibration']['scanner'] = '0' * 64
+        with open(proof_file, 'w') as file:
+            json.dump(proof, file)
+        result = self.run_recipe(recipe='frame')
+        self.assertEqual(result.outcome, RunRecipeResult.NONE)
+        self.assertIn('recipe prove', result.message)
+        with open(proof_file, 'w') as file:
+            file.write(text)
+
+    def test_a_run_that_is_cancelled_in_its_scan_leaves_nothing_and_no_laser_on(self):
+        before = sorted(glob.glob(self.runs + '/*'))
+        scanning = []
+        self.client.send_goal(RunRecipeGoal(recipe='frame'),
+                              feedback_cb=lambda feedback: scanning.append(feedback.stage))
+        end = rospy.Time.now() + rospy.Duration(PATIENCE)
+        while not (self.lasers and self.lasers.lasers):
+            self.assertLess(rospy.Time.now(), end)
+            rospy.sleep(0.02)
+        self.assertEqual(scanning, ['scan'])
+        self.client.cancel_goal()
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(PATIENCE)))
+        self.assertEqual(self.client.get_state(), actionlib.GoalStatus.PREEMPTED)
+        self.assertEqual(self.client.get_result().outcome, RunRecipeResult.NONE)
+        while self.lasers.lasers:
+            self.assertLess(rospy.Time.now(), end)
+            rospy.sleep(0.02)
+        self.assertEqual(sorted(glob.glob(self.runs + '/*')), before)
+        self.assertEqual(glob.glob(self.runs + '/.2*'), [])
+
+    def test_a_recipe_that_is_not_there_is_named(self):
+        result = self.run_recipe(recipe='../frame')
+        self.assertEqual(result.outcome, RunRecipeResult.NONE)
+        self.assertIn('recipe name', result.message)
+        result = self.run_recipe(recipe='elbow')
+        self.assertIn('frame', result.message)
+
+
+if __name__ == '__main__':
+    rospy.init_node('test_recipes')
+    rostest.rosrun('scan_cell_demo', 'recipes', Recipes)
