@@ -69,24 +69,24 @@ TEST(SessionHead, IsRefusedWithTheEntryAndTheCure) {
     return text.replace(text.find(from), from.size(), to);
   };
   EXPECT_EQ(head_complaint(with("images: ", "image: ")),
-            "s: image: no such entry; check its spelling");
+            "s: image: no such entry (line 1); check its spelling");
   EXPECT_EQ(head_complaint(with("0.010", "10")),
-            "s: board.square_size: 10 m; give metres: this looks like millimetres");
+            "s: board.square_size: 10 m (line 2); give metres: this looks like millimetres");
   EXPECT_EQ(head_complaint(with("0.010", "-1")),
-            "s: board.square_size: -1 m; give metres, above 0");
+            "s: board.square_size: -1 m (line 2); give metres, above 0");
   EXPECT_EQ(head_complaint(with("0.010", ".nan")).find("s: board.square_size: nan"), 0U);
   EXPECT_EQ(head_complaint(with("[7, 6]", "[7]")),
-            "s: board.inner_corners: 1 numbers; give two: [columns, rows]");
+            "s: board.inner_corners: 1 numbers (line 2); give two: [columns, rows]");
   EXPECT_EQ(head_complaint(with("[7, 6]", "[7, 1]")).find("s: board.inner_corners"), 0U);
   EXPECT_EQ(head_complaint(with("[7, 6]", "[7.5, 6]")).find("s: board.inner_corners"), 0U);
   EXPECT_EQ(head_complaint(with("checkerboard", "charuco")),
-            "s: board.type: 'charuco'; give checkerboard");
+            "s: board.type: 'charuco' (line 2); give checkerboard");
   EXPECT_NE(head_complaint(with("[laser_0]", "[laser_1, laser_0]")).find("in rising order"),
             std::string::npos);
   EXPECT_NE(head_complaint(with("[laser_0]", "[laser_0, laser_0]")).find("name each once"),
             std::string::npos);
   EXPECT_EQ(head_complaint(with("[laser_0]", "[laser_b]")),
-            "s: lasers[0]: 'laser_b'; name lasers laser_0, laser_1");
+            "s: lasers[0]: 'laser_b' (line 3); name lasers laser_0, laser_1");
 }
 
 TEST(SessionPoses, TakeTheLineFromTheBoardImageWhereNoColumnNamesAnother) {
