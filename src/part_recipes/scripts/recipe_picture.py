@@ -20,8 +20,18 @@ MOST = 30000  # points drawn
 MM = 1e3
 
 
+class Version(argparse.Action):
+    """Prints the suite's version, which is that of package.xml."""
+
+    def __call__(self, parser, *_):
+        import rospkg  # slow to load, and only needed here
+        print(parser.prog, rospkg.RosPack().get_manifest('part_recipes').version)
+        parser.exit()
+
+
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
     parser.add_argument('--reference', required=True)
     parser.add_argument('--reference-units', default='m')
     parser.add_argument('--path', required=True)
