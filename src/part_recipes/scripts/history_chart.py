@@ -18,6 +18,7 @@ matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first: there may be no display)
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import MaxNLocator  # noqa: E402
+from scan_cell_common.command_line import add_version  # noqa: E402
 
 plt.rcParams['text.parse_math'] = False  # names are text, also with a dollar sign
 plt.rcParams['axes.unicode_minus'] = False
@@ -252,18 +253,9 @@ def page(data):
             f'{tables(data)}</body></html>\n').encode()
 
 
-class Version(argparse.Action):
-    """Prints the suite's version, which is that of package.xml."""
-
-    def __call__(self, parser, *_):
-        import rospkg  # slow to load, and only needed here
-        print(parser.prog, rospkg.RosPack().get_manifest('part_recipes').version)
-        parser.exit()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
+    add_version(parser)
     parser.add_argument('data', help='JSON from history chart-data')
     parser.add_argument('--output', required=True, help='.html or .png')
     names = parser.parse_args()

@@ -14,24 +14,16 @@ import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first: there may be no display)
 import numpy  # noqa: E402
+from scan_cell_common.command_line import add_version  # noqa: E402
 from scan_cell_common.ply import read_points  # noqa: E402
 
 MOST = 30000  # points drawn
 MM = 1e3
 
 
-class Version(argparse.Action):
-    """Prints the suite's version, which is that of package.xml."""
-
-    def __call__(self, parser, *_):
-        import rospkg  # slow to load, and only needed here
-        print(parser.prog, rospkg.RosPack().get_manifest('part_recipes').version)
-        parser.exit()
-
-
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
+    add_version(parser)
     parser.add_argument('--reference', required=True)
     parser.add_argument('--reference-units', default='m')
     parser.add_argument('--path', required=True)

@@ -10,16 +10,9 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 # PREFIX/lib/part_recipes/report_page.py: a shell that did not source the workspace calls it, too
 sys.path.append(os.path.join(os.path.dirname(os.path.realpath(sys.argv[0])), '../python3/dist-packages'))
 
+from scan_cell_common.command_line import add_version  # noqa: E402 (found on the paths above)
+
 THREE = '/usr/share/javascript/three/three.min.js'  # Debian: libjs-three
-
-
-class Version(argparse.Action):
-    """Prints the suite's version, which is that of package.xml."""
-
-    def __call__(self, parser, *_):
-        import rospkg  # slow to load, and only needed here
-        print(parser.prog, rospkg.RosPack().get_manifest('part_recipes').version)
-        parser.exit()
 
 
 def save(path, text):
@@ -36,7 +29,7 @@ def save(path, text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
+    add_version(parser)
     parser.add_argument('folder', help='of the run')
     parser.add_argument('--output', help='the page; report.html in the folder, if not given')
     parser.add_argument('--three', default=THREE, help='three.min.js, for the view that turns')

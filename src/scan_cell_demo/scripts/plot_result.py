@@ -10,6 +10,7 @@ import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first: there may be no display)
 import numpy as np  # noqa: E402
+from scan_cell_common.command_line import add_version  # noqa: E402
 from scan_cell_common.ply import read_points  # noqa: E402
 
 MAX_POINTS = 15000
@@ -80,18 +81,9 @@ def show_errors(axes, adapted, truth, traced):
     axes.legend(fontsize=8)
 
 
-class Version(argparse.Action):
-    """Prints the suite's version, which is that of package.xml."""
-
-    def __call__(self, parser, *_):
-        import rospkg  # slow to load, and only needed here
-        print(parser.prog, rospkg.RosPack().get_manifest('scan_cell_demo').version)
-        parser.exit()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
+    add_version(parser)
     for name in ('reference', 'object', 'path', 'adapted', 'truth', 'output'):
         parser.add_argument('--' + name, required=True)
     parser.add_argument('--traced', help="way of the tool's true tip; without it none is drawn")

@@ -10,6 +10,7 @@ import argparse
 
 import numpy
 import yaml
+from scan_cell_common.command_line import add_version
 
 DISTANCES = (0.42, 0.50, 0.60)  # [m] from the camera to where it looks: the range that is scanned
 TILTS = (18, 32)  # [deg] off the board's normal, in turn
@@ -78,18 +79,9 @@ def flange(board, view):
     return board @ camera @ pose(numpy.eye(3), (0, 0, -CAMERA_ON_FLANGE))
 
 
-class Version(argparse.Action):
-    """Says the suite's version, that of package.xml."""
-
-    def __call__(self, parser, *_):
-        import rospkg  # not needed for anything else
-        print(parser.prog, rospkg.RosPack().get_manifest('scan_cell_sim').version)
-        parser.exit()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
+    add_version(parser)
     parser.add_argument('--world', required=True, help='world file with the board')
     parser.add_argument('--cell', required=True, help='cell file: where the robot stands')
     parser.add_argument('--output', required=True, help='file of taught poses (CSV)')

@@ -14,6 +14,7 @@ import random
 
 import numpy
 import yaml
+from scan_cell_common.command_line import add_version
 
 FIXED_POINT = (0.05, 0.1, 0.1)  # [m] in world: of a pin that stands on the floor
 # [deg] off upright, and the direction of the axis; not about -y, where the wrist would be straight on the way
@@ -110,18 +111,9 @@ class Teacher:
         self.move(away)
 
 
-class Version(argparse.Action):
-    """Says the suite's version, that of package.xml."""
-
-    def __call__(self, parser, *_):
-        import rospkg  # not needed for anything else
-        print(parser.prog, rospkg.RosPack().get_manifest('scan_cell_sim').version)
-        parser.exit()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--version', action=Version, nargs=0, help="print the suite's version")
+    add_version(parser)
     parser.add_argument('--cell', required=True, help="cell file of the simulator: where the robot and the tip truly are")
     parser.add_argument('--output', required=True, help='folder for the files of taught poses; must not hold them yet')
     parser.add_argument('--deviation', type=float, default=0, help='standard deviation of a touch along each axis [m]')
