@@ -7,7 +7,7 @@
 
 #include "drawn_parts.h"
 #include "pass_planner/sight.h"
-#include "scan_cell_common/geometry/kd_tree.h"
+#include "scan_cell_common/geometry/point_tree.h"
 #include "simulated_scan.h"
 
 namespace pass_planner {
@@ -17,21 +17,14 @@ using Eigen::Vector3d;
 
 constexpr double kNear = 1e-3;  // [m] of a scanned point from a waypoint that was measured
 
-struct Coordinate {
-  double operator()(const Vector3d& point, std::size_t axis) const {
-    return point[static_cast<Eigen::Index>(axis)];
-  }
-};
-
 /// [m] from each place to the nearest scanned point.
 std::vector<double> distances(const std::vector<Vector3d>& places,
                               const std::vector<Vector3d>& scan) {
   std::vector<double> result(places.size(), std::numeric_limits<double>::infinity());
   if (scan.empty()) return result;
-  using Tree = scan_cell_common::KdTree<std::vector<Vector3d>, Coordinate, double>;
-  const Tree tree(scan);
+  const scan_cell_common::PointTree tree(scan);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    Tree::Index index = 0;
+    scan_cell_common::PointTree::Index index = 0;
     double squared = 0;
     tree.nearest(places[i].data(), 1, &index, &squared);
     result[i] = std::sqrt(squared);

@@ -8,14 +8,14 @@
 #include <array>
 #include <cmath>
 
-#include "path_design/surface/point_search.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/geometry/point_tree.h"
 
 namespace part_recipes {
 namespace {
 
 using Eigen::Vector3d;
-using path_design::PointSearch;
+using scan_cell_common::PointTree;
 using scan_cell_common::UnusableInput;
 
 constexpr std::size_t kAround = 20;  // neighbours that tell a spacing, as the stretcher does
@@ -36,11 +36,11 @@ double spacing_of(const Points& points) {
                         fmt::format("scan the part again: {} are needed", kAround));
   }
   constexpr std::size_t kLooked = 2000;  // points, evenly through the cloud; chosen
-  const PointSearch tree(points);
+  const PointTree tree(points);
   std::vector<double> spacings;
   for (std::size_t i = 0; i < points.size();
        i += std::max<std::size_t>(1, points.size() / kLooked)) {
-    std::array<PointSearch::Index, kAround> found{};
+    std::array<PointTree::Index, kAround> found{};
     std::array<double, kAround> squared{};
     tree.nearest(points[i].data(), kAround, found.data(), squared.data());
     spacings.push_back(std::sqrt(M_PI * squared.back() / static_cast<double>(kAround)));
@@ -77,11 +77,11 @@ std::vector<bool> scanned(const ReferenceSurface::Samples& samples,
                           const Reach& reach) {
   constexpr double kLateral = 2;  // spacings: a hole in the scan is wider than that; chosen
   const double lateral = kLateral * reach.lateral;
-  const PointSearch tree(object);
+  const PointTree tree(object);
   std::vector<bool> result(samples.points.size(), false);
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const Vector3d at = similarity * samples.points[i];
-    PointSearch::Index nearest = 0;
+    PointTree::Index nearest = 0;
     double squared = 0;
     if (tree.nearest(at.data(), 1, &nearest, &squared) == 0) continue;
     const Vector3d way = object[nearest] - at;

@@ -6,12 +6,12 @@
 #include <set>
 
 #include "deviation/statistics.h"
-#include "path_design/surface/point_search.h"
 #include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/geometry/point_tree.h"
 
 namespace part_recipes {
 
-using path_design::PointSearch;
+using scan_cell_common::PointTree;
 using scan_cell_common::YamlEntry;
 
 std::vector<Place> load_places(const std::string& file) {
@@ -39,11 +39,11 @@ std::vector<PlaceDeviation> at_places(const std::vector<Place>& places,
                                       const Points& object, const std::vector<double>& deviations) {
   constexpr std::size_t kFewest =
       5;  // points, for a median that one loose point cannot move; chosen
-  const PointSearch tree(object);
+  const PointTree tree(object);
   std::vector<PlaceDeviation> result;
   for (const Place& place : places) {
     const Eigen::Vector3d at = similarity * place.position;
-    std::vector<std::pair<PointSearch::Index, double>> found;
+    std::vector<std::pair<PointTree::Index, double>> found;
     tree.within(at.data(), place.radius * place.radius, found);
     std::vector<double> values;
     for (const auto& [index, squared] : found) {

@@ -12,7 +12,7 @@
 #include "scan_cell/scan_program.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
-#include "scan_cell_common/geometry/kd_tree.h"
+#include "scan_cell_common/geometry/point_tree.h"
 #include "scan_cell_common/parameters/parameter_table.h"
 #include "scan_cell_common/pose/units.h"
 #include "tool_path_stretcher/stretch_parameters.h"
@@ -53,12 +53,6 @@ void check_stretch(const Recipe& recipe) {
                         "see docs/tool_path_stretcher.md");
 }
 
-struct Coordinate {
-  double operator()(const Eigen::Vector3d& point, std::size_t axis) const {
-    return point[static_cast<Eigen::Index>(axis)];
-  }
-};
-
 bool is_program(const std::string& path) {
   const std::string ending = scan_cell_common::extension_of(path);
   return ending != ".csv" && ending != ".yaml" && ending != ".yml";
@@ -77,8 +71,7 @@ void check_path(const Recipe& recipe) {
       tool_paths::load_tool_path_file((recipe.folder / recipe.path.file).string(), conventions)
           .path;
   const double limit = parameters.max_stand_off;
-  const scan_cell_common::KdTree<tool_path_stretcher::Points, Coordinate, double> tree(
-      surface.points);
+  const scan_cell_common::PointTree tree(surface.points);
   std::size_t near = 0, all = 0;
   for (const auto& position : tool_paths::positions_of(path)) {
     ++all;

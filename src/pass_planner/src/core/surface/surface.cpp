@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_planner/surface.h"
 
-#include <embree3/rtcore.h>
 #include <pcl/conversions.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <new>
 #include <utility>
 
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/geometry/nearest_in_scene.h"
 #include "scan_cell_common/geometry/nearest_on_triangle.h"
+#include "scan_cell_common/geometry/triangle_scene.h"
 #include "tool_path_stretcher/surface.h"
 
 namespace pass_planner {
@@ -72,44 +70,7 @@ SurfaceShape placed(const SurfaceShape& shape, const tool_path_stretcher::Simila
 
 struct Surface::Implementation {
   explicit Implementation(const SurfaceShape& given)
-      : shape(given), device(rtcNewDevice("threads=1")), scene(rtcNewScene(device)) {
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    fill(geometry);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-  }
-  ~Implementation() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
-
-  /// Room for `count` elements of three numbers.
-  template <class Number>
-  static Number* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
-                        std::size_t count) {
-    auto* const numbers = static_cast<Number*>(
-        rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(Number), count));
-    if (numbers == nullptr) throw std::bad_alloc();
-    return numbers;
-  }
-
-  void fill(RTCGeometry geometry) const {
-    auto* corner =
-        buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, shape.points.size());
-    for (const Vector3d& point : shape.points) {
-      Eigen::Map<Eigen::Vector3f>{corner} = point.cast<float>();
-      corner += 3;
-    }
-    auto* index = buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
-                                        shape.triangles.size());
-    for (const auto& triangle : shape.triangles)
-      index = std::copy(triangle.begin(), triangle.end(), index);
-  }
+      : shape(given), triangles(given.points, given.triangles) {}
 
   /// Of one triangle, by its number.
   Place nearest_of(unsigned triangle, const Vector3d& point) const {
@@ -124,8 +85,7 @@ struct Surface::Implementation {
   }
 
   SurfaceShape shape;
-  RTCDevice device;
-  RTCScene scene;
+  scan_cell_common::TriangleScene triangles;
 };
 
 Surface::Surface(const SurfaceShape& shape) {
@@ -142,7 +102,7 @@ Surface& Surface::operator=(Surface&&) noexcept = default;
 
 Surface::Place Surface::nearest(const Vector3d& point) const {
   return scan_cell_common::nearest_in_scene<Place>(
-      implementation_->scene, point, [&](unsigned /*geometry*/, unsigned triangle) {
+      implementation_->triangles.scene(), point, [&](unsigned /*geometry*/, unsigned triangle) {
         return implementation_->nearest_of(triangle, point);
       });
 }
@@ -168,7 +128,7 @@ std::optional<Vector3d> Surface::obstacle(const Vector3d& on_surface, const Vect
              0,
              0};
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(implementation_->scene, &context, &ray);
+  rtcIntersect1(implementation_->triangles.scene(), &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return on_surface + static_cast<double>(ray.ray.tfar) * direction;
 }

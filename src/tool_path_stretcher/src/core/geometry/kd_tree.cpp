@@ -7,18 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "scan_cell_common/geometry/kd_tree.h"
+#include "scan_cell_common/geometry/point_tree.h"
 
 namespace tool_path_stretcher {
 namespace {
 
 constexpr std::size_t kLeafSize = 10;  // points; nanoflann's default
-
-struct Coordinate {
-  double operator()(const Eigen::Vector3d& point, std::size_t axis) const {
-    return point[static_cast<Eigen::Index>(axis)];
-  }
-};
 
 }  // namespace
 
@@ -26,7 +20,7 @@ struct KdTree::Index {
   explicit Index(Points given) : points(std::move(given)), tree(points, kLeafSize) {}
 
   Points points;
-  scan_cell_common::KdTree<Points, Coordinate, double> tree;
+  scan_cell_common::PointTree tree;
 };
 
 KdTree::KdTree(Points points) : index_(std::make_unique<Index>(std::move(points))) {}

@@ -14,7 +14,7 @@ namespace part_recipes {
 namespace {
 
 using Eigen::Vector3d;
-using path_design::PointSearch;
+using scan_cell_common::PointTree;
 using Height = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -50,9 +50,9 @@ Eigen::Matrix3d axes_about(const Vector3d& normal) {
 }
 
 /// Least squares over the neighbours of the same face; flat where they are too few.
-void fit(const ReferenceSurface::Samples& samples, const PointSearch& tree, std::size_t at,
+void fit(const ReferenceSurface::Samples& samples, const PointTree& tree, std::size_t at,
          SurfacePiece& piece) {
-  std::array<PointSearch::Index, kNeighbours> found{};
+  std::array<PointTree::Index, kNeighbours> found{};
   std::array<double, kNeighbours> squared{};
   const Vector3d& origin = samples.points[at];
   const std::size_t count = tree.nearest(origin.data(), kNeighbours, found.data(), squared.data());
@@ -126,7 +126,7 @@ double CloudReference::distance_from(std::size_t index, const Vector3d& point,
 
 double CloudReference::signed_distance(const Vector3d& point, const Reach& reach) const {
   constexpr std::size_t kFaces = 8;  // around an edge; chosen
-  std::array<PointSearch::Index, kFaces> found{};
+  std::array<PointTree::Index, kFaces> found{};
   std::array<double, kFaces> squared{};
   tree_.nearest(point.data(), 1, found.data(), squared.data());
   if (!pieces_[found[0]].beside_edge) return distance_from(found[0], point, reach);

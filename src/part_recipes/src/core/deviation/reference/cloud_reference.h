@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deviation/reference/reference_surface.h"
-#include "path_design/surface/point_search.h"
+#include "scan_cell_common/geometry/point_tree.h"
 
 namespace tool_path_stretcher {
 struct Surface;
@@ -33,7 +33,7 @@ class CloudReference final : public ReferenceSurface {
  private:
   double distance_from(std::size_t piece, const Eigen::Vector3d& point, const Reach& reach) const;
 
-  path_design::PointSearch tree_;  // of samples()
+  scan_cell_common::PointTree tree_;  // of samples()
   std::vector<SurfacePiece> pieces_;
 };
 

@@ -10,6 +10,7 @@
 namespace part_recipes::path_design {
 
 using Eigen::Vector3d;
+using scan_cell_common::PointTree;
 
 namespace {
 
@@ -42,14 +43,14 @@ BorderDistance::BorderDistance(const MeshSearch& surface, const std::vector<Trac
       sides_.push_back(side);
     }
   }
-  if (!samples_.empty()) search_ = std::make_unique<PointSearch>(samples_);
+  if (!samples_.empty()) search_ = std::make_unique<PointTree>(samples_);
 }
 
 Vector3d BorderDistance::nearest(const Vector3d& point) const {
-  PointSearch::Index first = 0;
+  PointTree::Index first = 0;
   double square = 0;
   search_->nearest(point.data(), 1, &first, &square);
-  std::vector<std::pair<PointSearch::Index, double>> found;
+  std::vector<std::pair<PointTree::Index, double>> found;
   // A side's sample is at most half a step from any place of it.
   const double reach = std::sqrt(square) + step_;
   search_->within(point.data(), reach * reach, found);

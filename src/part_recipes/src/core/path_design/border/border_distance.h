@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "path_design/surface/mesh_search.h"
-#include "path_design/surface/point_search.h"
 #include "path_design/trace/trace.h"
+#include "scan_cell_common/geometry/point_tree.h"
 
 namespace part_recipes::path_design {
 
@@ -36,7 +36,7 @@ class BorderDistance {
   std::vector<Eigen::Vector3d> samples_;  // [m] on the sides
   std::vector<std::size_t> side_of_;      // each sample
   double step_ = 0;                       // [m] of the samples
-  std::unique_ptr<PointSearch> search_;
+  std::unique_ptr<scan_cell_common::PointTree> search_;
 };
 
 }  // namespace part_recipes::path_design

@@ -7,14 +7,15 @@
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
 
-#include "path_design/surface/point_search.h"
 #include "path_design/surface/smoothed_cloud.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/geometry/point_tree.h"
 
 namespace part_recipes::path_design {
 namespace {
 
 using Eigen::Vector3d;
+using scan_cell_common::PointTree;
 
 constexpr double kSteepest = 0.15;  // cosine to the viewer: 81 degrees, so that the noise of
                                     // upright walls does not bring them in; chosen
@@ -39,9 +40,9 @@ std::vector<bool> seen(const SmoothedCloud& cloud, const Picture& picture, doubl
     facing.push_back(cloud.normals[i].dot(picture.towards) > kSteepest);
     flat.push_back(picture.flat(cloud.points[i]));
   }
-  const PointSearch search(flat);
+  const PointTree search(flat);
   std::vector<bool> result = facing;
-  std::vector<std::pair<PointSearch::Index, double>> found;
+  std::vector<std::pair<PointTree::Index, double>> found;
   for (std::size_t i = 0; i < flat.size(); ++i) {
     if (!facing[i]) continue;
     search.within(flat[i].data(), std::pow(kAside * spacing, 2), found);

@@ -2,59 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_design/surface/mesh_search.h"
 
-#include <embree3/rtcore.h>
-
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <limits>
-#include <new>
 
 #include "scan_cell_common/geometry/nearest_in_scene.h"
 #include "scan_cell_common/geometry/nearest_on_triangle.h"
+#include "scan_cell_common/geometry/triangle_scene.h"
 
 namespace part_recipes::path_design {
 
 using Eigen::Vector3d;
 
 struct MeshSearch::Scene {
-  explicit Scene(const PartMesh& given)
-      : mesh(given), device(rtcNewDevice("threads=1")), scene(rtcNewScene(device)) {
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    fill(geometry);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-  }
-  ~Scene() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-
-  template <class Number>
-  static Number* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
-                        std::size_t count) {
-    auto* const numbers = static_cast<Number*>(
-        rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(Number), count));
-    if (numbers == nullptr) throw std::bad_alloc();
-    return numbers;
-  }
-
-  void fill(RTCGeometry geometry) const {
-    auto* corner =
-        buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices.size());
-    for (const Vector3d& point : mesh.vertices) {
-      Eigen::Map<Eigen::Vector3f>{corner} = point.cast<float>();
-      corner += 3;
-    }
-    auto* index = buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
-                                        mesh.triangles.size());
-    for (const Triangle& triangle : mesh.triangles)
-      index = std::copy(triangle.begin(), triangle.end(), index);
-  }
+  explicit Scene(const PartMesh& given) : mesh(given), triangles(given.vertices, given.triangles) {}
 
   Foot foot_on(std::uint32_t triangle, const Vector3d& point) const {
     const auto& [i, j, k] = mesh.triangles[triangle];
@@ -80,8 +40,7 @@ struct MeshSearch::Scene {
   }
 
   const PartMesh& mesh;
-  RTCDevice device;
-  RTCScene scene;
+  scan_cell_common::TriangleScene triangles;
 };
 
 MeshSearch::MeshSearch(const PartMesh& mesh) : scene_(std::make_unique<Scene>(mesh)) {}
@@ -94,7 +53,7 @@ const PartMesh& MeshSearch::mesh() const {
 
 Foot MeshSearch::nearest(const Vector3d& point) const {
   Foot foot = scan_cell_common::nearest_in_scene<Foot>(
-      scene_->scene, point,
+      scene_->triangles.scene(), point,
       [&](unsigned /*geometry*/, unsigned triangle) { return scene_->foot_on(triangle, point); });
   foot.normal = scene_->normal_at(foot);
   return foot;
@@ -115,7 +74,7 @@ bool MeshSearch::is_hidden(const Vector3d& place, const Vector3d& towards) const
   ray.tnear = kClearance;
   ray.tfar = std::numeric_limits<float>::infinity();
   ray.mask = 0xFFFFFFFFU;
-  rtcOccluded1(scene_->scene, &context, &ray);
+  rtcOccluded1(scene_->triangles.scene(), &context, &ray);
   return ray.tfar < 0;
 }
 

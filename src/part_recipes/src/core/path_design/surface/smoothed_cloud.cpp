@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "path_design/surface/point_search.h"
+#include "scan_cell_common/geometry/point_tree.h"
 
 namespace part_recipes::path_design {
 namespace {
 
 using Eigen::Vector3d;
-using Found = std::vector<std::pair<PointSearch::Index, double>>;  // squared distances [m^2]
+using scan_cell_common::PointTree;
+using Found = std::vector<std::pair<PointTree::Index, double>>;  // squared distances [m^2]
 using Coefficients = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kReach = 3.5;       // spacings about a point: some 38 neighbours; chosen
@@ -191,7 +192,7 @@ class Smoother {
   Points normals_;
   const double spacing_;
   const Vector3d towards_;
-  const PointSearch search_;
+  const PointTree search_;
   std::vector<bool> at_edge_;
 };
 

@@ -7,16 +7,17 @@
 
 #include "scan_cell_common/geometry/kd_tree.h"
 
-namespace part_recipes::path_design {
+namespace scan_cell_common {
 
-/// Behind PointSearch.
+/// Behind PointTree.
 struct PointCoordinate {
+  /// @param axis 0 .. 2
   double operator()(const Eigen::Vector3d& point, std::size_t axis) const {
     return point[static_cast<Eigen::Index>(axis)];
   }
 };
 
-/// A kd-tree of points [m].
-using PointSearch = scan_cell_common::KdTree<std::vector<Eigen::Vector3d>, PointCoordinate, double>;
+/// A kd-tree of points.
+using PointTree = KdTree<std::vector<Eigen::Vector3d>, PointCoordinate, double>;
 
-}  // namespace part_recipes::path_design
+}  // namespace scan_cell_common
