@@ -4,7 +4,7 @@ add_library(${PROJECT_NAME}_history
   src/core/history/database/statement.cpp src/core/history/export/aqdef.cpp
   src/core/history/export/history_csv.cpp src/core/history/history.cpp
   src/core/history/history_filter.cpp src/core/history/history_rows.cpp
-  src/core/history/rebuild.cpp src/core/history/run_folders.cpp
+  src/core/history/rebuild.cpp src/core/history/remember.cpp src/core/history/run_folders.cpp
   src/core/statistics/capability.cpp src/core/statistics/individuals_chart.cpp
   src/core/statistics/moments.cpp src/core/statistics/western_electric.cpp)
 target_link_libraries(${PROJECT_NAME}_history

@@ -1,10 +1,11 @@
 add_library(${PROJECT_NAME}_core
-  src/core/clock/utc_time.cpp src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp src/core/recipe/places_file.cpp
-  src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_file.cpp
-  src/core/recipe/recipe_names.cpp src/core/replay/job_folder.cpp src/core/replay/replay.cpp
-  src/core/run/again.cpp src/core/run/figures.cpp
-  src/core/run/prove.cpp src/core/run/recipe_picture.cpp src/core/run/run_folder.cpp src/core/run/run_recipe.cpp
-  src/core/run/run_record.cpp src/core/run/tool_call.cpp)
+  src/core/clock/utc_time.cpp src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp
+  src/core/recipe/places_file.cpp src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp
+  src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp
+  src/core/replay/job_folder.cpp src/core/replay/replay.cpp src/core/run/again.cpp
+  src/core/run/figures.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp
+  src/core/run/run_folder.cpp src/core/run/run_recipe.cpp src/core/run/run_record.cpp
+  src/core/run/stage_calls.cpp src/core/run/tool_call.cpp)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC scan_cell::scan_cell_common_core
   PRIVATE
@@ -15,8 +16,9 @@ install(TARGETS ${PROJECT_NAME}_core
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
+
 if(CATKIN_ENABLE_TESTING)
-  catkin_add_gtest(test_${PROJECT_NAME}_recipe 
+  catkin_add_gtest(test_${PROJECT_NAME}_recipe
     test/made_up_part.cpp test/recipe/test_recipe_file.cpp test/temporary_folder.cpp)
   target_link_libraries(test_${PROJECT_NAME}_recipe
     ${PROJECT_NAME}_core scan_cell::scan_cell_common_clouds gtest_main)

@@ -1,6 +1,4 @@
 # Deviations of an object from its reference, and the page of a run
-scan_cell_find_core(tool_path_programs)
-
 set(deviation ${CMAKE_CURRENT_SOURCE_DIR}/src/core/deviation)
 add_library(${PROJECT_NAME}_deviation
   ${deviation}/adapted_part.cpp ${deviation}/deviation_files.cpp ${deviation}/deviations.cpp

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "history/history.h"
+#include "history/remember.h"
 #include "recipe/proof.h"
 #include "run/prove.h"
 #include "scan_cell_common/errors/errors.h"
@@ -37,7 +37,7 @@ RecipeState state_of(const std::filesystem::path& recipes, const std::string& na
     const Recipe recipe = load_recipe(find_recipe(recipes, name));
     const Proof proof = load_proof(recipe);
     state.time = proof.time;
-    check_proof(recipe, {});
+    check_unchanged(recipe, proof, hashes_of(recipe));
     state.state = proof.proven ? RecipeState::PROVEN : RecipeState::MADE;
   } catch (const scan_cell_common::Error& error) {
     state.state = RecipeState::OUT_OF_DATE;
@@ -80,15 +80,11 @@ RunServer::Result RunServer::run(const Goal& goal) {
   };
   const Recipe recipe = load_recipe(find_recipe(parameters_.recipes, goal.recipe));
   const RunRequest request = request_of(goal);
-  const EndedRun ended =
+  EndedRun ended =
       goal.prove != 0 ? prove(recipe, request, begins) : run_recipe(recipe, request, begins);
+  remember(ended);
   Result result;
   result.warning = ended.warning;
-  try {
-    History(parameters_.runs).add(ended.folder);
-  } catch (const scan_cell_common::Error& error) {
-    result.warning += (result.warning.empty() ? "" : "; ") + std::string(error.what());
-  }
   result.outcome = outcome_of(ended.record.state);
   result.reason = ended.record.reason;
   result.message = ended.record.message;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "history/history.h"
+#include "history/remember.h"
 #include "recipe/new_recipe.h"
 #include "recipe/recipe_check.h"
 #include "run/prove.h"
@@ -113,8 +113,9 @@ int list(const Options& options) {
 int prove(const Options& options, const part_recipes::RunRequest& request) {
   const Recipe recipe =
       part_recipes::load_recipe(part_recipes::find_recipe(options.recipes, options.made.name));
-  const auto ended = part_recipes::prove(recipe, request);
-  part_recipes::History(request.runs).add(ended.folder);
+  auto ended = part_recipes::prove(recipe, request);
+  remember(ended);
+  if (!ended.warning.empty()) std::fprintf(stderr, "warning: %s\n", ended.warning.c_str());
   std::printf("%s\n", ended.folder.c_str());
   std::printf("proven: rms %.3f mm, tolerance %.3f mm\n", 1e3 * *ended.record.figures.deviation_rms,
               1e3 * recipe.tolerance);

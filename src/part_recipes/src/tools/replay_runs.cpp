@@ -63,13 +63,10 @@ void add_jobs(const Options& options, const JobFolder& folder) {
   folder.add(jobs);
 }
 
-bool interrupted() {
-  return scan_cell_common::CatchInterrupts::interrupted();
-}
-
 int work(const Options& options, const JobFolder& folder) {
   const auto begins = [](const std::string& id) { std::printf("%s\n", id.c_str()); };
-  work_on(folder, std::chrono::seconds(options.lease), begins, interrupted);
+  work_on(folder, std::chrono::seconds(options.lease), begins,
+          scan_cell_common::CatchInterrupts::interrupted);
   return 0;
 }
 
@@ -107,13 +104,13 @@ int run(const Options& options) {
   const JobFolder folder(options.jobs);
   add_jobs(options, folder);
   if (options.only_add) {
-    std::printf("%zu jobs\n", folder.jobs().size());
+    std::printf("%zu jobs\n", folder.ids().size());
     return 0;
   }
   const bool well = work_side_by_side(options, folder);
   const auto done = replayed(folder);
   std::fputs(to_text(done).c_str(), stdout);
-  const std::size_t left = folder.jobs().size() - done.size();
+  const std::size_t left = folder.ids().size() - done.size();
   if (left > 0) std::printf("%zu runs are left: others do them, or call this again\n", left);
   return well && left == 0 ? 0 : scan_cell_common::kUnusable;
 }

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "history/history.h"
+#include "history/remember.h"
 #include "run/again.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/pose/units.h"
@@ -14,10 +14,9 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-
 using part_recipes::EndedRun;
 using part_recipes::RunState;
+using scan_cell_common::CatchInterrupts;
 
 struct Options {
   std::string name;
@@ -49,24 +48,11 @@ void add_options(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-bool interrupted() {
-  return scan_cell_common::CatchInterrupts::interrupted();
-}
-
 /// A line a stage, the same line on a terminal.
 void show(const std::string& stage) {
   const bool terminal = isatty(STDERR_FILENO) == 1;
   std::fprintf(stderr, terminal ? "\r\033[K%s ..." : "%s ...\n", stage.c_str());
   std::fflush(stderr);
-}
-
-/// A run that is not in the history is a run; history rebuild finds it.
-void remember(EndedRun& ended, const std::string& runs) {
-  try {
-    part_recipes::History(runs).add(ended.folder);
-  } catch (const scan_cell_common::Error& error) {
-    ended.warning += (ended.warning.empty() ? "" : "; ") + std::string(error.what());
-  }
 }
 
 /// @return the process's exit code
@@ -91,8 +77,9 @@ int tell(const EndedRun& ended) {
 
 /// @return the process's exit code
 int run_again(const Options& options) {
-  EndedRun ended = part_recipes::run_again(options.again, options.runs, show, interrupted);
-  remember(ended, options.runs);
+  EndedRun ended =
+      part_recipes::run_again(options.again, options.runs, show, CatchInterrupts::interrupted);
+  remember(ended);
   const int code = tell(ended);
   const auto different = part_recipes::differences(options.again, ended.folder);
   if (different.empty()) {
@@ -106,17 +93,17 @@ int run_again(const Options& options) {
 
 /// @return the process's exit code
 int run(Options& options) {
-  const scan_cell_common::CatchInterrupts interrupts;
+  const CatchInterrupts interrupts;
   if (!options.again.empty()) return run_again(options);
   if (options.name.empty())
     throw scan_cell_common::InvalidParameter("recipe", "not given", "give its name: run NAME");
   options.request.runs = options.runs;
-  options.request.stop = interrupted;
+  options.request.stop = CatchInterrupts::interrupted;
   if (!options.scan.empty()) options.request.scan = options.scan;
   const auto folder = part_recipes::find_recipe(options.recipes, options.name);
   EndedRun ended =
       part_recipes::run_recipe(part_recipes::load_recipe(folder), options.request, show);
-  remember(ended, options.runs);
+  remember(ended);
   return tell(ended);
 }
 

@@ -103,9 +103,12 @@ TEST_F(ARecipe, IsNotProvenByAPartOutOfTolerance) {
 
 TEST_F(ARecipe, IsRefusedWhereTheCalibrationChanged) {
   const Recipe recipe = make();
-  EXPECT_NO_THROW(check_proof(recipe, {{"scanner", "aa"}, {"cell", "bb"}}));
-  EXPECT_THROW(check_proof(recipe, {{"scanner", "ab"}}), Refused);
-  EXPECT_NE(check_proof(recipe, {}).find("does not tell its scanner file"), std::string::npos);
+  EXPECT_NO_THROW(
+      check_calibration(recipe, load_proof(recipe), {{"scanner", "aa"}, {"cell", "bb"}}));
+  EXPECT_THROW(check_calibration(recipe, load_proof(recipe), {{"scanner", "ab"}}), Refused);
+  EXPECT_NE(
+      check_calibration(recipe, load_proof(recipe), {}).find("does not tell its scanner file"),
+      std::string::npos);
   RunRequest scanned = request("moved.ply");
   scanned.scan_record = folder_.path() / "scan.json";
   scan_cell_common::save_text(

@@ -25,6 +25,11 @@ std::string prove(const Recipe& recipe) {
                      recipe.folder.filename().string());
 }
 
+std::string since(const Proof& proof) {
+  return fmt::format("changed since the recipe was {} ({})", proof.proven ? "proven" : "made",
+                     proof.time);
+}
+
 Proof parse(const std::string& text) {
   const Json all = Json::parse(text);
   if (all.at("format").get<int>() != kFormat) throw std::runtime_error("another format");
@@ -71,23 +76,22 @@ void save_proof(const Recipe& recipe, const Proof& proof) {
   scan_cell_common::save_text((recipe.folder / kProofFile).string(), all.dump(kIndent) + "\n");
 }
 
-std::string check_proof(const Recipe& recipe, const Hashes& calibration) {
-  const Proof proof = load_proof(recipe);
-  const std::string since = fmt::format("changed since the recipe was {} ({})",
-                                        proof.proven ? "proven" : "made", proof.time);
-  const Hashes now = hashes_of(recipe);
+void check_unchanged(const Recipe& recipe, const Proof& proof, const Hashes& now) {
   for (const auto& [name, hash] : now) {
     const auto then = proof.files.find(name);
     if (then == proof.files.end() || then->second != hash)
-      throw Refused((recipe.folder / name).string(), since, prove(recipe));
+      throw Refused((recipe.folder / name).string(), since(proof), prove(recipe));
   }
+}
+
+std::string check_calibration(const Recipe& recipe, const Proof& proof, const Hashes& calibration) {
   std::string notes = proof.proven ? "" : "the recipe was never proven; " + prove(recipe);
   for (const auto& [name, hash] : proof.calibration) {
     const auto known = calibration.find(name);
     if (known == calibration.end()) {
       notes += fmt::format("{}the scan does not tell its {} file", notes.empty() ? "" : "; ", name);
     } else if (known->second != hash) {
-      throw Refused(fmt::format("the cell's {} file", name), since, prove(recipe));
+      throw Refused(fmt::format("the cell's {} file", name), since(proof), prove(recipe));
     }
   }
   return notes;

@@ -35,10 +35,15 @@ Proof load_proof(const Recipe& recipe);
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_proof(const Recipe& recipe, const Proof& proof);
 
-/// Whether runs may go by the recipe.
+/// Whether the recipe's files are those that it was proven with.
+/// @param now as hashes_of() gives them
+/// @throw scan_cell_common::Refused naming the first that is not
+void check_unchanged(const Recipe& recipe, const Proof& proof, const Hashes& now);
+
+/// Whether a cell's calibration is the one that the recipe was proven with.
 /// @param calibration of the cell that scanned; what is not known on both sides is not compared
 /// @return what the person should know: that it was never proven, that a calibration is not known
-/// @throw scan_cell_common::Refused naming what is not as it was when the recipe was proven
-std::string check_proof(const Recipe& recipe, const Hashes& calibration);
+/// @throw scan_cell_common::Refused naming the file that is not
+std::string check_calibration(const Recipe& recipe, const Proof& proof, const Hashes& calibration);
 
 }  // namespace part_recipes

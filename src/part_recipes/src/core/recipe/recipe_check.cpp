@@ -108,7 +108,7 @@ std::vector<std::string> problems_of(const Recipe& recipe) {
   });
   look([&] { check_stretch(recipe); });
   look([&] { check_path(recipe); });
-  look([&] { check_proof(recipe, {}); });
+  look([&] { check_unchanged(recipe, load_proof(recipe), hashes_of(recipe)); });
   return problems;
 }
 

@@ -56,13 +56,17 @@ JobFolder::JobFolder(fs::path folder) : folder_(fs::absolute(folder)) {
   }
 }
 
+fs::path JobFolder::job_of(const std::string& id) const {
+  return folder_ / "jobs" / (id + ".json");
+}
+
 fs::path JobFolder::done_of(const std::string& id) const {
   return folder_ / "done" / (id + ".json");
 }
 
 void JobFolder::add(const std::vector<Job>& jobs) const {
   for (const Job& job : jobs) {
-    const fs::path file = folder_ / "jobs" / (job.id + ".json");
+    const fs::path file = job_of(job.id);
     if (fs::exists(file)) continue;
     const Json all = {{"run", fs::absolute(job.run).string()},
                       {"recipe", fs::absolute(job.recipe).string()}};
@@ -70,16 +74,23 @@ void JobFolder::add(const std::vector<Job>& jobs) const {
   }
 }
 
-std::vector<Job> JobFolder::jobs() const {
-  std::vector<Job> jobs;
+std::vector<std::string> JobFolder::ids() const {
+  std::vector<std::string> ids;
   try {
     for (const auto& entry : fs::directory_iterator(folder_ / "jobs")) {
-      if (entry.path().extension() == ".json") jobs.push_back(job_in(entry.path()));
+      if (entry.path().extension() == ".json") ids.push_back(entry.path().stem().string());
     }
   } catch (const fs::filesystem_error& error) {
     refuse(error);
   }
-  std::sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.id < b.id; });
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+std::vector<Job> JobFolder::jobs() const {
+  std::vector<Job> jobs;
+  for (const std::string& id : ids())
+    jobs.push_back(job_in(job_of(id)));
   return jobs;
 }
 
@@ -107,9 +118,11 @@ bool JobFolder::take(const std::string& id, std::chrono::seconds lease) const {
 }
 
 std::optional<Job> JobFolder::claim(std::chrono::seconds lease) const {
-  for (const Job& job : jobs()) {
-    if (fs::exists(done_of(job.id)) || !take(job.id, lease)) continue;
-    if (!fs::exists(done_of(job.id))) return job;  // nobody finished it meanwhile
+  for (const std::string& id : ids()) {
+    if (fs::exists(done_of(id))) continue;
+    const Job job = job_in(job_of(id));
+    if (!take(id, lease)) continue;
+    if (!fs::exists(done_of(id))) return job;  // nobody finished it meanwhile
     release(job);
   }
   return std::nullopt;

@@ -38,6 +38,8 @@ class JobFolder {
   /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if one is broken
   std::vector<Job> jobs() const;
 
+  std::vector<std::string> ids() const;  //!< of all jobs, sorted
+
   /// Takes a job that nobody does.
   /// @param lease [s] after which a claim that is not touched is free again
   /// @return none: all are done, or somebody does them
@@ -61,6 +63,7 @@ class JobFolder {
 
  private:
   std::filesystem::path claim_of(const std::string& id) const { return folder_ / "claims" / id; }
+  std::filesystem::path job_of(const std::string& id) const;
   std::filesystem::path done_of(const std::string& id) const;
   bool take(const std::string& id, std::chrono::seconds lease) const;
 

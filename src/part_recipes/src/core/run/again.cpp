@@ -26,8 +26,8 @@ bool is_result(const std::string& name) {
 }
 
 /// The scan of a run, if nobody changed it.
-RunRequest request_of(const fs::path& folder, const RunRecord& before, const fs::path& runs,
-                      const Stop& stop) {
+RunRequest request_of(const fs::path& folder, const fs::path& runs, const Stop& stop) {
+  const RunRecord before = load_run(folder);
   check_files(folder, before);
   RunRequest request;
   request.runs = runs;
@@ -45,15 +45,13 @@ RunRequest request_of(const fs::path& folder, const RunRecord& before, const fs:
 
 EndedRun run_again(const fs::path& folder, const fs::path& runs, const StageBegins& begins,
                    const Stop& stop) {
-  const RunRecord before = load_run(folder);
-  const RunRequest request = request_of(folder, before, runs, stop);
+  const RunRequest request = request_of(folder, runs, stop);
   return run_recipe(load_recipe(folder / "inputs"), request, begins);
 }
 
 EndedRun run_with(const fs::path& folder, const Recipe& recipe, const fs::path& runs,
                   const Stop& stop) {
-  const RunRecord before = load_run(folder);
-  return run_recipe(recipe, request_of(folder, before, runs, stop), {});
+  return run_recipe(recipe, request_of(folder, runs, stop), {});
 }
 
 std::vector<std::string> differences(const fs::path& one, const fs::path& other) {

@@ -23,30 +23,42 @@ void read(const std::filesystem::path& file, const Use& use) {
   }
 }
 
-void save(const std::filesystem::path& file, const Json& all) {
-  constexpr int kIndent = 2;
-  scan_cell_common::save_text(file.string(), all.dump(kIndent) + "\n");
-}
-
 std::optional<double> number(const Json& all, const char* key) {
   const auto found = all.find(key);
   if (found == all.end() || found->is_null()) return std::nullopt;
   return found->get<double>();
 }
 
+void take_figures(const Json& report, RunRecord& record) {
+  record.reason = report.at("reason").get<std::string>();
+  record.message = report.at("message").get<std::string>();
+  RunFigures& figures = record.figures;
+  figures.scale = number(report, "scale");
+  figures.rms = number(report, "rms");
+  figures.largest_displacement = number(report, "largest_displacement");
+  figures.expected_error_normal = number(report, "largest_expected_error_normal");
+  figures.expected_error_tangential = number(report, "largest_expected_error_tangential");
+  figures.expected_error_orientation = number(report, "largest_expected_error_orientation");
+}
+
+/// Of the scan, what the report needs.
+void add_scan(Json& report, const Json& scan) {
+  for (const char* key : {"scanned", "calibration", "passes"}) {
+    if (scan.contains(key)) report[key] = scan.at(key);
+  }
+}
+
 }  // namespace
 
-void read_report(const std::filesystem::path& report, RunRecord& record) {
-  read(report, [&record](const Json& all) {
-    record.reason = all.at("reason").get<std::string>();
-    record.message = all.at("message").get<std::string>();
-    RunFigures& figures = record.figures;
-    figures.scale = number(all, "scale");
-    figures.rms = number(all, "rms");
-    figures.largest_displacement = number(all, "largest_displacement");
-    figures.expected_error_normal = number(all, "largest_expected_error_normal");
-    figures.expected_error_tangential = number(all, "largest_expected_error_tangential");
-    figures.expected_error_orientation = number(all, "largest_expected_error_orientation");
+void settle_report(const std::filesystem::path& report,
+                   const std::optional<std::filesystem::path>& scan, RunRecord& record) {
+  read(report, [&](Json all) {
+    take_figures(all, record);
+    all.erase("seconds");
+    all.erase("seconds_of");
+    if (scan) read(*scan, [&all](const Json& told) { add_scan(all, told); });
+    constexpr int kIndent = 2;
+    scan_cell_common::save_text(report.string(), all.dump(kIndent) + "\n");
   });
 }
 
@@ -66,26 +78,6 @@ void read_scan(const std::filesystem::path& scan, RunRecord& record) {
       if (!file.at("sha256").is_null())
         record.calibration[name] = file.at("sha256").get<std::string>();
     }
-  });
-}
-
-void take_times_out(const std::filesystem::path& report) {
-  read(report, [&](Json all) {
-    all.erase("seconds");
-    all.erase("seconds_of");
-    save(report, all);
-  });
-}
-
-void complete_report(const std::filesystem::path& report, const std::filesystem::path& scan) {
-  read(report, [&](const Json& before) {
-    read(scan, [&](const Json& told) {
-      Json all = before;
-      for (const char* key : {"scanned", "calibration", "passes"}) {
-        if (told.contains(key)) all[key] = told.at(key);
-      }
-      save(report, all);
-    });
   });
 }
 

@@ -35,6 +35,11 @@ struct EndedRun {
   std::filesystem::path folder;
   RunRecord record;
   std::string warning;  //!< what the person should know; empty: nothing
+
+  /// Adds to the warning; an empty text adds nothing.
+  void warn(const std::string& text) {
+    if (!text.empty()) warning += (warning.empty() ? "" : "; ") + text;
+  }
 };
 
 /// Scans (unless a cloud is given), cleans, adapts, measures the deviations, writes the robot's

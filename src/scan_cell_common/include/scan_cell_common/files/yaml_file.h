@@ -23,7 +23,7 @@ YAML::Node load_yaml(const std::string& path);
 YAML::Node parse_yaml(const std::string& text, const std::string& name);
 
 /// One entry of a YAML file. Errors name the file and the entry's whole way, such as
-/// "scanner.yaml: camera.fx".
+/// "scanner.yaml: camera.fx", and its line; of what is missing, that of the map it belongs in.
 class YamlEntry {
  public:
   /// The root of a file.

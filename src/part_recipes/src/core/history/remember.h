@@ -1,0 +1,13 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "run/run_recipe.h"
+
+namespace part_recipes {
+
+/// Adds a run that just ended to the history beside it. Where that fails the run says so in its
+/// warning: it is a run without it, and `history rebuild` finds it.
+void remember(EndedRun& run);
+
+}  // namespace part_recipes

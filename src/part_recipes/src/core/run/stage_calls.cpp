@@ -1,0 +1,75 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/stage_calls.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "recipe/places_file.h"
+
+namespace part_recipes {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In the path's own form.
+std::string adapted_path(const Recipe& recipe) {
+  return "../adapted_path" + fs::path(recipe.path.file).extension().string();
+}
+
+}  // namespace
+
+ToolCall scan_call(const Recipe& recipe, double timeout) {
+  return {"scan",
+          "scan_cell",
+          {"scan", "--program", recipe.program, "--output", "scan.ply", "--report", "../scan.json",
+           "--timeout", fmt::format("{}", timeout)}};
+}
+
+ToolCall clean_call(const Recipe& recipe, const std::string& scan, const std::string& units) {
+  ToolCall call{"clean",
+                "cloud_preprocess",
+                {"clean_cloud", "--input", scan, "--output", "../object.ply", "--units", units,
+                 "--output-units", "m"}};
+  if (!recipe.cleaning.empty())
+    call.command.insert(call.command.end(), {"--config", recipe.cleaning});
+  return call;
+}
+
+ToolCall stretch_call(const Recipe& recipe) {
+  ToolCall call{"stretch",
+                "tool_path_stretcher",
+                {"stretch", "--reference", recipe.reference.file, "--reference-units",
+                 recipe.reference.units, "--object", "../object.ply", "--object-units", "m",
+                 "--path", recipe.path.file, "--path-units", recipe.path.units, "--output",
+                 adapted_path(recipe), "--report", "../report.json"}};
+  add_options(call, recipe.path.options);
+  add_options(call, recipe.stretch);
+  return call;
+}
+
+ToolCall deviations_call(const Recipe& recipe) {
+  return {"deviations",
+          "part_recipes",
+          {"deviations", "--reference", recipe.reference.file, "--reference-units",
+           recipe.reference.units, "--object", "../object.ply", "--report", "../report.json",
+           "--tolerance", fmt::format("{}", recipe.tolerance), "--places", kPlacesFile, "--output",
+           "../deviation.ply", "--summary", "../deviation.json"}};
+}
+
+std::string program_file(const RobotProgram& program) {
+  return (fs::path("..") / "programs" / program.file).string();
+}
+
+ToolCall export_call(const Recipe& recipe, const RobotProgram& program) {
+  ToolCall call{"export_" + fs::path(program.file).filename().string(),
+                "tool_path_programs",
+                {"export_path", "--path", adapted_path(recipe), "--units", recipe.path.units,
+                 "--report", "../report.json", "--output", program_file(program)}};
+  add_options(call, recipe.path.options);
+  add_options(call, program.options);
+  return call;
+}
+
+}  // namespace part_recipes

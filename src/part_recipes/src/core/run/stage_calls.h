@@ -1,0 +1,35 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "recipe/recipe.h"
+#include "run/tool_call.h"
+
+namespace part_recipes {
+
+/// The tools that a run calls, in their order. They work in its folder inputs; what they write lies
+/// one folder up, so that the names in reports and logs hold wherever the run is copied to.
+
+/// The running cell scans: inputs/scan.ply, scan.json.
+/// @param timeout [s] to wait for the cell
+ToolCall scan_call(const Recipe& recipe, double timeout);
+
+/// object.ply.
+/// @param scan raw cloud in inputs @param units of its lengths
+ToolCall clean_call(const Recipe& recipe, const std::string& scan, const std::string& units);
+
+/// report.json, and the adapted path where it is accepted.
+ToolCall stretch_call(const Recipe& recipe);
+
+/// deviation.ply, deviation.json.
+ToolCall deviations_call(const Recipe& recipe);
+
+/// programs/FILE.
+ToolCall export_call(const Recipe& recipe, const RobotProgram& program);
+
+/// Where that program goes, from inputs.
+std::string program_file(const RobotProgram& program);
+
+}  // namespace part_recipes
