@@ -13,10 +13,10 @@ RUNS ?= 2000000
 BUILD ?= build
 DEVEL ?= devel
 FLAGS ?= -O2 -g1 -DNDEBUG
-# packages, separated by ; (empty: all)
-WHITELIST ?=
-# without which it does not look at sources that use precompiled headers
-CCACHE = env;CCACHE_SLOPPINESS=pch_defines,time_macros;$(or $(shell command -v ccache),/usr/bin/ccache)
+# sources that are compiled as one; 1 compiles each alone
+BATCH ?= 8
+# Without the first it does not look at sources that use precompiled headers; the others let checkouts share it.
+CCACHE = env;CCACHE_SLOPPINESS=pch_defines,time_macros;CCACHE_BASEDIR=$(CURDIR);CCACHE_NOHASHDIR=1;$(or $(shell command -v ccache),/usr/bin/ccache)
 IN_WORKSPACE = source $(DEVEL)/setup.bash &&
 
 .PHONY: all build demo test bench fuzz trials soak sanitize install lint docs format clean dependencies configure
@@ -35,7 +35,7 @@ configure: dependencies src/CMakeLists.txt
 	@mkdir -p $(BUILD) $(DEVEL)/lib/pkgconfig $(DEVEL)/lib/python3/dist-packages
 	@cmake -S src -B $(BUILD) -G Ninja -DCATKIN_DEVEL_PREFIX=$(abspath $(DEVEL)) -DCMAKE_INSTALL_PREFIX=$(CURDIR)/install \
 	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='$(FLAGS)' \
-	  -DCATKIN_WHITELIST_PACKAGES='$(WHITELIST)' -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
+	  -DSCAN_CELL_BATCH=$(BATCH) -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
 	  -DCMAKE_CXX_COMPILER_LAUNCHER='$(CCACHE)' > $(BUILD)/configure.log 2>&1 \
 	  || { cat $(BUILD)/configure.log; exit 1; }
 

@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
-# run_tests.sh BUILD GTESTS ROSTESTS   runs every test of a build and names the failures: GTESTS gtests in parallel, so
-# many tests by browsers and schedulers, then ROSTESTS rostests in parallel, which mostly wait for their simulated cell.
+# run_tests.sh BUILD TESTS ROSTESTS   runs every test of a build and names the failures: TESTS in parallel, with browsers
+# and schedulers among them, then ROSTESTS rostests in parallel, which mostly wait for their simulated cell.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-build=$1 gtests=$2 rostests=$3 status=0
+build=$1 tests=$2 rostests=$3 status=0
 
 run() { ctest --test-dir "$build" --output-on-failure --timeout 1200 "$@" || status=1; }
 
 rm -rf "$build/test_results"
-run --tests-regex _gtest_ --parallel "$gtests"
-run --tests-regex _nosetests_ --parallel "$gtests"
+run --tests-regex '_gtest_|_nosetests_' --parallel "$tests"
 run --tests-regex _rostest_ --parallel "$rostests"
 
 [ -n "${SCAN_CELL_DATA:-}" ] ||

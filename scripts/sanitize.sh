@@ -6,10 +6,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Packages with threads, and the packages they need; then their tests.
-threaded_packages="scan_cell_common;scan_cell_msgs;c4g_driver;laser_trigger;tecnogamma_camera;pose_frame_binder"
-threaded_packages+=";laser_triangulation;cloud_preprocess;tool_path_stretcher;scan_calibration;scan_cell;scan_cell_sim"
-# package/name of test_package_name
+# Tests of the cores with threads: package/name of test_package_name
 threaded_tests=(scan_cell_common/core scan_cell_common/net c4g_driver/core c4g_driver/with_emulator laser_trigger/core
   pose_frame_binder/core scan_cell/core scan_cell_sim/core scan_cell_sim/controller scan_cell_sim/camera
   tecnogamma_camera/core tecnogamma_camera/recordings tecnogamma_camera/aravis laser_triangulation/core
@@ -40,7 +37,7 @@ addresses() {
 threads() {
   export TSAN_OPTIONS="log_path=$reports/report:second_deadlock_stack=1"
   TSAN_OPTIONS+=":suppressions=$PWD/scripts/sanitizers/races.txt"
-  make configure BUILD=$tree DEVEL=$tree/devel WHITELIST="$threaded_packages" \
+  make configure BUILD=$tree DEVEL=$tree/devel \
     FLAGS='-O2 -g1 -fno-omit-frame-pointer -fsanitize=thread -Wno-tsan'
   local failed=() test target
   for test in "${threaded_tests[@]}"; do

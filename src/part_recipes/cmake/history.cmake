@@ -39,10 +39,10 @@ if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(test_${PROJECT_NAME}_history
     test/history/test_history.cpp test/history/test_history_chart.cpp
     test/history/test_history_export.cpp test/history/test_history_faults.cpp
-    test/history/test_history_kills.cpp test/history/test_statistics.cpp TIMEOUT 300)
+    test/history/test_history_kills.cpp test/history/test_statistics.cpp)
   target_link_libraries(test_${PROJECT_NAME}_history
     ${PROJECT_NAME}_made_runs nlohmann_json::nlohmann_json gtest_main)
-  catkin_add_gtest(test_${PROJECT_NAME}_history_tool test/history/test_history_tool.cpp TIMEOUT 300)
+  catkin_add_gtest(test_${PROJECT_NAME}_history_tool test/history/test_history_tool.cpp)
   target_compile_definitions(test_${PROJECT_NAME}_history_tool
     PRIVATE HISTORY_TOOL="$<TARGET_FILE:${PROJECT_NAME}_history_tool>")
   target_link_libraries(test_${PROJECT_NAME}_history_tool

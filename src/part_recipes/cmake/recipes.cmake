@@ -5,7 +5,7 @@ add_library(${PROJECT_NAME}_core
   src/core/replay/job_folder.cpp src/core/replay/replay.cpp src/core/run/again.cpp
   src/core/run/figures.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp
   src/core/run/run_folder.cpp src/core/run/run_recipe.cpp src/core/run/run_record.cpp
-  src/core/run/stage_calls.cpp src/core/run/tool_call.cpp)
+  src/core/run/stage_calls.cpp src/core/run/tool_call.cpp src/core/run/work.cpp)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC scan_cell::scan_cell_common_core
   PRIVATE
@@ -17,11 +17,25 @@ install(TARGETS ${PROJECT_NAME}_core
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 
+add_executable(bench_replay EXCLUDE_FROM_ALL
+  test/replay/bench_replay.cpp test/temporary_folder.cpp)
+target_link_libraries(bench_replay ${PROJECT_NAME}_core CLI11::CLI11)
+install(TARGETS bench_replay OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+if(NOT TARGET benchmarks)
+  add_custom_target(benchmarks)
+endif()
+add_dependencies(benchmarks bench_replay)
+
+scan_cell_fuzzer(fuzz_recipes
+  test/recipe/fuzz_recipes.cpp test/recipe/recipe_targets.cpp)
+target_link_libraries(fuzz_recipes ${PROJECT_NAME}_core ${scan_cell_common_LIBRARIES})
+
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(test_${PROJECT_NAME}_recipe
-    test/made_up_part.cpp test/recipe/test_recipe_file.cpp test/temporary_folder.cpp)
-  target_link_libraries(test_${PROJECT_NAME}_recipe
-    ${PROJECT_NAME}_core scan_cell::scan_cell_common_clouds gtest_main)
+    test/made_up_part.cpp test/recipe/recipe_targets.cpp test/recipe/test_fuzz_recipes.cpp
+    test/recipe/test_recipe_file.cpp test/temporary_folder.cpp)
+  target_link_libraries(test_${PROJECT_NAME}_recipe ${PROJECT_NAME}_core
+    ${scan_cell_common_LIBRARIES} scan_cell::scan_cell_common_clouds gtest_main)
   catkin_add_gtest(test_${PROJECT_NAME}_run
     test/made_up_part.cpp test/run/test_run.cpp test/run/test_run_folder.cpp
     test/temporary_folder.cpp)

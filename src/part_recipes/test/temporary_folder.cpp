@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "temporary_folder.h"
 
+#include <linux/capability.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -20,6 +22,12 @@ TemporaryFolder::~TemporaryFolder() {
   std::error_code failure;
   std::filesystem::permissions(path_, std::filesystem::perms::owner_all, failure);
   std::filesystem::remove_all(path_, failure);
+}
+
+void drop_capabilities() {
+  __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3] = {};
+  if (syscall(SYS_capset, &header, none) != 0) throw std::runtime_error("capabilities stay");
 }
 
 }  // namespace part_recipes

@@ -20,4 +20,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// From then on permissions count for this process, also for root.
+void drop_capabilities();
+
 }  // namespace part_recipes

@@ -58,12 +58,17 @@ function(_scan_cell_kind target result)
   set(${result} ${kind} PARENT_SCOPE)
 endfunction()
 
-# For the targets of the calling package, when all are known.
+# For the targets of the calling package, when all are known. Batches read their headers only once anyway: to precompile
+# them takes longer than it saves.
 function(scan_cell_precompile_targets)
   get_directory_property(targets BUILDSYSTEM_TARGETS)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
     get_target_property(sources ${target} SOURCES)
+    get_target_property(in_batches ${target} SCAN_CELL_IN_BATCHES)
+    if(in_batches)
+      continue()
+    endif()
     if(type MATCHES "^(STATIC|SHARED|OBJECT|MODULE)_LIBRARY$|EXECUTABLE" AND "${sources}" MATCHES "\\.cpp")
       _scan_cell_kind(${target} kind)
       list(APPEND kinds ${kind})

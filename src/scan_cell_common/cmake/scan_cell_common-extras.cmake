@@ -1,8 +1,9 @@
 set(_scan_cell_cmake ${CMAKE_CURRENT_LIST_DIR})
+include(${_scan_cell_cmake}/batches.cmake)
 include(${_scan_cell_cmake}/precompiled_headers.cmake)
 
-# scan_cell_package([pcl] [json]): C++17, warnings as errors and precompiled headers for all targets of the calling package;
-# pcl, json: most of its sources include PCL's points, nlohmann's JSON.
+# scan_cell_package([pcl] [json]): C++17, warnings as errors, batches and precompiled headers for all targets of the calling
+# package; pcl, json: most of its sources include PCL's points, nlohmann's JSON.
 macro(scan_cell_package)
   set(CMAKE_CXX_STANDARD 17)
   set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -10,6 +11,7 @@ macro(scan_cell_package)
   # A library whose source changed is not linked again into all that use it.
   set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
   add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
+  scan_cell_batches()
   scan_cell_precompile(${ARGN})
 endmacro()
 
@@ -54,6 +56,20 @@ function(scan_cell_export_core)
     DESTINATION lib/cmake/${name})
   install(FILES ${folder}/${name}Config.cmake ${folder}/${name}ConfigVersion.cmake
     DESTINATION lib/cmake/${name})
+endfunction()
+
+# scan_cell_fuzzer(NAME SOURCE...): a program of make fuzz; link it as any other. With LIBFUZZER among the flags
+# (scripts/libfuzzer.sh) clang's libFuzzer brings its main().
+function(scan_cell_fuzzer name)
+  add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
+  if(CMAKE_CXX_FLAGS_RELWITHDEBINFO MATCHES "LIBFUZZER")
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  endif()
+  install(TARGETS ${name} OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  if(NOT TARGET fuzzers)
+    add_custom_target(fuzzers)
+  endif()
+  add_dependencies(fuzzers ${name})
 endfunction()
 
 # scan_cell_tests(): before the tests of the calling package. They run in networks of their own (own_network.py), so

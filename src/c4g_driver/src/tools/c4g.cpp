@@ -11,6 +11,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/interrupts.h"
 #include "scan_cell_common/tools/tool_main.h"
 
@@ -20,8 +21,8 @@ using c4g_driver::Client;
 using c4g_driver::ClientOptions;
 using c4g_driver::WireSix;
 
-constexpr double kMillimetre = 1e-3;
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
+using scan_cell_common::kMillimetre;
 
 struct Options {
   ClientOptions client;

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/scanner/scanner_model.h"
 
 namespace laser_triangulation {
 namespace {
 
-constexpr double kMillimetres = 1e3;
+using scan_cell_common::kMillimetres;
 constexpr std::size_t kMaxMended = 64;  // sweeps; chosen: a system of 384 unknowns
 // [m] from the middle of the range of depths in which a laser's points are as uncertain as that;
 // chosen: half of it at the usual distance

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/conversions.h"
 
@@ -158,8 +159,8 @@ void CloudBuilder::bring_together() {
 
 std::vector<std::string> CloudBuilder::agreement_lines(
     const scan_cell_msgs::CloudStatistics& statistics) {
-  constexpr double kMillimetres = 1e3;
-  constexpr double kDegrees = 180 / M_PI;
+  using scan_cell_common::kDegrees;
+  using scan_cell_common::kMillimetres;
   constexpr std::size_t kMaxPairs = 10;  // chosen
   std::vector<std::string> lines;
   if (!statistics.agreement_message.empty()) lines.push_back(statistics.agreement_message);

@@ -12,6 +12,7 @@
 
 #include "cloud_file.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/service_answer.h"
 #include "scan_cell_common/scanner/point_deviations.h"
 
@@ -221,7 +222,7 @@ void TriangulationServices::diagnose(diagnostic_updater::DiagnosticStatusWrapper
   status.add("profiles outside of a scan", ignored_);
   double median = 0, most = 0;  // [mm] of the pair that is worst
   for (const scan_cell_msgs::PassOverlap& overlap : last_.overlaps) {
-    constexpr double kMillimetres = 1e3;
+    using scan_cell_common::kMillimetres;
     median = std::max(median, kMillimetres * overlap.median);
     most = std::max(most, kMillimetres * overlap.most);
   }

@@ -30,6 +30,21 @@ unsigned char outcome_of(RunState state) {
   return RunRecipeResult::UNUSABLE;
 }
 
+/// @throw scan_cell_common::InvalidParameter if it is none of the constants
+Work work_of(const RunRecipeGoal& goal) {
+  switch (goal.work) {
+    case RunRecipeGoal::NO_WORK:
+      return Work::kNone;
+    case RunRecipeGoal::DRY_RUN:
+      return Work::kDry;
+    case RunRecipeGoal::WORK:
+      return Work::kReal;
+    default:
+      throw scan_cell_common::InvalidParameter("work", std::to_string(goal.work),
+                                               "give NO_WORK, DRY_RUN or WORK");
+  }
+}
+
 RecipeState state_of(const std::filesystem::path& recipes, const std::string& name) {
   RecipeState state;
   state.name = name;
@@ -65,6 +80,7 @@ RunRequest RunServer::request_of(const Goal& goal) {
   if (!goal.scan_units.empty()) request.scan_units = goal.scan_units;
   request.timeout = parameters_.timeout;
   request.note = goal.note;
+  request.work = work_of(goal);
   // The server asks for it, too, where another goal came: that one waits.
   request.stop = [this] {
     return !ros::ok() || (server_.isPreemptRequested() && !server_.isNewGoalAvailable());
@@ -83,12 +99,15 @@ RunServer::Result RunServer::run(const Goal& goal) {
   EndedRun ended =
       goal.prove != 0 ? prove(recipe, request, begins) : run_recipe(recipe, request, begins);
   remember(ended);
+  if (goal.prove == 0) work(recipe, request, begins, ended);
   Result result;
   result.warning = ended.warning;
   result.outcome = outcome_of(ended.record.state);
   result.reason = ended.record.reason;
   result.message = ended.record.message;
   result.folder = ended.folder.string();
+  result.worked = static_cast<unsigned char>(ended.worked);
+  result.work_message = ended.work_message;
   result.proven = goal.prove;
   return result;
 }

@@ -44,7 +44,7 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
 }
 
 std::string millimetres(const std::optional<double>& metres) {
-  constexpr double kMillimetres = 1e3;
+  using scan_cell_common::kMillimetres;
   return metres ? fmt::format("{:+.3f} mm", kMillimetres * *metres) : "not known";
 }
 

@@ -7,13 +7,14 @@
 #include <cstdio>
 
 #include "history/run_columns.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
 
 using part_recipes::HistoryRun;
 
 namespace {
 
-constexpr double kMillimetres = 1e3;  // [mm/m]
+using scan_cell_common::kMillimetres;
 
 /// Without what a terminal would obey.
 std::string printable(const std::string& text) {
@@ -65,7 +66,7 @@ void print_run(const HistoryRun& run, const std::filesystem::path& runs) {
   for (const FigureColumn& figure : kFigureColumns) {
     const auto& value = figures.*figure.member;
     if (!value) continue;
-    constexpr double kDegrees = 180 / 3.14159265358979323846;
+    using scan_cell_common::kDegrees;
     const std::string shown =
         figure.quantity == Quantity::kLength  ? number(value, kMillimetres, 4) + " mm"
         : figure.quantity == Quantity::kAngle ? number(value, kDegrees, 3) + " deg"

@@ -25,7 +25,7 @@ struct Options {
   std::string recipes = "recipes";
   part_recipes::NewRecipe made;
   std::vector<std::string> programs;
-  std::vector<std::string> stretch, path_options, program_options;  // NAME=VALUE
+  std::vector<std::string> stretch, path_options, program_options, work;  // NAME=VALUE
   std::string scanner, cell;
 };
 
@@ -62,6 +62,7 @@ void add_new(CLI::App& app, Options& options) {
   app.add_option("--robot-program", options.programs, "program to write, such as part.src");
   app.add_option("--program-option", options.program_options,
                  "NAME=VALUE: option of export_path for all of them");
+  app.add_option("--work", options.work, "NAME=VALUE: waypoint_z or frame, as work takes them");
   app.add_option("--scanner", options.scanner, "scanner model that the reference was scanned with");
   app.add_option("--cell", options.cell, "cell file that the reference was scanned with");
 }
@@ -69,6 +70,7 @@ void add_new(CLI::App& app, Options& options) {
 int make(Options& options) {
   auto& made = options.made;
   made.stretch = options_of(options.stretch, "--stretch");
+  made.work = options_of(options.work, "--work");
   made.path.options = options_of(options.path_options, "--path-option");
   for (const std::string& program : options.programs)
     made.programs.push_back({program, options_of(options.program_options, "--program-option")});

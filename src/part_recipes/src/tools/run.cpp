@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 
 #include "history/remember.h"
 #include "run/again.h"
@@ -16,6 +17,7 @@ namespace {
 
 using part_recipes::EndedRun;
 using part_recipes::RunState;
+using part_recipes::Work;
 using scan_cell_common::CatchInterrupts;
 
 struct Options {
@@ -44,6 +46,13 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(scan_cell_common::length_units()))
       ->capture_default_str();
   app.add_option("--note", options.request.note, "kept with the run");
+  const std::map<std::string, Work> works = {{"dry", Work::kDry}, {"real", Work::kReal}};
+  app.add_option(
+         "--work", options.request.work,
+         "what the running cell does with an accepted path: dry (lifted, slow, tool off), or "
+         "real, which is dry first")
+      ->transform(CLI::CheckedTransformer(works))
+      ->excludes(again);
   app.add_option("--timeout", options.request.timeout, "seconds to wait for the cell")
       ->capture_default_str();
 }
@@ -64,9 +73,11 @@ int tell(const EndedRun& ended) {
     std::printf("%-12s %6.2f s\n", stage.name.c_str(), stage.seconds);
   std::printf("%s: %s\n", to_string(record.state).c_str(), record.message.c_str());
   std::printf("%s\n", (ended.folder / "report.html").c_str());
+  if (!ended.work_message.empty())
+    std::fprintf(ended.worked ? stdout : stderr, "%s\n", ended.work_message.c_str());
   switch (record.state) {
     case RunState::kAccepted:
-      return 0;
+      return ended.worked || ended.work_message.empty() ? 0 : scan_cell_common::kUnusable;
     case RunState::kRefused:
       return scan_cell_common::kRefused;
     case RunState::kUnusable:
@@ -101,9 +112,10 @@ int run(Options& options) {
   options.request.stop = CatchInterrupts::interrupted;
   if (!options.scan.empty()) options.request.scan = options.scan;
   const auto folder = part_recipes::find_recipe(options.recipes, options.name);
-  EndedRun ended =
-      part_recipes::run_recipe(part_recipes::load_recipe(folder), options.request, show);
+  const part_recipes::Recipe recipe = part_recipes::load_recipe(folder);
+  EndedRun ended = part_recipes::run_recipe(recipe, options.request, show);
   remember(ended);
+  part_recipes::work(recipe, options.request, show, ended);
   return tell(ended);
 }
 
@@ -113,7 +125,8 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Scans a part by its recipe, cleans, adapts the path, writes the robot's programs and the "
       "report.\n"
-      "Exit code 0: accepted; 2: refused, the report says why; 1: it failed.");
+      "Exit code 0: accepted, and worked where asked; 2: refused, the report says why; 1: it "
+      "failed.");
   Options options;
   add_options(app, options);
   return scan_cell_common::tool_main(

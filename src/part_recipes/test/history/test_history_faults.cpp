@@ -1,8 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <linux/capability.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -14,6 +12,7 @@
 #include "history/run_folders.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
+#include "temporary_folder.h"
 
 namespace part_recipes {
 namespace {
@@ -213,13 +212,6 @@ TEST_F(HistoryFaults, TheLogOfALostDatabaseDoesNotReachTheNewOne) {
   Statement check(database, "PRAGMA integrity_check");
   ASSERT_TRUE(check.next());
   EXPECT_EQ(check.text(0), "ok");
-}
-
-/// From then on permissions count, also for root.
-void drop_capabilities() {
-  __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
-  __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3] = {};
-  syscall(SYS_capset, &header, none);
 }
 
 /// Runs `check` in a process for which the folder is read-only. What it throws is told.

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole chain with the suite's own tools, on a made-up part.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
 
 #include "made_up_part.h"
 #include "made_up_recipe.h"
@@ -70,6 +76,56 @@ TEST_F(ARecipe, WithAScanOfNoUseIsARunThatSaysSo) {
   EXPECT_EQ(run.record.state, RunState::kUnusable);
   EXPECT_EQ(run.record.reason, "clean_failed");
   EXPECT_NE(run.record.message.find("scan.ply"), std::string::npos) << run.record.message;
+}
+
+/// The process, and the tools that it calls, can make no file longer than that.
+void allow_files_of(rlim_t bytes) {
+  signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{bytes, bytes};
+  setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+TEST_F(ARecipe, RunOnADiskThatFillsIsNeverAnAcceptedHalf) {
+  const Recipe recipe = make();
+  const fs::path runs = folder_.path() / "runs";
+  int accepted = 0, ended = 0;
+  // From the first file that a run writes up to all that it needs.
+  constexpr std::array<rlim_t, 8> kBytes = {10,      1000,    10'000,  50'000,
+                                            100'000, 300'000, 600'000, 100'000'000};
+  for (const rlim_t bytes : kBytes) {
+    const pid_t child = fork();
+    if (child == 0) {
+      allow_files_of(bytes);
+      try {
+        run_recipe(recipe, request("moved.ply"), {});
+      } catch (const scan_cell_common::Error&) {
+        _exit(42);
+      }
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    for (const auto& entry : fs::directory_iterator(runs)) {
+      SCOPED_TRACE(std::to_string(bytes) + " bytes: " + entry.path().string());
+      EXPECT_NE(entry.path().filename().string().front(), '.') << "a half run stays";
+      const RunRecord record = load_run(entry.path());
+      EXPECT_NO_THROW(check_files(entry.path(), record));
+      EXPECT_EQ(WEXITSTATUS(status), 0);
+      if (record.state == RunState::kAccepted) {
+        ++accepted;
+        EXPECT_EQ(record.files.count("programs/plate.src"), 1u);
+      } else {
+        EXPECT_FALSE(record.message.empty());
+      }
+      ++ended;
+    }
+    for (const auto& entry : fs::directory_iterator(runs))
+      fs::remove_all(entry.path());
+  }
+  EXPECT_GT(accepted, 0);
+  EXPECT_LT(accepted, static_cast<int>(kBytes.size()));
+  EXPECT_GT(ended, accepted) << "no run said that a stage failed";
 }
 
 TEST_F(ARecipe, ThatWasEditedIsRefusedUntilItIsProven) {

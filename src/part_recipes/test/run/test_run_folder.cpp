@@ -89,6 +89,24 @@ TEST(ARunFolder, InAFolderThatCannotBeWrittenIsRefused) {
   EXPECT_THROW(RunFolder(temporary.path() / "runs", "frame"), scan_cell_common::FileError);
 }
 
+TEST(ARunFolder, InAReadOnlyFolderIsRefusedByItsName) {
+  const TemporaryFolder temporary;
+  fs::permissions(temporary.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_EXIT(
+      {
+        drop_capabilities();
+        try {
+          make_run(temporary.path());
+        } catch (const scan_cell_common::FileError& error) {
+          const fs::path named = error.thing();
+          _exit(named == temporary.path() || named.parent_path() == temporary.path() ? 42 : 1);
+        }
+        _exit(0);
+      },
+      testing::ExitedWithCode(42), "");
+  EXPECT_TRUE(fs::is_empty(temporary.path()));
+}
+
 TEST(ARun, ThatIsKilledAtAnyInstantIsWholeOrNotThere) {
   const TemporaryFolder temporary;
   const auto start = std::chrono::steady_clock::now();

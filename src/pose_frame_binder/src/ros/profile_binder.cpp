@@ -11,6 +11,7 @@
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/parameters/parameter_table.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/conversions.h"
 
 namespace pose_frame_binder {
@@ -211,7 +212,7 @@ scan_cell_msgs::BindingAudit to_message(const Audit& audit, const std::string& s
 std::string summary(const Audit& audit) {
   std::ostringstream text;
   constexpr double kMilliseconds = 1e3;
-  constexpr double kMillimetres = 1e3;
+  using scan_cell_common::kMillimetres;
   if (audit.method == Method::kConstantSpeed) {
     text << "poses calculated, not measured (error bound "
          << audit.worst_position_error * kMillimetres << " mm): ";

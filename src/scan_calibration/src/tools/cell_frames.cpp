@@ -9,6 +9,7 @@
 #include "scan_calibration/taught_poses.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/parameters/parameter_options.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "teaching/cell_file.h"
 #include "teaching/tool_tip.h"
@@ -19,7 +20,7 @@ using scan_cell_common::UnusableInput;
 
 namespace {
 
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
 
 void calibrate_tool(const std::string& poses_file, const std::string& cell_file,
                     const scan_calibration::ToolTipLimits& limits) {

@@ -1,9 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <ros/ros.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 
 #include "client/clean_cloud_watch.h"
 #include "client/scan_record.h"
@@ -23,6 +25,7 @@ struct Options {
   std::string output;
   std::string clean;
   std::string report;
+  std::map<std::string, std::string> calibrated_with;  // SHA-256 of its files, by name
   std::string units = "m";
   double timeout = 10;
 };
@@ -57,6 +60,25 @@ void tell(const Options& options, const scan_cell_msgs::ScanResult& result) {
   std::printf("%s\n", result.message.c_str());
 }
 
+/// @throw Refused before anything moves if the cell is not calibrated as it shall be; the report
+/// then tells how it is
+void check_calibration(const Options& options, const scan_cell::CalibrationFiles& files) {
+  const scan_cell::Json now = to_json(files);
+  for (const auto& [name, hash] : options.calibrated_with) {
+    if (!now.contains(name))
+      throw scan_cell_common::InvalidParameter("--calibrated-with", name, "give scanner or cell");
+    if (now[name]["sha256"].is_null() || now[name]["sha256"] == hash) continue;
+    const auto file = now[name]["name"].get<std::string>();
+    const std::string message = "is not the one that was asked for (--calibrated-with)";
+    if (!options.report.empty())
+      scan_cell::save_json(options.report,
+                           {{"message", file + " " + message}, {"calibration", now}});
+    throw scan_cell_common::Refused(
+        fmt::format("the cell's {} file {}", name, file), message,
+        "start the cell with the other, or see to it that this one is right, and ask for it");
+  }
+}
+
 /// @throw Refused if the scan did not finish, or preprocessing failed
 void scan(const Options& options) {
   for (const std::string& output : {options.output, options.clean}) {
@@ -66,6 +88,7 @@ void scan(const Options& options) {
   const scan_cell::CellClient::Names names;
   ros::NodeHandle node;
   scan_cell::CellClient client(node, names);
+  check_calibration(options, client.calibration_files());
   scan_cell::CleanCloudWatch watch(node, names.clean_cloud, names.report);
   scan_cell_msgs::ScanResult result;
   {
@@ -95,6 +118,8 @@ int main(int argc, char** argv) {
               "how its frames were bound, how its passes agree, what the cell is calibrated with "
               "(.json)");
   outputs.add(app, "--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
+  app.add_option("--calibrated-with", options.calibrated_with,
+                 "NAME SHA256 of its scanner and cell files: with others it does not scan");
   app.add_option("--units", options.units, "of the clouds")
       ->check(CLI::IsMember(scan_cell_common::length_units()))
       ->capture_default_str();

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "alternating_chain.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
 
 int main(int argc, char** argv) {
@@ -21,7 +22,7 @@ int main(int argc, char** argv) {
   return scan_cell_common::tool_main("bench_alternating_lasers", app, argc, argv, [&] {
     const scan_cell_demo::AlternatingResult result = run(scan);
     const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
-    constexpr double kMillimetres = 1e3;
+    using scan_cell_common::kMillimetres;
     std::printf(
         "alternating lasers in the simulator, %llu pulses at %g Hz (%llu left out): %llu frames, "
         "%llu bound, %llu of an uncertain laser\n"

@@ -12,6 +12,7 @@
 #include "binding_errors.h"
 #include "delay_trial.h"
 #include "pose_frame_binder/types.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_sim/cell.h"
 
@@ -20,7 +21,7 @@ using namespace scan_cell_demo;  // NOLINT
 namespace {
 
 constexpr double kMicrometres = 1e6;
-constexpr double kMillimetres = 1e3;
+using scan_cell_common::kMillimetres;
 constexpr double kMilliseconds = 1e3;
 constexpr double kFrameRate = 97.3;  // [Hz] so that pulses meet all phases between two poses
 

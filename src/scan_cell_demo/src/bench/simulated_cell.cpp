@@ -21,6 +21,7 @@
 #include "running_cell/nodes.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/conversions.h"
 #include "scan_cell_sim/cell.h"
 
@@ -132,7 +133,7 @@ void SimulatedCell::move(const Motion& motion) {
     request.override = percent;
     call<scan_cell_msgs::SetOverride>("/c4g_driver/set_override", request, kPatience);
   };
-  constexpr double kMillimetres = 1e3;
+  using scan_cell_common::kMillimetres;
   set_controller_parameter("motion_type", motion.in_joints ? "\"joint\"" : "\"linear\"");
   set_controller_parameter("linear_acceleration",
                            fmt::format("{}", motion.acceleration * kMillimetres));

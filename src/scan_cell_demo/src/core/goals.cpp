@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "scan_cell_common/pose/units.h"
+
 namespace scan_cell_demo {
 namespace {
 
 constexpr double kMinShareBound = 0.9;  // a busy computer drops some
-constexpr double kMillimetres = 1e3;
+using scan_cell_common::kMillimetres;
 
 /// Adds a sentence where a distance is above its most, or unknown.
 void check_distance(const std::string& what, const std::string& mean, double distance, double most,

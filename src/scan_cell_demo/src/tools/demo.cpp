@@ -21,6 +21,7 @@
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/yaml_file.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_demo/comparison.h"
@@ -33,7 +34,7 @@ namespace {
 using scan_cell_common::Cloud;
 using tool_path_stretcher::ToolPath;
 
-constexpr double kMillimetres = 1e3;
+using scan_cell_common::kMillimetres;
 constexpr const char* kAdaptedPath = "adapted_path.csv";
 constexpr const char* kTruePath = "true_path.csv";
 constexpr const char* kReport = "report.json";

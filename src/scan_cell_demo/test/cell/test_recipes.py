@@ -37,7 +37,7 @@ class Recipes(unittest.TestCase):
         rosrun('part_recipes', 'path', 'from-slices', '--reference', cls.file('part.ply'), '--reference-units', 'm',
                '--output', cls.file('path.csv'), '--spacing', '0.02')
         rosrun('part_recipes', 'recipe', '--recipes', cls.recipes, 'new', 'frame', '--reference', cls.file('part.ply'),
-               '--path', cls.file('path.csv'), '--program', program)
+               '--path', cls.file('path.csv'), '--program', program, '--work', 'waypoint_z=out_of_part')
 
     @classmethod
     def tearDownClass(cls):
@@ -91,9 +91,11 @@ class Recipes(unittest.TestCase):
         proof['calibration']['scanner'] = '0' * 64
         with open(proof_file, 'w') as file:
             json.dump(proof, file)
+        armed = self.lasers.arming
         result = self.run_recipe(recipe='frame')
         self.assertEqual(result.outcome, RunRecipeResult.NONE)
         self.assertIn('recipe prove', result.message)
+        self.assertEqual(self.lasers.arming, armed, 'it scanned before it was refused')
         with open(proof_file, 'w') as file:
             file.write(text)
 
@@ -116,6 +118,17 @@ class Recipes(unittest.TestCase):
             rospy.sleep(0.02)
         self.assertEqual(sorted(glob.glob(self.runs + '/*')), before)
         self.assertEqual(glob.glob(self.runs + '/.2*'), [])
+
+    def test_a_run_that_shall_be_worked_is_worked_dry_and_then_with_the_tool(self):
+        result = self.run_recipe(recipe='frame', work=RunRecipeGoal.WORK)
+        self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
+        self.assertTrue(result.worked, result.work_message)
+        for name in ('dry_run', 'work'):
+            with open(f'{result.folder}.{name}.json') as file:
+                self.assertTrue(json.load(file))
+        result = self.run_recipe(recipe='frame', work=7)
+        self.assertEqual(result.outcome, RunRecipeResult.NONE)
+        self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)
 
     def test_a_recipe_that_is_not_there_is_named(self):
         result = self.run_recipe(recipe='../frame')

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "panel.h"
+#include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
 
 namespace {
@@ -96,7 +97,7 @@ void add_options(CLI::App& app, ControllerOptions& options, Typed& typed) {
 
 int serve(ControllerOptions options, const Typed& typed) {
   constexpr double kMillisecond = 1e-3;  // [s]
-  constexpr double kMillimetre = 1e-3;   // [m]
+  using scan_cell_common::kMillimetre;
   options.stream_period = typed.stream_period * kMillisecond;
   options.mode = scan_cell_sim::controller_mode_of(typed.mode);
   options.noise.position = typed.position_noise * kMillimetre;

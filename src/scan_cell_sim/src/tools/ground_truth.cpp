@@ -18,7 +18,7 @@ namespace {
 using namespace scan_cell_sim;
 using scan_cell_common::Outputs;
 
-constexpr double kMillimetre = 1e-3;  // [m]
+using scan_cell_common::kMillimetre;
 
 struct Options {
   std::string world, reference, object, part, cloud, path, output, json;

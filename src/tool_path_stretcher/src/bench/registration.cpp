@@ -9,6 +9,7 @@
 
 #include "alignment/refinement.h"
 #include "geometry/kd_tree.h"
+#include "scan_cell_common/pose/units.h"
 #include "search/candidates.h"
 #include "stopwatch.h"
 #include "yardsticks/pcl_pipeline.h"
@@ -19,7 +20,7 @@ namespace {
 
 using namespace tool_path_stretcher;
 
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
 
 /// The best pose of a search over all of them; none where nothing fits.
 std::optional<Similarity> searched(const Surface& reference, const Surface& object,

@@ -6,6 +6,7 @@
 
 #include "report.h"
 #include "scan_cell_common/files/sha256.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -16,7 +17,7 @@ std::string millimetres(double metres) {
 
 /// Nothing for a path without orientations.
 std::string and_degrees(double radians) {
-  constexpr double kDegree = M_PI / 180;
+  using scan_cell_common::kDegree;
   return std::isfinite(radians) ? fmt::format(", {:.2g} deg in orientation", radians / kDegree)
                                 : "";
 }

@@ -60,7 +60,7 @@ tool_path_stretcher::FileOptions with_reported_units(
 
 void run(const Options& options) {
   using namespace tool_path_stretcher;
-  constexpr double kDegree = M_PI / 180;
+  using scan_cell_common::kDegree;
   scan_cell_common::check_output(options.output, {".png"}, "write the picture as .png");
   const Eigen::Vector3d leaf(options.leaf[0], options.leaf[1], options.leaf[2]);
   PictureInput input;

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/pose/units.h"
 #include "tool_paths/tool_path_files.h"
 
 namespace cases {
@@ -14,7 +15,7 @@ namespace {
 
 using tool_path_stretcher::Reason;
 
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
 
 Similarity moved(double scale, unsigned seed) {
   return {scale, random_rotation(seed), {0.31, -0.12, 0.2}};

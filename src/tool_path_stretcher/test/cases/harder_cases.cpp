@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include "case_list.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace cases {
 namespace {
 
 using tool_path_stretcher::Reason;
 
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
 
 /// Collects cases, each with seeds of its own.
 class Cases {

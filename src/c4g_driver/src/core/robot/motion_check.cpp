@@ -19,7 +19,7 @@ using scan_cell_common::Refused;
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // [%] of the override, [rad] of a range; chosen
+constexpr double kBeyondSetting = 1e-6;  // [%] of the override, [rad] of a range; chosen
 
 /// [%] at which a speed that is `share` of the most at full override keeps to it.
 double max_override(double share) {
@@ -111,7 +111,7 @@ MotionEnd MotionCheck::along(const Path& path) const {
     refuse(*hindrance, path.at(hindrance->way));
   }
   const double most = max_override(strain.share);
-  if (settings_.override <= most + kRounding) return {most, joints, path.at(1)};
+  if (settings_.override <= most + kBeyondSetting) return {most, joints, path.at(1)};
   throw MotionRefused(
       fmt::format("speed of J{}", strain.joint + 1),
       fmt::format("{:g} rad/s at {}", strain.rate * settings_.override / 100, at(strain.way)),
@@ -138,7 +138,7 @@ Joints MotionCheck::reach(const MotionPlace& target, const std::string& name) co
                         [&](const Joints& a, const Joints& b) { return cost(a) < cost(b); });
   for (int i = 0; i < 6; ++i) {
     const double lower = limits_.joint_lower[i], upper = limits_.joint_upper[i];
-    if (best[i] >= lower - kRounding && best[i] <= upper + kRounding) continue;
+    if (best[i] >= lower - kBeyondSetting && best[i] <= upper + kBeyondSetting) continue;
     throw MotionRefused(fmt::format("{} J{}", name, i + 1),
                         fmt::format("{:g} rad in the posture that comes nearest", best[i]),
                         "give a pose that keeps it within " + range(lower, upper, " rad"), target);
@@ -167,7 +167,7 @@ MotionEnd MotionCheck::to_joints(const Joints& target) const {
   if (!speed_.reduced || seconds <= 0) return {100, target, end};
   const double speed = longest * steps / seconds;
   const double most = max_override(speed / speed_.most);
-  if (settings_.override <= most + kRounding) return {most, target, end};
+  if (settings_.override <= most + kBeyondSetting) return {most, target, end};
   throw Refused("speed of the flange", fmt::format("{:g} m/s", speed * settings_.override / 100),
                 fmt::format("the limit is {:g} m/s, set the override up to {:g} %: {}", speed_.most,
                             most, speed_.reason));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "wire/codec.h"
 #include "wire/seal.h"
 #include "wire/wire_units.h"
@@ -15,8 +16,7 @@ namespace {
 using nlohmann::json;
 using scan_cell_common::Refused;
 
-constexpr int kVersion = 1;
-constexpr double kMillimetre = 1e-3;
+using scan_cell_common::kMillimetre;
 
 json value_of(const SetParameter& set) {
   json value = json::parse(set.value, nullptr, false);
@@ -101,7 +101,7 @@ std::string name_of(const Request& request) {
 
 std::string build(const Request& request, std::uint64_t session, std::uint64_t seq) {
   json packet = std::visit(Arguments(), request);
-  packet["c4g"] = kVersion;
+  packet["c4g"] = kProtocolVersion;
   packet["session"] = session;
   packet["seq"] = seq;
   packet["cmd"] = name_of(request);

@@ -15,6 +15,7 @@
 /// Packets of c4g_protocol.md to text and back. Nothing here knows of sockets or time.
 namespace c4g_driver {
 
+constexpr int kProtocolVersion = 1;              //!< "c4g" of each packet, c4g_protocol.md
 constexpr std::size_t kMaxDatagramBytes = 1400;  //!< c4g_protocol.md
 
 struct Open {};

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 #include "wire/codec.h"
 #include "wire/seal.h"
 #include "wire/wire_units.h"
@@ -23,8 +24,7 @@ using Pool = rapidjson::MemoryPoolAllocator<>;
 using Document = rapidjson::GenericDocument<rapidjson::UTF8<>, Pool, Pool>;
 using Json = Document::ValueType;
 
-constexpr int kVersion = 1;
-constexpr double kMillimetre = 1e-3;
+using scan_cell_common::kMillimetre;
 constexpr double kMaxMagnitude = 1e5;  // mm, deg, %, frames/s: beyond it is nonsense
 
 [[noreturn]] void refuse(const std::string& key, const std::string& value) {
@@ -205,7 +205,7 @@ Acknowledgement acknowledgement(const Json& packet) {
 Reply reply(const Json& packet) {
   if (!packet.IsObject()) refuse("datagram", "not a JSON object");
   const std::uint64_t version = whole(packet, "c4g", UINT64_MAX);
-  if (version != kVersion) {
+  if (version != kProtocolVersion) {
     throw ProtocolError("C4G version", fmt::format("{}", version),
                         "use a controller program that speaks version 1");
   }

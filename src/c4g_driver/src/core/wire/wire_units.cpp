@@ -4,10 +4,12 @@
 
 #include <cmath>
 
+#include "scan_cell_common/pose/units.h"
+
 namespace c4g_driver {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
 
 }  // namespace
 

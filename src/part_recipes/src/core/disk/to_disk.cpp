@@ -20,4 +20,9 @@ void to_disk(const std::filesystem::path& path) {
   if (!ok) throw scan_cell_common::FileError(path.string(), reason, "check the disk");
 }
 
+void throw_file_error(const std::filesystem::filesystem_error& error) {
+  throw scan_cell_common::FileError(error.path1().string(), error.code().message(),
+                                    "check the folder, its permissions and the disk");
+}
+
 }  // namespace part_recipes

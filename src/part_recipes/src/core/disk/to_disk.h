@@ -10,4 +10,7 @@ namespace part_recipes {
 /// @throw scan_cell_common::FileError where the disk did not take it
 void to_disk(const std::filesystem::path& path);
 
+/// @throw scan_cell_common::FileError that says the same, with a cure
+[[noreturn]] void throw_file_error(const std::filesystem::filesystem_error& error);
+
 }  // namespace part_recipes

@@ -7,6 +7,7 @@
 
 #include "clock/utc_time.h"
 #include "recipe/recipe_check.h"
+#include "disk/to_disk.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 
@@ -91,6 +92,7 @@ std::string yaml_of(const Recipe& recipe) {
   text << YAML::Key << "tolerance" << YAML::Value << fmt::format("{}", recipe.tolerance)
        << YAML::Comment("[m] deviations within +- are good");
   write(text, recipe.programs);
+  write(text, "work", recipe.work);
   text << YAML::EndMap;
   return std::string(text.c_str()) + "\n";
 }
@@ -120,13 +122,14 @@ Recipe make_recipe(const fs::path& recipes, const NewRecipe& made) {
     recipe.tolerance = made.tolerance;
     recipe.stretch = made.stretch;
     recipe.programs = made.programs;
+    recipe.work = made.work;
     scan_cell_common::save_text((draft.path() / kRecipeFile).string(), yaml_of(recipe));
     recipe = load_recipe(draft.path());
     save_proof(recipe, {false, utc_now(), "", hashes_of(recipe), made.calibration});
     refuse_problems(recipe);
     draft.finish();
   } catch (const fs::filesystem_error& error) {
-    throw FileError(error.path1().string(), error.code().message(), "check the path and the disk");
+    throw_file_error(error);
   }
   return load_recipe(recipes / made.name);
 }

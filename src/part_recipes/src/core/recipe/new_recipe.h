@@ -21,6 +21,7 @@ struct NewRecipe {
   double tolerance = 0.0005;           //!< [m]
   ToolOptions stretch;                 //!< parameters
   std::vector<RobotProgram> programs;  //!< to write
+  ToolOptions work;                    //!< of work
   Hashes calibration;                  //!< of the cell that scanned the reference; empty: not known
 };
 

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 using scan_cell_common::FileError;
 using scan_cell_common::Refused;
 
-constexpr int kFormat = 1;
+constexpr int kProofFormat = 1;
 constexpr const char* kProofFile = "proof.json";
 
 std::string prove(const Recipe& recipe) {
@@ -32,7 +32,7 @@ std::string since(const Proof& proof) {
 
 Proof parse(const std::string& text) {
   const Json all = Json::parse(text);
-  if (all.at("format").get<int>() != kFormat) throw std::runtime_error("another format");
+  if (all.at("format").get<int>() != kProofFormat) throw std::runtime_error("another format");
   Proof proof;
   proof.proven = all.at("proven").get<bool>();
   proof.time = all.at("time").get<std::string>();
@@ -70,7 +70,7 @@ Proof load_proof(const Recipe& recipe) {
 
 void save_proof(const Recipe& recipe, const Proof& proof) {
   constexpr int kIndent = 2;
-  const Json all = {{"format", kFormat},    {"proven", proof.proven},
+  const Json all = {{"format", kProofFormat},    {"proven", proof.proven},
                     {"time", proof.time},   {"run", proof.run},
                     {"files", proof.files}, {"calibration", proof.calibration}};
   scan_cell_common::save_text((recipe.folder / kProofFile).string(), all.dump(kIndent) + "\n");

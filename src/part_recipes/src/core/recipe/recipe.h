@@ -48,10 +48,16 @@ struct Recipe {
   double tolerance = 0.0005;           //!< [m] deviations within +- are good
   std::vector<Place> places;           //!< each with a name of its own
   std::vector<RobotProgram> programs;  //!< of an accepted path
+  ToolOptions work;                    //!< of work: waypoint_z, frame
 
   /// Names of the files in the folder that a run depends on; recipe.yaml is the first.
   std::vector<std::string> files() const;
 };
+
+/// Reads a recipe that lies in no folder.
+/// @param name of the text in complaints
+/// @throw as load_recipe()
+Recipe parse_recipe(const std::string& text, const std::string& name);
 
 /// Reads RECIPE/recipe.yaml (docs/part_recipes.md). The files that it names are not read.
 /// @param folder of the recipe

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 using scan_cell_common::YamlEntry;
 
-constexpr int kFormat = 1;
+constexpr int kRecipeFormat = 1;
 
 /// A file must move with the recipe's folder, and a program must not be written outside of it.
 std::string file_within(const YamlEntry& entry) {
@@ -96,19 +96,15 @@ std::string name_of(const YamlEntry& entry) {
 
 void check_format(const YamlEntry& entry) {
   const int format = entry.as<int>();
-  if (format != kFormat)
+  if (format != kRecipeFormat)
     entry.refuse(fmt::format("format {}", format), "this version reads format 1");
 }
 
-}  // namespace
-
-Recipe load_recipe(const fs::path& folder) {
-  const YamlEntry root = YamlEntry::load((folder / kRecipeFile).string());
+Recipe parse_recipe(const YamlEntry& root) {
   root.refuse_unknown({"recipe", "name", "program", "cleaning", "reference", "path", "stretch",
-                       "tolerance", "places", "robot_programs"});
+                       "tolerance", "places", "robot_programs", "work"});
   check_format(root["recipe"]);
   Recipe recipe;
-  recipe.folder = folder;
   recipe.name = name_of(root["name"]);
   recipe.program = optional_file(root, "program");
   recipe.cleaning = optional_file(root, "cleaning");
@@ -118,6 +114,20 @@ Recipe load_recipe(const fs::path& folder) {
   recipe.tolerance = length(root["tolerance"]);
   if (root.has("places")) recipe.places = places_of(root["places"]);
   if (root.has("robot_programs")) recipe.programs = programs_of(root["robot_programs"]);
+  if (root.has("work")) root["work"].refuse_unknown({"waypoint_z", "frame"});
+  recipe.work = options_of(root, "work");
+  return recipe;
+}
+
+}  // namespace
+
+Recipe parse_recipe(const std::string& text, const std::string& name) {
+  return parse_recipe(YamlEntry::parse(text, name));
+}
+
+Recipe load_recipe(const fs::path& folder) {
+  Recipe recipe = parse_recipe(YamlEntry::load((folder / kRecipeFile).string()));
+  recipe.folder = folder;
   return recipe;
 }
 

@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "disk/to_disk.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 
@@ -21,11 +23,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 using scan_cell_common::FileError;
-
-[[noreturn]] void refuse(const fs::filesystem_error& error) {
-  throw FileError(error.path1().string(), error.code().message(),
-                  "check the folder and its permissions");
-}
 
 /// Who claims.
 std::string worker() {
@@ -45,6 +42,20 @@ Job job_in(const fs::path& file) {
   }
 }
 
+/// Of the JSON files in a folder, sorted.
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  try {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw_file_error(error);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 }  // namespace
 
 JobFolder::JobFolder(fs::path folder) : folder_(fs::absolute(folder)) {
@@ -52,7 +63,7 @@ JobFolder::JobFolder(fs::path folder) : folder_(fs::absolute(folder)) {
     for (const char* name : {"jobs", "claims", "done", "runs"})
       fs::create_directories(folder_ / name);
   } catch (const fs::filesystem_error& error) {
-    refuse(error);
+    throw_file_error(error);
   }
 }
 
@@ -75,16 +86,14 @@ void JobFolder::add(const std::vector<Job>& jobs) const {
 }
 
 std::vector<std::string> JobFolder::ids() const {
-  std::vector<std::string> ids;
-  try {
-    for (const auto& entry : fs::directory_iterator(folder_ / "jobs")) {
-      if (entry.path().extension() == ".json") ids.push_back(entry.path().stem().string());
-    }
-  } catch (const fs::filesystem_error& error) {
-    refuse(error);
-  }
-  std::sort(ids.begin(), ids.end());
-  return ids;
+  return names_in(folder_ / "jobs");
+}
+
+std::vector<std::string> JobFolder::open_ids() const {
+  const std::vector<std::string> all = ids(), done = names_in(folder_ / "done");
+  std::vector<std::string> open;
+  std::set_difference(all.begin(), all.end(), done.begin(), done.end(), std::back_inserter(open));
+  return open;
 }
 
 std::vector<Job> JobFolder::jobs() const {
@@ -117,13 +126,18 @@ bool JobFolder::take(const std::string& id, std::chrono::seconds lease) const {
   return written;
 }
 
+std::optional<Job> JobFolder::claim(const std::string& id, std::chrono::seconds lease) const {
+  if (fs::exists(done_of(id))) return std::nullopt;
+  const Job job = job_in(job_of(id));
+  if (!take(id, lease)) return std::nullopt;
+  if (!fs::exists(done_of(id))) return job;  // nobody finished it meanwhile
+  release(job);
+  return std::nullopt;
+}
+
 std::optional<Job> JobFolder::claim(std::chrono::seconds lease) const {
-  for (const std::string& id : ids()) {
-    if (fs::exists(done_of(id))) continue;
-    const Job job = job_in(job_of(id));
-    if (!take(id, lease)) continue;
-    if (!fs::exists(done_of(id))) return job;  // nobody finished it meanwhile
-    release(job);
+  for (const std::string& id : open_ids()) {
+    if (auto job = claim(id, lease)) return job;
   }
   return std::nullopt;
 }

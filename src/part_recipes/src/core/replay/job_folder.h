@@ -38,12 +38,17 @@ class JobFolder {
   /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if one is broken
   std::vector<Job> jobs() const;
 
-  std::vector<std::string> ids() const;  //!< of all jobs, sorted
+  std::vector<std::string> ids() const;       //!< of all jobs, sorted
+  std::vector<std::string> open_ids() const;  //!< of those without a result, sorted
 
   /// Takes a job that nobody does.
   /// @param lease [s] after which a claim that is not touched is free again
   /// @return none: all are done, or somebody does them
   std::optional<Job> claim(std::chrono::seconds lease) const;
+
+  /// Takes this job.
+  /// @return none: it is done, or somebody does it
+  std::optional<Job> claim(const std::string& id, std::chrono::seconds lease) const;
 
   /// Says that the worker of this job lives.
   void touch(const Job& job) const;

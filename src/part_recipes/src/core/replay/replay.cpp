@@ -3,8 +3,11 @@
 #include "replay/replay.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "run/again.h"
 #include "scan_cell_common/errors/errors.h"
@@ -36,6 +39,37 @@ class Heartbeat {
   std::chrono::milliseconds period_;
   const Stop& stop_;
   std::chrono::steady_clock::time_point touched_ = std::chrono::steady_clock::now();
+};
+
+/// The jobs that a worker tries, in an order of its own: it lists the folder only where it knows of
+/// no more, and workers seldom try what another one has just taken.
+class OpenJobs {
+ public:
+  OpenJobs(const JobFolder& folder, std::chrono::seconds lease)
+      : folder_(folder), lease_(lease), order_(static_cast<unsigned>(getpid())) {}
+
+  /// @return none: all are done, or somebody does them
+  std::optional<Job> next() {
+    if (auto job = next_known()) return job;
+    ids_ = folder_.open_ids();
+    std::shuffle(ids_.begin(), ids_.end(), order_);
+    return next_known();
+  }
+
+ private:
+  std::optional<Job> next_known() {
+    while (!ids_.empty()) {
+      const std::string id = std::move(ids_.back());
+      ids_.pop_back();
+      if (auto job = folder_.claim(id, lease_)) return job;
+    }
+    return std::nullopt;
+  }
+
+  const JobFolder& folder_;
+  const std::chrono::seconds lease_;
+  std::mt19937 order_;
+  std::vector<std::string> ids_;
 };
 
 void do_job(const JobFolder& folder, const Job& job, std::chrono::seconds lease, const Stop& stop) {
@@ -76,8 +110,9 @@ std::string outcome(const RunRecord& record) {
 std::size_t work_on(const JobFolder& folder, std::chrono::seconds lease, const JobBegins& begins,
                     const Stop& stop) {
   std::size_t done = 0;
+  OpenJobs open(folder, lease);
   while (!(stop && stop())) {
-    const auto job = folder.claim(lease);
+    const auto job = open.next();
     if (!job) break;
     if (begins) begins(job->id);
     try {

@@ -41,11 +41,6 @@ std::string new_id(const std::string& recipe_name) {
   return fmt::format("{}_{}_{:06x}", utc_stamp(), plain(recipe_name), entropy() & kMask);
 }
 
-[[noreturn]] void refuse(const fs::filesystem_error& error) {
-  throw FileError(error.path1().string(), error.code().message(),
-                  "check the folder, its permissions and the disk");
-}
-
 }  // namespace
 
 RunFolder::RunFolder(const fs::path& runs, const std::string& recipe_name)
@@ -57,7 +52,7 @@ RunFolder::RunFolder(const fs::path& runs, const std::string& recipe_name)
     fs::create_directory(partial_ / "inputs");
     fs::create_directory(partial_ / "stages");
   } catch (const fs::filesystem_error& error) {
-    refuse(error);
+    throw_file_error(error);
   }
 }
 
@@ -71,7 +66,7 @@ void RunFolder::add(const fs::path& file, const std::string& name) const {
     fs::create_directories((partial_ / name).parent_path());
     fs::copy_file(file, partial_ / name);
   } catch (const fs::filesystem_error& error) {
-    refuse(error);
+    throw_file_error(error);
   }
 }
 
@@ -92,7 +87,7 @@ fs::path RunFolder::seal() {
     to_disk(runs_);
     return whole;
   } catch (const fs::filesystem_error& error) {
-    refuse(error);
+    throw_file_error(error);
   }
 }
 
@@ -106,7 +101,7 @@ std::map<std::string, FileEntry> files_of(const fs::path& folder) {
       files[name] = {scan_cell_common::sha256_of_file(entry.path().string()), entry.file_size()};
     }
   } catch (const fs::filesystem_error& error) {
-    refuse(error);
+    throw_file_error(error);
   }
   return files;
 }

@@ -123,14 +123,16 @@ class Run {
   }
 
   bool scan() {
+    bool scanned = true;
     if (!request_.scan) {
       if (recipe_.program.empty())
         throw Refused(recipe_.name, "no scan program", "name one in recipe.yaml, or give a scan");
-      if (call(scan_call(recipe_, request_.timeout)) != 0) return failed("scan");
+      const Hashes calibration = proof_ ? proof_->calibration : Hashes();
+      scanned = call(scan_call(recipe_, calibration, request_.timeout)) == 0;
     }
     if (const auto told = scan_record()) read_scan(*told, record_);
     if (proof_) ended_.warn(check_calibration(recipe_, *proof_, record_.calibration));
-    return true;
+    return scanned || failed("scan");
   }
 
   bool clean() {

@@ -12,6 +12,13 @@
 
 namespace part_recipes {
 
+/// Whether the running cell works the part of an accepted run.
+enum class Work {
+  kNone,
+  kDry,   //!< lifted, slow, tool off
+  kReal,  //!< dry first
+};
+
 /// What a run is made from besides its recipe.
 struct RunRequest {
   std::filesystem::path runs;  //!< folder of all runs
@@ -21,6 +28,7 @@ struct RunRequest {
   std::optional<std::filesystem::path>
       scan_record;             //!< what the cell said of that cloud: scan.json
   double timeout = 10;         //!< [s] to wait for the cell
+  Work work = Work::kNone;     //!< what follows an accepted run
   bool prove = false;          //!< the recipe need not be proven
   std::string again_of;        //!< id of the run that this one repeats
   std::string note;            //!< of the person
@@ -34,7 +42,9 @@ using StageBegins = std::function<void(const std::string& stage)>;
 struct EndedRun {
   std::filesystem::path folder;
   RunRecord record;
-  std::string warning;  //!< what the person should know; empty: nothing
+  std::string warning;       //!< what the person should know; empty: nothing
+  bool worked = false;       //!< as far as it was asked for
+  std::string work_message;  //!< how that ended; empty: nothing was asked for
 
   /// Adds to the warning; an empty text adds nothing.
   void warn(const std::string& text) {
@@ -49,5 +59,12 @@ struct EndedRun {
 /// there is no run then
 /// @throw scan_cell_common::FileError if the run cannot be written: there is none then
 EndedRun run_recipe(const Recipe& recipe, const RunRequest& request, const StageBegins& begins);
+
+/// Works the part of a run that was accepted, as far as the request asks for it, and adds to the
+/// run how that ended. What was passed is kept beside the run's folder, which stays as it was
+/// sealed: ID.dry_run.json, ID.work.json. Nothing happens where the run was not accepted.
+/// @throw scan_cell_common::FileError if the tool cannot be called
+void work(const Recipe& recipe, const RunRequest& request, const StageBegins& begins,
+          EndedRun& ended);
 
 }  // namespace part_recipes

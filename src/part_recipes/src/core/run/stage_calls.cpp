@@ -13,18 +13,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the path's own form.
+/// In the path's own form, in the run's folder.
+std::string path_name(const Recipe& recipe) {
+  return "adapted_path" + fs::path(recipe.path.file).extension().string();
+}
+
 std::string adapted_path(const Recipe& recipe) {
-  return "../adapted_path" + fs::path(recipe.path.file).extension().string();
+  return "../" + path_name(recipe);
 }
 
 }  // namespace
 
-ToolCall scan_call(const Recipe& recipe, double timeout) {
-  return {"scan",
-          "scan_cell",
-          {"scan", "--program", recipe.program, "--output", "scan.ply", "--report", "../scan.json",
-           "--timeout", fmt::format("{}", timeout)}};
+ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, double timeout) {
+  ToolCall call{"scan",
+                "scan_cell",
+                {"scan", "--program", recipe.program, "--output", "scan.ply", "--report",
+                 "../scan.json", "--timeout", fmt::format("{}", timeout)}};
+  for (const auto& [name, hash] : calibration)
+    call.command.insert(call.command.end(), {"--calibrated-with", name, hash});
+  return call;
 }
 
 ToolCall clean_call(const Recipe& recipe, const std::string& scan, const std::string& units) {
@@ -69,6 +76,18 @@ ToolCall export_call(const Recipe& recipe, const RobotProgram& program) {
                  "--report", "../report.json", "--output", program_file(program)}};
   add_options(call, recipe.path.options);
   add_options(call, program.options);
+  return call;
+}
+
+ToolCall work_call(const Recipe& recipe, const fs::path& run, bool dry, const fs::path& record,
+                   double timeout) {
+  ToolCall call{dry ? "dry_run" : "work",
+                "scan_cell",
+                {"work", "--path", (run / path_name(recipe)).string(), "--report",
+                 (run / "report.json").string(), "--record", record.string(), "--timeout",
+                 fmt::format("{}", timeout)}};
+  if (dry) call.command.emplace_back("--dry-run");
+  add_options(call, recipe.work);
   return call;
 }
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 
+#include "recipe/proof.h"
 #include "recipe/recipe.h"
 #include "run/tool_call.h"
 
@@ -13,8 +15,9 @@ namespace part_recipes {
 /// one folder up, so that the names in reports and logs hold wherever the run is copied to.
 
 /// The running cell scans: inputs/scan.ply, scan.json.
+/// @param calibration hashes of the files that it must be calibrated with; empty: any
 /// @param timeout [s] to wait for the cell
-ToolCall scan_call(const Recipe& recipe, double timeout);
+ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, double timeout);
 
 /// object.ply.
 /// @param scan raw cloud in inputs @param units of its lengths
@@ -28,6 +31,13 @@ ToolCall deviations_call(const Recipe& recipe);
 
 /// programs/FILE.
 ToolCall export_call(const Recipe& recipe, const RobotProgram& program);
+
+/// The running cell works a sealed run.
+/// @param run its folder
+/// @param dry lifted, slow, tool off
+/// @param record gets each waypoint that was passed
+ToolCall work_call(const Recipe& recipe, const std::filesystem::path& run, bool dry,
+                   const std::filesystem::path& record, double timeout);
 
 /// Where that program goes, from inputs.
 std::string program_file(const RobotProgram& program);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "scan_cell_common/parameters/parameter_table.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace pass_planner {
 namespace {
@@ -20,7 +21,7 @@ using scan_cell::PassKind;
 using scan_cell::ScanPass;
 using scan_cell_common::ScannerModel;
 
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
 
 // All chosen: steps in which the angles of incidence change by less than what a surface bears.
 constexpr int kDirections = 8;                          // of travel, over half a turn

@@ -8,13 +8,14 @@
 #include <optional>
 
 #include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace pose_frame_binder {
 
 std::array<double, 6> to_document_units(const Eigen::Isometry3d& pose) {
-  constexpr double kMillimetres = 1000;    // in a metre
-  constexpr double kDegrees = 180 / M_PI;  // in a radian
-  constexpr double kUpright = 1e-9;        // cos(ry) below which rx and rz have one axis; chosen
+  using scan_cell_common::kDegrees;
+  using scan_cell_common::kMillimetres;
+  constexpr double kUpright = 1e-9;  // cos(ry) below which rx and rz have one axis; chosen
   const Eigen::Matrix3d r = pose.linear();
   const double cosine = std::hypot(r(0, 0), r(1, 0));
   const double ry = std::atan2(-r(2, 0), cosine);

@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "scan_cell_common/pose/units.h"
+
 namespace scan_calibration {
 
-constexpr double kDegree = M_PI / 180;  // [rad]
+using scan_cell_common::kDegree;
 constexpr double kDeviationPerMedian =
     1.4826;                                 // normal noise: deviation over median absolute value
 constexpr double kMedianLength2 = 1.17741;  // of two numbers of unit noise: sqrt(2 ln 2)

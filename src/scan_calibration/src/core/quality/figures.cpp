@@ -7,13 +7,14 @@
 
 #include "images/parallel.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace scan_calibration {
 namespace {
 
 using Eigen::Isometry3d;
 
-constexpr double kMillimetres = 1e3;  // [mm/m]
+using scan_cell_common::kMillimetres;
 
 /// Gauss-Newton on the six numbers of the pose, from where the robot says.
 /// @return false if a corner is not in front of the camera

@@ -15,6 +15,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "scan_cell_common/pose/euler_angles.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace scan_cell {
 namespace {
@@ -22,8 +23,8 @@ namespace {
 using scan_cell_common::excerpt;
 using scan_cell_common::ProtocolError;
 
-constexpr double kMillimetres = 1e3;
-constexpr double kDegrees = 180 / M_PI;
+using scan_cell_common::kDegrees;
+using scan_cell_common::kMillimetres;
 
 const std::map<std::string, VideeCommandKind>& kinds() {
   static const std::map<std::string, VideeCommandKind> kinds = {

@@ -9,6 +9,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/files/sha256.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace scan_cell {
 namespace {
@@ -23,7 +24,7 @@ Json file_record(const std::string& file) {
 }
 
 Json binding_of(const scan_cell_msgs::BindingAudit& audit) {
-  constexpr double kMillimetres = 1e3;
+  using scan_cell_common::kMillimetres;
   constexpr double kMilliseconds = 1e3;
   return {{"pulses", audit.triggers},
           {"frames", audit.frames},
@@ -38,8 +39,8 @@ Json binding_of(const scan_cell_msgs::BindingAudit& audit) {
 
 void add_passes(Json& all, const scan_cell_msgs::CloudStatistics& scan) {
   if (scan.agreement_message.empty()) return;  // of one sweep
-  constexpr double kMillimetres = 1e3;
-  constexpr double kDegrees = 180 / M_PI;
+  using scan_cell_common::kDegrees;
+  using scan_cell_common::kMillimetres;
   Json& passes = all["passes"];
   const char* const names[] = {"not compared", "agree", "mended", "disagree"};
   passes["agreement"] = names[std::min<std::size_t>(scan.agreement, std::size(names) - 1)];
@@ -77,6 +78,10 @@ void save_scan_record(const std::string& file, const scan_cell_msgs::ScanResult&
               {"binding", binding_of(scan.audit)},
               {"calibration", to_json(calibration)}};
   add_passes(all, scan.statistics);
+  save_json(file, all);
+}
+
+void save_json(const std::string& file, const Json& all) {
   constexpr int kIndent = 2;
   scan_cell_common::save_text(file, all.dump(kIndent) + "\n");
 }

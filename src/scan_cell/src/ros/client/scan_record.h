@@ -26,4 +26,7 @@ Json to_json(const CalibrationFiles& calibration);
 void save_scan_record(const std::string& file, const scan_cell_msgs::ScanResult& scan,
                       const CalibrationFiles& calibration);
 
+/// @throw scan_cell_common::FileError if it cannot be written
+void save_json(const std::string& file, const Json& all);
+
 }  // namespace scan_cell

@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace scan_cell_common {
+
+constexpr double kMillimetre = 1e-3;     //!< [m]
+constexpr double kMillimetres = 1e3;     //!< in a metre
+constexpr double kDegree = M_PI / 180;   //!< [rad]
+constexpr double kDegrees = 180 / M_PI;  //!< in a radian
 
 /// The units of length a file may be in: m, mm, inch. Inside the suite it is metres.
 const std::vector<std::string>& length_units();

@@ -4,14 +4,9 @@
 
 #include <cmath>
 
+#include "scan_cell_common/pose/units.h"
+
 namespace scan_cell_common {
-namespace {
-
-constexpr double kDegree = M_PI / 180;
-constexpr double kMillimetre = 1e-3;
-
-}  // namespace
-
 const EulerSequence& comau_angles() {
   static const EulerSequence sequence("zyz");
   return sequence;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "controller/wire/wire_json.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace scan_cell_sim {
 namespace {
@@ -15,8 +16,8 @@ using Code = ControllerErrorCode;
 using scan_cell_common::Nanoseconds;
 
 constexpr double kPercent = 0.01;
-constexpr double kMillimetre = 1e-3;    // [m]
-constexpr double kDegree = M_PI / 180;  // [rad]
+using scan_cell_common::kDegree;
+using scan_cell_common::kMillimetre;
 
 /// A setting of motions that is a number.
 struct NumberSetting {

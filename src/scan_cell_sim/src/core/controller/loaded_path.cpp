@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "controller/wire/wire_json.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace scan_cell_sim {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 using nlohmann::json;
 using Code = ControllerErrorCode;
 
-constexpr double kMillimetre = 1e-3;  // [m]
+using scan_cell_common::kMillimetre;
 
 std::uint64_t within(const json& request, const std::string& name, std::uint64_t least,
                      std::uint64_t most) {

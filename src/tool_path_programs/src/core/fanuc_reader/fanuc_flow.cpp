@@ -12,8 +12,7 @@ namespace {
 
 using Kind = FanucStatementKind;
 
-constexpr const char* kCure = "give the program that moves in one order, without conditions";
-constexpr int kDeepestCall = 50;
+constexpr const char* kOneOrder = "give the program that moves in one order, without conditions";
 
 }  // namespace
 
@@ -29,7 +28,7 @@ bool FanucFlow::moves(const std::string& name, const TokenReader& where) {
   }
   const auto known = moves_.find(program);
   if (known != moves_.end()) return known->second;
-  if (++depth_ > kDeepestCall)
+  if (++depth_ > kDeepestFanucCall)
     where.fail("calls that are nested deeper than 50", "give a program with fewer of them");
   moves_[program] = false;  // while it is looked at: calls in a circle end
   const bool found =
@@ -46,7 +45,7 @@ bool FanucFlow::moves(const FanucStatement& statement, const FanucProgram& progr
   if (statement.kind != Kind::kCall && statement.kind != Kind::kBranch) return false;
   const TokenReader where = source_.reader(program.file, statement.begin);
   const FanucBranches branches = fanuc_branches(where, statement.end);
-  if (branches.computed) where.fail("a jump or call that is computed at run time", kCure);
+  if (branches.computed) where.fail("a jump or call that is computed at run time", kOneOrder);
   return std::any_of(branches.calls.begin(), branches.calls.end(),
                      [&](const std::string& name) { return moves(name, where); });
 }
@@ -60,7 +59,7 @@ void FanucFlow::check(const FanucProgram& program) {
     const bool is_moving = moves(statements[i], program);
     const TokenReader where = source_.reader(program.file, statements[i].begin);
     if (is_moving && (depth > 0 || statements[i].kind == Kind::kBranch))
-      where.fail("a motion, or a change of frames, under a condition or in a loop", kCure);
+      where.fail("a motion, or a change of frames, under a condition or in a loop", kOneOrder);
     if (statements[i].kind == Kind::kBegin) ++depth;
     if (statements[i].kind == Kind::kEnd && depth-- == 0)
       where.fail("an end of what did not begin", "correct the program");
@@ -86,7 +85,7 @@ void FanucFlow::check_branch(const FanucProgram& program, std::size_t i,
                  "correct the program");
     const auto [first, last] = std::minmax(i, found->second);
     if (moving[last] != moving[first])
-      where.fail("a jump over motions, or over changes of frames", kCure);
+      where.fail("a jump over motions, or over changes of frames", kOneOrder);
   }
 }
 

@@ -10,6 +10,8 @@
 
 namespace tool_path_programs {
 
+constexpr std::size_t kDeepestFanucCall = 50;  // chosen
+
 /// Whether a program's statements are executed in the order in which they stand, as far as that
 /// matters to its motion.
 class FanucFlow {
@@ -35,7 +37,7 @@ class FanucFlow {
   const FanucSource& source_;
   const std::set<std::string>& without_motion_;
   std::map<const FanucProgram*, bool> moves_;
-  int depth_ = 0;
+  std::size_t depth_ = 0;
 };
 
 }  // namespace tool_path_programs

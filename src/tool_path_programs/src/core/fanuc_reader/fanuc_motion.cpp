@@ -12,7 +12,7 @@ namespace {
 
 using scan_cell_common::lower_case;
 
-constexpr const char* kCure = "let the program have it as numbers";
+constexpr const char* kAsNumbers = "let the program have it as numbers";
 
 MotionKind read_kind(TokenReader& reader) {
   const std::string letter = lower_case(reader.name());
@@ -27,7 +27,7 @@ int read_target(TokenReader& reader) {
     reader.fail("a position register, which only the controller knows", "move to a position P[]");
   reader.expect("P");
   const auto index = read_fanuc_index(reader);
-  if (!index) reader.fail("a position whose number only a running program knows", kCure);
+  if (!index) reader.fail("a position whose number only a running program knows", kAsNumbers);
   return *index;
 }
 
@@ -76,7 +76,7 @@ double read_zone(TokenReader& reader) {
   const std::string digits = name.substr(corner_region ? 2 : std::min<std::size_t>(3, name.size()));
   const auto number = scan_cell_common::parse_number(digits);
   if (!number || (!corner_region && name.compare(0, 3, "cnt") != 0))
-    reader.fail(name + " instead of FINE, CNT or CR with a number", kCure);
+    reader.fail(name + " instead of FINE, CNT or CR with a number", kAsNumbers);
   if (corner_region) return 1e-3 * *number;
   return *number > 0 ? kFanucUnknownZone : 0;
 }

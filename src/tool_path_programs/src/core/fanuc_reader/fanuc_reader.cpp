@@ -18,7 +18,6 @@ namespace {
 using Kind = FanucStatementKind;
 using scan_cell_common::lower_case;
 
-constexpr std::size_t kDeepestCall = 50;
 constexpr std::size_t kMostStatements = 5000000;  // programs that call others, and these others ...
 
 std::set<std::string> lower_cases(const std::set<std::string>& names) {
@@ -86,7 +85,7 @@ class Reading {
     }
     if (std::find(calls_.begin(), calls_.end(), called) != calls_.end())
       where.fail(name + " calls itself", "give a program without such calls");
-    if (calls_.size() >= kDeepestCall)
+    if (calls_.size() >= kDeepestFanucCall)
       where.fail("calls that are nested deeper than 50", "give a program with fewer of them");
     run(*called);
   }

@@ -7,11 +7,12 @@
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/pose/euler_angles.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace tool_path_programs {
 namespace {
 
-constexpr double kDegrees = 180 / M_PI;
+using scan_cell_common::kDegrees;
 constexpr double kUpright = 1e-9;  // sine of the spindle's tilt below which C may be anything
 
 const scan_cell_common::EulerSequence& yaw_pitch_roll() {

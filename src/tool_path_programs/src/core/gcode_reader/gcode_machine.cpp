@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFarthest = 1e6;  // [mm] or [degrees]
-const std::string kLetters = "XYZABC";
 
 /// G59.1 as 591.
 int code_of(const GcodeWord& word) {
@@ -136,14 +135,14 @@ void GcodeMachine::miscellaneous(const GcodeWord& word, GcodeAction& action) {
 
 bool GcodeMachine::has_axes() const {
   return std::any_of(block_->words.begin(), block_->words.end(), [](const GcodeWord& word) {
-    return kLetters.find(word.letter) != std::string::npos || word.letter == 'U' ||
+    return kPoseLetters.find(word.letter) != std::string::npos || word.letter == 'U' ||
            word.letter == 'V' || word.letter == 'W' || word.letter == 'E';
   });
 }
 
 /// [mm] or [degrees]
 double GcodeMachine::coordinate(const GcodeWord& word) const {
-  const std::size_t axis = kLetters.find(word.letter);
+  const std::size_t axis = kPoseLetters.find(word.letter);
   if (axis == std::string::npos || !dialect_.has(static_cast<Eigen::Index>(axis)))
     fail(name_of(word) + ", an axis that " + dialect_.name() + " does not have",
          "give another dialect, or a program without it");
@@ -155,7 +154,7 @@ double GcodeMachine::coordinate(const GcodeWord& word) const {
 void GcodeMachine::move_to_own_places(GcodeAction& action) {
   action.kind = GcodeAction::Kind::kIncomplete;
   for (const GcodeWord& word : block_->words) {
-    const std::size_t axis = kLetters.find(word.letter);
+    const std::size_t axis = kPoseLetters.find(word.letter);
     if (axis == std::string::npos) continue;
     action.values.push_back(word.value);
     at_[static_cast<Eigen::Index>(axis)] = kNotKnown;
@@ -168,7 +167,7 @@ void GcodeMachine::move(GcodeAction& action) {
   if (motion_ < 0) fail("a move without G0, G1, G2 or G3", "give one of them before it");
   const GcodeAxes from = at_;
   for (const GcodeWord& word : block_->words) {
-    const std::size_t axis = kLetters.find(word.letter);
+    const std::size_t axis = kPoseLetters.find(word.letter);
     if (axis == std::string::npos && std::string("UVWE").find(word.letter) == std::string::npos)
       continue;
     const double value = coordinate(word);

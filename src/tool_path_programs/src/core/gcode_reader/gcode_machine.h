@@ -13,6 +13,8 @@
 
 namespace tool_path_programs {
 
+const std::string kPoseLetters = "XYZABC";
+
 /// Millimetres in an inch.
 constexpr double kGcodeInch = 25.4;
 

@@ -15,7 +15,6 @@ namespace {
 constexpr int kMillimetreDigits = 4;
 constexpr int kInchDigits = 6;
 constexpr int kDegreeDigits = 5;
-const std::string kLetters = "XYZABC";
 
 /// Goes through a program as the machine does, before and after the change: an axis that a line
 /// does not name is where an earlier line left it, and gets a word where that is elsewhere now.
@@ -57,7 +56,7 @@ class Rewriting {
         });
     bool has_axes = false;
     for (const GcodeWord& word : block.words) {
-      const std::size_t axis = kLetters.find(word.letter);
+      const std::size_t axis = kPoseLetters.find(word.letter);
       if (axis == std::string::npos) continue;
       has_axes = true;
       said_[static_cast<Eigen::Index>(axis)] = own_places ? NAN : value_of(word, axis);
@@ -79,11 +78,11 @@ class Rewriting {
     }
     std::size_t end = block.words.front().offset;
     for (const GcodeWord& word : block.words)
-      if (kLetters.find(word.letter) != std::string::npos || word.letter == 'G')
+      if (kPoseLetters.find(word.letter) != std::string::npos || word.letter == 'G')
         end = word.number_offset + word.number_length;
     std::string added;
     for (const Eigen::Index axis : dialect_.axes()) {
-      const char letter = kLetters[static_cast<std::size_t>(axis)];
+      const char letter = kPoseLetters[static_cast<std::size_t>(axis)];
       if (const GcodeWord* word = block.find(letter))
         replace(*word, axis, axes[axis]);
       else if (!(std::abs(axes[axis] - said_[axis]) <= kSame))

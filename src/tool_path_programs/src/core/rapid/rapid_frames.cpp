@@ -17,8 +17,6 @@ namespace {
 using scan_cell_common::lower_case;
 using scan_cell_common::UnusableInput;
 
-constexpr std::size_t kLongestName = 32;
-
 bool same(const Eigen::Isometry3d& one, const Eigen::Isometry3d& other) {
   return one.isApprox(other, 1e-12);
 }
@@ -52,7 +50,7 @@ std::string RapidFrames::name_of(const Frame& frame, bool tool) {
     name = fmt::format("{}_{}{}", tool ? "t" : "w", program_.name,
                        declared_.empty() ? "" : std::to_string(declared_.size()));
   }
-  check_rapid_name(thing, name, kLongestName);
+  check_rapid_name(thing, name, kLongestRapidName);
   if (frame.pose)
     declare(name, *frame.pose, tool);
   else

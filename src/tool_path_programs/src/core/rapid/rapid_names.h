@@ -7,6 +7,8 @@
 
 namespace tool_path_programs {
 
+constexpr std::size_t kLongestRapidName = 32;  // characters
+
 /// @param thing that has the name, in the error
 /// @param longest number of characters that are left for it
 /// @throw scan_cell_common::UnusableInput naming a name that would do

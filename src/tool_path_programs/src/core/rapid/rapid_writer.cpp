@@ -21,7 +21,6 @@ using scan_cell_common::UnusableInput;
 
 constexpr std::size_t kMostLines = 5000;  // what public post-processors put into a module
 constexpr std::size_t kFewestLines = 20;
-constexpr std::size_t kLongestName = 32;
 constexpr std::size_t kLinesAround = 4;  // of a part: MODULE, PROC and their ends
 
 class Writing {
@@ -47,7 +46,7 @@ class Writing {
       throw InvalidParameter("max_lines", std::to_string(max_lines_), "give 20 or more, or 0");
     if (!settings_.dialect.empty() && settings_.dialect != "irc5")
       throw InvalidParameter("dialect", settings_.dialect, "RAPID has irc5 alone");
-    check_rapid_name("program", program_.name, kLongestName - std::string("mod__9999").size());
+    check_rapid_name("program", program_.name, kLongestRapidName - std::string("mod__9999").size());
   }
 
   void add_step(std::size_t i) {
@@ -101,7 +100,7 @@ class Writing {
 
   /// Behind a stop it is a statement of its own; on the way it went with the move.
   void add_output(const SetOutput& output, std::size_t i) {
-    check_rapid_name("output", output.output, kLongestName);
+    check_rapid_name("output", output.output, kLongestRapidName);
     const Move* before = i == 0 ? nullptr : std::get_if<Move>(&program_.steps[i - 1]);
     if (before && before->zone > 0) return;
     if (last_ && last_->zone > 0)

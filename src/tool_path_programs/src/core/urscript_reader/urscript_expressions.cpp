@@ -12,7 +12,7 @@ namespace {
 
 using Kind = ScriptValue::Kind;
 
-constexpr std::size_t kDeepest = 50;
+constexpr std::size_t kDeepestBrackets = 50;
 constexpr double kFarthest = 1000;  // [m]
 constexpr double kWidest = 100;     // [rad]
 
@@ -60,7 +60,7 @@ const ScriptValue* ScriptArguments::find(const std::string& name, std::size_t po
 }
 
 ScriptValue ScriptExpressions::value() {
-  if (++depth_ > kDeepest) reader_.fail("brackets within brackets", "take it apart");
+  if (++depth_ > kDeepestBrackets) reader_.fail("brackets within brackets", "take it apart");
   ScriptValue value = sum();
   if (!at_delimiter()) {
     value = ScriptValue();

@@ -68,12 +68,12 @@ bool is_explained(const Distances& distances, std::size_t i, double noise) {
 }
 
 /// What the points of one patch say.
-struct Patch {
+struct PatchLead {
   double lead = 0;
   double points = 0;
 };
 
-Patch& patch_of(const Distances& distances, std::size_t i, std::vector<Patch>& patches) {
+PatchLead& patch_of(const Distances& distances, std::size_t i, std::vector<PatchLead>& patches) {
   if (distances.patch[i] >= patches.size()) patches.resize(distances.patch[i] + 1);
   patches[distances.patch[i]].points += 1;
   return patches[distances.patch[i]];
@@ -81,13 +81,13 @@ Patch& patch_of(const Distances& distances, std::size_t i, std::vector<Patch>& p
 
 /// Adds what the points of one surface say.
 void add(const Distances& first, const Distances& second, double noise, Evidence& sum) {
-  std::vector<Patch> patches;
+  std::vector<PatchLead> patches;
   for (std::size_t i = 0; i < first.off.size(); ++i) {
     if (std::isnan(first.off[i]) || std::isnan(second.off[i])) continue;
     patch_of(first, i, patches).lead += static_cast<double>(is_explained(first, i, noise)) -
                                         static_cast<double>(is_explained(second, i, noise));
   }
-  for (const Patch& patch : patches) {
+  for (const PatchLead& patch : patches) {
     if (patch.points == 0) continue;
     const double share = patch.lead / patch.points;
     (share > 0 ? sum.only_first : sum.only_second) += std::abs(share);
@@ -163,12 +163,12 @@ Evidence evidence(const Explanation& first, const Explanation& second) {
 double unexplained_patches(const Explanation& explanation) {
   double count = 0;
   for (const Distances* distances : {&explanation.object, &explanation.reference}) {
-    std::vector<Patch> patches;
+    std::vector<PatchLead> patches;
     for (std::size_t i = 0; i < distances->off.size(); ++i) {
       if (std::isnan(distances->off[i])) continue;
       patch_of(*distances, i, patches).lead += !is_explained(*distances, i, explanation.noise);
     }
-    for (const Patch& patch : patches)
+    for (const PatchLead& patch : patches)
       count += patch.lead > patch.points / 2;
   }
   return count;

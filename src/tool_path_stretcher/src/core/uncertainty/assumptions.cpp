@@ -8,7 +8,7 @@
 namespace tool_path_stretcher {
 namespace {
 
-constexpr Eigen::Index kUnknowns = GraphEquations::kUnknowns;
+constexpr Eigen::Index kNodeUnknowns = GraphEquations::kUnknowns;
 
 /// How far the links of a graph are strained, root mean square.
 struct Strain {
@@ -44,10 +44,10 @@ Strain strain_of(const DeformationGraph& graph) {
 void add_pose(const DeformationGraph& graph, double angle, double distance,
               GraphEquations& equations) {
   const auto nodes = static_cast<Eigen::Index>(graph.nodes().size());
-  for (Eigen::Index axis = 0; axis < kUnknowns; ++axis) {
+  for (Eigen::Index axis = 0; axis < kNodeUnknowns; ++axis) {
     std::vector<Eigen::Index> columns;
     for (Eigen::Index i = 0; i < nodes; ++i)
-      columns.push_back(kUnknowns * i + axis);
+      columns.push_back(kNodeUnknowns * i + axis);
     const std::vector<double> shares(columns.size(), 1 / static_cast<double>(nodes));
     equations.add_observation(columns, shares, 0, axis < 3 ? angle : distance);
   }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_cell_common/pose/units.h"
+
 namespace tool_path_stretcher {
 namespace {
 
@@ -182,7 +184,7 @@ void check_placement(const Placement& placement, const PlacementLimits& limits,
                      fmt::format("check the part, or raise max_displacement_ratio ({:.4g} % of "
                                  "the part's length, {:.4g} mm)",
                                  100 * parameters.max_displacement_ratio, max_displacement * 1e3));
-  constexpr double kDegree = M_PI / 180;
+  using scan_cell_common::kDegree;
   Found(quality, parameters.max_orientation_error,
         [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_orientation; })
       .refuse_if_any(

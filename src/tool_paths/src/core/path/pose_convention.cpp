@@ -19,7 +19,7 @@ namespace {
 using scan_cell_common::EulerSequence;
 using scan_cell_common::UnusableInput;
 
-constexpr double kDegree = M_PI / 180;
+using scan_cell_common::kDegree;
 
 /// Drops what the product that made millimetres or degrees added.
 double rounded(double value) {

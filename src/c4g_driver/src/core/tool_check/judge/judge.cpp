@@ -18,7 +18,7 @@ namespace {
 
 using Kind = ToolFault::Kind;
 
-constexpr double kRounding = 1e-6;  // [rad] or [m] beyond a limit; chosen
+constexpr double kBeyondLimit = 1e-6;  // [rad] or [m] beyond a limit; chosen
 
 /// What kind of posture ties these joints together, in an arm whose last three axes meet.
 const char* posture_name(const std::string& tied) {
@@ -132,7 +132,7 @@ class Judge {
       const double margin = std::min(place.joints[joint] - lower, upper - place.joints[joint]);
       JointMargin& least = check_.margins[static_cast<std::size_t>(joint)];
       if (margin < least.margin) least = {margin, place.waypoint};
-      if (margin >= kept - kRounding) continue;
+      if (margin >= kept - kBeyondLimit) continue;
       findings_.add(place, {Kind::kJointRange, kept - margin, joint_name(joint), joint}, [&] {
         return Said(fmt::format("{:g} rad", place.joints[joint]),
                     fmt::format("its range is {}, of which {:g} rad are kept free: turn or tilt "
@@ -161,7 +161,7 @@ class Judge {
       const double upper = subject_.limits.workspace_max[axis];
       const double value = place.flange.translation()[axis];
       const double outside = std::max(lower - value, value - upper);
-      if (outside <= kRounding) continue;
+      if (outside <= kBeyondLimit) continue;
       findings_.add(place,
                     {Kind::kWorkspace, outside, fmt::format("{} of the flange", "xyz"[axis])}, [&] {
                       return Said(fmt::format("{:g} m", value),

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = ToolFault::Kind;
 
-constexpr double kRounding = 1e-6;  // share of a speed beyond a limit; chosen
+constexpr double kBeyondSpeed = 1e-6;  // share of a speed beyond a limit; chosen
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void WaySpeeds::enter(const TrackPlace& place, const ToolLine& line) {
 
 /// @param rate [m] by the way
 void WaySpeeds::check_tool(const TrackPlace& place, const std::string& name, double rate) {
-  if (rate <= subject_.speed.most * seconds_ * (1 + kRounding)) return;
+  if (rate <= subject_.speed.most * seconds_ * (1 + kBeyondSpeed)) return;
   findings_.add(place, {Kind::kToolSpeed, rate / seconds_, "speed of the " + name}, [&] {
     return Said(
         fmt::format("{:g} m/s", rate / seconds_),
@@ -41,7 +41,7 @@ void WaySpeeds::look(const TrackPlace& place) {
   const double most = seconds.maxCoeff(&slow);
   take_slowest(place, most, slow);
   for (int joint = 0; joint < 6; ++joint) {
-    if (seconds[joint] <= seconds_ * (1 + kRounding)) continue;
+    if (seconds[joint] <= seconds_ * (1 + kBeyondSpeed)) continue;
     findings_.add(place, {Kind::kJointSpeed, seconds[joint] / seconds_, joint_name(joint), joint},
                   [&] { return too_fast(std::abs(place.rate[joint]), joint, most); });
   }

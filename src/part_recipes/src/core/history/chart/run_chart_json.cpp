@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "history/chart/run_chart.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace part_recipes {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-constexpr double kMillimetres = 1e3;  // [mm/m]
+using scan_cell_common::kMillimetres;
 
 /// Positions on the axis, from 1.
 Json positions(const std::vector<std::size_t>& indices, const std::vector<std::size_t>& counted) {

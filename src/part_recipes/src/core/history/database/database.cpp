@@ -19,7 +19,7 @@ using scan_cell_common::FileError;
 using scan_cell_common::Refused;
 using scan_cell_common::UnusableInput;
 
-constexpr int kPatience = 10000;  // [ms] a writer has it for some ms
+constexpr int kBusyTimeout = 10000;  // [ms] a writer has it for some ms
 
 bool is_writable(const fs::path& path) {
   return access(path.c_str(), W_OK) == 0;
@@ -74,7 +74,7 @@ Database::Database(const fs::path& file, Access access, const std::string& cure)
   database_.reset(opened);
   if (code != SQLITE_OK) fail(code);
   sqlite3_extended_result_codes(opened, 1);
-  sqlite3_busy_timeout(opened, kPatience);
+  sqlite3_busy_timeout(opened, kBusyTimeout);
   // The log lets readers read on beside a writer; FULL brings each commit to the disk.
   execute(access == Access::kRead
               ? "PRAGMA query_only = ON"

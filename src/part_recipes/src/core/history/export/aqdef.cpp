@@ -9,10 +9,12 @@
 #include <map>
 #include <set>
 
+#include "scan_cell_common/pose/units.h"
+
 namespace part_recipes {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // [mm/m]
+using scan_cell_common::kMillimetres;
 
 // Longest texts [letters] that the format recommends for these fields
 constexpr std::size_t kPartNumber = 30;   // K1001

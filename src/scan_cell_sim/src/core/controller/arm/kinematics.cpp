@@ -9,11 +9,12 @@
 #include <kdl/chainfksolverpos_recursive.hpp>
 
 #include "controller/arm/arm.h"
+#include "scan_cell_common/pose/units.h"
 
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kDegree = M_PI / 180;  // [rad]
+using scan_cell_common::kDegree;
 
 KDL::Chain make_chain() {
   using KDL::Frame;

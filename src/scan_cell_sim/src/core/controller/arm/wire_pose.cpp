@@ -5,11 +5,13 @@
 #include <cmath>
 #include <kdl/frames.hpp>
 
+#include "scan_cell_common/pose/units.h"
+
 namespace scan_cell_sim {
 namespace {
 
-constexpr double kDegree = M_PI / 180;  // [rad]
-constexpr double kMillimetre = 1e-3;    // [m]
+using scan_cell_common::kDegree;
+using scan_cell_common::kMillimetre;
 
 /// [deg] in -180 < angle <= 180
 double turned(double angle) {

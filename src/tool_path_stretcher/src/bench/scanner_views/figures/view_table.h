@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scan_cell_common/pose/units.h"
 #include "scanner_views/figures/outcome.h"
 
 namespace scanner_views {
@@ -24,7 +25,7 @@ struct CaseResult {
 const std::vector<std::string>& yardsticks();
 
 /// Of radians.
-constexpr double kDegrees = 180 / M_PI;
+using scan_cell_common::kDegrees;
 
 /// Of a table; empty: not known.
 std::string cell_of(double value, int digits);

@@ -10,7 +10,7 @@
 #include "geometry/points.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
-#include "surface_targets.h"
+#include "surface/surface_targets.h"
 #include "synthetic_parts.h"
 #include "tool_path_stretcher/surface.h"
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface_targets.h"
+#include "surface/surface_targets.h"
 
 #include <cmath>
 

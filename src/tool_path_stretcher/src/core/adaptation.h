@@ -1,0 +1,66 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "search/candidates.h"
+#include "search/partial_search.h"
+#include "stages.h"
+#include "tool_path_stretcher/stretcher.h"
+
+namespace tool_path_stretcher {
+
+/// The work on one path: the pose of the part, its deformation, the judgement of both, and the
+/// placement of the waypoints.
+class Adaptation {
+ public:
+  /// @throw Refusal if the path makes no sense
+  Adaptation(const SurfacePair& surfaces, const ToolPath& path, const StretchParameters& parameters,
+             const Stages& stages);
+
+  /// Fills in the result, and the mappings it chose from, as far as the work comes.
+  /// @throw Refusal
+  void run(StretchResult& result, std::vector<Fitted>& chosen_from);
+
+ private:
+  /// There is no path: poses differ in nothing that matters.
+  bool lays_only() const { return path_.segments.empty(); }
+
+  Fitted explained(const Mapping& mapping) const;
+
+  /// All mappings that may explain the object, best first.
+  /// @throw Refusal if there is none
+  std::vector<Fitted> choose();
+
+  /// What the thesis' registration finds, judged beside what the search found.
+  /// @throw Refusal
+  void put_registration_first(std::vector<Fitted>& fitted) const;
+
+  /// The candidates that may yet win with a coarse deformation graph, best first. A pose is judged
+  /// with a graph: a bend must not decide between two poses that a small feature tells apart.
+  std::vector<Fitted> sketched(const std::vector<Candidate>& candidates) const;
+
+  /// Fits the finest deformation graph, and sorts again.
+  void deform(std::vector<Fitted>& fitted) const;
+
+  /// @return the best and the others that explain the object as well, where those lay the path
+  /// along the same line; nothing where there are none
+  /// @throw Refusal if the best does not explain the object, or another one does, too
+  std::vector<PoseCandidate> check_choice(const std::vector<Fitted>& fitted,
+                                          bool partial_reference);
+
+  Mapping affine_mapping(const Similarity& start) const;
+
+  void adapt(const Mapping& mapping, StretchResult& result) const;
+
+  const SurfacePair surfaces_;
+  const ToolPath path_;
+  const StretchParameters& parameters_;
+  const Stages& stages_;
+  const Eigen::Vector3d centroid_;  // of the reference [m]
+  PartialSearch partial_;
+};
+
+}  // namespace tool_path_stretcher
