@@ -59,7 +59,8 @@ may_touch:
 TEST(CellShapes, NameTheEntryThatMakesNoSense) {
   expect_complaint("shapes: [{name: a, frame: flange}]", "0 of sphere, box");
   expect_complaint("shapes: [{name: a, frame: flange, sphere: 1, box: [1, 1, 1]}]", "2 of sphere");
-  expect_complaint("shapes: [{name: a, frame: flange, sphere: 0}]", "sphere: 0 m (line 1); give metres");
+  expect_complaint("shapes: [{name: a, frame: flange, sphere: 0}]",
+                   "sphere: 0 m (line 1); give metres");
   expect_complaint("shapes: [{name: a, frame: flange, sphere: .nan}]", "sphere");
   expect_complaint("shapes: [{name: a, frame: flange, box: [1, 1]}]", "box");
   expect_complaint("shapes: [{name: a, frame: flange, box: [1, -1, 1]}]", "box: -1 m");

@@ -6,8 +6,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include "clock/utc_time.h"
-#include "recipe/recipe_check.h"
 #include "disk/to_disk.h"
+#include "recipe/recipe_check.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 

@@ -70,9 +70,9 @@ Proof load_proof(const Recipe& recipe) {
 
 void save_proof(const Recipe& recipe, const Proof& proof) {
   constexpr int kIndent = 2;
-  const Json all = {{"format", kProofFormat},    {"proven", proof.proven},
-                    {"time", proof.time},   {"run", proof.run},
-                    {"files", proof.files}, {"calibration", proof.calibration}};
+  const Json all = {{"format", kProofFormat}, {"proven", proof.proven},
+                    {"time", proof.time},     {"run", proof.run},
+                    {"files", proof.files},   {"calibration", proof.calibration}};
   scan_cell_common::save_text((recipe.folder / kProofFile).string(), all.dump(kIndent) + "\n");
 }
 
