@@ -80,6 +80,7 @@ RunRequest RunServer::request_of(const Goal& goal) {
   if (!goal.scan_units.empty()) request.scan_units = goal.scan_units;
   request.timeout = parameters_.timeout;
   request.note = goal.note;
+  request.bag = goal.bag != 0;
   request.work = work_of(goal);
   // The server asks for it, too, where another goal came: that one waits.
   request.stop = [this] {

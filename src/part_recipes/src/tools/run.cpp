@@ -45,6 +45,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--scan-units", options.request.scan_units, "of that cloud")
       ->check(CLI::IsMember(scan_cell_common::length_units()))
       ->capture_default_str();
+  app.add_flag("--bag", options.request.bag, "keeps a bag of the scan in the run: scan.bag")
+      ->excludes(again);
   app.add_option("--note", options.request.note, "kept with the run");
   const std::map<std::string, Work> works = {{"dry", Work::kDry}, {"real", Work::kReal}};
   app.add_option(

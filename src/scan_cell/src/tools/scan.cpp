@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
+#include <optional>
 
+#include "client/bag_recording.h"
 #include "client/clean_cloud_watch.h"
 #include "client/scan_record.h"
 #include "scan_cell/progress_bar.h"
@@ -25,6 +27,7 @@ struct Options {
   std::string output;
   std::string clean;
   std::string report;
+  std::string bag;
   std::map<std::string, std::string> calibrated_with;  // SHA-256 of its files, by name
   std::string units = "m";
   double timeout = 10;
@@ -90,12 +93,15 @@ void scan(const Options& options) {
   scan_cell::CellClient client(node, names);
   check_calibration(options, client.calibration_files());
   scan_cell::CleanCloudWatch watch(node, names.clean_cloud, names.report);
+  std::optional<scan_cell::BagRecording> recording;
+  if (!options.bag.empty()) recording.emplace(node, options.bag, options.timeout);
   scan_cell_msgs::ScanResult result;
   {
     scan_cell::ProgressBar bar("scan");
     result = client.scan(program, options.scan_id, options.timeout,
                          [&bar](const std::string& what, double share) { bar.show(what, share); });
   }
+  if (recording) recording->finish(result.scan_id);
   if (!options.report.empty())
     scan_cell::save_scan_record(options.report, result, client.calibration_files());
   tell(options, result);
@@ -117,6 +123,7 @@ int main(int argc, char** argv) {
   outputs.add(app, "--report", options.report,
               "how its frames were bound, how its passes agree, what the cell is calibrated with "
               "(.json)");
+  outputs.add(app, "--bag", options.bag, "what replay needs to make the cloud again (.bag)");
   outputs.add(app, "--clean", options.clean, "clean cloud of one object (.ply, .pcd)");
   app.add_option("--calibrated-with", options.calibrated_with,
                  "NAME SHA256 of its scanner and cell files: with others it does not scan");

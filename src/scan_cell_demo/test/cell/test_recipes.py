@@ -10,9 +10,10 @@ import subprocess
 import unittest
 
 import actionlib
+import rosbag
 import rospy
 import rostest
-from scan_cell_msgs.msg import RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
+from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
 from scan_cell_msgs.srv import ListRecipes
 
 PATIENCE = 120  # [s] a scan takes 10 to 20 s
@@ -120,12 +121,18 @@ class Recipes(unittest.TestCase):
         self.assertEqual(glob.glob(self.runs + '/.2*'), [])
 
     def test_a_run_that_shall_be_worked_is_worked_dry_and_then_with_the_tool(self):
-        result = self.run_recipe(recipe='frame', work=RunRecipeGoal.WORK)
+        result = self.run_recipe(recipe='frame', work=RunRecipeGoal.WORK, bag=True)
         self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
         self.assertTrue(result.worked, result.work_message)
         for name in ('dry_run', 'work'):
             with open(f'{result.folder}.{name}.json') as file:
                 self.assertTrue(json.load(file))
+        with rosbag.Bag(os.path.join(result.folder, 'scan.bag')) as bag:
+            states = [message.state for _, message, _ in bag.read_messages('/scan_cell/state')]
+            profiles = bag.get_message_count('/camera/profiles')
+        self.assertEqual(states[-2:], [CellState.SCANNING, CellState.FINISHED])
+        with open(os.path.join(result.folder, 'scan.json')) as file:
+            self.assertGreaterEqual(profiles, json.load(file)['binding']['bound'])
         result = self.run_recipe(recipe='frame', work=7)
         self.assertEqual(result.outcome, RunRecipeResult.NONE)
         self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)

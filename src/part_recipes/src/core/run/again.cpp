@@ -45,7 +45,8 @@ RunRequest request_of(const fs::path& folder, const fs::path& runs, const Stop& 
 
 EndedRun run_again(const fs::path& folder, const fs::path& runs, const StageBegins& begins,
                    const Stop& stop) {
-  const RunRequest request = request_of(folder, runs, stop);
+  RunRequest request = request_of(folder, runs, stop);
+  if (fs::exists(folder / "scan.bag")) request.scan_bag = folder / "scan.bag";
   return run_recipe(load_recipe(folder / "inputs"), request, begins);
 }
 

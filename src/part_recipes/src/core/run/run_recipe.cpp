@@ -70,6 +70,7 @@ class Run {
     save_places((inputs() / kPlacesFile).string(), recipe_.places);
     if (request_.scan) folder_.add(*request_.scan, "inputs/" + scan_name());
     if (request_.scan_record) folder_.add(*request_.scan_record, "scan.json");
+    if (request_.scan_bag) folder_.add(*request_.scan_bag, "scan.bag");
   }
 
   /// In inputs; a given cloud keeps its format.
@@ -128,7 +129,7 @@ class Run {
       if (recipe_.program.empty())
         throw Refused(recipe_.name, "no scan program", "name one in recipe.yaml, or give a scan");
       const Hashes calibration = proof_ ? proof_->calibration : Hashes();
-      scanned = call(scan_call(recipe_, calibration, request_.timeout)) == 0;
+      scanned = call(scan_call(recipe_, calibration, request_.bag, request_.timeout)) == 0;
     }
     if (const auto told = scan_record()) read_scan(*told, record_);
     if (proof_) ended_.warn(check_calibration(recipe_, *proof_, record_.calibration));

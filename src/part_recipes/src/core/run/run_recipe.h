@@ -26,13 +26,15 @@ struct RunRequest {
       scan;                      //!< raw cloud in the world's frame; none: the running cell scans
   std::string scan_units = "m";  //!< of that cloud
   std::optional<std::filesystem::path>
-      scan_record;             //!< what the cell said of that cloud: scan.json
-  double timeout = 10;         //!< [s] to wait for the cell
-  Work work = Work::kNone;     //!< what follows an accepted run
-  bool prove = false;          //!< the recipe need not be proven
-  std::string again_of;        //!< id of the run that this one repeats
-  std::string note;            //!< of the person
-  std::function<bool()> stop;  //!< whether to end now; there is no run then
+      scan_record;                                //!< what the cell said of that cloud: scan.json
+  std::optional<std::filesystem::path> scan_bag;  //!< of that scan: scan.bag
+  double timeout = 10;                            //!< [s] to wait for the cell
+  bool bag = false;                               //!< whether to keep a bag of the scan
+  Work work = Work::kNone;                        //!< what follows an accepted run
+  bool prove = false;                             //!< the recipe need not be proven
+  std::string again_of;                           //!< id of the run that this one repeats
+  std::string note;                               //!< of the person
+  std::function<bool()> stop;                     //!< whether to end now; there is no run then
 };
 
 /// Called as a stage begins.

@@ -24,13 +24,14 @@ std::string adapted_path(const Recipe& recipe) {
 
 }  // namespace
 
-ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, double timeout) {
+ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, bool bag, double timeout) {
   ToolCall call{"scan",
                 "scan_cell",
                 {"scan", "--program", recipe.program, "--output", "scan.ply", "--report",
                  "../scan.json", "--timeout", fmt::format("{}", timeout)}};
   for (const auto& [name, hash] : calibration)
     call.command.insert(call.command.end(), {"--calibrated-with", name, hash});
+  if (bag) call.command.insert(call.command.end(), {"--bag", "../scan.bag"});
   return call;
 }
 

@@ -16,8 +16,9 @@ namespace part_recipes {
 
 /// The running cell scans: inputs/scan.ply, scan.json.
 /// @param calibration hashes of the files that it must be calibrated with; empty: any
+/// @param bag whether to keep what replay needs: scan.bag
 /// @param timeout [s] to wait for the cell
-ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, double timeout);
+ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, bool bag, double timeout);
 
 /// object.ply.
 /// @param scan raw cloud in inputs @param units of its lengths

@@ -52,24 +52,24 @@ class Sizes {
 Mesh bracket(Draws& draws, double moved) {
   const Sizes s(draws);
   const Terrace boss{s.round(0.014, 0.085, 0.042), s.high(0.022), {s.drilled(0.006, 0.085, 0.042)}};
-  return solid_of({s.box(0.22, 0.14, 0, 0),
-                   s.high(0.008),
-                   {{s.box(0.10, 0.006, -0.03, 0.035), s.high(0.028)},
-                    {s.box(0.006, 0.08, 0.045 + moved, -0.012), s.high(0.024)},
-                    {s.box(0.006, 0.05, -0.035, -0.03), s.high(0.018)},
-                    boss,
-                    s.drilled(0.005, -0.095, -0.055),
-                    s.drilled(0.005, -0.095, 0.055),
-                    s.drilled(0.005, 0.095, -0.055)}});
+  return solid_of(Terrace{s.box(0.22, 0.14, 0, 0),
+                          s.high(0.008),
+                          {{s.box(0.10, 0.006, -0.03, 0.035), s.high(0.028)},
+                           {s.box(0.006, 0.08, 0.045 + moved, -0.012), s.high(0.024)},
+                           {s.box(0.006, 0.05, -0.035, -0.03), s.high(0.018)},
+                           boss,
+                           s.drilled(0.005, -0.095, -0.055),
+                           s.drilled(0.005, -0.095, 0.055),
+                           s.drilled(0.005, 0.095, -0.055)}});
 }
 
 Mesh stepped_block(Draws& draws) {
   const Sizes s(draws);
   const Terrace top{s.box(0.05, 0.055, -0.045, 0.01), s.high(0.065)};
   const Terrace middle{s.box(0.105, 0.085, -0.022, 0), s.high(0.042), {top}};
-  return solid_of({s.box(0.16, 0.105, 0, 0),
-                   s.high(0.022),
-                   {middle, {s.round(0.013, 0.058, 0.025), s.high(0.010)}}});
+  return solid_of(Terrace{s.box(0.16, 0.105, 0, 0),
+                          s.high(0.022),
+                          {middle, {s.round(0.013, 0.058, 0.025), s.high(0.010)}}});
 }
 
 Mesh casing(Draws& draws) {
@@ -81,7 +81,7 @@ Mesh casing(Draws& draws) {
                        s.high(0.008),
                        {post(-0.072, -0.037), post(0.072, -0.037), post(0.072, 0.037),
                         s.drilled(0.015, -0.035, 0.012), s.slot(0.05, 0.012, 0.022, -0.012)}};
-  return solid_of({s.box(0.2, 0.13, 0, 0), s.high(0.048), {inside}});
+  return solid_of(Terrace{s.box(0.2, 0.13, 0, 0), s.high(0.048), {inside}});
 }
 
 Mesh frame(Draws& draws) {
@@ -106,7 +106,7 @@ Mesh gear_plate(Draws& draws) {
   std::vector<Terrace> on_it = {hub};
   for (const auto& [angle, size] : {std::pair{0.4, 0.13}, {1.9, 0.15}, {2.9, 0.09}, {4.6, 0.15}})
     on_it.push_back(hole(0.6 * radius * Vector2d(std::cos(angle), std::sin(angle)), size * radius));
-  return solid_of({cases::star(kTeeth, radius, 0.88 * radius), s.high(0.013), on_it});
+  return solid_of(Terrace{cases::star(kTeeth, radius, 0.88 * radius), s.high(0.013), on_it});
 }
 
 Mesh slotted_plate(Draws& draws) {
@@ -145,13 +145,13 @@ Mesh mounting_base(Draws& draws) {
   const double w = s.high(0.05);
   Loop wall = {{-0.06, -0.05},  {0.06, -0.05},    {0.06, 0.03},   {0.048, 0.03},
                {0.048, -0.038}, {-0.048, -0.038}, {-0.048, 0.05}, {-0.06, 0.05}};
-  return solid_of({s.box(0.19, 0.15, 0, 0),
-                   s.high(0.012),
-                   {{wall, w},
-                    s.drilled(0.02, 0, 0.005),
-                    s.drilled(0.006, -0.08, -0.06),
-                    s.drilled(0.006, 0.08, -0.06),
-                    s.drilled(0.006, 0.08, 0.06)}});
+  return solid_of(Terrace{s.box(0.19, 0.15, 0, 0),
+                          s.high(0.012),
+                          {{wall, w},
+                           s.drilled(0.02, 0, 0.005),
+                           s.drilled(0.006, -0.08, -0.06),
+                           s.drilled(0.006, 0.08, -0.06),
+                           s.drilled(0.006, 0.08, 0.06)}});
 }
 
 }  // namespace
@@ -178,9 +178,10 @@ std::vector<ViewPart> symmetric_parts(Draws& draws) {
     on_it.push_back(hole(turn * Vector2d(0.75 * radius, 0), 0.09 * radius));
   }
   std::vector<ViewPart> parts;
-  parts.push_back({"flange", solid_of({circle({0, 0}, radius, 48), s.high(0.014), on_it}), true});
-  parts.push_back({"box", solid_of({s.box(0.16, 0.1, 0, 0), s.high(0.05)}), true});
-  parts.push_back({"disc", solid_of({circle({0, 0}, radius, 90), s.high(0.02)}), true});
+  parts.push_back(
+      {"flange", solid_of(Terrace{circle({0, 0}, radius, 48), s.high(0.014), on_it}), true});
+  parts.push_back({"box", solid_of(Terrace{s.box(0.16, 0.1, 0, 0), s.high(0.05)}), true});
+  parts.push_back({"disc", solid_of(Terrace{circle({0, 0}, radius, 90), s.high(0.02)}), true});
   return parts;
 }
 
