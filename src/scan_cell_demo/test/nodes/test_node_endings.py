@@ -30,6 +30,7 @@ NODES = {
     ('c4g_driver', 'c4g_driver_node'): ['_address:=127.0.0.1'],
     ('laser_triangulation', 'laser_triangulation_node'): ['_scanner:=' + SCANNER],
     ('laser_trigger', 'laser_trigger_node'): ['_port:=loopback'],
+    ('part_recipes', 'part_recipes_node'): [],
     ('pose_frame_binder', 'pose_frame_binder_node'): [],
     ('scan_calibration', 'calibrated_frames_node'): [
         '_scanner_file:=' + SCANNER, '_cell_file:=' + os.path.join(SIMULATOR, 'cell.yaml')],

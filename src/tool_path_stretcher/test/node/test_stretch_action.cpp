@@ -10,6 +10,8 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -290,6 +292,7 @@ TEST_F(StretchAction, UsesTheMethodOfTheGoal) {
 
 TEST_F(StretchAction, EndsSoonWhenCancelledAndTellsItsStages) {
   std::mutex mutex;
+  std::condition_variable works;
   std::vector<std::string> stages;
   std::vector<double> progress;
   client_.sendGoal(goal(part_), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
@@ -297,8 +300,14 @@ TEST_F(StretchAction, EndsSoonWhenCancelledAndTellsItsStages) {
                      const std::lock_guard<std::mutex> lock(mutex);
                      stages.push_back(feedback->stage);
                      progress.push_back(feedback->progress);
-                     client_.cancelGoal();
+                     works.notify_all();
                    });
+  {  // not from the callback: it may come before sendGoal() has put down which goal it is
+    std::unique_lock<std::mutex> lock(mutex);
+    ASSERT_TRUE(works.wait_for(lock, std::chrono::duration<double>(kLong),
+                               [&stages] { return !stages.empty(); }));
+  }
+  client_.cancelGoal();
   ASSERT_TRUE(client_.waitForResult(ros::Duration(kLong)));
   EXPECT_EQ(client_.getState().toString(), State(State::PREEMPTED).toString());
   EXPECT_EQ(client_.getResult()->verdict.reason, StretchVerdict::CANCELLED);
