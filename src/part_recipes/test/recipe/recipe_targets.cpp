@@ -20,7 +20,7 @@ const char* const kFull =
     "places:\n  - {name: rim, position: [0.1, -0.02, 0], radius: 0.004}\n"
     "  - {name: hole, position: [0, 0, 0.01]}\n"
     "robot_programs:\n  - file: plate.src\n    options: {waypoint_z: into_part}\n"
-    "  - {file: plate.mod}\n";
+    "  - {file: plate.mod}\nwork: {waypoint_z: into_part}\n";
 
 const char* const kLeast =
     "recipe: 1\nname: plate\nreference: {file: r.pcd, units: m}\n"

@@ -24,7 +24,6 @@ struct CaseResult {
 /// Names of the yardsticks.
 const std::vector<std::string>& yardsticks();
 
-/// Of radians.
 using scan_cell_common::kDegrees;
 
 /// Of a table; empty: not known.
