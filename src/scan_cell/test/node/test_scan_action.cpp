@@ -235,6 +235,19 @@ TEST_F(ScanClient, IsNoSuccessWhereTheActionServerIsStartedAnew) {
   EXPECT_THROW(result.get(), scan_cell_common::ConnectionError);
 }
 
+TEST_F(ScanClient, IsNoSuccessWhereTheActionServerNeverTakesTheGoal) {
+  const auto nothing = [](actionlib::ActionServer<scan_cell_msgs::ScanAction>::GoalHandle) {};
+  actionlib::ActionServer<scan_cell_msgs::ScanAction> server(node_, "/busy/scan", nothing, nothing,
+                                                             false);
+  server.start();
+  scan_cell::CellClient::Names names;
+  names.scan = "/busy/scan";
+  scan_cell::CellClient cell(node_, names);
+  EXPECT_THROW(cell.scan(scan_cell::load_scan_program(SCAN_PROGRAM), "untaken", 2,
+                         [](const std::string&, double) {}),
+               scan_cell_common::ConnectionError);
+}
+
 TEST_F(ScanClient, TellsARobotThatRefusesASpeedFromOneThatIsLost) {
   ros::param::set("/fake/speed", "refused");
   EXPECT_EQ(run(goal("refused")).outcome, ScanResult::MOTION_FAILED);

@@ -16,7 +16,7 @@ import rostest
 from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
 from scan_cell_msgs.srv import ListRecipes
 
-PATIENCE = 120  # [s] a scan takes 10 to 20 s
+PATIENCE = 240  # [s] a scan takes 10 to 20 s, a dry run a minute
 
 
 def rosrun(*command):
@@ -35,10 +35,11 @@ class Recipes(unittest.TestCase):
         package = subprocess.check_output(['rospack', 'find', 'scan_cell'], universal_newlines=True).strip()
         program = package + '/config/both_lasers.yaml'
         rosrun('scan_cell', 'scan', '--program', program, '--output', cls.file('raw.ply'), '--clean', cls.file('part.ply'))
-        rosrun('part_recipes', 'path', 'from-slices', '--reference', cls.file('part.ply'), '--reference-units', 'm',
-               '--output', cls.file('path.csv'), '--spacing', '0.02')
-        rosrun('part_recipes', 'recipe', '--recipes', cls.recipes, 'new', 'frame', '--reference', cls.file('part.ply'),
-               '--path', cls.file('path.csv'), '--program', program, '--work', 'waypoint_z=into_part')
+        rosrun('scan_cell_sim', 'ground_truth', 'tool_path', '--world', rospy.get_param('/scan_cell_sim/world'), '--part', 'frame',
+               '--output', cls.file('path.csv'))
+        for name, side in (('frame', 'into_part'), ('from_below', 'out_of_part')):
+            rosrun('part_recipes', 'recipe', '--recipes', cls.recipes, 'new', name, '--reference', cls.file('part.ply'),
+                   '--path', cls.file('path.csv'), '--program', program, '--work', 'waypoint_z=' + side)
 
     @classmethod
     def tearDownClass(cls):
@@ -120,12 +121,25 @@ class Recipes(unittest.TestCase):
         self.assertEqual(sorted(glob.glob(self.runs + '/*')), before)
         self.assertEqual(glob.glob(self.runs + '/.2*'), [])
 
-    def test_a_run_whose_path_the_robot_cannot_follow_is_accepted_and_not_worked(self):
+    def test_a_part_is_worked_once_its_path_was_run_dry(self):
         result = self.run_recipe(recipe='frame', work=RunRecipeGoal.WORK)
         self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
         self.assertFalse(result.worked)
         self.assertIn('dry', result.work_message)
-        result = self.run_recipe(recipe='frame', work=RunRecipeGoal.DRY_RUN, bag=True)
+        for work, name in ((RunRecipeGoal.DRY_RUN, 'dry_run'), (RunRecipeGoal.WORK, 'work')):
+            result = self.run_recipe(recipe='frame', work=work)
+            self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
+            self.assertTrue(result.worked, result.work_message)
+            with open('%s.%s.json' % (result.folder, name)) as file:
+                record = json.load(file)
+            self.assertTrue(record['finished'])
+            self.assertEqual(record['dry_run'], name == 'dry_run')
+            with open(os.path.join(result.folder, 'report.json')) as file:
+                waypoints = len(json.load(file)['quality'])
+            self.assertEqual([each['waypoint'] for each in record['passed']], list(range(waypoints)))
+
+    def test_a_run_whose_path_the_robot_cannot_follow_is_accepted_and_not_worked(self):
+        result = self.run_recipe(recipe='from_below', work=RunRecipeGoal.DRY_RUN, bag=True)
         self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
         self.assertFalse(result.worked)
         self.assertIn('the workspace is', result.work_message)

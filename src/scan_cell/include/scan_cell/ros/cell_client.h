@@ -45,7 +45,7 @@ class CellClient {
 
   CellClient(ros::NodeHandle node, const Names& names);
 
-  /// @param timeout [s] to wait for the cell's action server
+  /// @param timeout [s] to wait for the cell's action server, and until it takes the scan
   /// @throw ConnectionError if the cell is not there, or goes away
   scan_cell_msgs::ScanResult scan(const ScanProgram& program, const std::string& scan_id,
                                   double timeout, const Progress& progress);

@@ -36,14 +36,24 @@ void wait_for_server(Client& client, const std::string& name, double timeout) {
 }
 
 /// Waits for the end of the goal; an interrupt cancels it, and its end is waited for as well.
-/// @throw ConnectionError if the server goes away; the goal is cancelled in case it is still there
+/// @param timeout [s] for the server to take the goal: one that ends as the goal comes loses it, and
+/// the server that is started in its place never says a word of it
+/// @throw ConnectionError if the server goes away, or does not take the goal; the goal is cancelled
+/// in case it is still there
 template <class Client>
-void wait_for_end(Client& client, const std::string& name) {
+void wait_for_end(Client& client, const std::string& name, double timeout) {
+  const ros::WallTime untaken = ros::WallTime::now() + ros::WallDuration(timeout);
   ros::WallTime deadline;  // zero: not cancelled
   while (!client.waitForResult(ros::Duration(kSlice))) {
     if (CatchInterrupts::interrupted() && deadline.isZero()) {
       client.cancelGoal();
       deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
+    }
+    if (deadline.isZero() && ros::WallTime::now() > untaken &&
+        client.getState() == actionlib::SimpleClientGoalState::PENDING) {
+      client.cancelGoal();
+      throw ConnectionError(name, fmt::format("did not take the goal within {:g} s", timeout),
+                            "wait until it has nothing else to do; look at the cell's log");
     }
     const bool late = !deadline.isZero() && ros::WallTime::now() > deadline;
     if (late || !ros::ok() || !client.isServerConnected()) {
@@ -79,7 +89,7 @@ auto run_action(ros::NodeHandle node, const std::string& name, Goal goal, double
   complete(goal);
   client.sendGoal(goal, typename Client::SimpleDoneCallback(),
                   typename Client::SimpleActiveCallback(), on_feedback);
-  wait_for_end(client, name);
+  wait_for_end(client, name, timeout);
   if (client.getState() == actionlib::SimpleClientGoalState::LOST) {
     throw ConnectionError(name, "the action server lost the goal; it was probably restarted",
                           "look at the cell's log");

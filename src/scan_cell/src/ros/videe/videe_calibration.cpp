@@ -90,6 +90,7 @@ std::string VideeCalibration::perform(const VideeServer::ClientThere& client_the
   scan_cell_msgs::CalibrateGoal wanted = goal();
   wanted.watcher = watcher_.name(call_timeout_);
   client_.sendGoal(wanted);
+  wait_until_taken(client_, action_, call_timeout_);
   running_ = true;
   const auto result = wait_for_result(client_, action_, client_there, running_);
   if (result->outcome != CalibrateResult::FINISHED) {
