@@ -16,7 +16,7 @@ import rostest
 from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
 from scan_cell_msgs.srv import ListRecipes
 
-PATIENCE = 240  # [s] a scan takes 10 to 20 s, a dry run a minute
+PATIENCE = 240  # [s] a scan takes 10 to 20 s, as does the work
 
 
 def rosrun(*command):
