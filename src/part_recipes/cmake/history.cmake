@@ -12,7 +12,8 @@ target_link_libraries(${PROJECT_NAME}_history
   PRIVATE Boost::headers SQLite::SQLite3 nlohmann_json::nlohmann_json)
 
 add_executable(${PROJECT_NAME}_history_tool
-  src/tools/history.cpp src/tools/history_draw.cpp src/tools/history_print.cpp)
+  src/tools/history.cpp src/tools/history_draw.cpp src/tools/history_print.cpp
+  src/tools/history_replay.cpp)
 set_target_properties(${PROJECT_NAME}_history_tool PROPERTIES OUTPUT_NAME history)
 target_link_libraries(${PROJECT_NAME}_history_tool ${PROJECT_NAME}_history CLI11::CLI11)
 
@@ -29,11 +30,7 @@ target_link_libraries(${PROJECT_NAME}_made_runs PUBLIC ${PROJECT_NAME}_history)
 add_executable(bench_history EXCLUDE_FROM_ALL test/history/bench_history.cpp)
 target_link_libraries(bench_history
   ${PROJECT_NAME}_made_runs CLI11::CLI11 nlohmann_json::nlohmann_json)
-install(TARGETS bench_history OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-if(NOT TARGET benchmarks)
-  add_custom_target(benchmarks)
-endif()
-add_dependencies(benchmarks bench_history)
+scan_cell_benchmarks(bench_history)
 
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(test_${PROJECT_NAME}_history

@@ -20,11 +20,7 @@ install(TARGETS ${PROJECT_NAME}_core
 add_executable(bench_replay EXCLUDE_FROM_ALL
   test/replay/bench_replay.cpp test/temporary_folder.cpp)
 target_link_libraries(bench_replay ${PROJECT_NAME}_core CLI11::CLI11)
-install(TARGETS bench_replay OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-if(NOT TARGET benchmarks)
-  add_custom_target(benchmarks)
-endif()
-add_dependencies(benchmarks bench_replay)
+scan_cell_benchmarks(bench_replay)
 
 scan_cell_fuzzer(fuzz_recipes
   test/recipe/fuzz_recipes.cpp test/recipe/recipe_targets.cpp)

@@ -1,4 +1,4 @@
-foreach(tool recipe replay_runs run)
+foreach(tool recipe run)
   add_executable(${PROJECT_NAME}_${tool} src/tools/${tool}.cpp)
   set_target_properties(${PROJECT_NAME}_${tool} PROPERTIES OUTPUT_NAME ${tool})
   target_link_libraries(${PROJECT_NAME}_${tool}
@@ -12,12 +12,12 @@ target_link_libraries(${PROJECT_NAME}_node
 add_dependencies(${PROJECT_NAME}_node ${catkin_EXPORTED_TARGETS})
 
 install(TARGETS
-    ${PROJECT_NAME}_node ${PROJECT_NAME}_recipe ${PROJECT_NAME}_replay_runs ${PROJECT_NAME}_run
+    ${PROJECT_NAME}_node ${PROJECT_NAME}_recipe ${PROJECT_NAME}_run
   RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 catkin_install_python(PROGRAMS scripts/recipe_picture.py
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 if(CATKIN_ENABLE_TESTING)
   catkin_add_nosetests(test/replay/test_slurm.py TIMEOUT 600
-    DEPENDENCIES ${PROJECT_NAME}_recipe ${PROJECT_NAME}_replay_runs ${PROJECT_NAME}_run clean_cloud deviations stretch)
+    DEPENDENCIES ${PROJECT_NAME}_history_tool ${PROJECT_NAME}_recipe ${PROJECT_NAME}_run clean_cloud deviations stretch)
 endif()

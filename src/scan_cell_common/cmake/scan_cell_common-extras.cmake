@@ -72,6 +72,15 @@ function(scan_cell_fuzzer name)
   add_dependencies(fuzzers ${name})
 endfunction()
 
+# scan_cell_benchmarks(TARGET...): these programs are what make bench builds and runs.
+function(scan_cell_benchmarks)
+  install(TARGETS ${ARGN} OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  if(NOT TARGET benchmarks)
+    add_custom_target(benchmarks)
+  endif()
+  add_dependencies(benchmarks ${ARGN})
+endfunction()
+
 # scan_cell_tests(): before the tests of the calling package. They run in networks of their own (own_network.py), so
 # that ctest may run them beside each other.
 macro(scan_cell_tests)

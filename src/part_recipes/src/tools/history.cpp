@@ -11,6 +11,7 @@
 #include "history/export/history_csv.h"
 #include "history_draw.h"
 #include "history_print.h"
+#include "history_replay.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/files/outputs.h"
@@ -39,22 +40,11 @@ void add_runs(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-void add_filter(CLI::App& app, Options& options) {
-  add_runs(app, options);
-  app.add_option("--state", options.filter.state, "accepted, refused or unusable");
-  app.add_option("--reason", options.filter.reason, "of the verdict, such as wrong_part");
-  app.add_option("--since", options.filter.since,
-                 "start in UTC, to any precision: 2026-11, 2026-11-25T12:13");
-  app.add_option("--until", options.filter.until, "the same, and all that begins with it");
-  app.add_option("--limit", options.filter.limit, "the last so many of them");
-  app.add_option("--text", options.filter.text,
-                 "somewhere in id, recipe, reason, message, host or note");
-}
-
 CLI::App* add_filtered(CLI::App& app, Options& options, const std::string& name,
                        const std::string& description) {
   CLI::App* const command = app.add_subcommand(name, description);
-  add_filter(*command, options);
+  add_runs(*command, options);
+  add_query(*command, options.filter);
   return command;
 }
 
@@ -181,14 +171,28 @@ std::vector<Command> add_listing(CLI::App& app, Options& options, Outputs& outpu
 
 }  // namespace
 
+void add_query(CLI::App& app, part_recipes::HistoryFilter& filter) {
+  app.add_option("--state", filter.state, "accepted, refused or unusable");
+  app.add_option("--reason", filter.reason, "of the verdict, such as wrong_part");
+  app.add_option("--since", filter.since,
+                 "start in UTC, to any precision: 2026-11, 2026-11-25T12:13");
+  app.add_option("--until", filter.until, "the same, and all that begins with it");
+  app.add_option("--limit", filter.limit, "the last so many of them");
+  app.add_option("--text", filter.text, "somewhere in id, recipe, reason, message, host or note");
+}
+
 int main(int argc, char** argv) {
-  CLI::App app("The history of runs: lists them, draws control charts, writes CSV and AQDEF");
+  CLI::App app(
+      "The history of runs: lists them, draws control charts, writes CSV and AQDEF, runs them "
+      "again");
   app.require_subcommand(1);
   Options options;
   Outputs outputs;
   std::vector<Command> commands = add_listing(app, options, outputs);
   for (Command& command : add_keeping(app, options))
     commands.push_back(std::move(command));
+  ReplayOptions again;
+  commands.emplace_back(add_replay(app, again), [&again](const Options&) { return replay(again); });
   const auto run = [&] {
     for (const auto& [command, work] : commands) {
       if (command->parsed()) return work(options);

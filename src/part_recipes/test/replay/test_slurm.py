@@ -178,11 +178,11 @@ class ReplayBySlurm(unittest.TestCase):
         return False
 
     def test_no_run_is_lost_or_done_twice_though_a_node_dies(self):
-        rosrun('replay_runs', '--jobs', self.path('jobs'), '--runs', self.path('runs'), '--recipe',
+        rosrun('history', 'replay', '--jobs', self.path('jobs'), '--runs', self.path('runs'), '--recipe',
                self.path('recipes', 'plate'), '--only-add')
         submitted = self.cluster.ask(
             'sbatch', '--array=1-2', '--output', self.path('task-%a.log'), '--wrap',
-            'rosrun part_recipes replay_runs --jobs %s --workers 1 --lease %d' % (self.path('jobs'), LEASE))
+            'rosrun part_recipes history replay --jobs %s --workers 1 --lease %d' % (self.path('jobs'), LEASE))
         self.assertIn('Submitted', submitted)
         wait_for(lambda: self.claimed_by('two'), 'a job on the second node')
         self.cluster.kill_node('two')
@@ -190,7 +190,7 @@ class ReplayBySlurm(unittest.TestCase):
         # The first node's worker may have ended before the dead one's claim was free: the next call takes it.
         wait_for(lambda: self.cluster.ask('squeue', '-h', '-w', 'one').strip() == '', 'the first node')
         wait_for(lambda: 'left' not in subprocess.run(
-            ['rosrun', 'part_recipes', 'replay_runs', '--jobs', self.path('jobs'), '--workers', '1', '--lease',
+            ['rosrun', 'part_recipes', 'history', 'replay', '--jobs', self.path('jobs'), '--workers', '1', '--lease',
              str(LEASE)], stdout=subprocess.PIPE, universal_newlines=True, check=False).stdout, 'the last job')
         results = []
         for file in glob.glob(done):

@@ -1,9 +1,10 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "history_replay.h"
+
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <thread>
 
@@ -20,50 +21,18 @@ namespace fs = std::filesystem;
 
 using part_recipes::JobFolder;
 
-struct Options {
-  std::string jobs;    // folder that the workers share
-  std::string runs;    // recorded runs; empty: no jobs are added
-  std::string recipe;  // folder
-  part_recipes::HistoryFilter filter;
-  unsigned workers = 0;
-  bool only_add = false;
-  unsigned lease = 60;  // [s]
-};
-
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--jobs", options.jobs, "folder that all workers share; it is made")->required();
-  auto* const runs = app.add_option("--runs", options.runs,
-                                    "folder of the recorded runs to add; without it, only works on "
-                                    "jobs that are there");
-  app.add_option("--recipe", options.recipe, "folder of the recipe to run them with")->needs(runs);
-  app.add_option("--recorded-recipe", options.filter.recipe, "only runs of this recipe")
-      ->needs(runs);
-  app.add_option("--state", options.filter.state, "only accepted, refused or unusable ones")
-      ->needs(runs);
-  app.add_option("--since", options.filter.since, "only from then on (UTC)")->needs(runs);
-  app.add_option("--until", options.filter.until, "only up to then (UTC)")->needs(runs);
-  app.add_option("--limit", options.filter.limit, "only the last so many")->needs(runs);
-  app.add_flag("--only-add", options.only_add, "adds the jobs and leaves them to others")
-      ->needs(runs);
-  app.add_option("--workers", options.workers, "processes here; 0: one a core");
-  app.add_option("--lease", options.lease,
-                 "a job whose worker was not heard of so long is given to another [s]")
-      ->check(CLI::Range(1U, 86400U))
-      ->capture_default_str();
-}
-
-void add_jobs(const Options& options, const JobFolder& folder) {
+void add_jobs(const ReplayOptions& options, const JobFolder& folder) {
   if (options.runs.empty()) return;
   if (options.recipe.empty())
     throw scan_cell_common::InvalidParameter("--recipe", "not given", "give a recipe's folder");
   part_recipes::load_recipe(options.recipe);  // before a thousand workers find out
   std::vector<part_recipes::Job> jobs;
-  for (const auto& run : part_recipes::History(options.runs).query(options.filter))
+  for (const auto& run : part_recipes::History(options.runs).query(options.recorded))
     jobs.push_back({run.record.id, fs::path(options.runs) / run.record.id, options.recipe});
   folder.add(jobs);
 }
 
-int work(const Options& options, const JobFolder& folder) {
+int work(const ReplayOptions& options, const JobFolder& folder) {
   const auto begins = [](const std::string& id) { std::printf("%s\n", id.c_str()); };
   work_on(folder, std::chrono::seconds(options.lease), begins,
           scan_cell_common::CatchInterrupts::interrupted);
@@ -71,7 +40,7 @@ int work(const Options& options, const JobFolder& folder) {
 }
 
 /// @return whether all of them ended well
-bool work_side_by_side(const Options& options, const JobFolder& folder) {
+bool work_side_by_side(const ReplayOptions& options, const JobFolder& folder) {
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const unsigned count = options.workers == 0 ? cores : options.workers;
   std::vector<pid_t> workers;
@@ -82,7 +51,7 @@ bool work_side_by_side(const Options& options, const JobFolder& folder) {
       try {
         _exit(work(options, folder));
       } catch (const std::exception& error) {
-        std::fprintf(stderr, "replay_runs: %s\n", error.what());
+        std::fprintf(stderr, "history replay: %s\n", error.what());
         _exit(scan_cell_common::kUnusable);
       }
     }
@@ -98,8 +67,35 @@ bool work_side_by_side(const Options& options, const JobFolder& folder) {
   return well;
 }
 
-/// @return the process's exit code
-int run(const Options& options) {
+}  // namespace
+
+CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
+  CLI::App* const command = app.add_subcommand("replay",
+                                               "runs recorded scans again with another recipe or "
+                                               "version and compares run by run; any number "
+                                               "of machines may work on the same jobs");
+  add_query(*command, options.recorded);
+  command->add_option("--recorded-recipe", options.recorded.recipe, "only runs of this recipe");
+  command->add_option("--recipe", options.recipe, "folder of the recipe to run them with");
+  command->add_flag("--only-add", options.only_add, "adds the jobs and leaves them to others");
+  const auto of_added_runs = command->get_options();
+  auto* const runs = command->add_option(
+      "--runs", options.runs,
+      "folder of the recorded runs to add; without it, only works on jobs that are there");
+  for (CLI::Option* const option : of_added_runs)
+    if (option != command->get_help_ptr()) option->needs(runs);
+  command->add_option("--jobs", options.jobs, "folder that all workers share; it is made")
+      ->required();
+  command->add_option("--workers", options.workers, "processes here; 0: one a core");
+  command
+      ->add_option("--lease", options.lease,
+                   "a job whose worker was not heard of so long is given to another [s]")
+      ->check(CLI::Range(1U, 86400U))
+      ->capture_default_str();
+  return command;
+}
+
+int replay(const ReplayOptions& options) {
   const scan_cell_common::CatchInterrupts interrupts;
   const JobFolder folder(options.jobs);
   add_jobs(options, folder);
@@ -113,15 +109,4 @@ int run(const Options& options) {
   const std::size_t left = folder.ids().size() - done.size();
   if (left > 0) std::printf("%zu runs are left: others do them, or call this again\n", left);
   return well && left == 0 ? 0 : scan_cell_common::kUnusable;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app(
-      "Runs recorded scans again with another recipe or version and compares run by run.\n"
-      "Any number of machines may work on the same jobs.");
-  Options options;
-  add_options(app, options);
-  return scan_cell_common::tool_main("replay_runs", app, argc, argv, [&] { return run(options); });
 }
