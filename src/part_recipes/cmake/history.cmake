@@ -27,10 +27,9 @@ install(TARGETS ${PROJECT_NAME}_history ${PROJECT_NAME}_history_tool
 add_library(${PROJECT_NAME}_made_runs STATIC EXCLUDE_FROM_ALL
   test/history/made_history.cpp test/history/made_runs.cpp test/temporary_folder.cpp)
 target_link_libraries(${PROJECT_NAME}_made_runs PUBLIC ${PROJECT_NAME}_history)
-add_executable(bench_history EXCLUDE_FROM_ALL test/history/bench_history.cpp)
+scan_cell_benchmark(bench_history test/history/bench_history.cpp)
 target_link_libraries(bench_history
   ${PROJECT_NAME}_made_runs CLI11::CLI11 nlohmann_json::nlohmann_json)
-scan_cell_benchmarks(bench_history)
 
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(test_${PROJECT_NAME}_history

@@ -17,10 +17,9 @@ install(TARGETS ${PROJECT_NAME}_core
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 
-add_executable(bench_replay EXCLUDE_FROM_ALL
+scan_cell_benchmark(bench_replay
   test/replay/bench_replay.cpp test/temporary_folder.cpp)
 target_link_libraries(bench_replay ${PROJECT_NAME}_core CLI11::CLI11)
-scan_cell_benchmarks(bench_replay)
 
 scan_cell_fuzzer(fuzz_recipes
   test/recipe/fuzz_recipes.cpp test/recipe/recipe_targets.cpp)

@@ -72,13 +72,14 @@ function(scan_cell_fuzzer name)
   add_dependencies(fuzzers ${name})
 endfunction()
 
-# scan_cell_benchmarks(TARGET...): these programs are what make bench builds and runs.
-function(scan_cell_benchmarks)
-  install(TARGETS ${ARGN} OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+# scan_cell_benchmark(NAME SOURCE...): a program of make bench; link it as any other.
+function(scan_cell_benchmark name)
+  add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
+  install(TARGETS ${name} OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   if(NOT TARGET benchmarks)
     add_custom_target(benchmarks)
   endif()
-  add_dependencies(benchmarks ${ARGN})
+  add_dependencies(benchmarks ${name})
 endfunction()
 
 # scan_cell_tests(): before the tests of the calling package. They run in networks of their own (own_network.py), so

@@ -36,8 +36,8 @@ void wait_for_server(Client& client, const std::string& name, double timeout) {
 }
 
 /// Waits for the end of the goal; an interrupt cancels it, and its end is waited for as well.
-/// @param timeout [s] for the server to take the goal: one that ends as the goal comes loses it, and
-/// the server that is started in its place never says a word of it
+/// @param timeout [s] for the server to take the goal: one that ends as the goal comes loses it,
+/// and the server that is started in its place never says a word of it
 /// @throw ConnectionError if the server goes away, or does not take the goal; the goal is cancelled
 /// in case it is still there
 template <class Client>
