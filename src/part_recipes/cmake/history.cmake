@@ -1,6 +1,6 @@
 add_library(${PROJECT_NAME}_history
   src/core/history/chart/run_chart.cpp src/core/history/chart/run_chart_json.cpp
-  src/core/history/database/database.cpp src/core/history/database/folder_lock.cpp
+  src/core/history/database/database.cpp
   src/core/history/database/statement.cpp src/core/history/export/aqdef.cpp
   src/core/history/export/history_csv.cpp src/core/history/history.cpp
   src/core/history/history_filter.cpp src/core/history/history_rows.cpp
@@ -38,6 +38,8 @@ if(CATKIN_ENABLE_TESTING)
     test/history/test_history_kills.cpp test/history/test_statistics.cpp)
   target_link_libraries(test_${PROJECT_NAME}_history
     ${PROJECT_NAME}_made_runs nlohmann_json::nlohmann_json gtest_main)
+  catkin_add_gtest(test_${PROJECT_NAME}_approval test/approval/test_approval.cpp)
+  target_link_libraries(test_${PROJECT_NAME}_approval ${PROJECT_NAME}_made_runs gtest_main)
   catkin_add_gtest(test_${PROJECT_NAME}_history_tool test/history/test_history_tool.cpp)
   target_compile_definitions(test_${PROJECT_NAME}_history_tool
     PRIVATE HISTORY_TOOL="$<TARGET_FILE:${PROJECT_NAME}_history_tool>")

@@ -1,5 +1,6 @@
 add_library(${PROJECT_NAME}_core
-  src/core/clock/utc_time.cpp src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp
+  src/core/approval/approval.cpp src/core/clock/utc_time.cpp src/core/disk/folder_lock.cpp
+  src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp
   src/core/recipe/places_file.cpp src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp
   src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp
   src/core/replay/job_folder.cpp src/core/replay/replay.cpp src/core/run/again.cpp

@@ -4,9 +4,13 @@
 
 #include <map>
 
+#include "approval/approval.h"
+#include "clock/utc_time.h"
 #include "history/remember.h"
 #include "recipe/proof.h"
 #include "run/prove.h"
+#include "run/recipe_picture.h"
+#include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/load_parameters.h"
 
@@ -50,6 +54,9 @@ RecipeState state_of(const std::filesystem::path& recipes, const std::string& na
   state.name = name;
   try {
     const Recipe recipe = load_recipe(find_recipe(recipes, name));
+    const std::filesystem::path picture = recipe.folder / kPictureFile;
+    if (std::filesystem::exists(picture))
+      state.picture = std::filesystem::absolute(picture).string();
     const Proof proof = load_proof(recipe);
     state.time = proof.time;
     check_unchanged(recipe, proof, hashes_of(recipe));
@@ -61,12 +68,25 @@ RecipeState state_of(const std::filesystem::path& recipes, const std::string& na
   return state;
 }
 
+RunRecipeResult result_of(const EndedRun& ended) {
+  RunRecipeResult result;
+  result.warning = ended.warning;
+  result.outcome = outcome_of(ended.record.state);
+  result.reason = ended.record.reason;
+  result.message = ended.record.message;
+  result.folder = ended.folder.string();
+  result.worked = static_cast<unsigned char>(ended.worked);
+  result.work_message = ended.work_message;
+  return result;
+}
+
 }  // namespace
 
 RunServer::RunServer(const ros::NodeHandle& private_node)
     : node_(private_node),
       parameters_(scan_cell_common::load_parameters<RecipeParameters>(private_node)),
       list_(node_.advertiseService("list", &RunServer::list, this)),
+      approve_(node_.advertiseService("approve", &RunServer::approve, this)),
       server_(
           node_, "run",
           [this](const scan_cell_msgs::RunRecipeGoalConstPtr& goal) { execute(goal); }, false) {
@@ -89,28 +109,44 @@ RunRequest RunServer::request_of(const Goal& goal) {
   return request;
 }
 
+void RunServer::tell(const std::string& stage) {
+  RunRecipeFeedback feedback;
+  feedback.stage = stage;
+  server_.publishFeedback(feedback);
+}
+
 RunServer::Result RunServer::run(const Goal& goal) {
-  const StageBegins begins = [this](const std::string& stage) {
-    RunRecipeFeedback feedback;
-    feedback.stage = stage;
-    server_.publishFeedback(feedback);
-  };
+  if (!goal.run.empty()) return work_old(goal);
+  const StageBegins begins = [this](const std::string& stage) { tell(stage); };
   const Recipe recipe = load_recipe(find_recipe(parameters_.recipes, goal.recipe));
   const RunRequest request = request_of(goal);
   EndedRun ended =
       goal.prove != 0 ? prove(recipe, request, begins) : run_recipe(recipe, request, begins);
   remember(ended);
   if (goal.prove == 0) work(recipe, request, begins, ended);
-  Result result;
-  result.warning = ended.warning;
-  result.outcome = outcome_of(ended.record.state);
-  result.reason = ended.record.reason;
-  result.message = ended.record.message;
-  result.folder = ended.folder.string();
-  result.worked = static_cast<unsigned char>(ended.worked);
-  result.work_message = ended.work_message;
+  Result result = result_of(ended);
   result.proven = goal.prove;
   return result;
+}
+
+/// Works the part of a run that was made before.
+RunServer::Result RunServer::work_old(const Goal& goal) {
+  check_name(goal.run);
+  if (goal.work == Goal::NO_WORK)
+    throw scan_cell_common::InvalidParameter("work", "NO_WORK",
+                                             "give DRY_RUN or WORK for a run that is there");
+  EndedRun ended;
+  ended.folder = std::filesystem::path(parameters_.runs) / goal.run;
+  ended.record = load_run(ended.folder);
+  check_files(ended.folder, ended.record);
+  if (ended.record.state != RunState::kAccepted)
+    throw scan_cell_common::Refused("run " + goal.run, to_string(ended.record.state),
+                                    "only an accepted path can be worked");
+  check_not_refused(ended.folder);
+  work(
+      load_recipe(ended.folder / "inputs"), request_of(goal),
+      [this](const std::string& stage) { tell(stage); }, ended);
+  return result_of(ended);
 }
 
 void RunServer::execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal) {
@@ -141,6 +177,19 @@ bool RunServer::list(scan_cell_msgs::ListRecipes::Request&,
     ROS_ERROR("%s", error.what());
     return false;
   }
+}
+
+bool RunServer::approve(scan_cell_msgs::ApproveRun::Request& request,
+                        scan_cell_msgs::ApproveRun::Response& response) {
+  try {
+    check_name(request.run);
+    add_approval(std::filesystem::path(parameters_.runs) / request.run,
+                 {request.approved != 0, request.name, request.note, utc_now()});
+    response.success = 1;
+  } catch (const scan_cell_common::Error& error) {
+    response.message = error.what();
+  }
+  return true;
 }
 
 }  // namespace part_recipes

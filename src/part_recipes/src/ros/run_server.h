@@ -4,6 +4,7 @@
 
 #include <actionlib/server/simple_action_server.h>
 #include <ros/ros.h>
+#include <scan_cell_msgs/ApproveRun.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/RunRecipeAction.h>
 
@@ -12,7 +13,8 @@
 
 namespace part_recipes {
 
-/// The action ~run and the service ~list. One run at a time: the next goal waits for its end.
+/// The action ~run and the services ~list and ~approve. One run at a time: the next goal waits for
+/// its end.
 class RunServer {
  public:
   /// @throw scan_cell_common::InvalidParameter
@@ -23,13 +25,17 @@ class RunServer {
   using Result = scan_cell_msgs::RunRecipeResult;
 
   void execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal);
+  void tell(const std::string& stage);
   RunRequest request_of(const Goal& goal);
   Result run(const Goal& goal);
+  Result work_old(const Goal& goal);
   bool list(scan_cell_msgs::ListRecipes::Request&, scan_cell_msgs::ListRecipes::Response& response);
+  bool approve(scan_cell_msgs::ApproveRun::Request& request,
+               scan_cell_msgs::ApproveRun::Response& response);
 
   ros::NodeHandle node_;
   RecipeParameters parameters_;
-  ros::ServiceServer list_;
+  ros::ServiceServer list_, approve_;
   actionlib::SimpleActionServer<scan_cell_msgs::RunRecipeAction> server_;
 };
 

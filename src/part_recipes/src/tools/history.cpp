@@ -6,12 +6,15 @@
 #include <cstdio>
 #include <functional>
 
+#include "approval/approval.h"
+#include "clock/utc_time.h"
 #include "history/chart/run_chart.h"
 #include "history/export/aqdef.h"
 #include "history/export/history_csv.h"
 #include "history_draw.h"
 #include "history_print.h"
 #include "history_replay.h"
+#include "recipe/recipe.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/files/outputs.h"
@@ -29,6 +32,8 @@ struct Options {
   std::string runs = "runs";
   std::string folder;  // of a run to be added
   std::string id;
+  std::string name;  // of who approves
+  std::string note;
   std::string output;
   bool csv = false;
   part_recipes::HistoryFilter filter;
@@ -68,6 +73,15 @@ int list(const Options& options) {
 
 int show(const Options& options) {
   print_run(History(options.runs).find(options.id), options.runs);
+  return 0;
+}
+
+int approve(const Options& options, bool approved) {
+  const std::string& id = options.id;
+  part_recipes::check_name(id);
+  part_recipes::add_approval(fs::path(options.runs) / id,
+                             {approved, options.name, options.note, part_recipes::utc_now()});
+  std::printf("%s %s by %s\n", id.c_str(), approved ? "approved" : "refused", options.name.c_str());
   return 0;
 }
 
@@ -124,6 +138,17 @@ int draw(const Options& options) {
 
 using Command = std::pair<CLI::App*, std::function<int(const Options&)>>;
 
+Command add_approving(CLI::App& app, Options& options, bool approved) {
+  CLI::App* const command = app.add_subcommand(
+      approved ? "approve" : "refuse", approved ? "keeps that a person approves an accepted run"
+                                                : "keeps that a person refuses a run");
+  add_runs(*command, options);
+  command->add_option("id", options.id)->required();
+  command->add_option("--name", options.name, "of that person")->required();
+  command->add_option("--note", options.note, "why");
+  return {command, [approved](const Options& given) { return approve(given, approved); }};
+}
+
 /// Those that look up or change single runs.
 std::vector<Command> add_keeping(CLI::App& app, Options& options) {
   CLI::App* const show_one = app.add_subcommand("show", "prints what it has of a run");
@@ -137,9 +162,11 @@ std::vector<Command> add_keeping(CLI::App& app, Options& options) {
   add_one->add_option("folder", options.folder, "of the run")->required();
   CLI::Option* const runs =
       add_one->add_option("--runs", options.runs, "folder of the runs (default: that of the run)");
-  return {{show_one, show}, {anew, rebuild}, {add_one, [runs](const Options& given) {
-                                                return add(given, runs->count() > 0);
-                                              }}};
+  return {{show_one, show},
+          {anew, rebuild},
+          {add_one, [runs](const Options& given) { return add(given, runs->count() > 0); }},
+          add_approving(app, options, true),
+          add_approving(app, options, false)};
 }
 
 /// Those that list, write or draw many.

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "approval/approval.h"
 #include "history/run_columns.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
@@ -73,6 +74,10 @@ void print_run(const HistoryRun& run, const std::filesystem::path& runs) {
                                               : number(value, 1, 6);
     print_field(figure.name, shown);
   }
+  for (const Approval& said : approvals_of(runs / run.record.id))
+    print_field(said.approved ? "approved" : "refused",
+                fmt::format("by {} at {}{}", said.name, said.time,
+                            said.note.empty() ? "" : ": " + said.note));
   for (const auto& [name, deviation] : figures.places)
     print_field("place " + printable(name),
                 deviation ? number(deviation, kMillimetres, 4) + " mm" : "not known");

@@ -72,6 +72,25 @@ TEST_F(HistoryTool, ListsShowsAndFilters) {
   EXPECT_EQ(run({"show", "run_000009", "--runs", "."}).code, 1);
 }
 
+TEST_F(HistoryTool, KeepsWhoApprovedOrRefusedARun) {
+  add(made_run(1));
+  RunRecord wrong = made_run(2);
+  wrong.state = RunState::kRefused;
+  add(wrong);
+  const Answer refused =
+      run({"refuse", "run_000001", "--runs", ".", "--name", "Ada", "--note", "clamp was loose"});
+  EXPECT_EQ(refused.text, "run_000001 refused by Ada\n");
+  EXPECT_EQ(run({"approve", "run_000001", "--runs", ".", "--name", "Jörg"}).code, 0);
+  const std::string shown = run({"show", "run_000001", "--runs", "."}).text;
+  EXPECT_TRUE(has(shown, "by Ada at 2") && has(shown, ": clamp was loose")) << shown;
+  EXPECT_LT(shown.find("by Ada"), shown.find("by Jörg"));
+  const Answer unfit = run({"approve", "run_000002", "--runs", ".", "--name", "Ada"});
+  EXPECT_EQ(unfit.code, 2);
+  EXPECT_TRUE(has(unfit.text, "only an accepted path")) << unfit.text;
+  EXPECT_EQ(run({"approve", "../run_000001", "--runs", ".", "--name", "Ada"}).code, 1);
+  EXPECT_EQ(run({"approve", "run_000001", "--runs", ".", "--name", ""}).code, 1);
+}
+
 TEST_F(HistoryTool, AddsARunAndRebuilds) {
   write_run(runs(), made_run(1));
   const Answer added = run({"add", "run_000001"});

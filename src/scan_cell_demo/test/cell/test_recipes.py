@@ -14,7 +14,7 @@ import rosbag
 import rospy
 import rostest
 from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
-from scan_cell_msgs.srv import ListRecipes
+from scan_cell_msgs.srv import ApproveRun, ListRecipes
 
 PATIENCE = 240  # [s] a scan takes 10 to 20 s, as does the work
 
@@ -137,6 +137,24 @@ class Recipes(unittest.TestCase):
             with open(os.path.join(result.folder, 'report.json')) as file:
                 waypoints = len(json.load(file)['quality'])
             self.assertEqual([each['waypoint'] for each in record['passed']], list(range(waypoints)))
+
+    def test_a_run_is_worked_later_unless_a_person_refused_it(self):
+        run = os.path.basename(self.run_recipe(recipe='frame').folder)
+        approve = rospy.ServiceProxy('/part_recipes/approve', ApproveRun)
+        self.assertTrue(approve(run=run, approved=False, name='Ada', note='clamp was loose').success)
+        result = self.run_recipe(run=run, work=RunRecipeGoal.DRY_RUN)
+        self.assertEqual(result.outcome, RunRecipeResult.NONE)
+        self.assertIn('clamp was loose', result.message)
+        self.assertTrue(approve(run=run, approved=True, name='Ada').success)
+        for record in ('dry_run', 'dry_run_2'):
+            result = self.run_recipe(run=run, work=RunRecipeGoal.DRY_RUN)
+            self.assertEqual(os.path.basename(result.folder), run)
+            self.assertTrue(result.worked, result.work_message)
+            with open('%s.%s.json' % (result.folder, record)) as file:
+                self.assertTrue(json.load(file)['finished'])
+        self.assertIn('NO_WORK', self.run_recipe(run=run).message)
+        self.assertIn('name', approve(run='../frame', approved=True, name='Ada').message)
+        self.assertIn('run.json', approve(run='nothing', approved=True, name='Ada').message)
 
     def test_a_run_whose_path_the_robot_cannot_follow_is_accepted_and_not_worked(self):
         result = self.run_recipe(recipe='from_below', work=RunRecipeGoal.DRY_RUN, bag=True)

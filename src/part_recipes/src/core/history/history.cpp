@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "history/history.h"
 
-#include "history/database/folder_lock.h"
+#include "disk/folder_lock.h"
 #include "history/run_folders.h"
 #include "scan_cell_common/errors/errors.h"
 

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "disk/to_disk.h"
-#include "history/database/folder_lock.h"
+#include "disk/folder_lock.h"
 #include "history/history.h"
 #include "history/run_folders.h"
 #include "scan_cell_common/errors/errors.h"

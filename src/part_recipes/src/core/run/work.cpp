@@ -7,13 +7,25 @@
 #include "run/tool_call.h"
 
 namespace part_recipes {
+namespace {
+
+/// The first time ID.work, then ID.work_2 and so on: no record takes the place of another.
+std::string free_name(const std::string& wanted) {
+  std::string name = wanted;
+  for (int i = 2; std::filesystem::exists(name + ".json") || std::filesystem::exists(name + ".log");
+       ++i)
+    name = wanted + "_" + std::to_string(i);
+  return name;
+}
+
+}  // namespace
 
 void work(const Recipe& recipe, const RunRequest& request, const StageBegins& begins,
           EndedRun& ended) {
   if (request.work == Work::kNone || ended.record.state != RunState::kAccepted) return;
   const bool dry = request.work == Work::kDry;
   if (begins) begins(dry ? "dry_run" : "work");
-  const std::string beside = ended.folder.string() + (dry ? ".dry_run" : ".work");
+  const std::string beside = free_name(ended.folder.string() + (dry ? ".dry_run" : ".work"));
   const std::filesystem::path log = beside + ".log";
   const ToolCall call = work_call(recipe, ended.folder, dry, beside + ".json", request.timeout);
   const int code = run_tool(call, ended.folder.parent_path(), log, request.stop).exit_code;

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "history/database/folder_lock.h"
+#include "disk/folder_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 using scan_cell_common::FileError;
 using scan_cell_common::Refused;
 
-constexpr auto kPatience = std::chrono::seconds(60);      // a rebuild takes some seconds
+constexpr auto kPatience = std::chrono::seconds(60);  // to rebuild a history takes some seconds
 constexpr auto kInterval = std::chrono::milliseconds(5);  // short beside a rebuild
 
 }  // namespace
@@ -34,7 +34,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Kind kind)
     if (errno != EWOULDBLOCK && errno != EINTR)
       throw FileError(folder.string(), std::strerror(errno), "keep the runs on a local disk");
     if (Clock::now() > end)
-      throw Refused(folder.string(), "another program uses or rebuilds its history",
+      throw Refused(folder.string(), "another program has it",
                     "wait until it has ended and try again");
     std::this_thread::sleep_for(kInterval);
   }
