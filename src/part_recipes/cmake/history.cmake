@@ -2,7 +2,7 @@ add_library(${PROJECT_NAME}_history
   src/core/history/chart/run_chart.cpp src/core/history/chart/run_chart_json.cpp
   src/core/history/database/database.cpp
   src/core/history/database/statement.cpp src/core/history/export/aqdef.cpp
-  src/core/history/export/history_csv.cpp src/core/history/history.cpp
+  src/core/history/export/history_csv.cpp src/core/history/figure_text.cpp src/core/history/history.cpp
   src/core/history/history_filter.cpp src/core/history/history_rows.cpp
   src/core/history/rebuild.cpp src/core/history/remember.cpp src/core/history/run_folders.cpp
   src/core/statistics/capability.cpp src/core/statistics/individuals_chart.cpp

@@ -6,7 +6,7 @@ add_library(${PROJECT_NAME}_core
   src/core/replay/job_folder.cpp src/core/replay/replay.cpp src/core/run/again.cpp
   src/core/run/figures.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp
   src/core/run/run_folder.cpp src/core/run/run_recipe.cpp src/core/run/run_record.cpp
-  src/core/run/stage_calls.cpp src/core/run/tool_call.cpp src/core/run/work.cpp)
+  src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp src/core/run/waypoints_concerned.cpp src/core/run/work.cpp)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC scan_cell::scan_cell_common_core
   PRIVATE

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_server.h"
 
-#include <map>
-
 #include "approval/approval.h"
-#include "clock/utc_time.h"
 #include "history/remember.h"
-#include "recipe/proof.h"
+#include "recipe/recipe.h"
 #include "run/prove.h"
-#include "run/recipe_picture.h"
 #include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/load_parameters.h"
@@ -17,7 +13,6 @@
 namespace part_recipes {
 namespace {
 
-using scan_cell_msgs::RecipeState;
 using scan_cell_msgs::RunRecipeFeedback;
 using scan_cell_msgs::RunRecipeGoal;
 using scan_cell_msgs::RunRecipeResult;
@@ -49,25 +44,6 @@ Work work_of(const RunRecipeGoal& goal) {
   }
 }
 
-RecipeState state_of(const std::filesystem::path& recipes, const std::string& name) {
-  RecipeState state;
-  state.name = name;
-  try {
-    const Recipe recipe = load_recipe(find_recipe(recipes, name));
-    const std::filesystem::path picture = recipe.folder / kPictureFile;
-    if (std::filesystem::exists(picture))
-      state.picture = std::filesystem::absolute(picture).string();
-    const Proof proof = load_proof(recipe);
-    state.time = proof.time;
-    check_unchanged(recipe, proof, hashes_of(recipe));
-    state.state = proof.proven ? RecipeState::PROVEN : RecipeState::MADE;
-  } catch (const scan_cell_common::Error& error) {
-    state.state = RecipeState::OUT_OF_DATE;
-    state.message = error.what();
-  }
-  return state;
-}
-
 RunRecipeResult result_of(const EndedRun& ended) {
   RunRecipeResult result;
   result.warning = ended.warning;
@@ -85,8 +61,7 @@ RunRecipeResult result_of(const EndedRun& ended) {
 RunServer::RunServer(const ros::NodeHandle& private_node)
     : node_(private_node),
       parameters_(scan_cell_common::load_parameters<RecipeParameters>(private_node)),
-      list_(node_.advertiseService("list", &RunServer::list, this)),
-      approve_(node_.advertiseService("approve", &RunServer::approve, this)),
+      services_(node_, parameters_),
       server_(
           node_, "run",
           [this](const scan_cell_msgs::RunRecipeGoalConstPtr& goal) { execute(goal); }, false) {
@@ -165,31 +140,6 @@ void RunServer::execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal) {
   } else {
     server_.setAborted(result, result.message);
   }
-}
-
-bool RunServer::list(scan_cell_msgs::ListRecipes::Request&,
-                     scan_cell_msgs::ListRecipes::Response& response) {
-  try {
-    for (const std::string& name : recipe_names(parameters_.recipes))
-      response.recipes.push_back(state_of(parameters_.recipes, name));
-    return true;
-  } catch (const scan_cell_common::Error& error) {
-    ROS_ERROR("%s", error.what());
-    return false;
-  }
-}
-
-bool RunServer::approve(scan_cell_msgs::ApproveRun::Request& request,
-                        scan_cell_msgs::ApproveRun::Response& response) {
-  try {
-    check_name(request.run);
-    add_approval(std::filesystem::path(parameters_.runs) / request.run,
-                 {request.approved != 0, request.name, request.note, utc_now()});
-    response.success = 1;
-  } catch (const scan_cell_common::Error& error) {
-    response.message = error.what();
-  }
-  return true;
 }
 
 }  // namespace part_recipes

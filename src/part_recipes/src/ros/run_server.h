@@ -4,16 +4,15 @@
 
 #include <actionlib/server/simple_action_server.h>
 #include <ros/ros.h>
-#include <scan_cell_msgs/ApproveRun.h>
-#include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/RunRecipeAction.h>
 
 #include "recipe_parameters.h"
+#include "recipe_services.h"
 #include "run/run_recipe.h"
 
 namespace part_recipes {
 
-/// The action ~run and the services ~list and ~approve. One run at a time: the next goal waits for
+/// The action ~run, beside the services. One run at a time: the next goal waits for
 /// its end.
 class RunServer {
  public:
@@ -29,13 +28,10 @@ class RunServer {
   RunRequest request_of(const Goal& goal);
   Result run(const Goal& goal);
   Result work_old(const Goal& goal);
-  bool list(scan_cell_msgs::ListRecipes::Request&, scan_cell_msgs::ListRecipes::Response& response);
-  bool approve(scan_cell_msgs::ApproveRun::Request& request,
-               scan_cell_msgs::ApproveRun::Response& response);
 
   ros::NodeHandle node_;
   RecipeParameters parameters_;
-  ros::ServiceServer list_, approve_;
+  RecipeServices services_;
   actionlib::SimpleActionServer<scan_cell_msgs::RunRecipeAction> server_;
 };
 

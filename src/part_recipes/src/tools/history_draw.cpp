@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "run/tool_call.h"
+#include "run/calls/tool_call.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 

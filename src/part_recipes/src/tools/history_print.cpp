@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "approval/approval.h"
+#include "history/figure_text.h"
 #include "history/run_columns.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
@@ -62,25 +63,13 @@ void print_run(const HistoryRun& run, const std::filesystem::path& runs) {
   for (const TextColumn& text : kTextColumns)
     print_field(text.name, run.record.*text.member);
   print_field("folder", (runs / run.record.id).string());
-  print_field("tolerance", number(run.record.tolerance, kMillimetres, 4) + " mm");
-  const RunFigures& figures = run.record.figures;
-  for (const FigureColumn& figure : kFigureColumns) {
-    const auto& value = figures.*figure.member;
-    if (!value) continue;
-    using scan_cell_common::kDegrees;
-    const std::string shown =
-        figure.quantity == Quantity::kLength  ? number(value, kMillimetres, 4) + " mm"
-        : figure.quantity == Quantity::kAngle ? number(value, kDegrees, 3) + " deg"
-                                              : number(value, 1, 6);
-    print_field(figure.name, shown);
-  }
+  print_field("tolerance", millimetres_of(run.record.tolerance) + " mm");
+  for (const auto& [name, value] : texts_of(run.record.figures))
+    print_field(printable(name), value);
   for (const Approval& said : approvals_of(runs / run.record.id))
     print_field(said.approved ? "approved" : "refused",
                 fmt::format("by {} at {}{}", said.name, said.time,
                             said.note.empty() ? "" : ": " + said.note));
-  for (const auto& [name, deviation] : figures.places)
-    print_field("place " + printable(name),
-                deviation ? number(deviation, kMillimetres, 4) + " mm" : "not known");
 }
 
 int print_rebuilt(const part_recipes::Rebuilt& rebuilt, const std::filesystem::path& runs) {

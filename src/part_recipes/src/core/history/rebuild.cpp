@@ -9,8 +9,8 @@
 #include <map>
 #include <tuple>
 
-#include "disk/to_disk.h"
 #include "disk/folder_lock.h"
+#include "disk/to_disk.h"
 #include "history/history.h"
 #include "history/run_folders.h"
 #include "scan_cell_common/errors/errors.h"

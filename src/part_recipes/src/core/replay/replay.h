@@ -8,7 +8,7 @@
 
 #include "replay/job_folder.h"
 #include "run/run_record.h"
-#include "run/tool_call.h"
+#include "run/calls/tool_call.h"
 
 namespace part_recipes {
 

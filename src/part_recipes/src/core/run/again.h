@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "run/run_recipe.h"
-#include "run/tool_call.h"
+#include "run/calls/tool_call.h"
 
 namespace part_recipes {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/recipe_picture.h"
 
-#include "run/tool_call.h"
+#include "run/calls/tool_call.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {

@@ -11,7 +11,7 @@
 #include "recipe/proof.h"
 #include "run/figures.h"
 #include "run/run_folder.h"
-#include "run/stage_calls.h"
+#include "run/calls/stage_calls.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_common/tools/version.h"

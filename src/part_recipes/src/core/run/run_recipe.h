@@ -64,8 +64,8 @@ EndedRun run_recipe(const Recipe& recipe, const RunRequest& request, const Stage
 
 /// Works the part of a run that was accepted, as far as the request asks for it, and adds to the
 /// run how that ended. What was passed is kept beside the run's folder, which stays as it was
-/// sealed: ID.dry_run.json, ID.work.json, the second time ID.work_2.json; where it failed also .log. Nothing happens where the run
-/// was not accepted.
+/// sealed: ID.dry_run.json, ID.work.json, the second time ID.work_2.json; where it failed also
+/// .log. Nothing happens where the run was not accepted.
 /// @throw scan_cell_common::FileError if the tool cannot be called
 void work(const Recipe& recipe, const RunRequest& request, const StageBegins& begins,
           EndedRun& ended);

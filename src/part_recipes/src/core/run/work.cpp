@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "run/run_recipe.h"
-#include "run/stage_calls.h"
-#include "run/tool_call.h"
+#include "run/calls/stage_calls.h"
+#include "run/calls/tool_call.h"
 
 namespace part_recipes {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/stage_calls.h"
+#include "run/calls/stage_calls.h"
 
 #include <fmt/format.h>
 

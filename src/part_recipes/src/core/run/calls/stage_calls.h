@@ -7,7 +7,7 @@
 
 #include "recipe/proof.h"
 #include "recipe/recipe.h"
-#include "run/tool_call.h"
+#include "run/calls/tool_call.h"
 
 namespace part_recipes {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/tool_call.h"
+#include "run/calls/tool_call.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,20 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "run/run_record.h"
+
+namespace part_recipes {
+
+/// The figures of a run that are known, by name, each with its unit: mm, deg, or none for a ratio.
+/// Places of the part come last, as "place NAME"; one whose deviation is not known says so.
+std::vector<std::pair<std::string, std::string>> texts_of(const RunFigures& figures);
+
+/// A length in mm with four decimals, "-" if it is not known.
+std::string millimetres_of(const std::optional<double>& metres);
+
+}  // namespace part_recipes

@@ -1,0 +1,140 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recipe_services.h"
+
+#include <algorithm>
+
+#include "approval/approval.h"
+#include "clock/utc_time.h"
+#include "history/figure_text.h"
+#include "history/history.h"
+#include "recipe/proof.h"
+#include "recipe/recipe.h"
+#include "run/recipe_picture.h"
+#include "run/waypoints_concerned.h"
+#include "scan_cell_common/errors/errors.h"
+
+namespace part_recipes {
+namespace {
+
+namespace fs = std::filesystem;
+
+using scan_cell_msgs::RecipeState;
+using scan_cell_msgs::RunSummary;
+
+constexpr const char* kReportPage = "report.html";
+
+RecipeState state_of(const fs::path& recipes, const std::string& name) {
+  RecipeState state;
+  state.name = name;
+  try {
+    const Recipe recipe = load_recipe(find_recipe(recipes, name));
+    const fs::path picture = recipe.folder / kPictureFile;
+    if (fs::exists(picture)) state.picture = fs::absolute(picture).string();
+    const Proof proof = load_proof(recipe);
+    state.time = proof.time;
+    check_unchanged(recipe, proof, hashes_of(recipe));
+    state.state = proof.proven ? RecipeState::PROVEN : RecipeState::MADE;
+  } catch (const scan_cell_common::Error& error) {
+    state.state = RecipeState::OUT_OF_DATE;
+    state.message = error.what();
+  }
+  return state;
+}
+
+unsigned char state_of(RunState state) {
+  if (state == RunState::kUnusable) return RunSummary::UNUSABLE;
+  return state == RunState::kAccepted ? RunSummary::ACCEPTED : RunSummary::REFUSED;
+}
+
+RunSummary summary_of(const fs::path& folder, const RunRecord& record) {
+  RunSummary summary;
+  summary.id = record.id;
+  summary.recipe = record.recipe_name;
+  summary.started = record.started;
+  summary.state = state_of(record.state);
+  summary.reason = record.reason;
+  summary.message = record.message;
+  const std::vector<Approval> said = approvals_of(folder);
+  if (said.empty()) return summary;
+  summary.decision = said.back().approved ? RunSummary::APPROVED_BY : RunSummary::REFUSED_BY;
+  summary.decided_by = said.back().name;
+  summary.decision_note = said.back().note;
+  return summary;
+}
+
+/// Fills an answer, or tells why it cannot.
+template <class Response, class Fill>
+bool answer(Response& response, const Fill& fill) {
+  try {
+    fill();
+    response.success = 1;
+  } catch (const std::exception& error) {  // of a file system, too: no request may end the node
+    response.message = error.what();
+  }
+  return true;
+}
+
+}  // namespace
+
+RecipeServices::RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters)
+    : parameters_(parameters),
+      list_(node.advertiseService("list", &RecipeServices::list, this)),
+      runs_(node.advertiseService("runs", &RecipeServices::runs, this)),
+      describe_(node.advertiseService("describe", &RecipeServices::describe, this)),
+      approve_(node.advertiseService("approve", &RecipeServices::approve, this)) {}
+
+fs::path RecipeServices::folder_of(const std::string& run) const {
+  check_name(run);
+  return fs::absolute(parameters_.runs) / run;
+}
+
+bool RecipeServices::list(scan_cell_msgs::ListRecipes::Request&,
+                          scan_cell_msgs::ListRecipes::Response& response) {
+  try {
+    for (const std::string& name : recipe_names(parameters_.recipes))
+      response.recipes.push_back(state_of(parameters_.recipes, name));
+    return true;
+  } catch (const scan_cell_common::Error& error) {
+    ROS_ERROR("%s", error.what());
+    return false;
+  }
+}
+
+bool RecipeServices::runs(scan_cell_msgs::ListRuns::Request& request,
+                          scan_cell_msgs::ListRuns::Response& response) {
+  return answer(response, [&] {
+    HistoryFilter filter;
+    if (request.limit > 0) filter.limit = request.limit;
+    if (!request.recipe.empty()) filter.recipe = request.recipe;
+    for (const HistoryRun& run : History(parameters_.runs).query(filter))
+      response.runs.push_back(summary_of(folder_of(run.record.id), run.record));
+    std::reverse(response.runs.begin(), response.runs.end());
+  });
+}
+
+bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
+                              scan_cell_msgs::DescribeRun::Response& response) {
+  return answer(response, [&] {
+    const fs::path folder = folder_of(request.run);
+    const RunRecord record = load_run(folder);
+    response.run = summary_of(folder, record);
+    response.folder = folder.string();
+    if (fs::exists(folder / kReportPage)) response.report = (folder / kReportPage).string();
+    for (const auto& [name, value] : texts_of(record.figures)) {
+      response.figure_names.push_back(name);
+      response.figure_values.push_back(value);
+    }
+    response.waypoints_concerned = waypoints_concerned(folder);
+  });
+}
+
+bool RecipeServices::approve(scan_cell_msgs::ApproveRun::Request& request,
+                             scan_cell_msgs::ApproveRun::Response& response) {
+  return answer(response, [&] {
+    add_approval(folder_of(request.run),
+                 {request.approved != 0, request.name, request.note, utc_now()});
+  });
+}
+
+}  // namespace part_recipes

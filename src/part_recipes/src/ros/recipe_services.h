@@ -1,0 +1,40 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <scan_cell_msgs/ApproveRun.h>
+#include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/ListRecipes.h>
+#include <scan_cell_msgs/ListRuns.h>
+
+#include <filesystem>
+#include <string>
+
+#include "recipe_parameters.h"
+
+namespace part_recipes {
+
+/// What can be asked and said of recipes and runs: ~list, ~runs, ~describe and ~approve.
+class RecipeServices {
+ public:
+  RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters);
+
+ private:
+  bool list(scan_cell_msgs::ListRecipes::Request& request,
+            scan_cell_msgs::ListRecipes::Response& response);
+  bool runs(scan_cell_msgs::ListRuns::Request& request,
+            scan_cell_msgs::ListRuns::Response& response);
+  bool describe(scan_cell_msgs::DescribeRun::Request& request,
+                scan_cell_msgs::DescribeRun::Response& response);
+  bool approve(scan_cell_msgs::ApproveRun::Request& request,
+               scan_cell_msgs::ApproveRun::Response& response);
+
+  /// @throw scan_cell_common::InvalidParameter if the id would lead elsewhere
+  std::filesystem::path folder_of(const std::string& run) const;
+
+  RecipeParameters parameters_;
+  ros::ServiceServer list_, runs_, describe_, approve_;
+};
+
+}  // namespace part_recipes

@@ -1,0 +1,307 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/cell_link.h"
+
+#include <fmt/format.h>
+#include <scan_cell_msgs/ApproveRun.h>
+
+#include <QMetaType>
+
+#include "link/signs.h"
+#include "scan_cell/ros/service_call.h"
+
+namespace scan_cell_rviz {
+
+using scan_cell_msgs::RunRecipeGoal;
+using scan_cell_msgs::RunRecipeResult;
+
+namespace {
+
+constexpr double kLook = 0.25;          // [s] between two looks at what is there; chosen
+constexpr int kLooksAList = 4;          // while there is none: every second; chosen
+constexpr int kLooksACalibration = 40;  // that is every 10 s; chosen
+constexpr double kCallTimeout = 5;      // [s] for an answer; chosen
+constexpr double kTaken = 10;           // [s] for a goal to be taken where nobody else has the cell
+constexpr double kGone = 3;             // [s] without the server until its goal is given up
+constexpr double kCameraSilent = 5;     // [s] diagnostics come every second
+
+void register_types() {
+  qRegisterMetaType<Device>("scan_cell_rviz::Device");
+  qRegisterMetaType<Sign>("scan_cell_rviz::Sign");
+  qRegisterMetaType<Busy>("scan_cell_rviz::Busy");
+  qRegisterMetaType<std::vector<scan_cell_msgs::RecipeState>>(
+      "std::vector<scan_cell_msgs::RecipeState>");
+  qRegisterMetaType<std::vector<scan_cell_msgs::RunSummary>>(
+      "std::vector<scan_cell_msgs::RunSummary>");
+  qRegisterMetaType<scan_cell_msgs::DescribeRunResponse>("scan_cell_msgs::DescribeRunResponse");
+  qRegisterMetaType<RunRecipeResult>("scan_cell_msgs::RunRecipeResult");
+}
+
+RunRecipeResult result_without_run(const std::string& message) {
+  RunRecipeResult result;
+  result.message = message;
+  return result;
+}
+
+bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
+  using actionlib_msgs::GoalStatus;
+  return goal.status == GoalStatus::PENDING || goal.status == GoalStatus::ACTIVE ||
+         goal.status == GoalStatus::PREEMPTING || goal.status == GoalStatus::RECALLING;
+}
+
+}  // namespace
+
+CellLink::CellLink(const Names& names) : names_(names), spinner_(1, &queue_) {
+  register_types();
+  node_.setCallbackQueue(&queue_);
+  client_ = std::make_unique<Client>(node_, names_.recipes + "/run", false);
+  robot_ = node_.subscribe<scan_cell_msgs::RobotStatus>(
+      names_.robot + "/status", 10,
+      [this](const auto& robot) { show(Device::kRobot, sign_of(*robot)); });
+  trigger_ = node_.subscribe<scan_cell_msgs::TriggerState>(
+      names_.trigger + "/state", 10,
+      [this](const auto& trigger) { show(Device::kLaser, sign_of(*trigger)); });
+  cell_ = node_.subscribe<scan_cell_msgs::CellState>(
+      names_.cell + "/state", 10,
+      [this](const auto& cell) { show(Device::kCell, sign_of(*cell)); });
+  diagnostics_ = node_.subscribe("/diagnostics", 10, &CellLink::on_diagnostics, this);
+  status_ = node_.subscribe(names_.recipes + "/run/status", 10, &CellLink::on_status, this);
+  feedback_.push_back(node_.subscribe<scan_cell_msgs::ScanActionFeedback>(
+      names_.cell + "/scan/feedback", 10, [this](const auto& news) {
+        const auto& scan = news->feedback;
+        Q_EMIT progressed(tr("%1, %2 frames, %3 points")
+                              .arg(QString::fromStdString(scan.step_name))
+                              .arg(scan.frames)
+                              .arg(scan.points),
+                          scan.progress);
+      }));
+  feedback_.push_back(node_.subscribe<scan_cell_msgs::WorkActionFeedback>(
+      names_.cell + "/work/feedback", 10, [this](const auto& news) {
+        const auto& work = news->feedback;
+        Q_EMIT progressed(
+            tr("%1, %2 waypoints").arg(QString::fromStdString(work.doing)).arg(work.passed),
+            work.progress);
+      }));
+  timer_ = node_.createWallTimer(ros::WallDuration(kLook), [this](const auto&) { look(); });
+}
+
+CellLink::~CellLink() {
+  spinner_.stop();
+  worker_.reset();  // while there still is somebody whose signals it emits
+}
+
+void CellLink::start() {
+  spinner_.start();
+}
+
+Busy CellLink::busy() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (ours_) return Busy::kOurs;
+  return others_ ? Busy::kOthers : Busy::kFree;
+}
+
+/// Runs a task aside; what it throws becomes failed().
+template <class Task>
+void CellLink::ask(Task task) {
+  worker_->add([this, task] {
+    try {
+      task();
+    } catch (const std::exception& error) {
+      Q_EMIT failed(QString::fromStdString(error.what()));
+    }
+  });
+}
+
+void CellLink::list_recipes() {
+  worker_->add([this] {
+    try {
+      const auto answer =
+          scan_cell::ask<scan_cell_msgs::ListRecipes>(names_.recipes + "/list", {}, kCallTimeout);
+      listed_ = true;
+      Q_EMIT recipesListed(answer.recipes);
+    } catch (const std::exception& error) {
+      Q_EMIT recipesMissed(QString::fromStdString(error.what()));
+    }
+  });
+}
+
+void CellLink::list_runs() {
+  ask([this] {
+    scan_cell_msgs::ListRuns::Request request;
+    request.limit = 50;
+    Q_EMIT runsListed(
+        scan_cell::call<scan_cell_msgs::ListRuns>(names_.recipes + "/runs", request, kCallTimeout)
+            .runs);
+  });
+}
+
+void CellLink::describe(const QString& run) {
+  ask([this, run] {
+    scan_cell_msgs::DescribeRun::Request request;
+    request.run = run.toStdString();
+    Q_EMIT described(scan_cell::call<scan_cell_msgs::DescribeRun>(names_.recipes + "/describe",
+                                                                  request, kCallTimeout));
+  });
+}
+
+void CellLink::decide(const QString& run, bool approved, const QString& name, const QString& note) {
+  ask([=] {
+    scan_cell_msgs::ApproveRun::Request request;
+    request.run = run.toStdString();
+    request.approved = static_cast<unsigned char>(approved);
+    request.name = name.toStdString();
+    request.note = note.toStdString();
+    scan_cell::call<scan_cell_msgs::ApproveRun>(names_.recipes + "/approve", request, kCallTimeout);
+    Q_EMIT decided(run);
+  });
+}
+
+void CellLink::run(const QString& recipe, const QString& note) {
+  RunRecipeGoal goal;
+  goal.recipe = recipe.toStdString();
+  goal.note = note.toStdString();
+  send(goal);
+}
+
+void CellLink::work(const QString& run, bool dry) {
+  RunRecipeGoal goal;
+  goal.run = run.toStdString();
+  goal.work = dry ? RunRecipeGoal::DRY_RUN : RunRecipeGoal::WORK;
+  send(goal);
+}
+
+void CellLink::send(const RunRecipeGoal& goal) {
+  if (busy() != Busy::kFree) {
+    Q_EMIT failed(tr("The cell is busy: wait until it is free."));
+    return;
+  }
+  if (!client_->isServerConnected()) {
+    Q_EMIT failed(tr("%1 is not running: start the cell with recipes:=FOLDER.")
+                      .arg(QString::fromStdString(names_.recipes)));
+    return;
+  }
+  int number = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ours_ = true;
+    is_work_ = !goal.run.empty();
+    sent_ = ros::WallTime::now();
+    number = ++goal_;
+  }
+  Q_EMIT busyChanged(busy());
+  const auto is_ours = [this, number] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return ours_ && number == goal_;
+  };
+  client_->sendGoal(
+      goal,
+      [this, is_ours](const auto& state, const auto& result) {
+        if (!is_ours()) return;
+        const bool lost = state == actionlib::SimpleClientGoalState::LOST || !result;
+        end(lost ? result_without_run("the node was started again while it worked: " +
+                                      names_.recipes)
+                 : *result);
+      },
+      Client::SimpleActiveCallback(),
+      [this](const auto& news) { Q_EMIT progressed(QString::fromStdString(news->stage), -1); });
+}
+
+void CellLink::stop() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ours_) return;
+  }
+  client_->cancelGoal();
+}
+
+void CellLink::end(const RunRecipeResult& result) {
+  bool was_work = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ours_) return;
+    ours_ = false;
+    was_work = is_work_;
+  }
+  Q_EMIT runEnded(result, was_work);
+  Q_EMIT busyChanged(busy());
+}
+
+void CellLink::on_status(const actionlib_msgs::GoalStatusArray& status) {
+  bool any = false;
+  for (const actionlib_msgs::GoalStatus& goal : status.status_list)
+    any = any || is_under_way(goal);
+  const Busy before = busy();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    others_ = any && !ours_;
+  }
+  if (busy() != before) Q_EMIT busyChanged(busy());
+}
+
+void CellLink::on_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics) {
+  const std::string prefix = names_.camera.substr(1) + ": ";  // of diagnostic_updater
+  for (const diagnostic_msgs::DiagnosticStatus& status : diagnostics.status) {
+    if (status.name.rfind(prefix, 0) != 0) continue;
+    camera_seen_ = ros::WallTime::now();
+    show(Device::kCamera, sign_of(status));
+  }
+}
+
+void CellLink::show(Device device, const Sign& sign) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Sign& shown = signs_.at(static_cast<std::size_t>(device));
+    if (shown == sign) return;
+    shown = sign;
+  }
+  Q_EMIT signChanged(device, sign);
+}
+
+void CellLink::show_unless_gone(Device device, const ros::Subscriber& subscriber) {
+  if (subscriber.getNumPublishers() == 0)
+    show(device, {Level::kGone, subscriber.getTopic() + ": its node is not running"});
+}
+
+void CellLink::look() {
+  show_unless_gone(Device::kRobot, robot_);
+  show_unless_gone(Device::kLaser, trigger_);
+  show_unless_gone(Device::kCell, cell_);
+  if ((ros::WallTime::now() - camera_seen_).toSec() > kCameraSilent)
+    show(Device::kCamera, {Level::kGone, names_.camera + " tells nothing on /diagnostics"});
+  if (status_.getNumPublishers() == 0) {
+    on_status({});
+    if (listed_.exchange(false) || looks_ == 0)
+      Q_EMIT recipesMissed(tr("%1 is not running: start the cell with recipes:=FOLDER")
+                               .arg(QString::fromStdString(names_.recipes)));
+  } else if (!listed_ && looks_ % kLooksAList == 0) {
+    list_recipes();
+  }
+  if (looks_++ % kLooksACalibration == 0) worker_->add([this] { look_at_calibration(); });
+  look_at_run();
+}
+
+/// Gives a goal up whose server is gone or does not take it: the cell itself ends what its tool
+/// began there.
+void CellLink::look_at_run() {
+  const ros::WallTime now = ros::WallTime::now();
+  const bool connected = client_->isServerConnected();
+  double gone = 0, waiting = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (connected) unseen_ = ros::WallTime();
+    if (!connected && unseen_.isZero()) unseen_ = now;
+    if (!ours_) return;
+    gone = connected ? 0 : (now - unseen_).toSec();
+    waiting = (now - sent_).toSec();
+  }
+  const bool pending = client_->getState() == actionlib::SimpleClientGoalState::PENDING;
+  if (gone > kGone) {
+    end(result_without_run(names_.recipes + " is gone: look at its log and start it again"));
+  } else if (connected && pending && waiting > kTaken) {
+    client_->cancelGoal();
+    end(result_without_run(
+        fmt::format("{} did not take it within {:g} s", names_.recipes, kTaken)));
+  }
+}
+
+}  // namespace scan_cell_rviz

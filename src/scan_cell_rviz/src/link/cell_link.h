@@ -1,0 +1,127 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/CellState.h>
+#include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/ListRecipes.h>
+#include <scan_cell_msgs/ListRuns.h>
+#include <scan_cell_msgs/RobotStatus.h>
+#include <scan_cell_msgs/RunRecipeAction.h>
+#include <scan_cell_msgs/ScanAction.h>
+#include <scan_cell_msgs/TriggerState.h>
+#include <scan_cell_msgs/WorkAction.h>
+
+#include <QObject>
+#include <QString>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "link/sign.h"
+#include "link/worker.h"
+
+namespace scan_cell_rviz {
+
+/// Who has the cell.
+enum class Busy { kFree, kOurs, kOthers };
+
+/// The cell as the seat knows it: what a person does there becomes a goal or a call, and what comes
+/// back a signal. Nothing blocks: topics and actions are served by a thread of its own, calls are
+/// made by another. Any node may be gone and come back.
+class CellLink : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Names {
+    std::string recipes = "/part_recipes";      //!< node
+    std::string robot = "/c4g_driver";          //!< node
+    std::string trigger = "/laser_trigger";     //!< node
+    std::string camera = "/camera";             //!< node
+    std::string cell = "/scan_cell";            //!< node
+    std::string frames = "/calibrated_frames";  //!< node whose parameters name the calibration
+  };
+
+  explicit CellLink(const Names& names);
+  ~CellLink() override;
+
+  /// From here on signals come: connect them before.
+  void start();
+
+  Busy busy() const;
+
+  /// Answers by recipesListed or recipesMissed. It is done by itself whenever their node comes up.
+  void list_recipes();
+
+  /// Each answers by a signal: runsListed, described, decided, or failed.
+  void list_runs();
+  void describe(const QString& run);
+  void decide(const QString& run, bool approved, const QString& name, const QString& note);
+
+  /// Scans and adapts a part. Ends with runEnded.
+  void run(const QString& recipe, const QString& note);
+
+  /// Works the part of a run. Ends with runEnded.
+  void work(const QString& run, bool dry);
+
+  /// Cancels what run() or work() began; it ends with runEnded.
+  void stop();
+
+ Q_SIGNALS:
+  void signChanged(scan_cell_rviz::Device device, scan_cell_rviz::Sign sign);
+  void busyChanged(scan_cell_rviz::Busy busy);
+  void recipesListed(std::vector<scan_cell_msgs::RecipeState> recipes);
+  void recipesMissed(QString why);
+  void runsListed(std::vector<scan_cell_msgs::RunSummary> runs);
+  void described(scan_cell_msgs::DescribeRunResponse run);
+  void decided(QString run);
+  void failed(QString message);
+  void progressed(QString doing, double share);  ///< share below 0: not known
+  void runEnded(scan_cell_msgs::RunRecipeResult result, bool was_work);
+
+ private:
+  using Client = actionlib::SimpleActionClient<scan_cell_msgs::RunRecipeAction>;
+
+  void send(const scan_cell_msgs::RunRecipeGoal& goal);
+  void end(const scan_cell_msgs::RunRecipeResult& result);
+  void look();
+  void look_at_run();
+  void look_at_calibration();
+  void show(Device device, const Sign& sign);
+  void show_unless_gone(Device device, const ros::Subscriber& subscriber);
+  void on_status(const actionlib_msgs::GoalStatusArray& status);
+  void on_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics);
+  template <class Task>
+  void ask(Task task);
+
+  const Names names_;
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  std::unique_ptr<Client> client_;
+  std::vector<ros::Subscriber> feedback_;
+  ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_;
+  ros::WallTimer timer_;
+
+  mutable std::mutex mutex_;
+  std::array<Sign, kDevices> signs_;
+  bool ours_ = false;    // a goal of this seat is under way
+  bool others_ = false;  // one of another's is
+  bool is_work_ = false;
+  int goal_ = 0;                 // counts, so that a late end of an old one is told apart
+  ros::WallTime sent_, unseen_;  // unseen: since when the server is gone; zero: it is there
+  ros::WallTime camera_seen_;
+
+  int looks_ = 0;
+  std::atomic<bool> listed_{false};  // the recipes of the node that is there
+  std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace scan_cell_rviz

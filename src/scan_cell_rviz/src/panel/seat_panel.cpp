@@ -1,0 +1,63 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "panel/seat_panel.h"
+
+#include <QEvent>
+#include <QMessageBox>
+#include <QVBoxLayout>
+#include <pluginlib/class_list_macros.hpp>
+
+namespace scan_cell_rviz {
+
+SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
+  auto* const layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+}
+
+void SeatPanel::onInitialize() {
+  link_ = std::make_unique<CellLink>(CellLink::Names());
+  seat_ = new Seat(*link_, this);
+  seat_->set_person(person_);
+  layout()->addWidget(seat_);
+  connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
+  window()->installEventFilter(this);
+  link_->start();
+}
+
+void SeatPanel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  if (config.mapGetString("Person", &person_) && seat_ != nullptr) seat_->set_person(person_);
+}
+
+void SeatPanel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  if (seat_ != nullptr) config.mapSetValue("Person", seat_->person());
+}
+
+bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::Close && object == window() && !may_close()) {
+    event->ignore();
+    return true;
+  }
+  return rviz::Panel::eventFilter(object, event);
+}
+
+bool SeatPanel::may_close() {
+  if (seat_ == nullptr || !seat_->is_busy()) return true;
+  QMessageBox question(QMessageBox::Question, tr("The cell is at work"),
+                       tr("What this seat began is still under way."), QMessageBox::NoButton, this);
+  QPushButton* const stop = question.addButton(tr("&Stop it and close"), QMessageBox::AcceptRole);
+  QPushButton* const leave =
+      question.addButton(tr("&Leave it running and close"), QMessageBox::DestructiveRole);
+  question.addButton(tr("&Do not close"), QMessageBox::RejectRole);
+  question.exec();
+  if (question.clickedButton() == stop) {
+    link_->stop();
+    return true;
+  }
+  return question.clickedButton() == leave;
+}
+
+}  // namespace scan_cell_rviz
+
+PLUGINLIB_EXPORT_CLASS(scan_cell_rviz::SeatPanel, rviz::Panel)

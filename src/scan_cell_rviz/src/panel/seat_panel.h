@@ -1,0 +1,35 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rviz/panel.h>
+
+#include <memory>
+
+#include "link/cell_link.h"
+#include "seat/seat.h"
+
+namespace scan_cell_rviz {
+
+/// The seat as a panel of rviz. It asks before the window closes amid a scan or work.
+class SeatPanel : public rviz::Panel {
+  Q_OBJECT
+
+ public:
+  explicit SeatPanel(QWidget* parent = nullptr);
+
+  void onInitialize() override;
+  void load(const rviz::Config& config) override;
+  void save(rviz::Config config) const override;
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  /// @return whether the window may close
+  bool may_close();
+
+  std::unique_ptr<CellLink> link_;
+  Seat* seat_ = nullptr;
+  QString person_;
+};
+
+}  // namespace scan_cell_rviz

@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QLabel>
+#include <QWidget>
+#include <array>
+
+#include "link/sign.h"
+
+namespace scan_cell_rviz {
+
+/// The states of the devices, always in view. Each sign tells by a mark and by words, so that
+/// nobody needs its colour.
+class Band : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Band(QWidget* parent = nullptr);
+
+  void show_sign(Device device, const Sign& sign);
+
+ private:
+  std::array<QLabel*, kDevices> signs_{};
+};
+
+}  // namespace scan_cell_rviz

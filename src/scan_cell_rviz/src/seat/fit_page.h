@@ -1,0 +1,49 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/DescribeRunResponse.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QWidget>
+
+namespace scan_cell_rviz {
+
+/// What a run found: the verdict in words, its figures, and what a person says of it.
+class FitPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FitPage(QWidget* parent = nullptr);
+
+  void show_run(const scan_cell_msgs::DescribeRunResponse& run);
+  void show_none(const QString& why);  ///< a run that came to nothing
+
+  QString person() const;
+  void set_person(const QString& name);
+
+ Q_SIGNALS:
+  void decisionWanted(QString run, bool approved, QString name, QString note);
+  void reportWanted(QString file);
+
+ private:
+  void update_buttons();
+  void decide(bool approved);
+
+  scan_cell_msgs::DescribeRunResponse run_;
+  QLabel* verdict_;
+  QLabel* message_;
+  QTableWidget* figures_;
+  QLabel* waypoints_;
+  QLabel* decision_;
+  QLineEdit* person_;
+  QLineEdit* note_;
+  QPushButton* approve_;
+  QPushButton* refuse_;
+  QPushButton* report_;
+};
+
+}  // namespace scan_cell_rviz

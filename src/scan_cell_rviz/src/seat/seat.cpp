@@ -1,0 +1,149 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "seat/seat.h"
+
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace scan_cell_rviz {
+namespace {
+
+using scan_cell_msgs::RunRecipeResult;
+
+constexpr int kPerMille = 1000;
+
+QString id_of(const RunRecipeResult& result) {
+  return QFileInfo(QString::fromStdString(result.folder)).fileName();
+}
+
+}  // namespace
+
+Seat::Seat(CellLink& link, QWidget* parent)
+    : QWidget(parent),
+      link_(link),
+      band_(new Band(this)),
+      pages_(new QTabWidget(this)),
+      part_(new PartPage(this)),
+      fit_(new FitPage(this)),
+      work_(new WorkPage(this)),
+      history_(new HistoryPage(this)),
+      doing_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      stop_(new QPushButton(tr("S&top"), this)),
+      trouble_(new QLabel(this)) {
+  pages_->setObjectName("pages");
+  pages_->addTab(part_, tr("&1 Part"));
+  pages_->addTab(fit_, tr("&2 Fit"));
+  pages_->addTab(work_, tr("&3 Work"));
+  pages_->addTab(history_, tr("&4 History"));
+  doing_->setObjectName("doing");
+  doing_->setWordWrap(true);
+  progress_->setObjectName("progress");
+  progress_->setMaximum(kPerMille);
+  stop_->setObjectName("stop");
+  stop_->setToolTip(tr("Stops the robot and ends what is under way. It is no emergency stop."));
+  trouble_->setObjectName("trouble");
+  trouble_->setTextFormat(Qt::PlainText);
+  trouble_->setWordWrap(true);
+
+  auto* const under_way = new QHBoxLayout;
+  under_way->addWidget(progress_, 1);
+  under_way->addWidget(stop_);
+  auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(band_);
+  layout->addWidget(doing_);
+  layout->addLayout(under_way);
+  layout->addWidget(trouble_);
+  layout->addWidget(pages_, 1);
+
+  connect_link();
+  connect_pages();
+  show_busy(link_.busy());
+  tell(QString());
+}
+
+void Seat::connect_link() {
+  connect(&link_, &CellLink::signChanged, band_, &Band::show_sign);
+  connect(&link_, &CellLink::busyChanged, this, &Seat::show_busy);
+  connect(&link_, &CellLink::recipesListed, part_, &PartPage::show_recipes);
+  connect(&link_, &CellLink::recipesMissed, part_, &PartPage::show_missed);
+  connect(&link_, &CellLink::runsListed, history_, &HistoryPage::show_runs);
+  connect(&link_, &CellLink::progressed, this, &Seat::show_progress);
+  connect(&link_, &CellLink::failed, this, &Seat::tell);
+  connect(&link_, &CellLink::runEnded, this, &Seat::show_end);
+  connect(&link_, &CellLink::decided, &link_, &CellLink::describe);
+  connect(&link_, &CellLink::described, this, [this](const auto& run) {
+    fit_->show_run(run);
+    work_->show_run(run.run);
+  });
+}
+
+void Seat::connect_pages() {
+  connect(part_, &PartPage::refreshWanted, this, [this] {
+    tell(QString());
+    link_.list_recipes();
+  });
+  connect(part_, &PartPage::runWanted, this, [this](const QString& recipe, const QString& note) {
+    tell(QString());
+    link_.run(recipe, note);
+  });
+  connect(fit_, &FitPage::decisionWanted, &link_, &CellLink::decide);
+  connect(fit_, &FitPage::decisionWanted, this, &Seat::personChanged);
+  connect(fit_, &FitPage::reportWanted, this, [this](const QString& file) {
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
+      tell(tr("No program here opens %1").arg(file));
+  });
+  connect(work_, &WorkPage::workWanted, this, [this](const QString& run, bool dry) {
+    tell(QString());
+    link_.work(run, dry);
+  });
+  connect(history_, &HistoryPage::refreshWanted, &link_, &CellLink::list_runs);
+  connect(history_, &HistoryPage::runChosen, this, [this](const QString& run) {
+    pages_->setCurrentWidget(fit_);
+    link_.describe(run);
+  });
+  connect(pages_, &QTabWidget::currentChanged, this, [this] {
+    if (pages_->currentWidget() == history_) link_.list_runs();
+  });
+  connect(stop_, &QPushButton::clicked, &link_, &CellLink::stop);
+}
+
+void Seat::show_busy(Busy busy) {
+  part_->set_free(busy == Busy::kFree);
+  work_->set_free(busy == Busy::kFree);
+  stop_->setEnabled(busy == Busy::kOurs);
+  if (busy == Busy::kFree) show_progress(tr("Nothing is under way."), 0);
+  if (busy == Busy::kOthers) show_progress(tr("Another seat or program has the cell."), -1);
+}
+
+void Seat::show_progress(const QString& doing, double share) {
+  doing_->setText(doing);
+  progress_->setMaximum(share < 0 ? 0 : kPerMille);  // 0: busy, how far is not known
+  progress_->setValue(static_cast<int>(share * kPerMille));
+}
+
+void Seat::show_end(const RunRecipeResult& result, bool was_work) {
+  const QString id = id_of(result);
+  if (result.outcome == RunRecipeResult::NONE) {
+    tell(QString::fromStdString(result.message));
+    if (was_work) work_->show_end(tr("Not worked: %1").arg(QString::fromStdString(result.message)));
+    return;
+  }
+  tell(QString::fromStdString(result.warning));
+  if (was_work)
+    work_->show_end((result.worked != 0 ? tr("Done. %1") : tr("Not worked: %1"))
+                        .arg(QString::fromStdString(result.work_message)));
+  else
+    pages_->setCurrentWidget(fit_);
+  link_.describe(id);
+}
+
+void Seat::tell(const QString& message) {
+  trouble_->setText(message);
+  trouble_->setVisible(!message.isEmpty());
+}
+
+}  // namespace scan_cell_rviz

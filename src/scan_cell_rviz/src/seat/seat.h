@@ -1,0 +1,56 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QWidget>
+
+#include "link/cell_link.h"
+#include "seat/band.h"
+#include "seat/fit_page.h"
+#include "seat/history_page.h"
+#include "seat/part_page.h"
+#include "seat/work_page.h"
+
+namespace scan_cell_rviz {
+
+/// The seat without rviz: the band, what is under way, and a page a stage in the operator's order.
+class Seat : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Seat(CellLink& link, QWidget* parent = nullptr);
+
+  /// A scan or work of this seat is under way.
+  bool is_busy() const { return link_.busy() == Busy::kOurs; }
+  QString person() const { return fit_->person(); }
+  void set_person(const QString& name) { fit_->set_person(name); }
+
+ Q_SIGNALS:
+  void personChanged();
+
+ private:
+  void connect_link();
+  void connect_pages();
+  void show_busy(Busy busy);
+  void show_progress(const QString& doing, double share);
+  void show_end(const scan_cell_msgs::RunRecipeResult& result, bool was_work);
+  void tell(const QString& message);  ///< what went wrong; empty: nothing
+
+  CellLink& link_;
+  Band* band_;
+  QTabWidget* pages_;
+  PartPage* part_;
+  FitPage* fit_;
+  WorkPage* work_;
+  HistoryPage* history_;
+  QLabel* doing_;
+  QProgressBar* progress_;
+  QPushButton* stop_;
+  QLabel* trouble_;
+};
+
+}  // namespace scan_cell_rviz

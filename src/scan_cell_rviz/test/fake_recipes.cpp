@@ -1,0 +1,150 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fake_recipes.h"
+
+namespace scan_cell_rviz {
+
+using scan_cell_msgs::RecipeState;
+using scan_cell_msgs::RunRecipeResult;
+using scan_cell_msgs::RunSummary;
+
+FakeRecipes::FakeRecipes()
+    : services_({node_.advertiseService("list", &FakeRecipes::list, this),
+                 node_.advertiseService("runs", &FakeRecipes::runs, this),
+                 node_.advertiseService("describe", &FakeRecipes::describe, this),
+                 node_.advertiseService("approve", &FakeRecipes::approve, this)}),
+      server_(
+          node_, "run",
+          [this](const scan_cell_msgs::RunRecipeGoalConstPtr& goal) { execute(goal); }, false) {
+  server_.start();
+}
+
+void FakeRecipes::finish(std::uint8_t outcome) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  outcome_ = outcome;
+}
+
+scan_cell_msgs::RunRecipeGoal FakeRecipes::last_goal() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return goal_;
+}
+
+int FakeRecipes::goals() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return goals_;
+}
+
+scan_cell_msgs::ApproveRunRequest FakeRecipes::last_decision() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return decision_;
+}
+
+bool FakeRecipes::was_cancelled() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return cancelled_;
+}
+
+void FakeRecipes::hold_list(std::shared_future<void> until) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  list_until_ = std::move(until);
+}
+
+void FakeRecipes::execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    goal_ = *goal;
+    outcome_ = -1;
+    ++goals_;
+  }
+  scan_cell_msgs::RunRecipeFeedback feedback;
+  feedback.stage = goal->run.empty() ? "scan" : "dry_run";
+  server_.publishFeedback(feedback);
+  while (ros::ok()) {
+    RunRecipeResult result;
+    if (server_.isPreemptRequested()) {
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        cancelled_ = true;
+      }
+      result.message = "stopped by the person";
+      server_.setPreempted(result);
+      return;
+    }
+    int outcome = -1;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      outcome = outcome_;
+      if (outcome >= 0) state_ = static_cast<std::uint8_t>(outcome);
+    }
+    if (outcome >= 0) {
+      result.outcome = static_cast<std::uint8_t>(outcome);
+      result.folder = "/runs/run_1";
+      result.worked = static_cast<unsigned char>(!goal->run.empty());
+      result.work_message = "all waypoints were passed";
+      server_.setSucceeded(result);
+      return;
+    }
+    ros::WallDuration(0.01).sleep();
+  }
+}
+
+bool FakeRecipes::list(scan_cell_msgs::ListRecipes::Request&,
+                       scan_cell_msgs::ListRecipes::Response& response) {
+  std::shared_future<void> until;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    until = list_until_;
+  }
+  if (until.valid()) until.wait();
+  RecipeState frame, old;
+  frame.name = "frame";
+  frame.state = RecipeState::PROVEN;
+  old.name = "old <b>part</b>";
+  old.state = RecipeState::OUT_OF_DATE;
+  old.message = "path.csv: changed since the recipe was proven";
+  response.recipes = {frame, old};
+  return true;
+}
+
+RunSummary FakeRecipes::summary() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  RunSummary run;
+  run.id = "run_1";
+  run.recipe = "frame";
+  run.started = "2026-11-25T12:13:14.123Z";
+  run.state = state_;
+  run.reason = state_ == RunSummary::ACCEPTED ? "accepted" : "wrong_part";
+  run.message = state_ == RunSummary::ACCEPTED ? "the path was adapted" : "one region differs";
+  run.decision = decided_;
+  run.decided_by = decision_.name;
+  run.decision_note = decision_.note;
+  return run;
+}
+
+bool FakeRecipes::runs(scan_cell_msgs::ListRuns::Request&,
+                       scan_cell_msgs::ListRuns::Response& response) {
+  response.success = 1;
+  response.runs = {summary()};
+  return true;
+}
+
+bool FakeRecipes::describe(scan_cell_msgs::DescribeRun::Request&,
+                           scan_cell_msgs::DescribeRun::Response& response) {
+  response.success = 1;
+  response.run = summary();
+  response.figure_names = {"scale", "rms"};
+  response.figure_values = {"1.000012", "0.0213 mm"};
+  if (response.run.state == RunSummary::REFUSED) response.waypoints_concerned = {3, 17};
+  return true;
+}
+
+bool FakeRecipes::approve(scan_cell_msgs::ApproveRun::Request& request,
+                          scan_cell_msgs::ApproveRun::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  decision_ = request;
+  decided_ = request.approved != 0 ? RunSummary::APPROVED_BY : RunSummary::REFUSED_BY;
+  response.success = 1;
+  return true;
+}
+
+}  // namespace scan_cell_rviz

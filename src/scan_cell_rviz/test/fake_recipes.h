@@ -1,0 +1,59 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <ros/ros.h>
+#include <scan_cell_msgs/ApproveRun.h>
+#include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/ListRecipes.h>
+#include <scan_cell_msgs/ListRuns.h>
+#include <scan_cell_msgs/RunRecipeAction.h>
+
+#include <future>
+#include <memory>
+#include <mutex>
+
+namespace scan_cell_rviz {
+
+/// Plays part_recipes_node: recipes "frame" (proven) and "old" (out of date), runs that end when
+/// the test says so.
+class FakeRecipes {
+ public:
+  FakeRecipes();
+
+  /// The goal under way ends as an accepted run, a refused one, or a work that was done.
+  void finish(std::uint8_t outcome);
+
+  scan_cell_msgs::RunRecipeGoal last_goal() const;
+  int goals() const;
+  scan_cell_msgs::ApproveRunRequest last_decision() const;
+  bool was_cancelled() const;
+
+  /// From now on ~list answers when the promise is kept.
+  void hold_list(std::shared_future<void> until);
+
+ private:
+  void execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal);
+  bool list(scan_cell_msgs::ListRecipes::Request&, scan_cell_msgs::ListRecipes::Response&);
+  bool runs(scan_cell_msgs::ListRuns::Request&, scan_cell_msgs::ListRuns::Response&);
+  bool describe(scan_cell_msgs::DescribeRun::Request&, scan_cell_msgs::DescribeRun::Response&);
+  bool approve(scan_cell_msgs::ApproveRun::Request&, scan_cell_msgs::ApproveRun::Response&);
+  scan_cell_msgs::RunSummary summary() const;
+
+  mutable std::mutex mutex_;
+  scan_cell_msgs::RunRecipeGoal goal_;
+  scan_cell_msgs::ApproveRunRequest decision_;
+  int goals_ = 0;
+  int outcome_ = -1;
+  std::uint8_t state_ = scan_cell_msgs::RunSummary::ACCEPTED;
+  std::uint8_t decided_ = scan_cell_msgs::RunSummary::OPEN;
+  bool cancelled_ = false;
+  std::shared_future<void> list_until_;
+
+  ros::NodeHandle node_{"/part_recipes"};
+  std::vector<ros::ServiceServer> services_;
+  actionlib::SimpleActionServer<scan_cell_msgs::RunRecipeAction> server_;
+};
+
+}  // namespace scan_cell_rviz

@@ -1,0 +1,247 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The seat with a fake node of recipes: clicked as a person clicks, judged by what it then says.
+#include <gtest/gtest.h>
+#include <scan_cell_msgs/RobotStatus.h>
+#include <scan_cell_msgs/TriggerState.h>
+
+#include <QApplication>
+#include <QTest>
+#include <csignal>
+#include <functional>
+
+#include "fake_recipes.h"
+#include "scan_cell_common/testing/child_process.h"
+#include "seat/seat.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+using scan_cell_msgs::RobotStatus;
+using scan_cell_msgs::RunSummary;
+
+constexpr const char* kPlayRecipes = "--play-recipes";
+constexpr int kPatience = 20000;  // [ms]
+
+class ASeat : public testing::Test {
+ protected:
+  ASeat() {
+    recipes_ = std::make_unique<FakeRecipes>();
+    link_.start();
+    seat_.show();
+    EXPECT_TRUE(comes([this] { return recipe_list()->count() == 2; })) << text("missed");
+    EXPECT_TRUE(comes([this] { return link_.busy() == Busy::kFree; }));
+  }
+
+  /// Serves the window until it is so.
+  static bool comes(const std::function<bool()>& condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+
+  template <class Widget>
+  Widget* find(const char* name) const {
+    Widget* const widget = seat_.findChild<Widget*>(name);
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+
+  QPushButton* button(const char* name) const { return find<QPushButton>(name); }
+  QListWidget* recipe_list() const { return find<QListWidget>("recipes"); }
+  std::string text(const char* label) const { return find<QLabel>(label)->text().toStdString(); }
+  std::string trouble() const { return text("trouble"); }
+  void click(const char* name) const { QTest::mouseClick(button(name), Qt::LeftButton); }
+
+  void choose_frame() const { recipe_list()->setCurrentRow(0); }
+
+  /// Clicks until the goal has come: the server may not be connected yet.
+  void scan() {
+    choose_frame();
+    const int before = recipes_->goals();
+    EXPECT_TRUE(comes([&] {
+      if (link_.busy() == Busy::kFree && button("run")->isEnabled()) click("run");
+      QTest::qWait(50);
+      return recipes_->goals() > before;
+    })) << trouble();
+  }
+
+  /// A part that was scanned and whose verdict is in view.
+  void scan_to(std::uint8_t outcome) {
+    scan();
+    recipes_->finish(outcome);
+    EXPECT_TRUE(comes([this] { return !text("verdict").empty(); })) << trouble();
+  }
+
+  std::unique_ptr<FakeRecipes> recipes_;
+  CellLink link_{CellLink::Names()};
+  Seat seat_{link_};
+};
+
+TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
+  EXPECT_FALSE(button("run")->isEnabled()) << "no part was chosen";
+  choose_frame();
+  find<QLineEdit>("run_note")->setText("serial 7");
+  scan();
+  EXPECT_EQ(recipes_->last_goal().recipe, "frame");
+  EXPECT_EQ(recipes_->last_goal().note, "serial 7");
+  EXPECT_TRUE(comes([this] { return text("doing") == "scan"; }));
+  EXPECT_FALSE(button("run")->isEnabled()) << "one scan at a time";
+  recipes_->finish(RunSummary::ACCEPTED);
+  ASSERT_TRUE(comes([this] { return text("verdict").find("Accepted") != std::string::npos; }));
+  EXPECT_EQ(find<QTabWidget>("pages")->currentIndex(), 1);
+  auto* const figures = find<QTableWidget>("figures");
+  ASSERT_EQ(figures->rowCount(), 2);
+  EXPECT_EQ(figures->item(1, 1)->text(), "0.0213 mm");
+  EXPECT_TRUE(comes([this] { return button("run")->isEnabled(); }));
+}
+
+TEST_F(ASeat, RefusesAPartTypeThatIsOutOfDateAndSaysWhy) {
+  recipe_list()->setCurrentRow(1);
+  EXPECT_FALSE(button("run")->isEnabled());
+  const std::string shown = recipe_list()->item(1)->text().toStdString();
+  EXPECT_NE(shown.find("changed since the recipe was proven"), std::string::npos) << shown;
+}
+
+TEST_F(ASeat, StopsTheScanAndSaysThatThereIsNoRun) {
+  scan();
+  ASSERT_TRUE(comes([this] { return button("stop")->isEnabled(); }));
+  click("stop");
+  ASSERT_TRUE(comes([this] { return trouble() == "stopped by the person"; })) << trouble();
+  EXPECT_TRUE(recipes_->was_cancelled());
+  EXPECT_TRUE(comes([this] { return button("run")->isEnabled(); }));
+}
+
+TEST_F(ASeat, LetsAPersonWithANameApproveAnAcceptedRunAndThenWork) {
+  scan_to(RunSummary::ACCEPTED);
+  EXPECT_FALSE(button("approve")->isEnabled()) << "who?";
+  EXPECT_FALSE(button("dry_run")->isEnabled());
+  seat_.set_person("Ada");
+  find<QLineEdit>("decision_note")->setText("looks good");
+  click("approve");
+  ASSERT_TRUE(comes([this] { return text("decision") == "Approved by Ada: looks good"; }))
+      << text("decision");
+  EXPECT_EQ(recipes_->last_decision().run, "run_1");
+  EXPECT_EQ(recipes_->last_decision().name, "Ada");
+  find<QTabWidget>("pages")->setCurrentIndex(2);
+  ASSERT_TRUE(comes([this] { return button("dry_run")->isEnabled(); }));
+  click("dry_run");
+  ASSERT_TRUE(comes([this] { return recipes_->goals() == 2; }));
+  EXPECT_EQ(recipes_->last_goal().run, "run_1");
+  EXPECT_EQ(recipes_->last_goal().work, scan_cell_msgs::RunRecipeGoal::DRY_RUN);
+  recipes_->finish(RunSummary::ACCEPTED);
+  EXPECT_TRUE(comes([this] { return text("work_end") == "Done. all waypoints were passed"; }));
+}
+
+TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
+  seat_.set_person("Ada");
+  scan_to(RunSummary::REFUSED);
+  EXPECT_NE(text("verdict").find("wrong_part"), std::string::npos) << text("verdict");
+  EXPECT_EQ(text("message"), "one region differs");
+  EXPECT_EQ(text("waypoints"), "It is about the waypoints 3, 17");
+  EXPECT_FALSE(button("approve")->isEnabled());
+  click("refuse");
+  EXPECT_TRUE(comes([this] { return text("decision") == "Refused by Ada"; }));
+  EXPECT_FALSE(button("dry_run")->isEnabled());
+}
+
+TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
+  scan();
+  CellLink other((CellLink::Names()));
+  Seat watching(other);
+  other.start();
+  auto* const doing = watching.findChild<QLabel*>("doing");
+  ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));
+  watching.findChild<QListWidget*>("recipes")->setCurrentRow(0);
+  EXPECT_FALSE(watching.findChild<QPushButton*>("run")->isEnabled());
+  EXPECT_FALSE(watching.findChild<QPushButton*>("stop")->isEnabled());
+  recipes_->finish(RunSummary::ACCEPTED);
+  EXPECT_TRUE(comes([&] { return other.busy() == Busy::kFree; }));
+}
+
+TEST_F(ASeat, GoesOnWhereTheNodeIsKilledAmidAScanAndComesBack) {
+  recipes_.reset();
+  {
+    scan_cell_common::ChildProcess node({TEST_PROGRAM, kPlayRecipes}, true);
+    choose_frame();
+    ASSERT_TRUE(comes([this] {
+      if (link_.busy() == Busy::kFree) click("run");
+      QTest::qWait(100);
+      return text("doing") == "scan";
+    })) << trouble();
+    kill(node.id(), SIGKILL);
+    node.wait();
+  }
+  ASSERT_TRUE(comes([this] { return trouble().find("is gone") != std::string::npos; }))
+      << trouble();
+  click("refresh");
+  EXPECT_TRUE(comes([this] { return text("missed").find("no such service") != std::string::npos; }))
+      << text("missed");
+  recipes_ = std::make_unique<FakeRecipes>();
+  scan_to(RunSummary::ACCEPTED);
+  EXPECT_NE(text("verdict").find("Accepted"), std::string::npos);
+}
+
+TEST_F(ASeat, IsNotHeldUpByAServiceThatHangs) {
+  std::promise<void> answer;
+  recipes_->hold_list(answer.get_future().share());
+  click("refresh");
+  find<QTabWidget>("pages")->setCurrentIndex(0);
+  choose_frame();
+  EXPECT_TRUE(button("run")->isEnabled()) << "the window answers";
+  scan();
+  EXPECT_EQ(recipes_->goals(), 1) << "a scan begins while the list is waited for";
+  answer.set_value();
+  recipes_->finish(RunSummary::ACCEPTED);
+  EXPECT_TRUE(comes([this] { return link_.busy() == Busy::kFree; }));
+}
+
+TEST_F(ASeat, ShowsADeviceThatFailsALaserThatIsOnAndANodeThatIsGone) {
+  EXPECT_TRUE(
+      comes([this] { return text("sign_robot").find("not running") != std::string::npos; }));
+  ros::NodeHandle node;
+  ros::Publisher robot = node.advertise<RobotStatus>("/c4g_driver/status", 1, true);
+  ros::Publisher trigger =
+      node.advertise<scan_cell_msgs::TriggerState>("/laser_trigger/state", 1, true);
+  RobotStatus status;
+  status.connected = 1;
+  status.e_stopped = RobotStatus::YES;
+  robot.publish(status);
+  scan_cell_msgs::TriggerState lasers;
+  lasers.lasers = 2;
+  trigger.publish(lasers);
+  EXPECT_TRUE(
+      comes([this] { return text("sign_robot").find("emergency stop") != std::string::npos; }));
+  EXPECT_TRUE(comes([this] { return text("sign_laser").find("ON: 1") != std::string::npos; }));
+  robot.shutdown();
+  EXPECT_TRUE(
+      comes([this] { return text("sign_robot").find("not running") != std::string::npos; }));
+}
+
+TEST_F(ASeat, OpensAnEarlierRunFromTheHistory) {
+  auto* const pages = find<QTabWidget>("pages");
+  pages->setCurrentIndex(3);
+  auto* const runs = find<QTableWidget>("runs");
+  ASSERT_TRUE(comes([&] { return runs->rowCount() == 1; })) << trouble();
+  EXPECT_EQ(runs->item(0, 0)->text(), "2026-11-25T12:13:14");
+  Q_EMIT runs->cellActivated(0, 0);
+  EXPECT_TRUE(comes([this] { return !text("verdict").empty(); }));
+  EXPECT_EQ(pages->currentIndex(), 1);
+}
+
+}  // namespace
+}  // namespace scan_cell_rviz
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  const bool plays = argc > 1 && std::string(argv[1]) == "--play-recipes";
+  ros::init(argc, argv, plays ? "part_recipes" : "test_seat");
+  if (plays) {
+    const scan_cell_rviz::FakeRecipes recipes;
+    ros::spin();
+    return 0;
+  }
+  ros::AsyncSpinner spinner(4);
+  spinner.start();
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,127 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A shift in the simulated cell, from the seat: choose, scan, refuse, scan again, approve, dry run,
+// work, history.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTest>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+
+#include "scan_cell_common/testing/child_process.h"
+#include "seat/seat.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPatience = 240000;  // [ms] a scan takes 10 to 20 s, work a bit longer
+
+void rosrun(std::vector<std::string> command) {
+  command.insert(command.begin(), "rosrun");
+  scan_cell_common::ChildProcess tool(command, true);
+  ASSERT_EQ(tool.wait(), 0) << command[1] << ' ' << command[2];
+}
+
+/// What a person who teaches the part type does once: a clean scan of the reference, its path, a
+/// recipe.
+void make_recipe(const std::string& folder) {
+  const std::string cloud = folder + "/part.ply", path = folder + "/path.csv";
+  rosrun({"scan_cell", "scan", "--program", SCAN_PROGRAM, "--clean", cloud});
+  rosrun({"scan_cell_sim", "ground_truth", "tool_path", "--world",
+          ros::param::param<std::string>("/scan_cell_sim/world", ""), "--part", "frame", "--output",
+          path});
+  rosrun({"part_recipes", "recipe", "--recipes", folder + "/recipes", "new", "frame", "--reference",
+          cloud, "--path", path, "--program", SCAN_PROGRAM, "--work", "waypoint_z=into_part"});
+}
+
+class AShift : public testing::Test {
+ protected:
+  AShift() : link_(CellLink::Names()), seat_(link_) {
+    link_.start();
+    seat_.show();
+  }
+
+  static bool comes(const std::function<bool()>& condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+
+  std::string text(const char* label) const {
+    return seat_.findChild<QLabel*>(label)->text().toStdString();
+  }
+
+  bool shows(const char* label, const std::string& words) const {
+    return comes([&] { return text(label).find(words) != std::string::npos; });
+  }
+
+  /// As soon as it can be clicked.
+  void click(const char* name) const {
+    auto* const button = seat_.findChild<QPushButton*>(name);
+    ASSERT_TRUE(comes([&] { return button->isEnabled(); })) << name << ": " << text("trouble");
+    auto* const pages = seat_.findChild<QTabWidget*>("pages");
+    for (int page = 0; page < pages->count(); ++page)
+      if (pages->widget(page)->isAncestorOf(button)) pages->setCurrentIndex(page);
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+
+  CellLink link_;
+  Seat seat_;
+};
+
+TEST_F(AShift, FromThePartOnTheTableToWork) {
+  const fs::path folder =
+      fs::path(ros::param::param<std::string>("/part_recipes/runs", "")).parent_path();
+  ASSERT_TRUE(fs::create_directories(folder / "recipes"));
+  ASSERT_NO_FATAL_FAILURE(make_recipe(folder.string()));
+  auto* const recipes = seat_.findChild<QListWidget*>("recipes");
+  ASSERT_TRUE(comes([&] {
+    click("refresh");
+    QTest::qWait(200);
+    return recipes->count() == 1;
+  })) << text("missed");
+  recipes->setCurrentRow(0);
+  for (const char* device : {"sign_robot", "sign_cell"})
+    EXPECT_TRUE(shows(device, "ready")) << text(device);
+  EXPECT_FALSE(recipes->item(0)->icon().isNull()) << "a person knows the part by its picture";
+
+  click("run");
+  EXPECT_TRUE(shows("sign_laser", "ON:")) << "a laser is on and nobody is told";
+  ASSERT_TRUE(shows("verdict", "Accepted")) << text("message") << text("trouble");
+  EXPECT_TRUE(shows("sign_laser", "off"));
+  seat_.set_person("Ada");
+  click("refuse");
+  ASSERT_TRUE(shows("decision", "Refused by Ada"));
+  EXPECT_FALSE(seat_.findChild<QPushButton*>("work")->isEnabled());
+
+  click("run");
+  ASSERT_TRUE(shows("decision", "Nobody")) << text("message") << text("trouble");
+  click("approve");
+  ASSERT_TRUE(shows("decision", "Approved by Ada"));
+  click("work");
+  ASSERT_TRUE(shows("work_end", "Not worked")) << "it was never run dry";
+  click("dry_run");
+  ASSERT_TRUE(shows("work_end", "Done")) << text("work_end") << text("trouble");
+  click("work");
+  ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kOurs; }));
+  ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kFree; }));
+  EXPECT_TRUE(shows("work_end", "Done")) << text("work_end");
+
+  click("refresh_runs");
+  auto* const runs = seat_.findChild<QTableWidget*>("runs");
+  EXPECT_TRUE(comes([&] { return runs->rowCount() == 2; }));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace scan_cell_rviz
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  ros::init(argc, argv, "test_shift");
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
