@@ -1,19 +1,24 @@
 add_library(${PROJECT_NAME}_core
   src/core/approval/approval.cpp src/core/clock/utc_time.cpp src/core/disk/folder_lock.cpp
-  src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp
-  src/core/recipe/places_file.cpp src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp
-  src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp
-  src/core/replay/job_folder.cpp src/core/replay/replay.cpp src/core/run/again.cpp
+  src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp src/core/recipe/places_file.cpp
+  src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_file.cpp
+  src/core/recipe/recipe_names.cpp src/core/replay/job_folder.cpp src/core/replay/replay.cpp
+  src/core/run/again.cpp src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp
   src/core/run/figures.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp
   src/core/run/run_folder.cpp src/core/run/run_recipe.cpp src/core/run/run_record.cpp
-  src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp src/core/run/waypoints_concerned.cpp src/core/run/work.cpp)
+  src/core/run/waypoints_concerned.cpp src/core/run/work.cpp)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC scan_cell::scan_cell_common_core
   PRIVATE
     scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_yaml scan_cell::scan_cell_core
     scan_cell::tool_path_stretcher_core nlohmann_json::nlohmann_json Boost::filesystem)
 
-install(TARGETS ${PROJECT_NAME}_core
+# What is shown of a run
+add_library(${PROJECT_NAME}_view src/core/view/run_view.cpp)
+target_link_libraries(${PROJECT_NAME}_view
+  PUBLIC ${PROJECT_NAME}_core ${PROJECT_NAME}_deviation PRIVATE CLI11::CLI11)
+
+install(TARGETS ${PROJECT_NAME}_core ${PROJECT_NAME}_view
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
@@ -34,9 +39,9 @@ if(CATKIN_ENABLE_TESTING)
     ${scan_cell_common_LIBRARIES} scan_cell::scan_cell_common_clouds gtest_main)
   catkin_add_gtest(test_${PROJECT_NAME}_run
     test/made_up_part.cpp test/run/test_run.cpp test/run/test_run_folder.cpp
-    test/temporary_folder.cpp)
+    test/temporary_folder.cpp test/view/test_run_view.cpp)
   target_link_libraries(test_${PROJECT_NAME}_run
-    ${PROJECT_NAME}_core scan_cell::scan_cell_common_clouds gtest_main)
+    ${PROJECT_NAME}_view scan_cell::scan_cell_common_clouds gtest_main)
   add_dependencies(test_${PROJECT_NAME}_run clean_cloud export_path stretch)
   catkin_add_gtest(test_${PROJECT_NAME}_replay
     test/made_up_part.cpp test/replay/test_job_folder.cpp test/replay/test_replay.cpp

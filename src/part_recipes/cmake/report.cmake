@@ -4,7 +4,8 @@ add_library(${PROJECT_NAME}_deviation
   ${deviation}/adapted_part.cpp ${deviation}/deviation_files.cpp ${deviation}/deviations.cpp
   ${deviation}/places.cpp ${deviation}/reference/cloud_reference.cpp
   ${deviation}/reference/mesh_reference.cpp ${deviation}/reference/reference_surface.cpp
-  ${deviation}/scene/path_files.cpp ${deviation}/scene/path_scene.cpp
+  ${deviation}/scene/path_files.cpp ${deviation}/scene/path_reading.cpp
+  ${deviation}/scene/path_scene.cpp
   ${deviation}/scene/reference_scene.cpp ${deviation}/statistics.cpp)
 target_link_libraries(${PROJECT_NAME}_deviation
   PUBLIC

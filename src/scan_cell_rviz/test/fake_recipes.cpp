@@ -134,7 +134,13 @@ bool FakeRecipes::describe(scan_cell_msgs::DescribeRun::Request&,
   response.run = summary();
   response.figure_names = {"scale", "rms"};
   response.figure_values = {"1.000012", "0.0213 mm"};
-  if (response.run.state == RunSummary::REFUSED) response.waypoints_concerned = {3, 17};
+  if (response.run.state != RunSummary::REFUSED) return true;
+  response.waypoints_concerned = {3, 17};
+  response.waypoint_positions.resize(2);
+  response.waypoint_positions[1].x = 0.01;
+  response.waypoint_positions[1].y = -0.0205;
+  response.waypoint_positions[1].z = 0.003;
+  response.frame = "world";
   return true;
 }
 

@@ -6,11 +6,15 @@
 #include <scan_cell_msgs/TriggerState.h>
 
 #include <QApplication>
+#include <QMessageBox>
+#include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <csignal>
 #include <functional>
 
 #include "fake_recipes.h"
+#include "panel/seat_panel.h"
 #include "scan_cell_common/testing/child_process.h"
 #include "seat/seat.h"
 
@@ -136,7 +140,13 @@ TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
   scan_to(RunSummary::REFUSED);
   EXPECT_NE(text("verdict").find("wrong_part"), std::string::npos) << text("verdict");
   EXPECT_EQ(text("message"), "one region differs");
-  EXPECT_EQ(text("waypoints"), "It is about the waypoints 3, 17");
+  auto* const waypoints = find<QListWidget>("waypoints");
+  ASSERT_EQ(waypoints->count(), 2);
+  EXPECT_EQ(waypoints->item(1)->text(), "waypoint 17 at 10.0, -20.5, 3.0 mm");
+  QSignalSpy chosen(&seat_, &Seat::placeChosen);
+  waypoints->setCurrentRow(1);
+  ASSERT_EQ(chosen.count(), 1) << "the view does not turn there";
+  EXPECT_EQ(chosen.at(0).at(1).toDouble(), -0.0205);
   EXPECT_FALSE(button("approve")->isEnabled());
   click("refuse");
   EXPECT_TRUE(comes([this] { return text("decision") == "Refused by Ada"; }));
@@ -152,8 +162,8 @@ TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
   ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));
   watching.findChild<QListWidget*>("recipes")->setCurrentRow(0);
   EXPECT_FALSE(watching.findChild<QPushButton*>("run")->isEnabled());
-  EXPECT_FALSE(watching.findChild<QPushButton*>("stop")->isEnabled());
-  recipes_->finish(RunSummary::ACCEPTED);
+  QTest::mouseClick(watching.findChild<QPushButton*>("stop"), Qt::LeftButton);
+  EXPECT_TRUE(comes([this] { return recipes_->was_cancelled(); })) << "anybody may stop the robot";
   EXPECT_TRUE(comes([&] { return other.busy() == Busy::kFree; }));
 }
 
@@ -225,6 +235,59 @@ TEST_F(ASeat, OpensAnEarlierRunFromTheHistory) {
   Q_EMIT runs->cellActivated(0, 0);
   EXPECT_TRUE(comes([this] { return !text("verdict").empty(); }));
   EXPECT_EQ(pages->currentIndex(), 1);
+}
+
+/// Closes the window and answers the question that it asks.
+void close_and_answer(QWidget& window, const QString& answer) {
+  bool answered = false;
+  QTimer::singleShot(0, [&] {
+    auto* const question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr) << "it did not ask";
+    for (QAbstractButton* const button : question->buttons()) {
+      if (button->text() != answer) continue;
+      answered = true;
+      button->click();
+      return;
+    }
+    question->reject();
+  });
+  window.close();
+  EXPECT_TRUE(answered) << answer.toStdString();
+}
+
+TEST(ASeatPanel, AsksBeforeItClosesAmidAScanAndStopsItIfTold) {
+  FakeRecipes recipes;
+  SeatPanel panel;
+  panel.onInitialize();
+  panel.show();
+  auto* const list = panel.findChild<QListWidget*>("recipes");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return list->count() == 2; }, kPatience));
+  list->setCurrentRow(0);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        QTest::mouseClick(panel.findChild<QPushButton*>("run"), Qt::LeftButton);
+        QTest::qWait(50);
+        return recipes.goals() == 1;
+      },
+      kPatience));
+  close_and_answer(panel, "&Do not close");
+  EXPECT_TRUE(panel.isVisible());
+  EXPECT_FALSE(recipes.was_cancelled());
+  close_and_answer(panel, "&Stop it and close");
+  EXPECT_FALSE(panel.isVisible());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return recipes.was_cancelled(); }, kPatience));
+}
+
+TEST(ASeatPanel, KeepsTheNameOfThePersonWithTheSettingsOfRviz) {
+  SeatPanel panel;
+  panel.onInitialize();
+  panel.findChild<QLineEdit*>("person")->setText("Jörg");
+  rviz::Config config;
+  panel.save(config);
+  SeatPanel other;
+  other.load(config);
+  other.onInitialize();
+  EXPECT_EQ(other.findChild<QLineEdit*>("person")->text(), "Jörg");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recipe_services.h"
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include <algorithm>
 
 #include "approval/approval.h"
@@ -11,7 +13,6 @@
 #include "recipe/proof.h"
 #include "recipe/recipe.h"
 #include "run/recipe_picture.h"
-#include "run/waypoints_concerned.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {
@@ -79,6 +80,7 @@ bool answer(Response& response, const Fill& fill) {
 
 RecipeServices::RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters)
     : parameters_(parameters),
+      display_(node),
       list_(node.advertiseService("list", &RecipeServices::list, this)),
       runs_(node.advertiseService("runs", &RecipeServices::runs, this)),
       describe_(node.advertiseService("describe", &RecipeServices::describe, this)),
@@ -125,7 +127,12 @@ bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
       response.figure_names.push_back(name);
       response.figure_values.push_back(value);
     }
-    response.waypoints_concerned = waypoints_concerned(folder);
+    const RunView view = view_of(folder);
+    response.frame = view.frame;
+    response.waypoints_concerned = view.concerned;
+    for (const Eigen::Vector3d& position : view.positions)
+      response.waypoint_positions.push_back(tf2::toMsg(position));
+    display_.show(folder, view);
   });
 }
 

@@ -12,10 +12,12 @@
 #include <string>
 
 #include "recipe_parameters.h"
+#include "run_display.h"
 
 namespace part_recipes {
 
-/// What can be asked and said of recipes and runs: ~list, ~runs, ~describe and ~approve.
+/// What can be asked and said of recipes and runs: ~list, ~runs, ~describe (which shows the run in
+/// rviz, too) and ~approve.
 class RecipeServices {
  public:
   RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters);
@@ -34,6 +36,7 @@ class RecipeServices {
   std::filesystem::path folder_of(const std::string& run) const;
 
   RecipeParameters parameters_;
+  RunDisplay display_;
   ros::ServiceServer list_, runs_, describe_, approve_;
 };
 

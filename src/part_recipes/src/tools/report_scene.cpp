@@ -4,7 +4,7 @@
 
 #include "deviation/adapted_part.h"
 #include "deviation/deviation_files.h"
-#include "deviation/scene/path_files.h"
+#include "deviation/scene/path_reading.h"
 #include "deviation/scene/path_scene.h"
 #include "deviation/scene/reference_scene.h"
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -12,7 +12,6 @@
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "tool_path_stretcher/surface.h"
-#include "tool_paths/path_options.h"
 
 namespace {
 
@@ -25,10 +24,8 @@ struct SurfaceOptions {
 };
 
 struct PathsOptions {
-  std::string path, adapted, report, units;
-  tool_paths::PathOptions conventions;
-  part_recipes::PathReading reading;
-  std::vector<std::string> no_motion;
+  std::string path, adapted, report;
+  part_recipes::PathReadingOptions reading;
   std::string output;
 };
 
@@ -53,14 +50,8 @@ CLI::App* add_paths(CLI::App& app, PathsOptions& options, Outputs& outputs) {
   CLI::App* command = app.add_subcommand("paths", "the path on the reference and the adapted one");
   command->add_option("--path", options.path, "tool path on the reference: CSV, YAML or a program")
       ->required();
-  command->add_option("--path-units", options.units, "m, mm or inch");
-  add_path_options(*command, options.conventions);
-  command->add_option("--program-files", options.reading.program_files,
-                      "files that a program as path calls");
-  command->add_option("--no-motion", options.no_motion, "routines that do not move the robot");
-  command->add_option("--dialect", options.reading.dialect, "of the program");
-  command->add_flag("--program-in-base", options.reading.program_in_base,
-                    "the path is in the robot's base");
+  command->add_option("--path-units", options.reading.units, "m, mm or inch");
+  add_reading_options(*command, options.reading);
   command->add_option("--adapted", options.adapted, "tool path on the object, as the other");
   command->add_option("--report", options.report,
                       "what stretch wrote; without it the path stays where it is");
@@ -90,9 +81,7 @@ void write_paths(const PathsOptions& options) {
   scan_cell_common::check_output(options.output, {".json"}, "write the waypoints as .json");
   AdaptedPart part;
   if (!options.report.empty()) part = load_adapted_part({"", "", "", options.report});
-  PathReading reading = options.reading;
-  reading.conventions = options.conventions.typed(options.units);
-  reading.calls_without_motion = {options.no_motion.begin(), options.no_motion.end()};
+  const PathReading reading = options.reading.typed();
   PathPair paths{load_path(options.path, reading), std::nullopt};
   if (!options.adapted.empty()) paths.adapted = load_path(options.adapted, reading);
   scan_cell_common::save_text(options.output, to_json(paths, part.similarity));

@@ -207,11 +207,7 @@ void CellLink::send(const RunRecipeGoal& goal) {
 }
 
 void CellLink::stop() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!ours_) return;
-  }
-  client_->cancelGoal();
+  client_->cancelAllGoals();
 }
 
 void CellLink::end(const RunRecipeResult& result) {

@@ -71,7 +71,7 @@ class CellLink : public QObject {
   /// Works the part of a run. Ends with runEnded.
   void work(const QString& run, bool dry);
 
-  /// Cancels what run() or work() began; it ends with runEnded.
+  /// Cancels what is under way, another's, too; what run() or work() began ends with runEnded.
   void stop();
 
  Q_SIGNALS:

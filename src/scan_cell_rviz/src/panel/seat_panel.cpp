@@ -2,8 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "panel/seat_panel.h"
 
+#include <OgreQuaternion.h>
+#include <OgreVector3.h>
+#include <rviz/frame_manager.h>
+#include <rviz/view_controller.h>
+#include <rviz/view_manager.h>
+#include <rviz/visualization_manager.h>
+
 #include <QEvent>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -20,6 +28,7 @@ void SeatPanel::onInitialize() {
   seat_->set_person(person_);
   layout()->addWidget(seat_);
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
+  connect(seat_, &Seat::placeChosen, this, &SeatPanel::look_at);
   window()->installEventFilter(this);
   link_->start();
 }
@@ -40,6 +49,18 @@ bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
     return true;
   }
   return rviz::Panel::eventFilter(object, event);
+}
+
+/// Turns the view; where the frame is not known to rviz, it stays.
+void SeatPanel::look_at(double x, double y, double z, const QString& frame) {
+  Ogre::Vector3 origin;
+  Ogre::Quaternion turn;
+  rviz::ViewController* const view = vis_manager_->getViewManager()->getCurrent();
+  if (view == nullptr || !vis_manager_->getFrameManager()->getTransform(frame.toStdString(),
+                                                                        ros::Time(), origin, turn))
+    return;
+  const Ogre::Vector3 place(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+  view->lookAt(origin + turn * place);
 }
 
 bool SeatPanel::may_close() {

@@ -26,6 +26,7 @@ class SeatPanel : public rviz::Panel {
  private:
   /// @return whether the window may close
   bool may_close();
+  void look_at(double x, double y, double z, const QString& frame);
 
   std::unique_ptr<CellLink> link_;
   Seat* seat_ = nullptr;

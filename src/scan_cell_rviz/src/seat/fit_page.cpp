@@ -40,13 +40,6 @@ QString decision_of(const RunSummary& run) {
   return words.arg(QString::fromStdString(run.decided_by)) + (note.isEmpty() ? "" : ": " + note);
 }
 
-QString numbers_of(const std::vector<std::uint32_t>& waypoints) {
-  QStringList numbers;
-  for (const std::uint32_t waypoint : waypoints)
-    numbers << QString::number(waypoint);
-  return numbers.join(", ");
-}
-
 }  // namespace
 
 FitPage::FitPage(QWidget* parent)
@@ -54,7 +47,7 @@ FitPage::FitPage(QWidget* parent)
       verdict_(text_label("verdict", this)),
       message_(text_label("message", this)),
       figures_(new QTableWidget(0, 2, this)),
-      waypoints_(text_label("waypoints", this)),
+      waypoints_(new QListWidget(this)),
       decision_(text_label("decision", this)),
       person_(new QLineEdit(this)),
       note_(new QLineEdit(this)),
@@ -69,6 +62,9 @@ FitPage::FitPage(QWidget* parent)
   figures_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   figures_->verticalHeader()->hide();
   figures_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  waypoints_->setObjectName("waypoints");
+  waypoints_->setAccessibleName(tr("Waypoints that the verdict is about"));
+  waypoints_->setToolTip(tr("What the verdict is about; the view turns to the chosen one"));
   person_->setObjectName("person");
   person_->setToolTip(tr("Who decides; kept with the run"));
   note_->setObjectName("decision_note");
@@ -91,6 +87,11 @@ FitPage::FitPage(QWidget* parent)
   layout->addLayout(form);
   layout->addLayout(buttons);
 
+  connect(waypoints_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (row < 0) return;
+    const geometry_msgs::Point& at = run_.waypoint_positions.at(static_cast<std::size_t>(row));
+    Q_EMIT placeChosen(at.x, at.y, at.z, QString::fromStdString(run_.frame));
+  });
   connect(person_, &QLineEdit::textChanged, this, [this] { update_buttons(); });
   connect(approve_, &QPushButton::clicked, this, [this] { decide(true); });
   connect(refuse_, &QPushButton::clicked, this, [this] { decide(false); });
@@ -103,7 +104,7 @@ void FitPage::show_none(const QString& why) {
   run_ = scan_cell_msgs::DescribeRunResponse();
   verdict_->clear();
   message_->setText(why);
-  waypoints_->clear();
+  show_waypoints();
   figures_->setRowCount(0);
   decision_->clear();
   update_buttons();
@@ -113,10 +114,7 @@ void FitPage::show_run(const scan_cell_msgs::DescribeRunResponse& run) {
   run_ = run;
   verdict_->setText(verdict_of(run.run));
   message_->setText(QString::fromStdString(run.run.message));
-  waypoints_->setText(
-      run.waypoints_concerned.empty()
-          ? QString()
-          : tr("It is about the waypoints %1").arg(numbers_of(run.waypoints_concerned)));
+  show_waypoints();
   const auto rows = static_cast<int>(std::min(run.figure_names.size(), run.figure_values.size()));
   figures_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) {
@@ -126,6 +124,22 @@ void FitPage::show_run(const scan_cell_msgs::DescribeRunResponse& run) {
   }
   decision_->setText(decision_of(run.run));
   update_buttons();
+}
+
+void FitPage::show_waypoints() {
+  waypoints_->clear();
+  const std::size_t count =
+      std::min(run_.waypoints_concerned.size(), run_.waypoint_positions.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const geometry_msgs::Point& at = run_.waypoint_positions[i];
+    constexpr double kMillimetres = 1e3;
+    waypoints_->addItem(tr("waypoint %1 at %2, %3, %4 mm")
+                            .arg(run_.waypoints_concerned[i])
+                            .arg(at.x * kMillimetres, 0, 'f', 1)
+                            .arg(at.y * kMillimetres, 0, 'f', 1)
+                            .arg(at.z * kMillimetres, 0, 'f', 1));
+  }
+  waypoints_->setVisible(count > 0);
 }
 
 QString FitPage::person() const {

@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QWidget>
@@ -28,8 +29,10 @@ class FitPage : public QWidget {
  Q_SIGNALS:
   void decisionWanted(QString run, bool approved, QString name, QString note);
   void reportWanted(QString file);
+  void placeChosen(double x, double y, double z, QString frame);  ///< [m]
 
  private:
+  void show_waypoints();
   void update_buttons();
   void decide(bool approved);
 
@@ -37,7 +40,7 @@ class FitPage : public QWidget {
   QLabel* verdict_;
   QLabel* message_;
   QTableWidget* figures_;
-  QLabel* waypoints_;
+  QListWidget* waypoints_;
   QLabel* decision_;
   QLineEdit* person_;
   QLineEdit* note_;

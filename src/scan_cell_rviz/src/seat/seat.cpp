@@ -92,6 +92,7 @@ void Seat::connect_pages() {
   });
   connect(fit_, &FitPage::decisionWanted, &link_, &CellLink::decide);
   connect(fit_, &FitPage::decisionWanted, this, &Seat::personChanged);
+  connect(fit_, &FitPage::placeChosen, this, &Seat::placeChosen);
   connect(fit_, &FitPage::reportWanted, this, [this](const QString& file) {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
       tell(tr("No program here opens %1").arg(file));
@@ -114,7 +115,7 @@ void Seat::connect_pages() {
 void Seat::show_busy(Busy busy) {
   part_->set_free(busy == Busy::kFree);
   work_->set_free(busy == Busy::kFree);
-  stop_->setEnabled(busy == Busy::kOurs);
+  stop_->setEnabled(busy != Busy::kFree);  // whoever sits nearest may stop the robot
   if (busy == Busy::kFree) show_progress(tr("Nothing is under way."), 0);
   if (busy == Busy::kOthers) show_progress(tr("Another seat or program has the cell."), -1);
 }

@@ -31,6 +31,7 @@ class Seat : public QWidget {
 
  Q_SIGNALS:
   void personChanged();
+  void placeChosen(double x, double y, double z, QString frame);  ///< [m]
 
  private:
   void connect_link();

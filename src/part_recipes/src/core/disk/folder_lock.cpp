@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 using scan_cell_common::FileError;
 using scan_cell_common::Refused;
 
-constexpr auto kPatience = std::chrono::seconds(60);  // to rebuild a history takes some seconds
+constexpr auto kPatience = std::chrono::seconds(60);      // to rebuild a history takes some seconds
 constexpr auto kInterval = std::chrono::milliseconds(5);  // short beside a rebuild
 
 }  // namespace

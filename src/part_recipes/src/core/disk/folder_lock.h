@@ -9,8 +9,8 @@
 namespace part_recipes {
 
 /// Many share the lock while they use what lies in a folder, as a database, and one alone has it
-/// while it puts another in its place. Ends with the process. It asks nothing of the folder but that
-/// it can be read.
+/// while it puts another in its place. Ends with the process. It asks nothing of the folder but
+/// that it can be read.
 class FolderLock {
  public:
   enum class Kind { kShared, kAlone };

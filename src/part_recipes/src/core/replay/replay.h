@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "replay/job_folder.h"
-#include "run/run_record.h"
 #include "run/calls/tool_call.h"
+#include "run/run_record.h"
 
 namespace part_recipes {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "run/run_recipe.h"
 #include "run/calls/tool_call.h"
+#include "run/run_recipe.h"
 
 namespace part_recipes {
 

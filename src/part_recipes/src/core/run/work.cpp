@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 
-#include "run/run_recipe.h"
 #include "run/calls/stage_calls.h"
 #include "run/calls/tool_call.h"
+#include "run/run_recipe.h"
 
 namespace part_recipes {
 namespace {

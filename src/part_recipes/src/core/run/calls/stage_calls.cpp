@@ -13,16 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the path's own form, in the run's folder.
-std::string path_name(const Recipe& recipe) {
-  return "adapted_path" + fs::path(recipe.path.file).extension().string();
-}
-
 std::string adapted_path(const Recipe& recipe) {
   return "../" + path_name(recipe);
 }
 
 }  // namespace
+
+std::string path_name(const Recipe& recipe) {
+  return "adapted_path" + fs::path(recipe.path.file).extension().string();
+}
 
 ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, bool bag, double timeout) {
   ToolCall call{"scan",

@@ -30,6 +30,9 @@ ToolCall stretch_call(const Recipe& recipe);
 /// deviation.ply, deviation.json.
 ToolCall deviations_call(const Recipe& recipe);
 
+/// Name of the adapted path in the run's folder; it has the proven path's form.
+std::string path_name(const Recipe& recipe);
+
 /// programs/FILE.
 ToolCall export_call(const Recipe& recipe, const RobotProgram& program);
 

@@ -1,0 +1,26 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deviation/scene/path_files.h"
+#include "tool_paths/path_options.h"
+
+namespace part_recipes {
+
+/// What is typed to have a path read.
+struct PathReadingOptions {
+  std::string units;  //!< m, mm or inch; empty: as the file's names say, else metres
+  tool_paths::PathOptions conventions;
+  PathReading reading;
+  std::vector<std::string> no_motion;
+
+  PathReading typed() const;
+};
+
+/// The options of a tool that reads a path, but for its units.
+void add_reading_options(CLI::App& app, PathReadingOptions& options);
+
+}  // namespace part_recipes

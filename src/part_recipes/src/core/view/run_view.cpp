@@ -1,0 +1,77 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/run_view.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "deviation/adapted_part.h"
+#include "deviation/scene/path_reading.h"
+#include "recipe/recipe.h"
+#include "run/calls/stage_calls.h"
+#include "run/run_record.h"
+#include "run/waypoints_concerned.h"
+#include "scan_cell_common/errors/errors.h"
+
+namespace part_recipes {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As the tools of the run read it, from the same options.
+PathReading reading_of(const RecipeFile& path) {
+  CLI::App app;
+  PathReadingOptions options;
+  options.units = path.units;
+  add_reading_options(app, options);
+  ToolCall call;
+  add_options(call, path.options);
+  std::reverse(call.command.begin(), call.command.end());  // as CLI11 takes them
+  try {
+    app.parse(call.command);
+  } catch (const CLI::ParseError& error) {
+    throw scan_cell_common::UnusableInput(path.file, error.what(),
+                                          "look at the options of the path in recipe.yaml");
+  }
+  return options.typed();
+}
+
+tool_paths::ToolPath placed(tool_paths::ToolPath path, const AdaptedPart& part) {
+  if (!part.similarity) return path;
+  for (tool_paths::Segment& segment : path.segments) {
+    for (tool_paths::Waypoint& waypoint : segment.waypoints) {
+      waypoint.pose.translation() = *part.similarity * waypoint.pose.translation();
+      waypoint.pose.linear() = part.similarity->rotation * waypoint.pose.linear();
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
+RunView view_of(const fs::path& run) {
+  const fs::path inputs = run / "inputs";
+  const Recipe recipe = load_recipe(inputs);
+  RunView view;
+  const auto frame = recipe.work.find("frame");
+  view.frame = frame == recipe.work.end() ? "world" : frame->second;
+  const fs::path report = run / "report.json";
+  if (!fs::exists(report)) return view;
+  const PathReading reading = reading_of(recipe.path);
+  view.path = placed(load_path((inputs / recipe.path.file).string(), reading).path,
+                     load_adapted_part({"", "", "", report.string()}));
+  if (load_run(run).state == RunState::kAccepted)
+    view.adapted = load_path((run / path_name(recipe)).string(), reading).path;
+  view.concerned = waypoints_concerned(run);
+  const tool_paths::Points all =
+      positions_of(view.adapted.segments.empty() ? view.path : view.adapted);
+  for (const std::uint32_t waypoint : view.concerned) {
+    if (waypoint >= all.size())
+      throw scan_cell_common::UnusableInput(report.string(), std::to_string(waypoint),
+                                            "the path has no such waypoint; run the part again");
+    view.positions.push_back(all[waypoint]);
+  }
+  return view;
+}
+
+}  // namespace part_recipes

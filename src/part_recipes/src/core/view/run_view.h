@@ -1,0 +1,27 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tool_paths/tool_path.h"
+
+namespace part_recipes {
+
+/// What can be shown of a run beside its cloud.
+struct RunView {
+  std::string frame;                     //!< of all: the recipe's for work, else world
+  tool_paths::ToolPath path;             //!< the proven one, where the similarity puts it [m]
+  tool_paths::ToolPath adapted;          //!< [m]; without segments where the run was not accepted
+  std::vector<std::uint32_t> concerned;  //!< waypoints that the verdict is about
+  tool_paths::Points positions;          //!< of these [m]
+};
+
+/// Of a run's folder. A run that ended before there was a report has none of it.
+/// @throw scan_cell_common::Error of whoever reads its files
+RunView view_of(const std::filesystem::path& run);
+
+}  // namespace part_recipes

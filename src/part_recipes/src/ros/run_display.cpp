@@ -1,0 +1,71 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_display.h"
+
+#include <nav_msgs/Path.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <visualization_msgs/Marker.h>
+
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/clouds/fielded_cloud.h"
+#include "scan_cell_common/ros/cloud_messages.h"
+#include "tool_path_stretcher/ros/conversions.h"
+
+namespace part_recipes {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The object with its deviations, else without; empty where there is neither.
+sensor_msgs::PointCloud2 object_of(const fs::path& run, const std_msgs::Header& header) {
+  for (const char* name : {"deviation.ply", "object.ply"}) {
+    if (!fs::exists(run / name)) continue;
+    scan_cell_common::FieldedCloud cloud;
+    scan_cell_common::load_cloud_file((run / name).string(), {}, cloud);
+    return to_message(std::move(cloud), header);
+  }
+  return scan_cell_common::to_message(scan_cell_common::Cloud(), header);
+}
+
+visualization_msgs::Marker spheres(const tool_paths::Points& positions,
+                                   const std_msgs::Header& header) {
+  constexpr double kDiameter =
+      0.004;  // [m] seen beside a path, and not over its neighbours; chosen
+  visualization_msgs::Marker marker;
+  marker.header = header;
+  marker.ns = "concerned";
+  marker.type = visualization_msgs::Marker::SPHERE_LIST;
+  marker.action =
+      positions.empty() ? visualization_msgs::Marker::DELETEALL : visualization_msgs::Marker::ADD;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = marker.scale.y = marker.scale.z = kDiameter;
+  marker.color.r = marker.color.a = 1;
+  for (const Eigen::Vector3d& position : positions) {
+    geometry_msgs::Point point;
+    point.x = position.x();
+    point.y = position.y();
+    point.z = position.z();
+    marker.points.push_back(point);
+  }
+  return marker;
+}
+
+}  // namespace
+
+RunDisplay::RunDisplay(ros::NodeHandle node)
+    : deviation_(node.advertise<sensor_msgs::PointCloud2>("deviation", 1, true)),
+      path_(node.advertise<nav_msgs::Path>("path", 1, true)),
+      adapted_(node.advertise<nav_msgs::Path>("adapted_path", 1, true)),
+      concerned_(node.advertise<visualization_msgs::Marker>("concerned", 1, true)) {}
+
+void RunDisplay::show(const fs::path& run, const RunView& view) const {
+  std_msgs::Header header;
+  header.frame_id = view.frame;
+  header.stamp = ros::Time::now();
+  deviation_.publish(object_of(run, header));
+  path_.publish(tool_path_stretcher::to_path_message(view.path, header));
+  adapted_.publish(tool_path_stretcher::to_path_message(view.adapted, header));
+  concerned_.publish(spheres(view.positions, header));
+}
+
+}  // namespace part_recipes

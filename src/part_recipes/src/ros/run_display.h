@@ -1,0 +1,28 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+
+#include <filesystem>
+
+#include "view/run_view.h"
+
+namespace part_recipes {
+
+/// Shows one run in rviz, on latched topics: ~deviation (the scanned object; its points carry the
+/// field deviation [m] where it is known), ~path (the proven path, where the part lies),
+/// ~adapted_path and ~concerned (waypoints that the verdict is about). What a run does not have is
+/// shown empty.
+class RunDisplay {
+ public:
+  explicit RunDisplay(ros::NodeHandle node);
+
+  /// @throw scan_cell_common::Error of whoever reads its files
+  void show(const std::filesystem::path& run, const RunView& view) const;
+
+ private:
+  ros::Publisher deviation_, path_, adapted_, concerned_;
+};
+
+}  // namespace part_recipes
