@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "run/run_record.h"
+#include "record/run_record.h"
 #include "temporary_folder.h"
 
 namespace part_recipes {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "disk/folder_lock.h"
-#include "run/run_record.h"
+#include "record/run_record.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <regex>
 
-#include "run/run_record.h"
+#include "record/run_record.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {

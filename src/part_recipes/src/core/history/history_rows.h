@@ -9,7 +9,7 @@
 
 #include "history/database/database.h"
 #include "history/history_filter.h"
-#include "run/run_record.h"
+#include "record/run_record.h"
 
 namespace part_recipes {
 

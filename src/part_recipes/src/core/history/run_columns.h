@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "run/run_record.h"
+#include "record/run_record.h"
 
 namespace part_recipes {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "record/run_record.h"
 #include "replay/job_folder.h"
 #include "run/calls/tool_call.h"
-#include "run/run_record.h"
 
 namespace part_recipes {
 

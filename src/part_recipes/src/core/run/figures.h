@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "run/run_record.h"
+#include "record/run_record.h"
 
 namespace part_recipes {
 

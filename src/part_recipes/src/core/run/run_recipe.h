@@ -8,7 +8,7 @@
 #include <string>
 
 #include "recipe/recipe.h"
-#include "run/run_record.h"
+#include "record/run_record.h"
 
 namespace part_recipes {
 

@@ -8,8 +8,8 @@
 #include "deviation/adapted_part.h"
 #include "deviation/scene/path_reading.h"
 #include "recipe/recipe.h"
+#include "record/run_record.h"
 #include "run/calls/stage_calls.h"
-#include "run/run_record.h"
 #include "run/waypoints_concerned.h"
 #include "scan_cell_common/errors/errors.h"
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/run_record.h"
+#include "record/run_record.h"
 
 #include <fmt/format.h>
 
