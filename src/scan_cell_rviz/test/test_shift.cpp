@@ -67,6 +67,15 @@ class AShift : public testing::Test {
     QTest::mouseClick(button, Qt::LeftButton);
   }
 
+  /// For the docs: into the folder SEAT_PICTURES, if that is set.
+  void take_picture(const std::string& name) {
+    const char* const folder = std::getenv("SEAT_PICTURES");
+    if (folder == nullptr) return;
+    seat_.resize(420, 640);
+    QTest::qWait(100);  // laid out and drawn
+    EXPECT_TRUE(seat_.grab().save(QString::fromStdString(folder + ("/seat_" + name + ".png"))));
+  }
+
   CellLink link_;
   Seat seat_;
 };
@@ -89,6 +98,7 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
 
   click("run");
   EXPECT_TRUE(shows("sign_laser", "ON:")) << "a laser is on and nobody is told";
+  take_picture("scan");
   ASSERT_TRUE(shows("verdict", "Accepted")) << text("message") << text("trouble");
   EXPECT_TRUE(shows("sign_laser", "off"));
   seat_.set_person("Ada");
@@ -100,18 +110,22 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   ASSERT_TRUE(shows("decision", "Nobody")) << text("message") << text("trouble");
   click("approve");
   ASSERT_TRUE(shows("decision", "Approved by Ada"));
+  take_picture("fit");
   click("work");
   ASSERT_TRUE(shows("work_end", "Not worked")) << "it was never run dry";
   click("dry_run");
   ASSERT_TRUE(shows("work_end", "Done")) << text("work_end") << text("trouble");
   click("work");
   ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kOurs; }));
+  ASSERT_TRUE(comes([this] { return seat_.findChild<QProgressBar*>("progress")->value() > 0; }));
+  take_picture("work");
   ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kFree; }));
   EXPECT_TRUE(shows("work_end", "Done")) << text("work_end");
 
   click("refresh_runs");
   auto* const runs = seat_.findChild<QTableWidget*>("runs");
   EXPECT_TRUE(comes([&] { return runs->rowCount() == 2; }));
+  take_picture("history");
   fs::remove_all(folder);
 }
 

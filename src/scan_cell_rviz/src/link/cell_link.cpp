@@ -193,17 +193,26 @@ void CellLink::send(const RunRecipeGoal& goal) {
     const std::lock_guard<std::mutex> lock(mutex_);
     return ours_ && number == goal_;
   };
-  client_->sendGoal(
-      goal,
-      [this, is_ours](const auto& state, const auto& result) {
-        if (!is_ours()) return;
-        const bool lost = state == actionlib::SimpleClientGoalState::LOST || !result;
-        end(lost ? result_without_run("the node was started again while it worked: " +
-                                      names_.recipes)
-                 : *result);
+  // By the thread that serves the client: an answer that comes while actionlib's sendGoal() has not
+  // yet put down which goal it is would corrupt the client's memory.
+  send_timer_ = node_.createWallTimer(
+      ros::WallDuration(1e-3),
+      [this, goal, is_ours](const auto&) {
+        client_->sendGoal(
+            goal,
+            [this, is_ours](const auto& state, const auto& result) {
+              if (!is_ours()) return;
+              const bool lost = state == actionlib::SimpleClientGoalState::LOST || !result;
+              end(lost ? result_without_run("the node was started again while it worked: " +
+                                            names_.recipes)
+                       : *result);
+            },
+            Client::SimpleActiveCallback(),
+            [this](const auto& news) {
+              Q_EMIT progressed(QString::fromStdString(news->stage), -1);
+            });
       },
-      Client::SimpleActiveCallback(),
-      [this](const auto& news) { Q_EMIT progressed(QString::fromStdString(news->stage), -1); });
+      true);
 }
 
 void CellLink::stop() {
@@ -290,7 +299,8 @@ void CellLink::look_at_run() {
     gone = connected ? 0 : (now - unseen_).toSec();
     waiting = (now - sent_).toSec();
   }
-  const bool pending = client_->getState() == actionlib::SimpleClientGoalState::PENDING;
+  const auto state = client_->getState();  // asked by the thread that sends
+  const bool pending = state == actionlib::SimpleClientGoalState::PENDING;
   if (gone > kGone) {
     end(result_without_run(names_.recipes + " is gone: look at its log and start it again"));
   } else if (connected && pending && waiting > kTaken) {

@@ -107,7 +107,7 @@ class CellLink : public QObject {
   std::unique_ptr<Client> client_;
   std::vector<ros::Subscriber> feedback_;
   ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_;
-  ros::WallTimer timer_;
+  ros::WallTimer timer_, send_timer_;
 
   mutable std::mutex mutex_;
   std::array<Sign, kDevices> signs_;

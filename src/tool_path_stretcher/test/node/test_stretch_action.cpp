@@ -3,6 +3,7 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Path.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/StretchToolPathAction.h>
 #include <sys/wait.h>
@@ -10,12 +11,9 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <tuple>
@@ -74,8 +72,23 @@ boost::shared_ptr<Message const> latched(const std::string& topic) {
 
 class StretchAction : public testing::Test {
  protected:
-  StretchAction() : client_("/tool_path_stretcher/stretch", true) {
-    EXPECT_TRUE(client_.waitForServer(ros::Duration(kLong)));
+  StretchAction() {
+    EXPECT_TRUE(comes([this] { return client_.isServerConnected(); }));
+  }
+
+  /// Serves the client's callbacks in this thread, until it is so: actionlib's client does not bear
+  /// an answer from another one while it sends.
+  template <class Condition>
+  bool comes(const Condition& condition) {
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLong);
+    while (!condition()) {
+      if (ros::WallTime::now() > end) return false;
+      queue_.callAvailable(ros::WallDuration(0.05));
+    }
+    return true;
+  }
+  bool ends() {
+    return comes([this] { return client_.getState().isDone(); });
   }
 
   StretchToolPathGoal goal(const synthetic::Part& scanned) const {
@@ -109,7 +122,7 @@ class StretchAction : public testing::Test {
   /// The result, after exactly one terminal state.
   scan_cell_msgs::StretchToolPathResult finish(const StretchToolPathGoal& goal, State expected) {
     client_.sendGoal(goal);
-    EXPECT_TRUE(client_.waitForResult(ros::Duration(kLong)));
+    EXPECT_TRUE(ends());
     EXPECT_EQ(client_.getState().toString(), expected.toString());
     return *client_.getResult();
   }
@@ -118,7 +131,13 @@ class StretchAction : public testing::Test {
   synthetic::ToolPath path_ = synthetic::path_on(part_, kWaypoints);
   tool_path_stretcher::Similarity moved_ = synthetic::similarity(
       1.08, Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitZ()).toRotationMatrix(), {0.3, 0.1, 0});
-  Client client_;
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_ = [this] {
+    ros::NodeHandle node;
+    node.setCallbackQueue(&queue_);
+    return node;
+  }();
+  Client client_{node_, "/tool_path_stretcher/stretch", false};
 };
 
 }  // namespace
@@ -291,28 +310,19 @@ TEST_F(StretchAction, UsesTheMethodOfTheGoal) {
 }
 
 TEST_F(StretchAction, EndsSoonWhenCancelledAndTellsItsStages) {
-  std::mutex mutex;
-  std::condition_variable works;
   std::vector<std::string> stages;
   std::vector<double> progress;
   client_.sendGoal(goal(part_), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
                    [&](const scan_cell_msgs::StretchToolPathFeedbackConstPtr& feedback) {
-                     const std::lock_guard<std::mutex> lock(mutex);
                      stages.push_back(feedback->stage);
                      progress.push_back(feedback->progress);
-                     works.notify_all();
                    });
-  {  // not from the callback: it may come before sendGoal() has put down which goal it is
-    std::unique_lock<std::mutex> lock(mutex);
-    ASSERT_TRUE(works.wait_for(lock, std::chrono::duration<double>(kLong),
-                               [&stages] { return !stages.empty(); }));
-  }
+  ASSERT_TRUE(comes([&] { return !stages.empty(); }));
   client_.cancelGoal();
-  ASSERT_TRUE(client_.waitForResult(ros::Duration(kLong)));
+  ASSERT_TRUE(ends());
   EXPECT_EQ(client_.getState().toString(), State(State::PREEMPTED).toString());
   EXPECT_EQ(client_.getResult()->verdict.reason, StretchVerdict::CANCELLED);
   EXPECT_TRUE(client_.getResult()->path.segments.empty());
-  const std::lock_guard<std::mutex> lock(mutex);
   EXPECT_FALSE(stages.empty());
   EXPECT_LT(progress.back(), 1);
 }

@@ -4,6 +4,7 @@
 
 #include <actionlib/client/simple_action_client.h>
 #include <fmt/format.h>
+#include <ros/callback_queue.h>
 
 #include "client/clean_cloud_watch.h"
 #include "scan_cell/ros/scan_goal.h"
@@ -24,9 +25,11 @@ constexpr double kCancelTimeout = 15;  // [s] to make a scan safe and keep its d
 /// @throw ConnectionError if there is no server within `timeout` [s]
 /// @throw Refused if interrupted before
 template <class Client>
-void wait_for_server(Client& client, const std::string& name, double timeout) {
+void wait_for_server(Client& client, ros::CallbackQueue& queue, const std::string& name,
+                     double timeout) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
-  while (!client.waitForServer(ros::Duration(kSlice))) {
+  while (!client.isServerConnected()) {
+    queue.callAvailable(ros::WallDuration(kSlice));
     if (CatchInterrupts::interrupted())
       throw scan_cell_common::Refused(name, "interrupted", "start it again");
     if (ros::WallTime::now() < deadline) continue;
@@ -41,10 +44,12 @@ void wait_for_server(Client& client, const std::string& name, double timeout) {
 /// @throw ConnectionError if the server goes away, or does not take the goal; the goal is cancelled
 /// in case it is still there
 template <class Client>
-void wait_for_end(Client& client, const std::string& name, double timeout) {
+void wait_for_end(Client& client, ros::CallbackQueue& queue, const std::string& name,
+                  double timeout) {
   const ros::WallTime untaken = ros::WallTime::now() + ros::WallDuration(timeout);
   ros::WallTime deadline;  // zero: not cancelled
-  while (!client.waitForResult(ros::Duration(kSlice))) {
+  while (!client.getState().isDone()) {
+    queue.callAvailable(ros::WallDuration(kSlice));
     if (CatchInterrupts::interrupted() && deadline.isZero()) {
       client.cancelGoal();
       deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
@@ -55,6 +60,7 @@ void wait_for_end(Client& client, const std::string& name, double timeout) {
       throw ConnectionError(name, fmt::format("did not take the goal within {:g} s", timeout),
                             "wait until it has nothing else to do; look at the cell's log");
     }
+    if (client.getState().isDone()) return;
     const bool late = !deadline.isZero() && ros::WallTime::now() > deadline;
     if (late || !ros::ok() || !client.isServerConnected()) {
       client.cancelGoal();
@@ -74,7 +80,9 @@ bool has_begun(const Result& result) {
   return result.outcome != Result::NOT_BEGUN;
 }
 
-/// Sends a goal and waits for its end. The result is that of the server whatever the terminal
+/// Sends a goal and waits for its end. All callbacks are served here, by the caller's thread: a
+/// server that answers before actionlib's sendGoal() has put down which goal it is would corrupt
+/// the client's memory from another. The result is that of the server whatever the terminal
 /// state: it says itself how things ended.
 /// @param complete called with the goal once the server is there
 /// @throw ConnectionError if there is no server, or it goes away
@@ -84,12 +92,14 @@ auto run_action(ros::NodeHandle node, const std::string& name, Goal goal, double
                 const Complete& complete, const Feedback& on_feedback) {
   using Client = actionlib::SimpleActionClient<Action>;
   const CatchInterrupts catch_interrupts;  // nobody may leave robot and laser running by Ctrl-C
+  ros::CallbackQueue queue;
+  node.setCallbackQueue(&queue);
   Client client(node, name, false);
-  wait_for_server(client, name, timeout);
+  wait_for_server(client, queue, name, timeout);
   complete(goal);
   client.sendGoal(goal, typename Client::SimpleDoneCallback(),
                   typename Client::SimpleActiveCallback(), on_feedback);
-  wait_for_end(client, name, timeout);
+  wait_for_end(client, queue, name, timeout);
   if (client.getState() == actionlib::SimpleClientGoalState::LOST) {
     throw ConnectionError(name, "the action server lost the goal; it was probably restarted",
                           "look at the cell's log");
