@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cloud_preprocess/cloud_edits.h"
 #include "cloud_preprocess/floor_removal.h"
 #include "cloud_preprocess/grid_reduction.h"
 #include "cloud_preprocess/object_isolation.h"
@@ -20,6 +21,7 @@ namespace cloud_preprocess {
 /// The whole chain. Floor, outliers and isolation do nothing where they are not automatic and have
 /// no limits.
 struct CleanParameters {
+  std::vector<CloudEdit> edits;                           //!< by hand, before all stages
   FloorParameters floor;                                  //!< of the first stage
   OutlierParameters outliers;                             //!< of the second stage
   IsolationParameters isolate;                            //!< of the third stage
@@ -30,14 +32,15 @@ struct CleanParameters {
 void describe(scan_cell_common::ParameterTable& table, CleanParameters& parameters);
 
 /// Reads them from YAML: maps `floor`, `outliers`, `isolate` and `grid` with the parameters of the
-/// nodelets of these names; `grid: false` leaves the grid out. What is not given keeps its default.
+/// nodelets of these names; `grid: false` leaves the grid out; `edits` is a list as read_edits()
+/// takes it. What is not given keeps its default.
 /// @throw scan_cell_common::FileError, UnusableInput or InvalidParameter, naming the entry
 CleanParameters load_clean_parameters(const std::string& path);
 /// As load_clean_parameters().
 CleanParameters read_clean_parameters(
     const scan_cell_common::YamlEntry& root);  //!< as load_clean_parameters()
 
-/// Runs floor, outliers, isolation and grid, one after the other.
+/// Runs edits (if there are any), floor, outliers, isolation and grid, one after the other.
 /// @param reports one a stage, also of the stage that throws
 /// @throw scan_cell_common::InvalidParameter before anything is done
 /// @throw scan_cell_common::UnusableInput from the stage that leaves nothing

@@ -51,10 +51,12 @@ class Chain {
  public:
   explicit Chain(const CleanParameters& parameters)
       : floor_(parameters.floor), outliers_(parameters.outliers), isolation_(parameters.isolate) {
+    if (!parameters.edits.empty()) edits_.emplace(parameters.edits);
     if (parameters.grid) grid_.emplace(*parameters.grid);
   }
 
   void before_isolation(TracedCloud& cloud, std::vector<StageReport>& reports) const {
+    if (edits_) edits_->run(cloud, reports.emplace_back());
     floor_.run(cloud, reports.emplace_back());
     outliers_.run(cloud, reports.emplace_back());
   }
@@ -72,6 +74,7 @@ class Chain {
   }
 
  private:
+  std::optional<CloudEdits> edits_;
   FloorRemoval floor_;
   OutlierRemoval outliers_;
   ObjectIsolation isolation_;
@@ -88,8 +91,9 @@ void describe(scan_cell_common::ParameterTable& table, CleanParameters& paramete
 }
 
 CleanParameters read_clean_parameters(const YamlEntry& root) {
-  root.refuse_unknown({"floor", "outliers", "isolate", "grid"});
+  root.refuse_unknown({"edits", "floor", "outliers", "isolate", "grid"});
   CleanParameters parameters;
+  if (root.has("edits")) parameters.edits = read_edits(root["edits"]);
   read_section(root, "floor", parameters.floor);
   read_section(root, "outliers", parameters.outliers);
   read_section(root, "isolate", parameters.isolate);

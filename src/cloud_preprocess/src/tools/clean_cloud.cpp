@@ -29,6 +29,7 @@ namespace {
 
 struct Options {
   std::string input, output;
+  std::string edits;         // file; empty: none besides those of the settings
   std::string objects;       // name of the files of all objects; empty: only one is kept
   std::string units;         // of both; empty: not given
   std::string output_units;  // of the output, if others
@@ -200,6 +201,10 @@ CleanParameters prepared(YAML::Node& root, const Options& options) {
   if (!options.units.empty() && isolate && isolate["reference"] && !isolate["reference_units"])
     isolate["reference_units"] = options.units;
   CleanParameters parameters = cloud_preprocess::read_clean_parameters({root, "settings"});
+  if (!options.edits.empty()) {
+    const auto edits = cloud_preprocess::load_edits(options.edits);
+    parameters.edits.insert(parameters.edits.end(), edits.begin(), edits.end());
+  }
   auto& isolation = parameters.isolate;
   if (!isolation.reference.empty() && isolation.select != cloud_preprocess::Selection::kReference) {
     throw InvalidParameter("isolate.reference", fmt::format("'{}'", isolation.reference),
@@ -238,6 +243,8 @@ void add_files(CLI::App& app, Options& options, scan_cell_common::Outputs& outpu
   app.add_option("--objects", options.objects,
                  "part.ply: also every object that was found, along isolate/axis, as part_0.ply, "
                  "part_1.ply, ...");
+  app.add_option("--edits", options.edits,
+                 "YAML file with what was deleted and kept by hand, done before all stages");
   const CLI::IsMember is_unit(scan_cell_common::length_units());
   app.add_option("--input", options.input, "cloud to clean (.ply, .pcd, .xyz, .csv, .txt, .asc)")
       ->required();
@@ -266,7 +273,9 @@ void add_files(CLI::App& app, Options& options, scan_cell_common::Outputs& outpu
 
 int main(int argc, char** argv) {
   scan_cell_common::Outputs outputs;
-  CLI::App app("Cleans a scanned cloud: floor, outliers, isolation of one object, grid reduction.");
+  CLI::App app(
+      "Cleans a scanned cloud: edits by hand, floor, outliers, isolation of one object, grid "
+      "reduction.");
   Options options;
   YAML::Node root(YAML::NodeType::Map);
   app.add_flag_callback(

@@ -1,0 +1,82 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cloud_preprocess/stage.h"
+
+namespace scan_cell_common {
+class YamlEntry;
+}  // namespace scan_cell_common
+
+namespace cloud_preprocess {
+
+/// A box, with its faces.
+struct BoxShape {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  //!< of its middle [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();          //!< along its own axes [m]
+};
+
+/// All on the side of a plane to which its normal points, with the plane.
+struct HalfSpace {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    //!< of the plane [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  //!< of length 1
+};
+
+/// All behind a polygon that was drawn in a picture, between two depths.
+struct PrismShape {
+  std::vector<Eigen::Vector3d> corners;                //!< [m] 3 at least, in their order
+  Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  //!< the viewer, of length 1
+  double nearest = 0;   //!< depth [m] from the first corner, against `towards`
+  double farthest = 0;  //!< likewise
+};
+
+/// All within a distance of places that a brush went over.
+struct BrushShape {
+  std::vector<Eigen::Vector3d> places;  //!< [m]
+  double radius = 0;                    //!< [m]
+};
+
+/// All that can be reached from the point nearest to a place, by steps of at most a gap.
+struct ClusterShape {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  //!< [m]
+  double gap = 0;                                   //!< [m]
+};
+
+/// What a person did to a cloud: deleted, or alone kept, what lies in a shape.
+struct CloudEdit {
+  bool keep = false;  //!< false: delete
+  /// what it is done to
+  std::variant<BoxShape, HalfSpace, PrismShape, BrushShape, ClusterShape> shape;
+};
+
+/// Edits by hand, one after the other, in the frame of the cloud that comes in.
+class CloudEdits final : public Stage {
+ public:
+  explicit CloudEdits(std::vector<CloudEdit> edits);  //!< in the order in which they are done
+
+  std::string name() const override { return "edits"; }  //!< of the stage
+
+ private:
+  std::string apply(TracedCloud& cloud) const override;
+
+  std::vector<CloudEdit> edits_;
+};
+
+/// Reads a list of edits (docs/cloud_preprocess.md).
+/// @throw scan_cell_common::UnusableInput naming line and entry of what is missing, unknown or
+/// makes no sense
+std::vector<CloudEdit> read_edits(const scan_cell_common::YamlEntry& list);
+
+/// Reads the list `edits` of a YAML file.
+/// @throw scan_cell_common::FileError, UnusableInput as read_edits()
+std::vector<CloudEdit> load_edits(const std::string& path);
+
+/// As read_edits() reads it, to the last digit, with the key `edits`.
+std::string to_yaml(const std::vector<CloudEdit>& edits);
+
+}  // namespace cloud_preprocess

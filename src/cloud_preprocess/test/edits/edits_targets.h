@@ -1,0 +1,10 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "scan_cell_common/testing/fuzzing.h"
+
+/// The reader of edits by hand.
+std::vector<scan_cell_common::FuzzTarget> edits_targets();
