@@ -32,10 +32,12 @@ WorkPage::WorkPage(QWidget* parent)
   layout->addWidget(work_);
   layout->addWidget(end_);
   layout->addStretch();
-  connect(dry_, &QPushButton::clicked, this,
-          [this] { Q_EMIT workWanted(QString::fromStdString(run_.id), true); });
-  connect(work_, &QPushButton::clicked, this,
-          [this] { Q_EMIT workWanted(QString::fromStdString(run_.id), false); });
+  for (QPushButton* const button : {dry_, work_}) {
+    connect(button, &QPushButton::clicked, this, [this, button] {
+      end_->clear();  // it told of the last time
+      Q_EMIT workWanted(QString::fromStdString(run_.id), button == dry_);
+    });
+  }
   show_run({});
 }
 
