@@ -58,28 +58,28 @@ function(scan_cell_export_core)
     DESTINATION lib/cmake/${name})
 endfunction()
 
+# A program that only the target COLLECTION builds.
+function(_scan_cell_extra_program collection name)
+  add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
+  install(TARGETS ${name} OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  if(NOT TARGET ${collection})
+    add_custom_target(${collection})
+  endif()
+  add_dependencies(${collection} ${name})
+endfunction()
+
 # scan_cell_fuzzer(NAME SOURCE...): a program of make fuzz; link it as any other. With LIBFUZZER among the flags
 # (scripts/libfuzzer.sh) clang's libFuzzer brings its main().
 function(scan_cell_fuzzer name)
-  add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
+  _scan_cell_extra_program(fuzzers ${name} ${ARGN})
   if(CMAKE_CXX_FLAGS_RELWITHDEBINFO MATCHES "LIBFUZZER")
     target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   endif()
-  install(TARGETS ${name} OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  if(NOT TARGET fuzzers)
-    add_custom_target(fuzzers)
-  endif()
-  add_dependencies(fuzzers ${name})
 endfunction()
 
 # scan_cell_benchmark(NAME SOURCE...): a program of make bench; link it as any other.
 function(scan_cell_benchmark name)
-  add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
-  install(TARGETS ${name} OPTIONAL RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  if(NOT TARGET benchmarks)
-    add_custom_target(benchmarks)
-  endif()
-  add_dependencies(benchmarks ${name})
+  _scan_cell_extra_program(benchmarks ${name} ${ARGN})
 endfunction()
 
 # scan_cell_tests(): before the tests of the calling package. They run in networks of their own (own_network.py), so

@@ -23,8 +23,6 @@ namespace fs = std::filesystem;
 using scan_cell_msgs::RecipeState;
 using scan_cell_msgs::RunSummary;
 
-constexpr const char* kReportPage = "report.html";
-
 RecipeState state_of(const fs::path& recipes, const std::string& name) {
   RecipeState state;
   state.name = name;

@@ -4,6 +4,7 @@
 
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <tf2_eigen/tf2_eigen.h>
 #include <visualization_msgs/Marker.h>
 
 #include "scan_cell_common/clouds/cloud_files.h"
@@ -40,13 +41,8 @@ visualization_msgs::Marker spheres(const tool_paths::Points& positions,
   marker.pose.orientation.w = 1;
   marker.scale.x = marker.scale.y = marker.scale.z = kDiameter;
   marker.color.r = marker.color.a = 1;
-  for (const Eigen::Vector3d& position : positions) {
-    geometry_msgs::Point point;
-    point.x = position.x();
-    point.y = position.y();
-    point.z = position.z();
-    marker.points.push_back(point);
-  }
+  for (const Eigen::Vector3d& position : positions)
+    marker.points.push_back(tf2::toMsg(position));
   return marker;
 }
 

@@ -198,16 +198,6 @@ std::vector<Command> add_listing(CLI::App& app, Options& options, Outputs& outpu
 
 }  // namespace
 
-void add_query(CLI::App& app, part_recipes::HistoryFilter& filter) {
-  app.add_option("--state", filter.state, "accepted, refused or unusable");
-  app.add_option("--reason", filter.reason, "of the verdict, such as wrong_part");
-  app.add_option("--since", filter.since,
-                 "start in UTC, to any precision: 2026-11, 2026-11-25T12:13");
-  app.add_option("--until", filter.until, "the same, and all that begins with it");
-  app.add_option("--limit", filter.limit, "the last so many of them");
-  app.add_option("--text", filter.text, "somewhere in id, recipe, reason, message, host or note");
-}
-
 int main(int argc, char** argv) {
   CLI::App app(
       "The history of runs: lists them, draws control charts, writes CSV and AQDEF, runs them "

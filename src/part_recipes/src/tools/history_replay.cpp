@@ -69,6 +69,16 @@ bool work_side_by_side(const ReplayOptions& options, const JobFolder& folder) {
 
 }  // namespace
 
+void add_query(CLI::App& app, part_recipes::HistoryFilter& filter) {
+  app.add_option("--state", filter.state, "accepted, refused or unusable");
+  app.add_option("--reason", filter.reason, "of the verdict, such as wrong_part");
+  app.add_option("--since", filter.since,
+                 "start in UTC, to any precision: 2026-11, 2026-11-25T12:13");
+  app.add_option("--until", filter.until, "the same, and all that begins with it");
+  app.add_option("--limit", filter.limit, "the last so many of them");
+  app.add_option("--text", filter.text, "somewhere in id, recipe, reason, message, host or note");
+}
+
 CLI::App* add_replay(CLI::App& app, ReplayOptions& options) {
   CLI::App* const command = app.add_subcommand("replay",
                                                "runs recorded scans again with another recipe or "

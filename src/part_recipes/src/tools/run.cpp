@@ -73,7 +73,7 @@ int tell(const EndedRun& ended) {
   for (const auto& stage : record.stages)
     std::printf("%-12s %6.2f s\n", stage.name.c_str(), stage.seconds);
   std::printf("%s: %s\n", to_string(record.state).c_str(), record.message.c_str());
-  std::printf("%s\n", (ended.folder / "report.html").c_str());
+  std::printf("%s\n", (ended.folder / part_recipes::kReportPage).c_str());
   if (!ended.work_message.empty())
     std::fprintf(ended.worked ? stdout : stderr, "%s\n", ended.work_message.c_str());
   switch (record.state) {

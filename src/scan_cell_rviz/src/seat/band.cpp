@@ -4,6 +4,8 @@
 
 #include <QGridLayout>
 
+#include "seat/text_label.h"
+
 namespace scan_cell_rviz {
 namespace {
 
@@ -33,21 +35,18 @@ Look look_of(Level level) {
 
 Band::Band(QWidget* parent) : QWidget(parent) {
   const std::array<std::pair<const char*, QString>, kDevices> devices = {
-      {{"robot", tr("Robot")},
-       {"camera", tr("Camera")},
-       {"laser", tr("Lasers")},
-       {"cell", tr("Cell")},
-       {"calibration", tr("Calibration")}}};
+      {{"sign_robot", tr("Robot")},
+       {"sign_camera", tr("Camera")},
+       {"sign_laser", tr("Lasers")},
+       {"sign_cell", tr("Cell")},
+       {"sign_calibration", tr("Calibration")}}};
   auto* const layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
   for (int i = 0; i < kDevices; ++i) {
     const auto& [name, title] = devices.at(static_cast<std::size_t>(i));
     layout->addWidget(new QLabel(title, this), i, 0);
-    auto* const sign = new QLabel(this);
-    sign->setObjectName(QString("sign_") + name);
-    sign->setTextFormat(Qt::PlainText);
-    sign->setWordWrap(true);
+    QLabel* const sign = text_label(name, this);
     sign->setMargin(3);
     sign->setAccessibleName(title);
     layout->addWidget(sign, i, 1);

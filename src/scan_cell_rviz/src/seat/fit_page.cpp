@@ -7,16 +7,18 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "scan_cell_common/pose/units.h"
+#include "seat/text_label.h"
+
 namespace scan_cell_rviz {
 namespace {
 
+using scan_cell_common::kMillimetres;
 using scan_cell_msgs::RunSummary;
 
-QLabel* text_label(const char* name, QWidget* parent) {
-  auto* const label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setTextFormat(Qt::PlainText);  // whatever a name or a note holds stays text
-  label->setWordWrap(true);
+/// What a person may want to copy.
+QLabel* selectable_label(const char* name, QWidget* parent) {
+  QLabel* const label = text_label(name, parent);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   return label;
 }
@@ -44,11 +46,11 @@ QString decision_of(const RunSummary& run) {
 
 FitPage::FitPage(QWidget* parent)
     : QWidget(parent),
-      verdict_(text_label("verdict", this)),
-      message_(text_label("message", this)),
+      verdict_(selectable_label("verdict", this)),
+      message_(selectable_label("message", this)),
       figures_(new QTableWidget(0, 2, this)),
       waypoints_(new QListWidget(this)),
-      decision_(text_label("decision", this)),
+      decision_(selectable_label("decision", this)),
       person_(new QLineEdit(this)),
       note_(new QLineEdit(this)),
       approve_(new QPushButton(tr("&Approve"), this)),
@@ -97,16 +99,8 @@ FitPage::FitPage(QWidget* parent)
   connect(refuse_, &QPushButton::clicked, this, [this] { decide(false); });
   connect(report_, &QPushButton::clicked, this,
           [this] { Q_EMIT reportWanted(QString::fromStdString(run_.report)); });
-  show_none(tr("No part was scanned yet."));
-}
-
-void FitPage::show_none(const QString& why) {
-  run_ = scan_cell_msgs::DescribeRunResponse();
-  verdict_->clear();
-  message_->setText(why);
+  message_->setText(tr("No part was scanned yet."));
   show_waypoints();
-  figures_->setRowCount(0);
-  decision_->clear();
   update_buttons();
 }
 
@@ -132,7 +126,6 @@ void FitPage::show_waypoints() {
       std::min(run_.waypoints_concerned.size(), run_.waypoint_positions.size());
   for (std::size_t i = 0; i < count; ++i) {
     const geometry_msgs::Point& at = run_.waypoint_positions[i];
-    constexpr double kMillimetres = 1e3;
     waypoints_->addItem(tr("waypoint %1 at %2, %3, %4 mm")
                             .arg(run_.waypoints_concerned[i])
                             .arg(at.x * kMillimetres, 0, 'f', 1)

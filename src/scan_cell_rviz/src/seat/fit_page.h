@@ -21,7 +21,6 @@ class FitPage : public QWidget {
   explicit FitPage(QWidget* parent = nullptr);
 
   void show_run(const scan_cell_msgs::DescribeRunResponse& run);
-  void show_none(const QString& why);  ///< a run that came to nothing
 
   QString person() const;
   void set_person(const QString& name);

@@ -6,6 +6,8 @@
 #include <QIcon>
 #include <QVBoxLayout>
 
+#include "seat/text_label.h"
+
 namespace scan_cell_rviz {
 namespace {
 
@@ -31,16 +33,13 @@ QString words_of(const RecipeState& recipe) {
 PartPage::PartPage(QWidget* parent)
     : QWidget(parent),
       recipes_(new QListWidget(this)),
-      missed_(new QLabel(this)),
+      missed_(text_label("missed", this)),
       note_(new QLineEdit(this)),
       run_(new QPushButton(tr("&Scan and fit"), this)) {
   recipes_->setObjectName("recipes");
   recipes_->setIconSize(QSize(kPicture, kPicture));
   recipes_->setWordWrap(true);
   recipes_->setAccessibleName(tr("Part types"));
-  missed_->setObjectName("missed");
-  missed_->setTextFormat(Qt::PlainText);
-  missed_->setWordWrap(true);
   note_->setObjectName("run_note");
   note_->setToolTip(tr("Kept with the run, such as the part's serial number"));
   run_->setObjectName("run");

@@ -8,6 +8,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "seat/text_label.h"
+
 namespace scan_cell_rviz {
 namespace {
 
@@ -30,24 +32,19 @@ Seat::Seat(CellLink& link, QWidget* parent)
       fit_(new FitPage(this)),
       work_(new WorkPage(this)),
       history_(new HistoryPage(this)),
-      doing_(new QLabel(this)),
+      doing_(text_label("doing", this)),
       progress_(new QProgressBar(this)),
       stop_(new QPushButton(tr("S&top"), this)),
-      trouble_(new QLabel(this)) {
+      trouble_(text_label("trouble", this)) {
   pages_->setObjectName("pages");
   pages_->addTab(part_, tr("&1 Part"));
   pages_->addTab(fit_, tr("&2 Fit"));
   pages_->addTab(work_, tr("&3 Work"));
   pages_->addTab(history_, tr("&4 History"));
-  doing_->setObjectName("doing");
-  doing_->setWordWrap(true);
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
   stop_->setToolTip(tr("Stops the robot and ends what is under way. It is no emergency stop."));
-  trouble_->setObjectName("trouble");
-  trouble_->setTextFormat(Qt::PlainText);
-  trouble_->setWordWrap(true);
 
   auto* const under_way = new QHBoxLayout;
   under_way->addWidget(progress_, 1);

@@ -4,22 +4,18 @@
 
 #include <QVBoxLayout>
 
+#include "seat/text_label.h"
+
 namespace scan_cell_rviz {
 
 using scan_cell_msgs::RunSummary;
 
 WorkPage::WorkPage(QWidget* parent)
     : QWidget(parent),
-      part_(new QLabel(this)),
-      end_(new QLabel(this)),
+      part_(text_label("work_part", this)),
+      end_(text_label("work_end", this)),
       dry_(new QPushButton(tr("&Dry run"), this)),
       work_(new QPushButton(tr("&Work"), this)) {
-  part_->setObjectName("work_part");
-  end_->setObjectName("work_end");
-  for (QLabel* const label : {part_, end_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-  }
   dry_->setObjectName("dry_run");
   dry_->setToolTip(tr("Moves the robot along the path: lifted, slow, with the tool off"));
   work_->setObjectName("work");

@@ -182,9 +182,7 @@ std::string to_yaml(const std::vector<CloudEdit>& edits) {
         std::visit([](const auto& shape) { return node_of(shape); }, edit.shape);
     root["edits"].push_back(node);
   }
-  constexpr int kDigits = 17;  // come back to the last bit
   YAML::Emitter out;
-  out.SetDoublePrecision(kDigits);
   out << root;
   return std::string(out.c_str()) + "\n";
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/kd_tree.h"
+#include "geometry/clusters.h"
 
 namespace cloud_preprocess {
 namespace {
@@ -38,21 +38,6 @@ bool is_in_polygon(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vec
     if (point.x() < crossing) inside = !inside;
   }
   return inside;
-}
-
-/// Marks all that can be reached from the points in `front`, by steps of at most `gap`.
-void spread(const Cloud& cloud, const KdTree& tree, double gap, std::vector<KdTree::Index> front,
-            std::vector<bool>& reached) {
-  std::vector<std::pair<KdTree::Index, float>> near;
-  while (!front.empty()) {
-    const KdTree::Index point = front.back();
-    front.pop_back();
-    tree.within(cloud[point].data, static_cast<float>(gap * gap), near);
-    for (const auto& [neighbour, squared] : near) {
-      if (!reached[neighbour]) front.push_back(neighbour);
-      reached[neighbour] = true;
-    }
-  }
 }
 
 }  // namespace
@@ -107,8 +92,7 @@ std::vector<bool> points_in(const Cloud& cloud, const ClusterShape& cluster) {
     nearest = static_cast<KdTree::Index>(i);
   }
   if (cloud.empty() || least > cluster.gap * cluster.gap) return in;
-  in[nearest] = true;
-  spread(cloud, KdTree(cloud), cluster.gap, {nearest}, in);
+  cluster_of(cloud, KdTree(cloud), cluster.gap, nearest, in);
   return in;
 }
 

@@ -14,6 +14,9 @@ namespace part_recipes {
 /// The file in a run's folder that makes it a run; it is written last.
 constexpr const char* kRunFile = "run.json";
 
+/// The page that is made from a run's files; it is none of them.
+constexpr const char* kReportPage = "report.html";
+
 /// A tool that a run called.
 struct StageRecord {
   std::string name;                  //!< scan, clean, stretch, deviations, export

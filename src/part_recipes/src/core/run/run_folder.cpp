@@ -21,8 +21,6 @@ namespace fs = std::filesystem;
 using scan_cell_common::FileError;
 using scan_cell_common::UnusableInput;
 
-constexpr const char* kPage = "report.html";
-
 /// Letters and digits of a name that any file system takes.
 std::string plain(const std::string& name) {
   constexpr std::size_t kLongest = 40;  // [letters] an id stays readable
@@ -97,7 +95,7 @@ std::map<std::string, FileEntry> files_of(const fs::path& folder) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       if (entry.is_directory()) continue;
       const std::string name = entry.path().lexically_relative(folder).string();
-      if (name == kRunFile || name == kPage) continue;
+      if (name == kRunFile || name == kReportPage) continue;
       files[name] = {scan_cell_common::sha256_of_file(entry.path().string()), entry.file_size()};
     }
   } catch (const fs::filesystem_error& error) {

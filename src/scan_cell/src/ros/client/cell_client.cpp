@@ -48,8 +48,8 @@ void wait_for_end(Client& client, ros::CallbackQueue& queue, const std::string& 
                   double timeout) {
   const ros::WallTime untaken = ros::WallTime::now() + ros::WallDuration(timeout);
   ros::WallTime deadline;  // zero: not cancelled
-  while (!client.getState().isDone()) {
-    queue.callAvailable(ros::WallDuration(kSlice));
+  const ros::WallDuration slice(kSlice);
+  for (queue.callAvailable(slice); !client.getState().isDone(); queue.callAvailable(slice)) {
     if (CatchInterrupts::interrupted() && deadline.isZero()) {
       client.cancelGoal();
       deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
@@ -60,7 +60,6 @@ void wait_for_end(Client& client, ros::CallbackQueue& queue, const std::string& 
       throw ConnectionError(name, fmt::format("did not take the goal within {:g} s", timeout),
                             "wait until it has nothing else to do; look at the cell's log");
     }
-    if (client.getState().isDone()) return;
     const bool late = !deadline.isZero() && ros::WallTime::now() > deadline;
     if (late || !ros::ok() || !client.isServerConnected()) {
       client.cancelGoal();

@@ -1,0 +1,18 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QLabel>
+
+namespace scan_cell_rviz {
+
+/// A label of as many lines as it needs. Whatever a name or a note holds stays text.
+inline QLabel* text_label(const char* name, QWidget* parent) {
+  auto* const label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace scan_cell_rviz
