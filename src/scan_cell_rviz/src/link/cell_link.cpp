@@ -54,7 +54,7 @@ bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
 CellLink::CellLink(const Names& names) : names_(names), spinner_(1, &queue_) {
   register_types();
   node_.setCallbackQueue(&queue_);
-  client_ = std::make_unique<Client>(node_, names_.recipes + "/run", false);
+  client_ = std::make_unique<Client>(node_, names_.recipes + "/run");
   robot_ = node_.subscribe<scan_cell_msgs::RobotStatus>(
       names_.robot + "/status", 10,
       [this](const auto& robot) { show(Device::kRobot, sign_of(*robot)); });
@@ -175,7 +175,7 @@ void CellLink::send(const RunRecipeGoal& goal) {
     Q_EMIT failed(tr("The cell is busy: wait until it is free."));
     return;
   }
-  if (!client_->isServerConnected()) {
+  if (!client_->is_connected()) {
     Q_EMIT failed(tr("%1 is not running: start the cell with recipes:=FOLDER.")
                       .arg(QString::fromStdString(names_.recipes)));
     return;
@@ -193,30 +193,19 @@ void CellLink::send(const RunRecipeGoal& goal) {
     const std::lock_guard<std::mutex> lock(mutex_);
     return ours_ && number == goal_;
   };
-  // By the thread that serves the client: an answer that comes while actionlib's sendGoal() has not
-  // yet put down which goal it is would corrupt the client's memory.
-  send_timer_ = node_.createWallTimer(
-      ros::WallDuration(1e-3),
-      [this, goal, is_ours](const auto&) {
-        client_->sendGoal(
-            goal,
-            [this, is_ours](const auto& state, const auto& result) {
-              if (!is_ours()) return;
-              const bool lost = state == actionlib::SimpleClientGoalState::LOST || !result;
-              end(lost ? result_without_run("the node was started again while it worked: " +
-                                            names_.recipes)
-                       : *result);
-            },
-            Client::SimpleActiveCallback(),
-            [this](const auto& news) {
-              Q_EMIT progressed(QString::fromStdString(news->stage), -1);
-            });
+  client_->send(
+      goal,
+      [this, is_ours](const auto& end) {
+        if (!is_ours()) return;
+        this->end(end.result ? *end.result
+                             : result_without_run("the node was started again while it worked: " +
+                                                  names_.recipes));
       },
-      true);
+      [this](const auto& news) { Q_EMIT progressed(QString::fromStdString(news.stage), -1); });
 }
 
 void CellLink::stop() {
-  client_->cancelAllGoals();
+  client_->cancel_all();
 }
 
 void CellLink::end(const RunRecipeResult& result) {
@@ -289,7 +278,7 @@ void CellLink::look() {
 /// began there.
 void CellLink::look_at_run() {
   const ros::WallTime now = ros::WallTime::now();
-  const bool connected = client_->isServerConnected();
+  const bool connected = client_->is_connected();
   double gone = 0, waiting = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -299,12 +288,10 @@ void CellLink::look_at_run() {
     gone = connected ? 0 : (now - unseen_).toSec();
     waiting = (now - sent_).toSec();
   }
-  const auto state = client_->getState();  // asked by the thread that sends
-  const bool pending = state == actionlib::SimpleClientGoalState::PENDING;
   if (gone > kGone) {
     end(result_without_run(names_.recipes + " is gone: look at its log and start it again"));
-  } else if (connected && pending && waiting > kTaken) {
-    client_->cancelGoal();
+  } else if (connected && !client_->is_taken() && waiting > kTaken) {
+    client_->cancel();
     end(result_without_run(
         fmt::format("{} did not take it within {:g} s", names_.recipes, kTaken)));
   }

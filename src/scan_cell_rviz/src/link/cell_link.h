@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/callback_queue.h>
@@ -27,6 +26,7 @@
 
 #include "link/sign.h"
 #include "link/worker.h"
+#include "scan_cell_common/ros/goal_client.h"
 
 namespace scan_cell_rviz {
 
@@ -87,7 +87,7 @@ class CellLink : public QObject {
   void runEnded(scan_cell_msgs::RunRecipeResult result, bool was_work);
 
  private:
-  using Client = actionlib::SimpleActionClient<scan_cell_msgs::RunRecipeAction>;
+  using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
 
   void send(const scan_cell_msgs::RunRecipeGoal& goal);
   void end(const scan_cell_msgs::RunRecipeResult& result);
@@ -107,7 +107,7 @@ class CellLink : public QObject {
   std::unique_ptr<Client> client_;
   std::vector<ros::Subscriber> feedback_;
   ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_;
-  ros::WallTimer timer_, send_timer_;
+  ros::WallTimer timer_;
 
   mutable std::mutex mutex_;
   std::array<Sign, kDevices> signs_;

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell/ros/cell_client.h"
 
-#include <actionlib/client/simple_action_client.h>
 #include <fmt/format.h>
-#include <ros/callback_queue.h>
 
 #include "client/clean_cloud_watch.h"
 #include "scan_cell/ros/scan_goal.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/goal_client.h"
 #include "scan_cell_common/tools/interrupts.h"
 
 namespace scan_cell {
@@ -25,12 +24,10 @@ constexpr double kCancelTimeout = 15;  // [s] to make a scan safe and keep its d
 /// @throw ConnectionError if there is no server within `timeout` [s]
 /// @throw Refused if interrupted before
 template <class Client>
-void wait_for_server(Client& client, ros::CallbackQueue& queue, const std::string& name,
-                     double timeout) {
+void wait_for_server(const Client& client, const std::string& name, double timeout) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
-  while (!client.isServerConnected()) {
-    queue.callAvailable(ros::WallDuration(kSlice));
-    if (CatchInterrupts::interrupted())
+  while (!client.wait_for_server(kSlice)) {
+    if (CatchInterrupts::interrupted() || !ros::ok())
       throw scan_cell_common::Refused(name, "interrupted", "start it again");
     if (ros::WallTime::now() < deadline) continue;
     throw ConnectionError(name, fmt::format("no action server within {:g} s", timeout),
@@ -39,30 +36,23 @@ void wait_for_server(Client& client, ros::CallbackQueue& queue, const std::strin
 }
 
 /// Waits for the end of the goal; an interrupt cancels it, and its end is waited for as well.
-/// @param timeout [s] for the server to take the goal: one that ends as the goal comes loses it,
-/// and the server that is started in its place never says a word of it
-/// @throw ConnectionError if the server goes away, or does not take the goal; the goal is cancelled
-/// in case it is still there
+/// @param timeout [s] for the server to take the goal
+/// @throw ConnectionError if the server goes away, or does not take the goal
 template <class Client>
-void wait_for_end(Client& client, ros::CallbackQueue& queue, const std::string& name,
-                  double timeout) {
+auto wait_for_end(Client& client, const std::string& name, double timeout) {
   const ros::WallTime untaken = ros::WallTime::now() + ros::WallDuration(timeout);
   ros::WallTime deadline;  // zero: not cancelled
-  const ros::WallDuration slice(kSlice);
-  for (queue.callAvailable(slice); !client.getState().isDone(); queue.callAvailable(slice)) {
+  for (;;) {
+    if (const auto end = client.wait_for_end(kSlice)) return *end;
     if (CatchInterrupts::interrupted() && deadline.isZero()) {
-      client.cancelGoal();
+      client.cancel();
       deadline = ros::WallTime::now() + ros::WallDuration(kCancelTimeout);
     }
-    if (deadline.isZero() && ros::WallTime::now() > untaken &&
-        client.getState() == actionlib::SimpleClientGoalState::PENDING) {
-      client.cancelGoal();
-      throw ConnectionError(name, fmt::format("did not take the goal within {:g} s", timeout),
-                            "wait until it has nothing else to do; look at the cell's log");
-    }
+    if (deadline.isZero() && ros::WallTime::now() > untaken && !client.is_taken())
+      client.give_up(timeout);
     const bool late = !deadline.isZero() && ros::WallTime::now() > deadline;
-    if (late || !ros::ok() || !client.isServerConnected()) {
-      client.cancelGoal();
+    if (late || !ros::ok() || !client.is_connected()) {
+      client.cancel();
       throw ConnectionError(name,
                             late ? "did not end when cancelled" : "the action server went away",
                             "look at the cell's log");
@@ -79,34 +69,28 @@ bool has_begun(const Result& result) {
   return result.outcome != Result::NOT_BEGUN;
 }
 
-/// Sends a goal and waits for its end. All callbacks are served here, by the caller's thread: a
-/// server that answers before actionlib's sendGoal() has put down which goal it is would corrupt
-/// the client's memory from another. The result is that of the server whatever the terminal
+/// Sends a goal and waits for its end. The result is that of the server whatever the terminal
 /// state: it says itself how things ended.
 /// @param complete called with the goal once the server is there
 /// @throw ConnectionError if there is no server, or it goes away
 /// @throw Refused if another client's cancel, or goal, came before it began
 template <class Action, class Goal, class Complete, class Feedback>
-auto run_action(ros::NodeHandle node, const std::string& name, Goal goal, double timeout,
+auto run_action(const ros::NodeHandle& node, const std::string& name, Goal goal, double timeout,
                 const Complete& complete, const Feedback& on_feedback) {
-  using Client = actionlib::SimpleActionClient<Action>;
   const CatchInterrupts catch_interrupts;  // nobody may leave robot and laser running by Ctrl-C
-  ros::CallbackQueue queue;
-  node.setCallbackQueue(&queue);
-  Client client(node, name, false);
-  wait_for_server(client, queue, name, timeout);
+  scan_cell_common::GoalClient<Action> client(node, name);
+  wait_for_server(client, name, timeout);
   complete(goal);
-  client.sendGoal(goal, typename Client::SimpleDoneCallback(),
-                  typename Client::SimpleActiveCallback(), on_feedback);
-  wait_for_end(client, queue, name, timeout);
-  if (client.getState() == actionlib::SimpleClientGoalState::LOST) {
+  client.send(goal, {}, on_feedback);
+  const auto end = wait_for_end(client, name, timeout);
+  if (!end.result) {
     throw ConnectionError(name, "the action server lost the goal; it was probably restarted",
                           "look at the cell's log");
   }
-  if (!has_begun(*client.getResult())) {
-    throw scan_cell_common::Refused(name, "did not begin", client.getState().getText());
+  if (!has_begun(*end.result)) {
+    throw scan_cell_common::Refused(name, "did not begin", end.state.getText());
   }
-  return *client.getResult();
+  return *end.result;
 }
 
 }  // namespace
@@ -116,12 +100,12 @@ CellClient::CellClient(ros::NodeHandle node, const Names& names)
 
 scan_cell_msgs::ScanResult CellClient::scan(const ScanProgram& program, const std::string& scan_id,
                                             double timeout, const Progress& progress) {
-  const auto feedback = [&](const scan_cell_msgs::ScanFeedbackConstPtr& news) {
+  const auto feedback = [&](const scan_cell_msgs::ScanFeedback& news) {
     const std::string pass =
-        news->passes > 1 ? fmt::format("pass {} of {}: ", news->pass_number, news->passes) : "";
-    progress(fmt::format("{}{}, {} frames, {} points", pass, news->step_name, news->frames,
-                         news->points),
-             news->progress);
+        news.passes > 1 ? fmt::format("pass {} of {}: ", news.pass_number, news.passes) : "";
+    progress(
+        fmt::format("{}{}, {} frames, {} points", pass, news.step_name, news.frames, news.points),
+        news.progress);
   };
   const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
   const auto result = run_action<scan_cell_msgs::ScanAction>(
@@ -147,9 +131,9 @@ sensor_msgs::PointCloud2 CellClient::scan_clean(const ScanProgram& program,
 
 scan_cell_msgs::CalibrateResult CellClient::calibrate(const scan_cell_msgs::CalibrateGoal& goal,
                                                       double timeout, const Progress& progress) {
-  const auto feedback = [&](const scan_cell_msgs::CalibrateFeedbackConstPtr& news) {
-    const std::string where = fmt::format("pose {} of {}: ", news->pose, news->poses);
-    progress((news->pose > 0 ? where : "") + news->doing, news->progress);
+  const auto feedback = [&](const scan_cell_msgs::CalibrateFeedback& news) {
+    const std::string where = fmt::format("pose {} of {}: ", news.pose, news.poses);
+    progress((news.pose > 0 ? where : "") + news.doing, news.progress);
   };
   const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
   const auto result = run_action<scan_cell_msgs::CalibrateAction>(node_, names_.calibrate, goal,
@@ -160,8 +144,8 @@ scan_cell_msgs::CalibrateResult CellClient::calibrate(const scan_cell_msgs::Cali
 
 scan_cell_msgs::StretchToolPathResult CellClient::stretch(
     const scan_cell_msgs::StretchToolPathGoal& goal, double timeout, const Progress& progress) {
-  const auto feedback = [&](const scan_cell_msgs::StretchToolPathFeedbackConstPtr& news) {
-    progress(news->stage, news->progress);
+  const auto feedback = [&](const scan_cell_msgs::StretchToolPathFeedback& news) {
+    progress(news.stage, news.progress);
   };
   const auto nothing = [](scan_cell_msgs::StretchToolPathGoal&) {};  // nothing moves
   return run_action<scan_cell_msgs::StretchToolPathAction>(node_, names_.stretch, goal, timeout,
@@ -170,8 +154,8 @@ scan_cell_msgs::StretchToolPathResult CellClient::stretch(
 
 scan_cell_msgs::WorkResult CellClient::work(const scan_cell_msgs::WorkGoal& goal, double timeout,
                                             const Progress& progress) {
-  const auto feedback = [&](const scan_cell_msgs::WorkFeedbackConstPtr& news) {
-    progress(fmt::format("{}, {} waypoints", news->doing, news->passed), news->progress);
+  const auto feedback = [&](const scan_cell_msgs::WorkFeedback& news) {
+    progress(fmt::format("{}, {} waypoints", news.doing, news.passed), news.progress);
   };
   const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
   return run_action<scan_cell_msgs::WorkAction>(node_, names_.work, goal, timeout, watched,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/FollowAction.h>
 #include <scan_cell_msgs/MoveAction.h>
@@ -20,6 +19,7 @@
 
 #include "devices/last_heard.h"
 #include "devices/parameters.h"
+#include "scan_cell_common/ros/goal_client.h"
 #include "sequence/devices.h"
 #include "work/follower.h"
 
@@ -53,16 +53,12 @@ class RosRobot : public Robot, public Follower {
   bool drop_earlier_goals();
 
  private:
-  using Client = actionlib::SimpleActionClient<scan_cell_msgs::MoveAction>;
-  using FollowClient = actionlib::SimpleActionClient<scan_cell_msgs::FollowAction>;
-
   scan_cell_msgs::MoveGoal goal_of(const MoveTarget& target, double camera_rate) const;
   scan_cell_msgs::FollowGoal goal_of(const WorkPlan& plan) const;
   void set_override(double percent) const;
   std::uint64_t begin_motion();
   void send(const scan_cell_msgs::MoveGoal& goal);
-  void end_motion(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
-                  const std::optional<Motion>& end);
+  void end_motion(std::uint64_t move, const actionlib::TerminalState& state, const Motion& told);
   void on_status(const scan_cell_msgs::RobotStatus& status);
   void on_transforms(const tf2_msgs::TFMessage& transforms);
   void on_feedback(std::uint64_t move, double progress, std::size_t passed);
@@ -79,8 +75,9 @@ class RosRobot : public Robot, public Follower {
   std::uint64_t move_ =
       0;  // number of the motion that counts; late news of earlier ones is ignored
   std::size_t passed_ = 0;  // waypoints of the path that is followed
-  Client client_;           // last, as the subscriber: their callbacks use all the rest
-  FollowClient follow_client_;
+  // Last, as the subscribers: their callbacks use all the rest.
+  scan_cell_common::GoalClient<scan_cell_msgs::MoveAction> move_client_;
+  scan_cell_common::GoalClient<scan_cell_msgs::FollowAction> follow_client_;
   ros::Subscriber status_subscriber_;
   ros::Subscriber transform_subscriber_;
 };

@@ -4,6 +4,7 @@
 #include <scan_cell_msgs/CheckFollow.h>
 #include <scan_cell_msgs/SetOverride.h>
 
+#include "devices/motion_of.h"
 #include "devices/ros_devices.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/conversions.h"
@@ -11,19 +12,11 @@
 namespace scan_cell {
 
 using scan_cell_msgs::FollowGoal;
-using scan_cell_msgs::FollowResult;
 
 namespace {
 
 constexpr double kCheckOfAWaypoint = 1e-3;  // [s] twice what the check takes
 constexpr std::size_t kJoints = 6;
-
-Motion motion_of(const FollowResult& result) {
-  Motion motion{Motion::State::kFailed, 0, result.message};
-  if (result.outcome == FollowResult::LINK_LOST) motion.state = Motion::State::kLost;
-  if (result.outcome == FollowResult::STOPPED) motion.state = Motion::State::kStopped;
-  return motion;
-}
 
 }  // namespace
 
@@ -107,15 +100,14 @@ void RosRobot::start_joints(const std::vector<double>& joints) {
 
 void RosRobot::start_follow(const WorkPlan& plan) {
   const std::uint64_t move = begin_motion();
-  follow_client_.sendGoal(
+  follow_client_.send(
       goal_of(plan),
-      [this, move](const auto& state, const scan_cell_msgs::FollowResultConstPtr& result) {
-        if (result) on_feedback(move, 1, result->waypoint);
-        end_motion(move, state, result ? std::optional<Motion>(motion_of(*result)) : std::nullopt);
+      [this, move](const auto& end) {
+        if (end.result) on_feedback(move, 1, end.result->waypoint);
+        end_motion(move, end.state, motion_of(end.result));
       },
-      FollowClient::SimpleActiveCallback(),
       [this, move](const auto& feedback) {
-        on_feedback(move, feedback->progress, feedback->waypoint);
+        on_feedback(move, feedback.progress, feedback.waypoint);
       });
 }
 

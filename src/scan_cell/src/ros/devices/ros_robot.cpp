@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "devices/motion_of.h"
 #include "devices/ros_devices.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/conversions.h"
@@ -17,30 +18,10 @@
 namespace scan_cell {
 
 using scan_cell_msgs::MoveGoal;
-using scan_cell_msgs::MoveResult;
 
 namespace {
 
 constexpr double kCheckOfAMotion = 0.05;  // [s] many times what the check of a motion takes; chosen
-
-/// How a motion ended that did not reach its target.
-Motion::State state_of(std::uint8_t outcome) {
-  switch (outcome) {
-    case MoveResult::LINK_LOST:
-      return Motion::State::kLost;
-    case MoveResult::STOPPED:
-      return Motion::State::kStopped;
-    default:
-      return Motion::State::kFailed;
-  }
-}
-
-/// How a motion ended, as the driver says it.
-template <class ResultPtr>
-std::optional<Motion> ended(const ResultPtr& result) {
-  if (!result) return std::nullopt;
-  return Motion{state_of(result->outcome), 0, result->message};
-}
 
 /// @throw ConnectionError where the driver lost the controller, Refused where one of them refuses
 template <class Service>
@@ -58,8 +39,8 @@ typename Service::Response call_driver(const std::string& name,
 
 RosRobot::RosRobot(ros::NodeHandle node, const Parameters& parameters)
     : parameters_(parameters),
-      client_(node, parameters.robot + "/move", false),
-      follow_client_(node, parameters.robot + "/follow", false) {
+      move_client_(node, parameters.robot + "/move"),
+      follow_client_(node, parameters.robot + "/follow") {
   status_subscriber_ = node.subscribe(parameters.robot + "/status", 10, &RosRobot::on_status, this);
   transform_subscriber_ = node.subscribe("/tf", 100, &RosRobot::on_transforms, this,
                                          ros::TransportHints().tcpNoDelay());
@@ -91,7 +72,7 @@ std::string RosRobot::unseen() const {
 }
 
 std::string RosRobot::trouble() const {
-  if (!client_.isServerConnected()) {
+  if (!move_client_.is_connected()) {
     return "robot: no action server " + parameters_.robot + "/move; is its driver running?";
   }
   if (!status_.ever() || status_.age() > parameters_.lost_after) {
@@ -161,13 +142,9 @@ void RosRobot::start_move(const MoveTarget& target, double camera_rate) {
 
 void RosRobot::send(const MoveGoal& goal) {
   const std::uint64_t move = begin_motion();
-  client_.sendGoal(
-      goal,
-      [this, move](const auto& state, const scan_cell_msgs::MoveResultConstPtr& result) {
-        end_motion(move, state, ended(result));
-      },
-      Client::SimpleActiveCallback(),
-      [this, move](const auto& feedback) { on_feedback(move, feedback->progress, 0); });
+  move_client_.send(
+      goal, [this, move](const auto& end) { end_motion(move, end.state, motion_of(end.result)); },
+      [this, move](const auto& feedback) { on_feedback(move, feedback.progress, 0); });
 }
 
 std::uint64_t RosRobot::begin_motion() {
@@ -184,17 +161,17 @@ void RosRobot::on_feedback(std::uint64_t move, double progress, std::size_t pass
   passed_ = passed;
 }
 
-/// @param end as the driver says it; none: it is gone
-void RosRobot::end_motion(std::uint64_t move, const actionlib::SimpleClientGoalState& state,
-                          const std::optional<Motion>& end) {
+/// @param told what the driver says of a motion that did not reach its target
+void RosRobot::end_motion(std::uint64_t move, const actionlib::TerminalState& state,
+                          const Motion& told) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (move != move_) return;
-  if (state == actionlib::SimpleClientGoalState::SUCCEEDED) {
+  if (state == actionlib::TerminalState::SUCCEEDED) {
     motion_ = {Motion::State::kReached, 1, ""};
     return;
   }
-  motion_.state = end ? end->state : Motion::State::kLost;
-  motion_.message = end && !end->message.empty() ? end->message : state.getText();
+  motion_.state = told.state;
+  motion_.message = told.message.empty() ? state.getText() : told.message;
 }
 
 Motion RosRobot::motion() const {
@@ -225,18 +202,18 @@ Eigen::Isometry3d RosRobot::static_pose() {
 }
 
 bool RosRobot::drop_earlier_goals() {
-  if (!client_.isServerConnected()) return false;
-  client_.cancelGoalsAtAndBeforeTime(made_);
-  if (follow_client_.isServerConnected()) follow_client_.cancelGoalsAtAndBeforeTime(made_);
+  if (!move_client_.is_connected()) return false;
+  move_client_.cancel_until(made_);
+  if (follow_client_.is_connected()) follow_client_.cancel_until(made_);
   return true;
 }
 
 void RosRobot::stop() noexcept {
   // By its number, however the clock was set meanwhile; and what was told before it.
-  client_.cancelGoal();
-  follow_client_.cancelGoal();
-  client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
-  follow_client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
+  move_client_.cancel();
+  follow_client_.cancel();
+  move_client_.cancel_until(ros::Time::now());
+  follow_client_.cancel_until(ros::Time::now());
 }
 
 }  // namespace scan_cell

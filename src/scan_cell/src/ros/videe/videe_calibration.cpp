@@ -54,7 +54,7 @@ VideeCalibration::VideeCalibration(ros::NodeHandle node,
       action_(action),
       watcher_(watcher),
       call_timeout_(call_timeout),
-      client_(node, action, false) {}
+      client_(node, action) {}
 
 std::string VideeCalibration::init() {
   if (parameters_.poses.empty()) {
@@ -89,8 +89,7 @@ std::string VideeCalibration::perform(const VideeServer::ClientThere& client_the
   wait_for_server(client_, action_, call_timeout_);
   scan_cell_msgs::CalibrateGoal wanted = goal();
   wanted.watcher = watcher_.name(call_timeout_);
-  client_.sendGoal(wanted);
-  wait_until_taken(client_, action_, call_timeout_);
+  send_goal(client_, action_, wanted, call_timeout_);
   running_ = true;
   const auto result = wait_for_result(client_, action_, client_there, running_);
   if (result->outcome != CalibrateResult::FINISHED) {

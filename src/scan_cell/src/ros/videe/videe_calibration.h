@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/CalibrateAction.h>
 
 #include <string>
 
 #include "scan_cell/ros/cell_watcher.h"
+#include "scan_cell_common/ros/goal_client.h"
 #include "videe/videe_parameters.h"
 #include "videe/videe_server.h"
 
@@ -43,7 +43,7 @@ class VideeCalibration {
   const std::string action_;
   const CellWatcher& watcher_;
   const double call_timeout_;
-  actionlib::SimpleActionClient<scan_cell_msgs::CalibrateAction> client_;
+  scan_cell_common::GoalClient<scan_cell_msgs::CalibrateAction> client_;
   bool ready_ = false;    // the taught poses were read
   bool running_ = false;  // a goal is under way
 };

@@ -36,7 +36,7 @@ VideeCell::VideeCell(ros::NodeHandle node, const VideeParameters& parameters)
       watcher_(node, parameters.state),
       scans_(node, parameters.scan),
       calibrations_(node, parameters.calibrate),
-      client_(node, parameters.scan, false),
+      client_(node, parameters.scan),
       calibration_(node, parameters.calibration, parameters.calibrate, watcher_,
                    parameters.call_timeout) {}
 
@@ -110,8 +110,7 @@ std::string VideeCell::start_scan() {
   }
   scan_cell_msgs::ScanGoal goal = scan_goal(program, "");
   goal.watcher = watcher_.name(parameters_.call_timeout);
-  client_.sendGoal(goal);
-  wait_until_taken(client_, parameters_.scan, parameters_.call_timeout);
+  send_goal(client_, parameters_.scan, goal, parameters_.call_timeout);
   running_ = true;
   stopped_ = false;
   return "";
@@ -128,9 +127,9 @@ std::string VideeCell::wait_scan(const VideeServer::ClientThere& client_there) {
 std::string VideeCell::stop_scan(const VideeServer::ClientThere& client_there) {
   using scan_cell_msgs::ScanResult;
   if (!running_) throw Refused("STOP_SCAN", "no scan is running", "send START_SCAN first");
-  if (!client_.getState().isDone()) {
+  if (!client_.end()) {
     stopped_ = true;
-    client_.cancelGoal();
+    client_.cancel();
   }
   const auto result = wait_for_result(client_, parameters_.scan, client_there, running_);
   const KeptCloud kept = keep(*result);

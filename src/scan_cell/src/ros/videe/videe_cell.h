@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/ScanAction.h>
 
@@ -12,6 +11,7 @@
 #include "scan_cell/ros/cell_watcher.h"
 #include "scan_cell/scan_program.h"
 #include "scan_cell/videe_command.h"
+#include "scan_cell_common/ros/goal_client.h"
 #include "videe/goals_under_way.h"
 #include "videe/kept_cloud.h"
 #include "videe/videe_calibration.h"
@@ -33,8 +33,6 @@ class VideeCell {
   void on_client_lost();
 
  private:
-  using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
-
   std::string grab_image();
   std::string set_position(const VideeCommand& command);
   std::string start_scan();
@@ -51,7 +49,7 @@ class VideeCell {
   const CellWatcher watcher_;
   GoalsUnderWay scans_;
   GoalsUnderWay calibrations_;
-  Client client_;
+  scan_cell_common::GoalClient<scan_cell_msgs::ScanAction> client_;
   VideeCalibration calibration_;
   std::vector<Eigen::Isometry3d> positions_;
   bool running_ = false;
