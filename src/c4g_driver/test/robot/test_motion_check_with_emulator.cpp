@@ -1,12 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 /// What the driver lets pass, the emulated controller carries out: two independent plans of
-/// a line or an arc.
+/// a line, an arc, or a path of the tool.
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <random>
 
+#include "c4g_driver/tool_motion_check.h"
 #include "robot/motion_check.h"
 #include "robot/smart5_six.h"
 #include "scan_cell_common/errors/errors.h"
@@ -88,13 +89,47 @@ class TwoPlans : public testing::Test {
     }
   }
 
-  const c4g_driver::RobotState from_ = standing_at_the_start();
+  /// A path of the tool that begins where the robot stands and turns about with its wrist nearly
+  /// straight, where a small turn of the tool takes a large one of J4 and J6.
+  c4g_driver::ToolMotion path_near_a_straight_wrist() {
+    from_.joints[4] = (some() < 0 ? -1 : 1) * (0.15 + 0.1 * some());
+    from_.flange = scan_cell_sim::flange_of(from_.joints);
+    c4g_driver::ToolMotion motion;
+    motion.flange_to_tip = Eigen::Translation3d(0.02, 0, 0.2) * turned(0.3);
+    c4g_driver::ToolWaypoint waypoint;
+    waypoint.tip = from_.flange * motion.flange_to_tip;
+    waypoint.speed = 1e-3;  // so slow that no axis is asked too much
+    for (int i = 0; i < 6; ++i) {
+      motion.waypoints.push_back(waypoint);
+      waypoint.tip = waypoint.tip * Eigen::Translation3d(0.02 * some(), 0.02 * some(), 0) *
+                     turned(0.05 * some());
+      waypoint.zone = 1e-3 * (1 + some());
+    }
+    return motion;
+  }
+
+  /// @throw ControllerRefusal
+  scan_cell_sim::PlannedPath their_plan(const c4g_driver::ToolMotion& motion) const {
+    std::vector<scan_cell_sim::TipWaypoint> waypoints;
+    for (const c4g_driver::ToolWaypoint& each : motion.waypoints)
+      waypoints.push_back({each.tip, each.speed, each.zone, 0});
+    return scan_cell_sim::plan_tool_path(from_.joints, motion.flange_to_tip, waypoints, 0,
+                                         their(settings_));
+  }
+
+  c4g_driver::RobotState from_ = standing_at_the_start();
   c4g_driver::MotionSettings settings_;
   int passed_ = 0;
   int refused_ = 0;
 
  private:
   double some() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
+
+  /// [rad] about any axis across the tool's
+  Eigen::AngleAxisd turned(double angle) {
+    const double across = M_PI * some();
+    return {angle, Eigen::Vector3d(std::cos(across), std::sin(across), 0)};
+  }
 
   std::mt19937 random_{17};
 };
@@ -120,6 +155,19 @@ TEST_F(TwoPlans, OfAnArcAgreeSoThatWhatPassesIsCarriedOutAtTheSpeedAskedFor) {
   }
   EXPECT_GT(passed_, 40);
   EXPECT_GT(refused_, 25);
+}
+
+TEST_F(TwoPlans, OfAPathOfTheToolAgreeSoThatWhatPassesIsFollowedToItsEnd) {
+  for (int i = 0; i < 400; ++i) {
+    const c4g_driver::ToolMotion motion = path_near_a_straight_wrist();
+    const auto checked =
+        c4g_driver::check_tool_motion(smart5_six(), limits_in_automatic(), from_, motion);
+    ++(checked.possible() ? passed_ : refused_);
+    if (!checked.possible()) continue;
+    EXPECT_NO_THROW(their_plan(motion)) << passed_ << ". passed";
+  }
+  EXPECT_GT(passed_, 100);
+  EXPECT_GT(refused_, 100);
 }
 
 TEST(MotionCheck, LetsPassTheTaughtPosesOfTheSimulatedCalibration) {

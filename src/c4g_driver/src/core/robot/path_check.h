@@ -45,7 +45,9 @@ PathCheck follow(const RobotModel& robot, const RobotLimits& limits, const Path&
 std::string singular_joints(const RobotModel::Jacobian& jacobian);
 
 /// [rad] that no joint changes by in a step of follow(), unless an axis turns over.
-constexpr double kTurnsOver = 0.2;  // chosen, for a step of a degree
+/// The emulator, which looks every two degrees, refuses 0.35; below half of that, since its steps
+/// are not ours.
+constexpr double kTurnsOver = 0.15;  // for a step of a degree
 
 /// Into which follow() cuts a stretch: of a few millimetres and a degree at most.
 double steps_along(const Path::Stretch& stretch);
