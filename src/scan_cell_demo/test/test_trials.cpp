@@ -23,18 +23,20 @@ constexpr std::uint16_t kVideePort = 15421;  // trials.launch
 // With other programs beside it, that hold up the simulated controller; make trials has the cell's
 // own default and the goal. The driver alone would leave the lasers on for more than 0.5 s.
 const char* const kUnseenAfter = "unseen_after:=0.2";  // [s]
-constexpr double kMaxOn = 0.4;                         // [s]
+const char* const kFollowWatch = "follow_watch:=0.2";  // [s]
+constexpr TrialLimits kLimits{0.4, 1.0};               // [s]
 
 class Trials : public testing::TestWithParam<Blow> {
  protected:
   static void SetUpTestSuite() {
     fs::create_directories(clouds());
     started_ = std::make_unique<StartedCell>(
-        "test_trials", std::vector<std::string>{LAUNCH_FILE, kUnseenAfter, "folder:=" + clouds()},
+        "test_trials",
+        std::vector<std::string>{LAUNCH_FILE, kUnseenAfter, kFollowWatch, "folder:=" + clouds()},
         folder());
     tap_ = std::make_unique<LaserTap>(kTapPort, kCircuitPort);
     cell_ = std::make_unique<RunningCell>(ros::NodeHandle());
-    bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kVideePort, kMaxOn);
+    bench_ = std::make_unique<TrialBench>(*cell_, *tap_, clouds(), kVideePort, kLimits);
   }
   static void TearDownTestSuite() {
     bench_.reset();
@@ -65,6 +67,12 @@ std::unique_ptr<LaserTap> Trials::tap_;
 std::unique_ptr<RunningCell> Trials::cell_;
 std::unique_ptr<TrialBench> Trials::bench_;
 
+std::string name_of_param(const testing::TestParamInfo<Blow>& blow) {
+  std::string name = name_of(blow.param);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
 }  // namespace
 
 TEST_P(Trials, LasersGoOffInMidScanAndNothingBeginsAnew) {
@@ -79,8 +87,13 @@ TEST_P(Trials, RobotStaysWhereItStoppedInMidMove) {
   expect_promises_kept({GetParam(), Moment::kMidMove, 0.3, 0});
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEach, Trials, testing::ValuesIn(every_blow()), [](const auto& blow) {
-  std::string name = name_of(blow.param);
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(OfEach, Trials, testing::ValuesIn(every_blow()), name_of_param);
+
+class PathTrials : public Trials {};
+
+TEST_P(PathTrials, ToolGoesOffInMidPathAndNothingGoesOn) {
+  expect_promises_kept({GetParam(), Moment::kMidPath, 0.3, 0});
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEach, PathTrials, testing::ValuesIn(every_blow_in_a_path()),
+                         name_of_param);

@@ -24,9 +24,11 @@ struct ClientOptions {
   std::string local_address = "0.0.0.0";  //!< IPv4 of this machine's interface to it; 0.0.0.0: any
   std::string address = "127.0.0.1";      //!< IPv4 of the controller
   std::uint16_t port = 5410;              //!< UDP, of the controller
-  double link_timeout = 0.5;  //!< [s] no answer, or no fresh pose, for so long is a lost link
-  int tries = 10;             //!< how often a request is sent within link_timeout
-  double poll_period = 0.1;   //!< [s] between requests for the pose; they keep the session alive
+  double link_timeout = 0.5;   //!< [s] no answer, or no fresh pose, for so long is a lost link
+  int tries = 10;              //!< how often a request is sent within link_timeout
+  double poll_period = 0.1;    //!< [s] between requests for the pose; they keep the session alive
+  double follow_watch = 0.08;  //!< [s] of our silence after which the controller ends a path of the
+                               //!< tool; requests come ten times as often then
   double reconnect_period =
       0.5;                    //!< [s] between attempts to connect; the first follows a loss at once
   double clock_window = 2.0;  //!< [s] over which the least delay of the wire is sought

@@ -37,6 +37,10 @@ void describe(ParameterTable& table, ClientOptions& client) {
   table.add("tries", client.tries, {1, 100}, "how often a request is sent within `link_timeout`");
   table.add("poll_period", client.poll_period, {0.01, 0.5, "s"},
             "between requests for the pose; they keep the session alive");
+  table.add(
+      "follow_watch", client.follow_watch, {0.02, 1, "s"},
+      "of the driver's silence after which the controller ends a path of the tool: its outputs go "
+      "off and it brakes; requests come ten times as often then; 0.5 with `sim:=true`");
   table.add("reconnect_period", client.reconnect_period, {0.05, 60, "s"},
             "between attempts to connect; it does not grow, and the first follows a loss at once");
   table.add("clock_window", client.clock_window, {0.1, 600, "s"},

@@ -33,10 +33,11 @@ class FollowTogether : public testing::Test {
     connect(2);
   }
 
-  void connect(double link_timeout) {
+  void connect(double link_timeout, double follow_watch = 1) {
     ClientOptions options;
     options.port = controller_->port();
-    options.link_timeout = link_timeout;  // patience for a busy machine
+    options.link_timeout = link_timeout;  // patience for a busy machine, as follow_watch
+    options.follow_watch = follow_watch;
     options.tries = 100;
     options.robot = std::make_shared<RobotModel>(smart5_six());
     options.limits.operation = Operation::kAutomatic;

@@ -63,7 +63,9 @@ TEST_F(FollowEndings, StopTurnsTheOutputsOff) {
   expect_it_ends(stopped, 0, 500);
 }
 
-TEST_F(FollowEndings, ALostLinkEndsThePathWhenTheClientIsBack) {
+TEST_F(FollowEndings, ALostLinkEndsThePathWhenItsWatchIsOver) {
+  client_.reset();
+  connect(2, 0.3);
   start();
   scan_cell_sim::ControllerFaults cut;
   cut.to_client.link_down = cut.from_client.link_down = true;
@@ -71,9 +73,16 @@ TEST_F(FollowEndings, ALostLinkEndsThePathWhenTheClientIsBack) {
   const Nanoseconds instant = host_now();
   EXPECT_EQ(client_->wait_for_goal(20).outcome(), Outcome::kLinkLost);
   controller_->set_faults({});
-  // the controller takes a client for gone after 1 s
   ASSERT_TRUE(eventually([this] { return client_->link().up; }));
-  expect_it_ends(instant + 1000 * kMillisecond, 100, 600);
+  expect_it_ends(instant, 400, 900);
+}
+
+TEST_F(FollowEndings, ASilenceThatIsShorterThanItsWatchDoesNotEndIt) {
+  start();
+  scan_cell_sim::ControllerFaults deaf;
+  deaf.from_client.silence = 0.4;
+  controller_->set_faults(deaf);
+  EXPECT_EQ(client_->wait_for_goal(60).outcome(), Outcome::kReached);
 }
 
 TEST_F(FollowEndings, AClientThatIsGoneEndsIt) {

@@ -8,7 +8,7 @@ using c4g_driver::MotionStatus;
 using c4g_driver::PoseFeed;
 using scan_cell_common::Nanoseconds;
 using Source = PoseFeed::Source;
-using Verdict = PoseFeed::Verdict;
+using PoseVerdict = PoseFeed::Verdict;
 
 namespace {
 
@@ -23,8 +23,8 @@ class PoseFeedTest : public testing::Test {
     return PoseFeed::Clock::time_point(std::chrono::nanoseconds(time));
   }
 
-  Verdict hear(Nanoseconds time, Source source = Source::kStream,
-               MotionStatus status = MotionStatus::kMoving) {
+  PoseVerdict hear(Nanoseconds time, Source source = Source::kStream,
+                   MotionStatus status = MotionStatus::kMoving) {
     c4g_driver::RobotState robot;
     robot.controller_time = time;
     robot.status = status;
@@ -55,12 +55,12 @@ constexpr Nanoseconds kTimeout = kSecond / 2;
 }  // namespace
 
 TEST_F(PoseFeedTest, HandsOnEachPoseWithItsInstantOnce) {
-  EXPECT_EQ(hear(kSecond), Verdict::kHandOn);
+  EXPECT_EQ(hear(kSecond), PoseVerdict::kHandOn);
   EXPECT_EQ(feed_.latest()->time, kBoot + kSecond + kDelay);
-  EXPECT_EQ(hear(kSecond), Verdict::kOvertaken);
-  EXPECT_EQ(hear(kSecond / 2), Verdict::kOvertaken);
+  EXPECT_EQ(hear(kSecond), PoseVerdict::kOvertaken);
+  EXPECT_EQ(hear(kSecond / 2), PoseVerdict::kOvertaken);
   EXPECT_EQ(feed_.dropped().overtaken, 2u);
-  EXPECT_EQ(hear(kSecond + kStreamPeriod), Verdict::kHandOn);
+  EXPECT_EQ(hear(kSecond + kStreamPeriod), PoseVerdict::kHandOn);
 }
 
 TEST_F(PoseFeedTest, StaysFreshWithTheStreamOfAMotionAndThePollsOfARest) {
@@ -99,7 +99,7 @@ TEST_F(PoseFeedTest, IsStaleAfterTheHostsClockWasSetAndWellAgainAfterARestart) {
                                         Source::kStream, MotionStatus::kMoving);
     EXPECT_LT(from, begin + kSecond + kTimeout + 2 * kStreamPeriod) << step;
     feed_.restart(steady(from));
-    EXPECT_EQ(hear(from + kStreamPeriod), Verdict::kHandOn);
+    EXPECT_EQ(hear(from + kStreamPeriod), PoseVerdict::kHandOn);
     EXPECT_EQ(feed_.latest()->time, kBoot + host_is_ahead_ + from + kStreamPeriod + kDelay);
     EXPECT_FALSE(feed_.stale(steady(from + kTimeout)));
   }
@@ -116,7 +116,7 @@ TEST_F(PoseFeedTest, IsStaleWhenThePosesThatComeAreOld) {
     robot.controller_time = kSecond + waited / 4;  // held up on the way, longer and longer
     const Nanoseconds now = kSecond + waited;
     EXPECT_EQ(feed_.take(robot, kBoot + now + kDelay, Source::kStream, steady(now)),
-              Verdict::kHandOn);
+              PoseVerdict::kHandOn);
   }
   // three quarters of the time waited reach the timeout, and then it runs
   EXPECT_NEAR(static_cast<double>(waited), kTimeout / 0.75 + kTimeout, 3 * kStreamPeriod);
@@ -127,6 +127,6 @@ TEST_F(PoseFeedTest, CountsAPoseThatABetterEstimateOfTheDelayPutsBeforeTheLast) 
   c4g_driver::RobotState robot;
   robot.controller_time = kSecond + kDelay / 4;
   EXPECT_EQ(feed_.take(robot, kBoot + kSecond + kDelay / 2, Source::kStream, steady(kSecond)),
-            Verdict::kBackward);
+            PoseVerdict::kBackward);
   EXPECT_EQ(feed_.dropped().backward, 1u);
 }

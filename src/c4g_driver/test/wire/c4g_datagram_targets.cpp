@@ -133,13 +133,9 @@ void ask_to_follow(const std::string& piece) {
   promise(controller.motions_begun() == 0, "a piece that moves the robot");
   const auto value = nlohmann::json::parse(loaded.value.empty() ? "[]" : loaded.value);
   if (value.size() != 2) throw ProtocolError("piece", "another request", "send a piece");
-  const nlohmann::json begin = {{"c4g", 1},
-                                {"session", 100},
-                                {"seq", 4},
-                                {"path", 1},
-                                {"from", 0},
-                                {"cmd", "FOLLOW_PATH"},
-                                {"checksum", value[1]}};
+  const nlohmann::json begin = {{"c4g", 1},     {"session", 100},      {"seq", 4},
+                                {"path", 1},    {"from", 0},           {"cmd", "FOLLOW_PATH"},
+                                {"watch", 100}, {"checksum", value[1]}};
   const auto begun = check_answer(controller.answer(sealed(begin.dump()), kSecond).value());
   promise(controller.motions_begun() == (begun.error ? 0 : 1), "refused and begun, or neither");
   for (const Nanoseconds later : {kSecond + kSecond / 20, 2 * kSecond, 100'000 * kSecond}) {

@@ -103,7 +103,7 @@ std::vector<c4g_driver::Request> requests() {
       PathPiece{
           1, 0, {waypoint(0.8, -0.1, 0.45, 0.05, 0, 0), waypoint(0.8, 0, 0.45, 0.05, 0.002, 1)}},
       PathPiece{1, 2, {waypoint(0.85, 0, 0.45, 0.1, 0, 1), waypoint(0.85, 0, 0.5, 0.1, 0, 0)}},
-      FollowPath{1, 0, checksum()},
+      FollowPath{1, 0, checksum(), 0.1},
       Close{}};
 }
 

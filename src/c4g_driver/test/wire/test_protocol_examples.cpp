@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 
+#include "degree.h"
 #include "robot/closed_form.h"
 #include "robot/motion_check.h"
 #include "robot/smart5_six.h"
@@ -65,8 +66,6 @@ double number_after(const std::string& words) {
   EXPECT_TRUE(std::regex_search(page(), match, std::regex(words + R"((-?[\d.]*\d))"))) << words;
   return match.empty() ? 0 : std::stod(match[1]);
 }
-
-constexpr double kDegree = M_PI / 180;
 
 /// As the page rounds: half of 0.001 mm and half of 0.0001 degree in each number, and their sum
 /// over an arm of a metre.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "degree.h"
 #include "wire/wire_units.h"
 
 using c4g_driver::WireSix;
@@ -13,8 +14,6 @@ using Eigen::Vector3d;
 using scan_cell_common::comau_angles;
 
 namespace {
-
-constexpr double kDegree = M_PI / 180;
 
 Matrix3d rz(double angle) {
   Matrix3d m;

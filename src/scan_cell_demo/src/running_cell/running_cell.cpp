@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kPatience = 60;  // [s]
 constexpr double kLook = 0.01;    // [s] between two checks
-constexpr int kStill = 3;         // messages in a row
+constexpr double kStill = 0.3;    // [s] at one place
 constexpr int kSteps = 8;         // of a scan
 
 scan_cell::ScanProgram shipped(const std::string& name) {
@@ -61,7 +61,7 @@ void RunningCell::wait_until_well() {
     connected_ = false;  // a driver that died may have said otherwise
   }
   videe_.reset();
-  wait_until("the cell", [this] { return scan_.isServerConnected(); });
+  wait_until("the cell", [this] { return scan_.is_connected(); });
   wait_until("the simulator",
              [] { return ros::service::exists("/scan_cell_sim/set_faults", false); });
   constexpr bool kStaysConnected = true;
@@ -81,6 +81,13 @@ scan_cell::ScanProgram RunningCell::line() const {
   return program;
 }
 
+std::vector<Eigen::Isometry3d> RunningCell::line_in_base() const {
+  std::vector<Eigen::Isometry3d> ends = line_.passes.front().poses;
+  for (Eigen::Isometry3d& pose : ends)
+    pose = base_link_.inverse() * pose;
+  return ends;
+}
+
 void RunningCell::forget_last_scan() {
   const std::lock_guard<std::mutex> lock(mutex_);
   step_ = {};
@@ -98,11 +105,11 @@ void RunningCell::start_program(const std::string& scan_id) {
 
 void RunningCell::start(const scan_cell::ScanProgram& program, const std::string& scan_id) {
   forget_last_scan();
-  scan_.sendGoal(scan_cell::scan_goal(program, scan_id));
+  scan_.send(scan_cell::scan_goal(program, scan_id));
 }
 
 void RunningCell::stop_scan() {
-  scan_.cancelGoal();
+  scan_.cancel();
 }
 
 void RunningCell::start_videe_scan(std::uint16_t port) {
@@ -151,12 +158,11 @@ RunningCell::Step RunningCell::step() const {
 scan_cell_msgs::ScanResultConstPtr RunningCell::end() {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
   auto end = result();
-  for (; !end && scan_.isServerConnected(); end = result()) {
+  for (; !end && scan_.is_connected(); end = result()) {
     if (ros::WallTime::now() > deadline)
       throw Refused("the scan", "does not end", "see the cell's log");
     ros::WallDuration(kLook).sleep();
   }
-  if (!videe_) scan_.stopTrackingGoal();
   if (!end) return nullptr;
   return scan_cell_msgs::ScanResultConstPtr(end, &end->result);  // a part of it, kept alive by it
 }
@@ -193,7 +199,8 @@ double RunningCell::way_within(double time) {
 
 void RunningCell::start_to_look() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  flange_seen_.heard = flange_seen_.still = 0;
+  flange_seen_.heard = 0;
+  flange_seen_.still = 0;
 }
 
 RunningCell::Seen RunningCell::look() const {
@@ -223,7 +230,11 @@ void RunningCell::on_flange(const geometry_msgs::PoseStamped& flange) {
   const Eigen::Vector3d place =
       (base_link_ * scan_cell_common::from_ros(flange.pose)).translation();
   Seen& seen = flange_seen_;
-  seen.still = (place - seen.place).norm() < kSamePlace ? seen.still + 1 : 0;
+  if (seen.heard == 0 || (place - seen.anchor).norm() > kSamePlace) {
+    seen.anchor = place;
+    seen.since = flange.header.stamp;
+  }
+  seen.still = (flange.header.stamp - seen.since).toSec();
   ++seen.heard;
   seen.place = place;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/client/simple_action_client.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/RobotStatus.h>
@@ -13,10 +12,12 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "running_cell/videe_client.h"
 #include "scan_cell/scan_program.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/goal_client.h"
 
 namespace scan_cell_demo {
 
@@ -81,9 +82,10 @@ class RunningCell {
 
   bool connected() const;
 
- private:
-  using Client = actionlib::SimpleActionClient<scan_cell_msgs::ScanAction>;
+  /// The ends of the shipped line, as poses of the flange in base_link.
+  std::vector<Eigen::Isometry3d> line_in_base() const;
 
+ private:
   void on_feedback(const scan_cell_msgs::ScanActionFeedback& feedback);
   void on_result(const scan_cell_msgs::ScanActionResultConstPtr& result);
   void forget_last_scan();
@@ -97,8 +99,10 @@ class RunningCell {
   /// The true flange, in world.
   struct Seen {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    int heard = 0;  // messages since start_to_look()
-    int still = 0;  // latest messages in a row at the same place
+    int heard = 0;                                     // messages since start_to_look()
+    double still = 0;                                  // [s] that it has been at one place
+    Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  // that place
+    ros::Time since;
   };
   void start_to_look();
   Seen look() const;
@@ -115,7 +119,7 @@ class RunningCell {
   Seen flange_seen_;
   ros::ServiceClient faults_;
   std::optional<VideeClient> videe_;  // that started the scan
-  Client scan_{"/scan_cell/scan", false};
+  scan_cell_common::GoalClient<scan_cell_msgs::ScanAction> scan_{node_, "/scan_cell/scan"};
   ros::Subscriber feedback_;  // whoever started the scan
   ros::Subscriber results_;
   ros::Subscriber flange_;

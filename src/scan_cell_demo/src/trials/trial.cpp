@@ -59,6 +59,13 @@ const std::vector<Blow>& every_blow() {
   return blows;
 }
 
+const std::vector<Blow>& every_blow_in_a_path() {
+  static const std::vector<Blow> blows = {Blow::kEmergencyStop, Blow::kCablePulled,
+                                          Blow::kControllerKilled, Blow::kDriverKilled,
+                                          Blow::kStop};
+  return blows;
+}
+
 std::string name_of(Blow blow) {
   switch (blow) {
     case Blow::kEmergencyStop:
@@ -87,13 +94,20 @@ std::string name_of(Moment moment) {
       return "mid scan";
     case Moment::kMidProgram:
       return "mid program";
+    case Moment::kMidPath:
+      return "mid path";
   }
   return "";
 }
 
 TrialBench::TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder,
-                       std::uint16_t videe, double max_on)
-    : cell_(cell), tap_(tap), folder_(std::move(folder)), videe_(videe), max_on_(max_on) {}
+                       std::uint16_t videe, const TrialLimits& limits)
+    : cell_(cell),
+      tap_(tap),
+      folder_(std::move(folder)),
+      videe_(videe),
+      limits_(limits),
+      path_(ros::NodeHandle(), cell.line_in_base()) {}
 
 void TrialBench::begin(const Trial& trial, const std::string& name) {
   constexpr int kMaxTries = 3;
@@ -111,6 +125,11 @@ void TrialBench::begin(const Trial& trial, const std::string& name) {
 }
 
 void TrialBench::begin_once(const Trial& trial, const std::string& name) {
+  if (trial.moment == Moment::kMidPath) {
+    path_.start();
+    path_.wait_for_share(trial.share);
+    return;
+  }
   if (trial.moment == Moment::kMidProgram) {
     const double time = time_of_program();
     cell_.start_program(name);
@@ -142,33 +161,71 @@ double TrialBench::time_of_program() {
 
 TrialResult TrialBench::make(const Trial& trial, const std::string& name) {
   begin(trial, name);
+  TrialResult result = trial.moment == Moment::kMidPath ? make_in_path(trial) : make_in_scan(trial);
+  const std::uint64_t switched_on = tap_.switched_on();
+  const int tool_switched_on = path_.switched_on();
+  make_well(trial);
+  const double way = cell_.way_within(kWatch);
+  if (way > kMaxWay) result.failures.push_back(fmt::format("moved by {:g} m", way));
+  if (tap_.switched_on() != switched_on) result.failures.push_back("lasers went on again");
+  if (path_.is_on() || path_.switched_on() != tool_switched_on)
+    result.failures.push_back("the tool went on again");
+  for (std::string& file : broken_files())
+    result.failures.push_back(std::move(file));
+  return result;
+}
+
+TrialResult TrialBench::make_in_path(const Trial& trial) {
+  TrialResult result;
+  result.place = "the tool on";
+  const Nanoseconds struck = strike(trial);
+  const auto end = path_.end();
+  result.outcome = end ? end->message : "no result";
+  if (!end && trial.blow != Blow::kDriverKilled) result.failures.push_back("the driver went away");
+  if (end && end->outcome == scan_cell_msgs::FollowResult::REACHED)
+    result.failures.push_back("the path was reported as followed");
+  if (trial.blow == Blow::kControllerKilled) return result;  // and the truth with it
+  cell_.wait_until_standing();
+  check_rest(trial, struck, result);
+  return result;
+}
+
+void TrialBench::check_rest(const Trial& trial, Nanoseconds struck, TrialResult& result) {
+  const FollowedPath::Rest rest = path_.rest(struck);
+  result.on = rest.outputs_on;
+  result.moving = rest.moving;
+  if (rest.outputs_on > limits_.on)
+    result.failures.push_back(fmt::format("the tool on for {:.1f} ms at {:.0f} %",
+                                          kMillisecond * rest.outputs_on, 100 * trial.share));
+  if (rest.moving > limits_.moving)
+    result.failures.push_back(fmt::format("moving for {:.1f} ms", kMillisecond * rest.moving));
+}
+
+TrialResult TrialBench::make_in_scan(const Trial& trial) {
   const bool scanning = trial.moment == Moment::kMidScan;
   TrialResult result;
   if (scanning && !tap_.wait_until_on(kPatience)) result.failures.push_back("no laser in the scan");
   const RunningCell::Step step = cell_.step();
   result.place = fmt::format("pass {}, step {}, lasers {}", step.pass, step.step,
                              tap_.lasers() == 0 ? "off" : "on");
-  const Nanoseconds struck = strike(trial.blow);
+  const Nanoseconds struck = strike(trial);
   check_end(trial, step, result);
   // A scan that ended switches no laser on; what it switched on after the blow counts as still on.
-  result.lasers_on = tap_.on_for(struck, kPatience).value_or(kPatience);
-  if (result.lasers_on > max_on_)
-    result.failures.push_back(
-        fmt::format("lasers on for {:.1f} ms", kMillisecond * result.lasers_on));
-  const std::uint64_t switched_on = tap_.switched_on();
-  make_well(trial);
-  const double way = cell_.way_within(kWatch);
-  if (way > kMaxWay) result.failures.push_back(fmt::format("moved by {:g} m", way));
-  if (tap_.switched_on() != switched_on) result.failures.push_back("lasers went on again");
-  for (std::string& file : broken_files())
-    result.failures.push_back(std::move(file));
+  result.on = tap_.on_for(struck, kPatience).value_or(kPatience);
+  if (*result.on > limits_.on)
+    result.failures.push_back(fmt::format("lasers on for {:.1f} ms", kMillisecond * *result.on));
   return result;
 }
 
-Nanoseconds TrialBench::strike(Blow blow) {
+Nanoseconds TrialBench::strike(const Trial& trial) {
+  const Blow blow = trial.blow;
   if (blow == Blow::kStop) {
     const Nanoseconds struck = host_now();
-    cell_.stop_scan();
+    if (trial.moment == Moment::kMidPath) {
+      path_.cancel();
+    } else {
+      cell_.stop_scan();
+    }
     return struck;
   }
   killed_node_ = victim(blow);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "running_cell/followed_path.h"
 #include "running_cell/laser_tap.h"
 #include "running_cell/running_cell.h"
 
@@ -21,11 +23,14 @@ enum class Blow {
   kVideeKilled,  //!< while a scan of its own client runs
   kStop,         //!< nothing breaks: its client cancels the scan
 };
-/// When: on the way to the start of a line with the lasers off, while the line is scanned, or at
-/// any time in a program of three passes.
-enum class Moment { kMidMove, kMidScan, kMidProgram };
+/// When: on the way to the start of a line with the lasers off, while the line is scanned, at any
+/// time in a program of three passes, or while the tool follows a path with an output on.
+enum class Moment { kMidMove, kMidScan, kMidProgram, kMidPath };
 
 const std::vector<Blow>& every_blow();
+/// Those that can come while a path is followed, in which neither the cell nor videe_node has a
+/// part.
+const std::vector<Blow>& every_blow_in_a_path();
 std::string name_of(Blow blow);
 std::string name_of(Moment moment);
 
@@ -39,21 +44,29 @@ struct Trial {
 
 /// How the cell reacted. `failures` is empty if it kept every promise.
 struct TrialResult {
-  double lasers_on = 0;               //!< [s] after the blow, until none was on any more
+  std::optional<double> on;           //!< [s] after the blow, until no laser, or in a path no
+                                      //!< output of the tool, was on any more; none: not measured
+  std::optional<double> moving;       //!< [s] after the blow, in a path; none: not measured
   std::string place;                  //!< where in the scan the blow came
-  std::string outcome;                //!< message of the scan's result
+  std::string outcome;                //!< message of the scan's or path's result
   std::vector<std::string> failures;  //!< promises that were broken
 };
 
-/// Runs trials on a running cell and checks its promises: the lasers go off in time and stay off,
-/// the robot stops and does not move again after recovery, and files are whole and stay unchanged.
+/// What a trial may take.
+struct TrialLimits {
+  double on = 0.1;      //!< [s] that lasers, or the tool, may be on after a blow
+  double moving = 0.5;  //!< [s] that the robot may still move after a blow in a path
+};
+
+/// Runs trials on a running cell and checks its promises: the lasers and the tool go off in time
+/// and stay off, the robot stops and does not move again after recovery, and files are whole and
+/// stay unchanged.
 class TrialBench {
  public:
   /// @param folder where the cell writes a file for each cloud
   /// @param videe port of videe_node
-  /// @param max_on [s] that lasers may be on after a blow
   TrialBench(RunningCell& cell, const LaserTap& tap, std::string folder, std::uint16_t videe,
-             double max_on);
+             const TrialLimits& limits);
 
   /// Waits until the cell is ready, runs the trial, and leaves the cell without a fault. Starts
   /// again if the scan ends by itself before the blow, as on a machine that is too busy.
@@ -67,12 +80,15 @@ class TrialBench {
   std::vector<std::string> broken_files();
 
  private:
+  TrialResult make_in_path(const Trial& trial);
+  TrialResult make_in_scan(const Trial& trial);
+  void check_rest(const Trial& trial, scan_cell_common::Nanoseconds struck, TrialResult& result);
   void begin(const Trial& trial, const std::string& name);
   void begin_once(const Trial& trial, const std::string& name);
   double time_of_program();
 
   /// @return host time just before the blow
-  scan_cell_common::Nanoseconds strike(Blow blow);
+  scan_cell_common::Nanoseconds strike(const Trial& trial);
   void make_well(const Trial& trial);
   void check_end(const Trial& trial, const RunningCell::Step& struck_at, TrialResult& result);
   void check_cloud(const scan_cell_msgs::ScanResult& scan, TrialResult& result);
@@ -83,7 +99,8 @@ class TrialBench {
   const LaserTap& tap_;
   const std::string folder_;
   const std::uint16_t videe_;
-  const double max_on_;
+  const TrialLimits limits_;
+  FollowedPath path_;
   std::string killed_node_;
   pid_t killed_ = -1;
   int begun_anew_ = 0;

@@ -1,8 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Disturbs the simulated cell at random times during moves and scans: emergency stop, cable pulled,
-// controller, driver, cell or videe_node killed; or stops a scan of three passes. Reports how long
-// the lasers stayed on, and which promise was broken.
+// controller, driver, cell or videe_node killed; or stops a scan of three passes. The same while
+// the tool follows a path. Reports how long lasers and tool stayed on, and which promise was
+// broken.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,10 +31,18 @@ constexpr double kMilliseconds = 1e3;
 struct Options {
   int count = 200;
   unsigned seed = 1;
-  double max_on = 0.1;  //!< [s]
+  TrialLimits limits;
   std::string folder = "out/trials";
   std::vector<std::string> blows;
 };
+
+/// @param round of those of this blow
+Moment moment_of(Blow blow, int round) {
+  const std::vector<Blow>& in_a_path = every_blow_in_a_path();
+  const bool may_be = std::count(in_a_path.begin(), in_a_path.end(), blow) > 0;
+  if (may_be && round % 3 == 2) return Moment::kMidPath;
+  return round % (may_be ? 3 : 2) == 0 ? Moment::kMidScan : Moment::kMidMove;
+}
 
 /// All kinds in equal numbers, in an order that the seed decides.
 std::vector<Trial> mix(const Options& options) {
@@ -49,9 +58,9 @@ std::vector<Trial> mix(const Options& options) {
   for (int i = 0; i < options.count; ++i) {
     const auto blows = static_cast<int>(wanted.size());
     const Blow blow = wanted[static_cast<std::size_t>(i % blows)];
-    Moment moment = i / blows % 2 == 0 ? Moment::kMidScan : Moment::kMidMove;
+    Moment moment = moment_of(blow, i / blows);
     double part = share(random);
-    if (blow == Blow::kStop) {
+    if (blow == Blow::kStop && moment != Moment::kMidPath) {
       moment = Moment::kMidProgram;
       part = anywhere(random);
     }
@@ -63,7 +72,9 @@ std::vector<Trial> mix(const Options& options) {
 
 /// Results of all trials of one kind.
 struct Tally {
-  std::vector<double> lasers_on;  // [s]
+  std::vector<double> on;      // [s]
+  std::vector<double> moving;  // [s]
+  int trials = 0;
   int broken = 0;
 };
 
@@ -71,18 +82,28 @@ TrialResult make_safely(TrialBench& bench, const Trial& trial, const std::string
   try {
     return bench.make(trial, name);
   } catch (const scan_cell_common::Error& error) {
-    return {0, "", "", {error.what()}};
+    return {std::nullopt, std::nullopt, "", "", {error.what()}};
   }
 }
 
-void print(const std::map<std::string, Tally>& tallies, double max_on) {
-  std::printf("\nlasers on after the blow [ms], goal: %.0f\n%-36s %6s %8s %8s %8s\n",
-              kMilliseconds * max_on, "", "trials", "median", "max", "broken");
+/// [ms] of times [s]; - where nothing was measured
+std::string median_and_max(std::vector<double> times) {
+  if (times.empty()) return "-";
+  std::sort(times.begin(), times.end());
+  return fmt::format("{:.1f}, {:.1f}", kMilliseconds * times[times.size() / 2],
+                     kMilliseconds * times.back());
+}
+
+void print(const std::map<std::string, Tally>& tallies, const TrialLimits& limits) {
+  std::printf(
+      "\nlasers, or the tool, on after the blow [ms], goal: %.0f; on a path still moving, goal: "
+      "%.0f\n%-36s %6s %16s %16s %8s\n",
+      kMilliseconds * limits.on, kMilliseconds * limits.moving, "", "trials", "on: median, max",
+      "moving: the same", "broken");
   for (const auto& [kind, tally] : tallies) {
-    std::vector<double> on = tally.lasers_on;
-    std::sort(on.begin(), on.end());
-    std::printf("%-36s %6zu %8.1f %8.1f %8d\n", kind.c_str(), on.size(),
-                kMilliseconds * on[on.size() / 2], kMilliseconds * on.back(), tally.broken);
+    std::printf("%-36s %6d %16s %16s %8d\n", kind.c_str(), tally.trials,
+                median_and_max(tally.on).c_str(), median_and_max(tally.moving).c_str(),
+                tally.broken);
   }
 }
 
@@ -96,23 +117,26 @@ int run(const Options& options) {
   const LaserTap tap(kTapPort, kCircuitPort);
   RunningCell cell{ros::NodeHandle()};
   cell.wait_until_well();  // otherwise no trial would be meaningful
-  TrialBench bench(cell, tap, clouds, kVideePort, options.max_on);
+  TrialBench bench(cell, tap, clouds, kVideePort, options.limits);
   std::map<std::string, Tally> tallies;
   int broken = 0, number = 0;
   for (const Trial& trial : mix(options)) {
     const TrialResult result = make_safely(bench, trial, fmt::format("trial_{}", ++number));
     const std::string kind = name_of(trial.blow) + ", " + name_of(trial.moment);
     Tally& tally = tallies[kind];
-    tally.lasers_on.push_back(result.lasers_on);
+    ++tally.trials;
+    if (result.on) tally.on.push_back(*result.on);
+    if (result.moving) tally.moving.push_back(*result.moving);
     if (!result.failures.empty()) ++tally.broken, ++broken;
-    std::printf("%d of %d: %s at %.0f %% (%s): lasers on for %.1f ms; %s\n", number, options.count,
+    std::printf("%d of %d: %s at %.0f %% (%s): on for %s ms; %s\n", number, options.count,
                 kind.c_str(), 100 * trial.share, result.place.c_str(),
-                kMilliseconds * result.lasers_on, result.outcome.c_str());
+                result.on ? fmt::format("{:.1f}", kMilliseconds * *result.on).c_str() : "-",
+                result.outcome.c_str());
     for (const std::string& failure : result.failures)
       std::printf("  BROKEN: %s\n", failure.c_str());
     std::fflush(stdout);
   }
-  print(tallies, options.max_on);
+  print(tallies, options.limits);
   std::printf("%d of %d trials broke a promise; %d scans ended by themselves before the blow\n",
               broken, options.count, bench.begun_anew());
   return broken == 0 ? 0 : 1;
@@ -127,7 +151,10 @@ int main(int argc, char** argv) {
   CLI::App app("Disturbs the simulated cell at random times, and checks its promises");
   app.add_option("--count", options.count, "number of trials")->check(CLI::PositiveNumber);
   app.add_option("--seed", options.seed, "seed of their order and times");
-  app.add_option("--max-on", options.max_on, "seconds that lasers may be on after a blow");
+  app.add_option("--max-on", options.limits.on,
+                 "seconds that lasers, or the tool, may be on after a blow");
+  app.add_option("--max-moving", options.limits.moving,
+                 "seconds that the robot may still move after a blow in a path");
   scan_cell_common::refuse_renamed(app, {{"--most-on", "--max-on"}});
   app.add_option("--blows", options.blows, "which of them")
       ->check(CLI::IsMember(options.blows))

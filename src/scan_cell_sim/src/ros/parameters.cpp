@@ -71,7 +71,7 @@ void describe(ParameterTable& table, Parameters& parameters) {
             "where the robot truly stands: `base_link_in_world`; none: the package's "
             "`config/cell.yaml`");
   table.add("true_flange_rate", parameters.true_flange_rate, {0.1, 1000, "Hz"},
-            "of `~true_flange`");
+            "of `~true_flange` and `~true_outputs`");
   table.add("trigger/address", parameters.options.trigger_address, "of the trigger circuit");
   table.add("trigger/port", parameters.options.trigger_port, {1, 65535},
             "of the trigger circuit, UDP");

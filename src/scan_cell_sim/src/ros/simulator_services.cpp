@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <scan_cell_msgs/ToolOutputs.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "scan_cell_common/errors/errors.h"
@@ -126,11 +127,12 @@ SimulatorServices::SimulatorServices(ros::NodeHandle node, const Parameters& par
       cell_(cell_options(parameters), load_world(parameters.world), controller_),
       parts_(node.advertise<visualization_msgs::MarkerArray>("parts", 1, true)),
       flange_(node.advertise<geometry_msgs::PoseStamped>("true_flange", 1)),
+      outputs_(node.advertise<scan_cell_msgs::ToolOutputs>("true_outputs", 1)),
       exposures_(node.advertise<geometry_msgs::PoseStamped>("true_exposures", kFramesKept)),
       load_world_(node.advertiseService("load_world", &SimulatorServices::load, this)),
       set_faults_(node.advertiseService("set_faults", &SimulatorServices::set, this)),
       timer_(node.createWallTimer(ros::WallDuration(1 / parameters.true_flange_rate),
-                                  &SimulatorServices::publish_flange, this)) {
+                                  &SimulatorServices::publish_robot, this)) {
   publish_parts(load_world(parameters.world));
   cell_.observe([this](const Cell::TrueExposure& exposure) { publish_exposure(exposure); });
 }
@@ -191,9 +193,14 @@ void SimulatorServices::publish_parts(const World& world) {
   parts_.publish(markers);
 }
 
-void SimulatorServices::publish_flange(const ros::WallTimerEvent&) {
+void SimulatorServices::publish_robot(const ros::WallTimerEvent&) {
   const ros::Time now = ros::Time::now();
-  flange_.publish(to_message(controller_.flange_at(scan_cell_common::from_ros(now)), now));
+  const scan_cell_common::Nanoseconds instant = scan_cell_common::from_ros(now);
+  flange_.publish(to_message(controller_.flange_at(instant), now));
+  scan_cell_msgs::ToolOutputs outputs;
+  outputs.header.stamp = now;
+  outputs.outputs = controller_.outputs_at(instant);
+  outputs_.publish(outputs);
 }
 
 void SimulatorServices::publish_exposure(const Cell::TrueExposure& exposure) {

@@ -28,13 +28,14 @@ class SimulatorServices {
   /// Does what somebody at the controller's panel would.
   void attend(const scan_cell_msgs::SetFaults::Request& request);
   void publish_parts(const World& world);
-  void publish_flange(const ros::WallTimerEvent& event);
+  void publish_robot(const ros::WallTimerEvent& event);
   void publish_exposure(const Cell::TrueExposure& exposure);
 
   Controller controller_;
   Cell cell_;
   ros::Publisher parts_;
   ros::Publisher flange_;
+  ros::Publisher outputs_;
   ros::Publisher exposures_;
   ros::ServiceServer load_world_;
   ros::ServiceServer set_faults_;

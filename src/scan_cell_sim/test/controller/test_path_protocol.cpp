@@ -7,6 +7,7 @@
 #include <boost/crc.hpp>
 #include <nlohmann/json.hpp>
 
+#include "controller/bare_client.h"
 #include "controller/wire/wire_json.h"
 #include "scan_cell_sim/controller/offline_controller.h"
 
@@ -14,10 +15,6 @@ using nlohmann::json;
 using scan_cell_common::Nanoseconds;
 
 namespace {
-
-int code(const json& ack) {
-  return ack["error"].is_null() ? 0 : ack["error"]["code"].get<int>();
-}
 
 json waypoint(double x, double y, int outputs = 0) {
   return {x, y, 600, 0, 180, 180, 50, 1, outputs};
@@ -54,8 +51,12 @@ class PathOnTheWire : public testing::Test {
     return ask({{"cmd", "PATH_PIECE"}, {"path", path}, {"first", first}, {"waypoints", waypoints}});
   }
 
-  json follow(std::uint64_t path, int from, const json& checksum) {
-    return ask({{"cmd", "FOLLOW_PATH"}, {"path", path}, {"from", from}, {"checksum", checksum}});
+  json follow(std::uint64_t path, int from, const json& checksum, const json& watch = 100) {
+    return ask({{"cmd", "FOLLOW_PATH"},
+                {"path", path},
+                {"from", from},
+                {"checksum", checksum},
+                {"watch", watch}});
   }
 
   /// Of three waypoints from where the robot stands; the acknowledgement of the last piece.
@@ -93,8 +94,11 @@ TEST_F(PathOnTheWire, IsConfirmedWithTheChecksumOverAllItsDatagrams) {
 
 TEST_F(PathOnTheWire, IsFollowedOnceHoweverOftenItsStartComes) {
   const json ack = load_whole();
-  const std::string start =
-      packet({{"cmd", "FOLLOW_PATH"}, {"path", 5}, {"from", 0}, {"checksum", ack["value"][1]}});
+  const std::string start = packet({{"cmd", "FOLLOW_PATH"},
+                                    {"path", 5},
+                                    {"from", 0},
+                                    {"checksum", ack["value"][1]},
+                                    {"watch", 100}});
   for (int i = 0; i < 5; ++i)
     EXPECT_EQ(code(send(start)), 0);
   now_ += 20'000'000'000;

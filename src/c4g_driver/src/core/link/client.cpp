@@ -24,8 +24,8 @@ ClientOptions checked(ClientOptions options) {
     throw InvalidParameter("robot description", "none", "give the model of the robot");
   }
   options.limits = narrowed(options.limits, *options.robot);
-  const double shortest = std::min(
-      {options.link_timeout, options.poll_period, options.reconnect_period, options.clock_window});
+  const double shortest = std::min({options.link_timeout, options.poll_period, options.follow_watch,
+                                    options.reconnect_period, options.clock_window});
   if (!(shortest > 0) || options.tries < 1) {
     throw InvalidParameter("C4G client's times and tries",
                            fmt::format("{} s, {}", shortest, options.tries),
@@ -138,7 +138,8 @@ void Client::follow(const ToolMotion& motion, std::size_t from,
     throw Refused("path", fmt::format("the tool's tip is not at waypoint {}", from),
                   "move it there first");
   }
-  const Request request = load_path(*link_, motion, ++paths_, from, go_on);
+  FollowPath request = load_path(*link_, motion, ++paths_, from, go_on);
+  request.watch = options_.follow_watch;
   const Link::Start start{motion.waypoints.back().tip * motion.flange_to_tip.inverse(), 100};
   link_->request(request, &start);
 }

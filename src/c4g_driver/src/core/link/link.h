@@ -62,6 +62,9 @@ class Link {
   using Nanoseconds = scan_cell_common::Nanoseconds;
 
   void keep();
+  double period() const;
+  double patience() const;
+  bool follows() const;
   void connect();
   void poll();
   void lose(const std::string& reason);
@@ -91,6 +94,7 @@ class Link {
   std::optional<Acknowledgement> answer_;
   Goal goal_;
   double max_override_ = 100;  // [%] of the goal
+  double watch_ = 0;           // [s] the goal is a path of the tool; 0: another motion
   SequenceMonitor stream_;
   PoseFeed poses_;
   bool ending_ = false;

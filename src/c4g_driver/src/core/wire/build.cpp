@@ -18,6 +18,8 @@ using scan_cell_common::Refused;
 
 using scan_cell_common::kMillimetre;
 
+constexpr double kMilliseconds = 1e3;  // in a second
+
 json value_of(const SetParameter& set) {
   json value = json::parse(set.value, nullptr, false);
   if (value.is_discarded()) {
@@ -76,7 +78,10 @@ struct Arguments {
     return {{"path", piece.path}, {"first", piece.first}, {"waypoints", waypoints}};
   }
   json operator()(const FollowPath& follow) const {
-    return {{"path", follow.path}, {"from", follow.from}, {"checksum", follow.checksum}};
+    return {{"path", follow.path},
+            {"from", follow.from},
+            {"checksum", follow.checksum},
+            {"watch", std::lround(follow.watch * kMilliseconds)}};
   }
   json operator()(const SetOverride& set) const { return {{"override", set.override}}; }
   json operator()(const SetLinearSpeed& set) const {

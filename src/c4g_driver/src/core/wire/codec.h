@@ -47,6 +47,7 @@ struct FollowPath {
   std::uint64_t path;
   std::uint64_t from;      //!< waypoint
   std::uint32_t checksum;  //!< see PathChecksum
+  double watch = 0.08;     //!< [s] of the client's silence that ends it
 };
 struct Stop {};
 struct SetOverride {

@@ -110,11 +110,12 @@ void ControllerLoop::serve() {
     socket_.wait(scan_cell_common::to_seconds(next - host_now()));
     const ControllerFaults present = faults();
     adopt(present);
+    const Nanoseconds heard = host_now();  // what came before is taken in: planning is no silence
     receive(present.from_client);
     answer_received(present.to_client);
     const Nanoseconds now = host_now();
     if (now >= tick) {
-      if (is_on(now)) stream(present.to_client);
+      if (is_on(now)) stream(present.to_client, heard);
       const Nanoseconds period = from_seconds(server_->stream_period());
       tick += period;
       if (tick < now || tick > now + period) tick = now + period;  // late, or the clock was set
@@ -132,9 +133,9 @@ void ControllerLoop::adopt(const ControllerFaults& faults) {
   adopted_ = faults;
 }
 
-void ControllerLoop::stream(const WireFaults& faults) {
+void ControllerLoop::stream(const WireFaults& faults, Nanoseconds heard) {
+  server_->watch(heard);
   const Nanoseconds now = host_now();
-  server_->watch(now);
   const auto datagram = server_->stream(now);
   if (datagram) outgoing_.put({*server_->client(), *datagram}, faults, now);
 }

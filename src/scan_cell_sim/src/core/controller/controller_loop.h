@@ -42,7 +42,8 @@ class ControllerLoop {
   bool is_on(Nanoseconds now);
   void receive(const WireFaults& faults);
   void answer_received(const WireFaults& faults);
-  void stream(const WireFaults& faults);
+  /// @param heard host time up to which all that came was taken in
+  void stream(const WireFaults& faults, Nanoseconds heard);
   void send_due();
   ControllerFaults faults() const;
 

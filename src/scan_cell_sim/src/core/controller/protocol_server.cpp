@@ -19,11 +19,19 @@ using scan_cell_common::Nanoseconds;
 constexpr int kVersion = 1;                            // c4g_protocol.md
 constexpr Nanoseconds kClientSilence = 1'000'000'000;  // [ns] c4g_protocol.md
 constexpr Nanoseconds kStreamTail = 200'000'000;       // [ns] c4g_protocol.md
+constexpr Nanoseconds kMillisecond = 1'000'000;        // [ns]
 
 /// [Hz]
 double camera_rate(const json& request) {
   constexpr double kMost = 1e5;  // [Hz] c4g_protocol.md
   return number(entry(request, "camera_fps"), "camera_fps", 0, kMost);
+}
+
+/// [ns]
+Nanoseconds watch_in(const json& request) {
+  constexpr double kLeast = 20, kMost = 1000;  // [ms] c4g_protocol.md
+  return kMillisecond *
+         static_cast<Nanoseconds>(number(entry(request, "watch"), "watch", kLeast, kMost));
 }
 
 Eigen::Isometry3d pose_in(const json& request, const std::string& key) {
@@ -170,7 +178,9 @@ bool ProtocolServer::begin_motion(const std::string& command, const json& reques
                            camera_rate(request), now);
   } else if (command == "FOLLOW_PATH") {
     const std::size_t first = path_.check(request);
+    const Nanoseconds watch = watch_in(request);
     motion_.follow(last_seq_, path_.flange_to_tip(), path_.waypoints(), first, now);
+    follow_watch_ = watch;
   } else {
     return false;
   }
@@ -258,7 +268,14 @@ json ProtocolServer::state(const MotionState& truth, Nanoseconds now) {
 }
 
 void ProtocolServer::watch(Nanoseconds now) {
-  if (!client_ || now - last_heard_ < kClientSilence) return;
+  if (!client_) return;
+  const Nanoseconds silence = now - last_heard_;
+  if (silence >= follow_watch_ && motion_.follows(now)) {
+    motion_.stop(Complaint{Code::kSession, fmt::format("the client was silent for {} ms",
+                                                       follow_watch_ / kMillisecond)},
+                 now);
+  }
+  if (silence < kClientSilence) return;
   motion_.stop(Complaint{Code::kSession, "the client was silent for 1 s"}, now);
   client_.reset();
 }

@@ -71,6 +71,7 @@ class ProtocolServer {
   Nanoseconds last_heard_ = 0;
   std::uint64_t streamed_ = 0;
   LoadedPath path_;
+  Nanoseconds follow_watch_ = 0;  // of the client's silence, while it is followed
   Nanoseconds last_moving_ = 0;
 };
 

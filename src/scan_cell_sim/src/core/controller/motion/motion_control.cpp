@@ -69,6 +69,11 @@ void MotionControl::follow(std::uint64_t motion, const Eigen::Isometry3d& flange
         now);
 }
 
+bool MotionControl::follows(Nanoseconds now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return !plan_.steps.empty() && ending_ == MotionStatus::kArrived && !log_.latest().over(now);
+}
+
 double MotionControl::cruise() const {
   const double programmed = std::min(plan_.speed * settings_.override, plan_.max_speed);
   return readiness_.mode() == ControllerMode::kProgramming ? std::min(programmed, reduced_)

@@ -63,6 +63,7 @@ class MotionControl {
   void set(const MotionSettings& settings, Nanoseconds now);
 
   MotionState state(Nanoseconds now) const;
+  bool follows(Nanoseconds now) const;  // a path of the tool, and does not brake to a stop
   const MotionLog& log() const { return log_; }
 
   /// How many motions were begun, for tests.
