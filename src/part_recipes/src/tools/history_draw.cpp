@@ -2,44 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "history_draw.h"
 
-#include <cstdlib>
-
 #include "run/calls/tool_call.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
+#include "scan_cell_common/files/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
 using scan_cell_common::FileError;
 
-namespace {
-
-/// A folder that is removed with this object.
-class WorkFolder {
- public:
-  WorkFolder() {
-    std::string name = (fs::temp_directory_path() / "history_chart_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw FileError(name, "no such folder can be made", "check the folder for temporary files");
-    path_ = name;
-  }
-  ~WorkFolder() {
-    std::error_code failure;
-    fs::remove_all(path_, failure);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
-
 void draw_chart(const std::string& data, const fs::path& output) {
-  const WorkFolder folder;
+  const scan_cell_common::TemporaryFolder folder("history_chart");
   const fs::path figures = folder.path() / "figures.json", log = folder.path() / "log";
   scan_cell_common::save_text(figures.string(), data);
   const part_recipes::ToolCall call = {

@@ -9,7 +9,7 @@ using scan_cell_common::CsvReader;
 
 namespace {
 
-std::string complaint(const std::string& line) {
+std::string complaint_about_pose(const std::string& line) {
   CsvReader table(line, "poses.csv");
   table.next();
   try {
@@ -35,11 +35,15 @@ TEST(CsvReader, LeavesOutCommentsEmptyLinesAndBlanks) {
 }
 
 TEST(CsvReader, RefusesAPoseWithTheLineAndTheCure) {
-  EXPECT_EQ(complaint("1,2,3,0,0,0,1"), "nothing");
-  EXPECT_EQ(complaint("1,2,3,0,0,1"), "poses.csv: line 1: 6 values; give 7, as in the header");
-  EXPECT_EQ(complaint("1,2,x,0,0,0,1"), "poses.csv: line 1: 'x'; give a number");
-  EXPECT_EQ(complaint("1,2,3,0,0,0,inf"), "poses.csv: line 1: 'inf'; give a number");
-  EXPECT_NE(complaint("1,2,3,0,0,0.5,0.5").find("quaternion of length 0.7"), std::string::npos);
-  EXPECT_NE(complaint("1,2,3,10,175,-90,0").find("angles in degrees"), std::string::npos);
-  EXPECT_NE(complaint("1200,2,300,0,0,0,1").find("looks like millimetres"), std::string::npos);
+  EXPECT_EQ(complaint_about_pose("1,2,3,0,0,0,1"), "nothing");
+  EXPECT_EQ(complaint_about_pose("1,2,3,0,0,1"),
+            "poses.csv: line 1: 6 values; give 7, as in the header");
+  EXPECT_EQ(complaint_about_pose("1,2,x,0,0,0,1"), "poses.csv: line 1: 'x'; give a number");
+  EXPECT_EQ(complaint_about_pose("1,2,3,0,0,0,inf"), "poses.csv: line 1: 'inf'; give a number");
+  EXPECT_NE(complaint_about_pose("1,2,3,0,0,0.5,0.5").find("quaternion of length 0.7"),
+            std::string::npos);
+  EXPECT_NE(complaint_about_pose("1,2,3,10,175,-90,0").find("angles in degrees"),
+            std::string::npos);
+  EXPECT_NE(complaint_about_pose("1200,2,300,0,0,0,1").find("looks like millimetres"),
+            std::string::npos);
 }

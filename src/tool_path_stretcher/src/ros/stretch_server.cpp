@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "asked_program.h"
 #include "result_markers.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/cloud_messages.h"
@@ -90,17 +91,23 @@ void StretchServer::execute(const scan_cell_msgs::StretchToolPathGoalConstPtr& g
   StretchResult result;
   RunRecord record;
   ToolPath path;
+  std::optional<AskedProgram> program;
   try {
+    program.emplace(*goal);
     path = from_message(goal->path);
     record.path = contents_of(path);
     ROS_INFO("path: %s", to_string(*record.path).c_str());
     result = run(*goal, path, record);
+    if (program->wanted() && result.verdict.accepted())
+      record.output = program->save(result.path, record.path->units);
   } catch (const scan_cell_common::Error& error) {
     result.verdict = {Reason::kUnusableInput, error.what(), {}};
   }
   show_result(result, path, *goal);
-  const scan_cell_msgs::StretchToolPathResult message =
-      to_message(result, goal->object.header, record);
+  scan_cell_msgs::StretchToolPathResult message = to_message(result, goal->object.header, record);
+  if (result.verdict.accepted() && program->wanted()) program->write(message);
+  if (!message.robot_program_error.empty())
+    ROS_WARN("no program %s: %s", goal->robot_program.c_str(), message.robot_program_error.c_str());
   const Verdict& verdict = result.verdict;
   if (verdict.accepted()) {
     ROS_INFO("path adapted in %.2f s: %s; scale %.4f, rms %.3f mm", message.seconds,

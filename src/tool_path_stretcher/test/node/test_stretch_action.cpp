@@ -208,6 +208,39 @@ TEST_F(StretchAction, ShowsTheWaypointsThatAVerdictIsAbout) {
   EXPECT_EQ(markers->markers.at(2).points.size(), result.verdict.waypoints.size());
 }
 
+TEST_F(StretchAction, GivesTheAcceptedPathAsTheRobotsProgramToo) {
+  StretchToolPathGoal program = goal(part_);
+  program.robot_program = "frame.src";
+  program.robot_program_options = {"waypoint_z=into_part", "tool=3"};
+  const auto result = finish(program, State::SUCCEEDED);
+  EXPECT_EQ(result.robot_program_error, "");
+  ASSERT_EQ(result.robot_program.size(), 1u);
+  EXPECT_EQ(result.robot_program[0].name, "frame.src");
+  const std::string& text = result.robot_program[0].text;
+  EXPECT_NE(text.find("DEF FRAME"), std::string::npos) << text;
+  EXPECT_NE(text.find("TOOL_DATA[3]"), std::string::npos);
+  EXPECT_NE(text.find("path: adapted.csv sha256 "), std::string::npos);
+  EXPECT_NE(result.robot_program_notes.at(1).find("moves, read back the same"), std::string::npos);
+  program.robot_program = "frame.mod";
+  program.robot_program_options.clear();
+  const auto without = finish(program, State::SUCCEEDED);
+  EXPECT_TRUE(without.robot_program.empty());
+  EXPECT_NE(without.robot_program_error.find("waypoint_z"), std::string::npos);
+}
+
+TEST_F(StretchAction, RefusesAProgramThatMakesNoSenseBeforeItBegins) {
+  StretchToolPathGoal elsewhere = goal(part_);
+  elsewhere.robot_program = "../frame.src";
+  EXPECT_NE(finish(elsewhere, State::ABORTED).verdict.message.find("../frame.src"),
+            std::string::npos);
+  StretchToolPathGoal unknown = goal(part_);
+  unknown.robot_program = "frame.src";
+  unknown.robot_program_options = {"colour=blue"};
+  const auto refused = finish(unknown, State::ABORTED);
+  EXPECT_EQ(refused.verdict.reason, StretchVerdict::UNUSABLE_INPUT);
+  EXPECT_NE(refused.verdict.message.find("colour"), std::string::npos);
+}
+
 TEST_F(StretchAction, RefusesUnusableInputByName) {
   StretchToolPathGoal empty = goal(part_);
   empty.object = cloud_message({});

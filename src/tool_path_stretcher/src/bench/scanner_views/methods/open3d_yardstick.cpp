@@ -6,40 +6,17 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 
 #include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/files/temporary_folder.h"
 #include "scanner_views/methods/methods.h"
 
 namespace scanner_views {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int kMissing = 3;  // exit code of the script
-
-/// A folder that goes with its files.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "scanner_views_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for " + name);
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 void save(const std::string& file, const Points& points) {
   scan_cell_common::Cloud cloud;
@@ -83,7 +60,7 @@ Answer run_open3d(const View& view) {
   answer.verdict = kNotInstalled;
   if (!installed) return answer;
   const Reduced clouds = reduced(view);
-  const Folder folder;
+  const scan_cell_common::TemporaryFolder folder("scanner_views");
   save(folder.file("reference.ply"), clouds.reference);
   save(folder.file("object.ply"), clouds.object);
   std::string text;
