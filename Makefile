@@ -19,7 +19,7 @@ BATCH ?= 8
 CCACHE = env;CCACHE_SLOPPINESS=pch_defines,time_macros;CCACHE_BASEDIR=$(CURDIR);CCACHE_NOHASHDIR=1;$(or $(shell command -v ccache),/usr/bin/ccache)
 IN_WORKSPACE = source $(DEVEL)/setup.bash &&
 
-.PHONY: all build demo test bench fuzz trials soak sanitize install lint docs format clean dependencies configure
+.PHONY: all build demo test bench fuzz trials soak sanitize film install lint docs format clean dependencies configure
 
 all: build
 
@@ -70,6 +70,11 @@ soak: build
 # Every test under the address and undefined-behaviour sanitizers; the cores with threads under the thread sanitizer.
 sanitize: dependencies
 	@scripts/sanitize.sh threads; threads=$$?; scripts/sanitize.sh addresses && exit $$threads
+
+# docs/images/shift.gif: a shift at the operator's seat, from the running cell
+film: build
+	@cmake --build $(BUILD) --parallel $(JOBS) --target test_scan_cell_rviz_shift
+	@$(IN_WORKSPACE) scripts/film.py docs/images/shift.gif
 
 install: build
 	@cmake --install $(BUILD)

@@ -96,6 +96,8 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
     EXPECT_TRUE(shows(device, "ready")) << text(device);
   EXPECT_FALSE(recipes->item(0)->icon().isNull()) << "a person knows the part by its picture";
 
+  take_picture("part");
+
   click("run");
   EXPECT_TRUE(shows("sign_laser", "ON:")) << "a laser is on and nobody is told";
   take_picture("scan");
@@ -104,6 +106,7 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   seat_.set_person("Ada");
   click("refuse");
   ASSERT_TRUE(shows("decision", "Refused by Ada"));
+  take_picture("refused");
   EXPECT_FALSE(seat_.findChild<QPushButton*>("work")->isEnabled());
 
   click("run");
@@ -113,6 +116,7 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   take_picture("fit");
   click("work");
   ASSERT_TRUE(shows("work_end", "Not worked")) << "it was never run dry";
+  take_picture("not_worked");
   click("dry_run");
   ASSERT_TRUE(shows("work_end", "Done")) << text("work_end") << text("trouble");
   click("work");
