@@ -13,9 +13,6 @@
 
 namespace cloud_preprocess {
 
-inline const Scene::Rectangle kFrame{-0.06, 0, 0.15, 0.12};
-inline const Scene::Rectangle kBox{0.08, 0, 0.06, 0.08};
-
 /// A scan as it comes: a leaning floor, a frame (the part), a box, outliers.
 inline Scene raw_scan() {
   Scene scene;

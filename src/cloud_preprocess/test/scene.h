@@ -66,4 +66,8 @@ class Scene {
   std::normal_distribution<double> normal_;
 };
 
+/// Two parts side by side.
+inline const Scene::Rectangle kFrame{-0.06, 0, 0.15, 0.12};
+inline const Scene::Rectangle kBox{0.08, 0, 0.06, 0.08};
+
 }  // namespace cloud_preprocess

@@ -10,7 +10,7 @@ using namespace cloud_preprocess;
 
 namespace {
 
-const Scene::Rectangle kTable{0, 0, 0.40, 0.25};
+const Scene::Rectangle kLargeTable{0, 0, 0.40, 0.25};
 const Scene::Rectangle kPart{-0.10, 0, 0.06, 0.08};
 const Scene::Rectangle kOther{0.08, 0, 0.12, 0.10};
 constexpr double kHigh = 0.03;  // [m]
@@ -46,7 +46,7 @@ class KnownPlaces final : public ReferenceFinder {
 
 Scene part_and_larger_thing() {
   Scene scene;
-  scene.add_floor(kTable, {kPart, kOther});
+  scene.add_floor(kLargeTable, {kPart, kOther});
   scene.add_box(kPart, kHigh);
   scene.add_box(kOther, kHigh, Label::kOtherPart);
   return scene;

@@ -19,14 +19,14 @@ using scan_cell_common::save_cloud;
 
 namespace {
 
-const Scene::Rectangle kTable{0, 0, 0.20, 0.15};
-const Scene::Rectangle kBox{0, 0, 0.06, 0.08};
+const Scene::Rectangle kSmallTable{0, 0, 0.20, 0.15};
+const Scene::Rectangle kBoxOnSmallTable{0, 0, 0.06, 0.08};
 constexpr double kHeight = 0.03;
 
 Scene table_and_box() {
   Scene scene;
-  scene.add_floor(kTable, {kBox});
-  scene.add_box(kBox, kHeight);
+  scene.add_floor(kSmallTable, {kBoxOnSmallTable});
+  scene.add_box(kBoxOnSmallTable, kHeight);
   return scene;
 }
 
@@ -70,8 +70,8 @@ class CleanCloudFiles : public CleanCloudTool {
     ASSERT_EQ(exit_code, 0) << printed();
     pcl::PointXYZ least, most;
     pcl::getMinMax3D(load_cloud(path(output), metres_per(unit)), least, most);
-    EXPECT_NEAR(most.x - least.x, kBox.width, 1e-3);
-    EXPECT_NEAR(most.y - least.y, kBox.depth, 1e-3);
+    EXPECT_NEAR(most.x - least.x, kBoxOnSmallTable.width, 1e-3);
+    EXPECT_NEAR(most.y - least.y, kBoxOnSmallTable.depth, 1e-3);
     EXPECT_NEAR(most.z, kHeight, 1e-3);
   }
 

@@ -13,6 +13,8 @@
 using cloud_preprocess::Cloud;
 using cloud_preprocess::FloorParameters;
 using cloud_preprocess::FloorRemoval;
+using cloud_preprocess::kBox;
+using cloud_preprocess::kFrame;
 using cloud_preprocess::Label;
 using cloud_preprocess::Scene;
 using cloud_preprocess::StageReport;
@@ -22,8 +24,6 @@ using scan_cell_common::UnusableInput;
 namespace {
 
 const Scene::Rectangle kTable{0, 0, 0.30, 0.25};
-const Scene::Rectangle kFrame{-0.06, 0, 0.15, 0.12};
-const Scene::Rectangle kBox{0.08, 0, 0.06, 0.08};
 
 Scene table_with_frame_and_box() {
   Scene scene;

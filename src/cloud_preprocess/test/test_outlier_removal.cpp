@@ -8,6 +8,8 @@
 #include "scene.h"
 
 using cloud_preprocess::Cloud;
+using cloud_preprocess::kBox;
+using cloud_preprocess::kFrame;
 using cloud_preprocess::Label;
 using cloud_preprocess::OutlierParameters;
 using cloud_preprocess::OutlierRemoval;
@@ -15,9 +17,6 @@ using cloud_preprocess::Scene;
 using cloud_preprocess::StageReport;
 
 namespace {
-
-const Scene::Rectangle kFrame{-0.06, 0, 0.15, 0.12};
-const Scene::Rectangle kBox{0.08, 0, 0.06, 0.08};
 
 Scene parts_with_outliers() {
   Scene scene;

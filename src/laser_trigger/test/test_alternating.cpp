@@ -14,12 +14,12 @@ using scan_cell_common::Refused;
 
 namespace {
 
-constexpr std::uint8_t kBoth = 3;
-constexpr std::uint8_t kLasers = kLaser0 | kLaser1;
+constexpr std::uint8_t kBothLasers = 3;
+constexpr std::uint8_t kLaserBits = kLaser0 | kLaser1;
 constexpr std::size_t kPulses = 60;
 
 PulseGenerator::Arming alternating(double rate, double longest_on = 0) {
-  return {rate, kBoth, longest_on, true, true};
+  return {rate, kBothLasers, longest_on, true, true};
 }
 
 /// Writes down each write as it ends; one in so many that change the lasers may be held up.
@@ -27,7 +27,7 @@ struct RecordingPort : TriggerPort {
   void write(std::uint8_t value) override {
     const std::lock_guard<std::mutex> lock(mutex);
     const std::uint8_t before = writes.empty() ? 0 : writes.back().data;
-    const bool turn = (value & kLasers) != (before & kLasers);
+    const bool turn = (value & kLaserBits) != (before & kLaserBits);
     if (turn && hold_up_every > 0 && ++turns % hold_up_every == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(4));
     writes.push_back({scan_cell_common::host_now(), value});
@@ -72,7 +72,7 @@ class Alternating : public testing::Test {
     int turns = 0;
     for (std::size_t i = 1; i < writes.size() && writes[i].data != 0; ++i) {
       const auto rose = static_cast<std::uint8_t>(writes[i].data & ~writes[i - 1].data);
-      if ((rose & kLasers) != 0) {
+      if ((rose & kLaserBits) != 0) {
         turn = writes[i].time;
         EXPECT_TRUE(edge == 0 || turn - edge >= exposure) << turn - edge;
         ++turns;
@@ -102,7 +102,7 @@ TEST_F(Alternating, TakesTurnsFromLaser0OnAndNeverHasBothOrNoneLit) {
   while (writes.at(first).data == 0)
     ++first;
   for (std::size_t i = first; i + 2 < writes.size(); ++i) {  // the last are of disarm and the end
-    const auto lasers = static_cast<std::uint8_t>(writes[i].data & kLasers);
+    const auto lasers = static_cast<std::uint8_t>(writes[i].data & kLaserBits);
     EXPECT_TRUE(lasers == kLaser0 || lasers == kLaser1) << int{lasers};
     if ((writes[i].data & ~writes[i - 1].data & kCameraPulse) != 0) at_edges.push_back(lasers);
   }
@@ -130,7 +130,7 @@ TEST_F(Alternating, ChangesPlacesHalfAPeriodAfterThePulseWhereTheExposureIsShort
   for (std::size_t i = 1; i < writes.size() && writes[i].data != 0; ++i) {
     const auto rose = static_cast<std::uint8_t>(writes[i].data & ~writes[i - 1].data);
     if ((rose & kCameraPulse) != 0) edge = writes[i].time;
-    if ((rose & kLasers) != 0 && edge != 0) waits.push_back(writes[i].time - edge);
+    if ((rose & kLaserBits) != 0 && edge != 0) waits.push_back(writes[i].time - edge);
   }
   ASSERT_GE(waits.size(), kPulses - 1);
   std::nth_element(waits.begin(), waits.begin() + waits.size() / 2, waits.end());
@@ -177,12 +177,12 @@ TEST_F(Alternating, RefusesWhatMakesNoSenseByNameAndSwitchesNothingOn) {
             "which a laser comes up must fit between two pulses");
   for (const std::uint8_t lasers : {0, 1, 2})
     EXPECT_NE(refusal({100, lasers, 0, true, true}).find("to alternate"), std::string::npos);
-  EXPECT_NE(refusal({0, kBoth, 0, false, true}).find("without pulses"), std::string::npos);
+  EXPECT_NE(refusal({0, kBothLasers, 0, false, true}).find("without pulses"), std::string::npos);
   for (const TestCircuit::Write& write : port_.written())
     EXPECT_EQ(write.data, 0);
   EXPECT_EQ(refusal(alternating(250)), "");
   generator.disarm("enough");
-  EXPECT_EQ(refusal({251, kBoth, 0}), "") << "both at once need no turn";
+  EXPECT_EQ(refusal({251, kBothLasers, 0}), "") << "both at once need no turn";
 }
 
 TEST_F(Alternating, HoldsTheLasersForTheExposureThatTheArmingTells) {
@@ -213,7 +213,7 @@ TEST_F(Alternating, RefusesAnExposureThatDoesNotFitBetweenTwoPulses) {
 TEST_F(Alternating, SaysSoInItsStatusOnlyWhileItIsArmed) {
   PulseGenerator generator(port_, nullptr, settings_, {[](const Pulse&) {}, [] {}});
   generator.arm(alternating(100));
-  EXPECT_EQ(generator.status().lasers, kBoth);
+  EXPECT_EQ(generator.status().lasers, kBothLasers);
   EXPECT_TRUE(generator.status().alternate);
   generator.disarm("enough");
   EXPECT_EQ(generator.status().lasers, 0);

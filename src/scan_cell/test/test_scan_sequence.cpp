@@ -4,7 +4,7 @@
 
 using scan_cell::Motion;
 using scan_cell::Outcome;
-using scan_sequence_test::FakeCell;
+using ScannedCell = scan_sequence_test::FakeCell;
 using scan_sequence_test::ScanSequence;
 
 TEST_F(ScanSequence, DoesTheEightStepsInTheirOrder) {
@@ -40,7 +40,7 @@ TEST_F(ScanSequence, EndsSafelyWithTheReasonWhenADeviceIsLost) {
                                                                 {"stages", Outcome::kStageFailed}};
   for (const auto& [device, outcome] : devices) {
     SCOPED_TRACE(device);
-    cell_ = FakeCell();
+    cell_ = ScannedCell();
     cell_.trouble_of = device;
     observer_.last = 0;
     const scan_cell::SequenceEnd end = run();
@@ -82,13 +82,13 @@ TEST_F(ScanSequence, SaysWhyAMotionFailed) {
 TEST_F(ScanSequence, TellsARobotThatRefusesFromOneThatIsLost) {
   for (const std::string call : {"speed", "move 1", "move 2"}) {
     SCOPED_TRACE(call);
-    cell_ = FakeCell();
+    cell_ = ScannedCell();
     cell_.refused_at = call;
     observer_.last = 0;
     scan_cell::SequenceEnd end = run();
     EXPECT_EQ(end.outcome, Outcome::kMotionFailed);
     EXPECT_EQ(end.message, call + ": refused; ask for less");
-    cell_ = FakeCell();
+    cell_ = ScannedCell();
     cell_.throws_at = call;
     observer_.last = 0;
     end = run();
@@ -111,7 +111,7 @@ TEST_F(ScanSequence, NeverSwitchesTheLasersOnWhereTheScanMoveFailsAtOnce) {
       {Motion::State::kLost, Outcome::kRobotLost}};
   for (const auto& [state, outcome] : ends) {
     robot_.ends_at_once = state;
-    cell_ = FakeCell();
+    cell_ = ScannedCell();
     observer_.last = 0;
     const scan_cell::SequenceEnd end = run();
     EXPECT_EQ(end.outcome, outcome);

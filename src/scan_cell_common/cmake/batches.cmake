@@ -1,6 +1,6 @@
 # Batches: some sources of a target are compiled as one, so that what they include is read once and not once a source.
 # SCAN_CELL_BATCH is how many at most; 1 compiles each alone. A folder's sources share their anonymous namespace: no two
-# may give one name to two things there. Tests stay apart: each has helpers of its own, and many have the same names.
+# may give one name to two things there, tests neither.
 #
 # CMake's own unity builds name the sources by their whole paths (up to CMake 3.29), so that a compiler cache never finds
 # what another checkout compiled.
@@ -20,13 +20,15 @@ function(_scan_cell_write_batch target number)
   target_sources(${target} PRIVATE ${batch})
 endfunction()
 
-# Sources with options or definitions of their own stay alone, and one source is no batch.
+# Sources with options or definitions of their own stay alone, and those that say so by CMake's own property for that. One
+# source is no batch.
 function(_scan_cell_batch target)
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})
     get_source_file_property(options ${source} COMPILE_OPTIONS)
     get_source_file_property(definitions ${source} COMPILE_DEFINITIONS)
-    if(source MATCHES "^[^/].*\\.cpp$" AND NOT options AND NOT definitions)
+    get_source_file_property(skips ${source} SKIP_UNITY_BUILD_INCLUSION)
+    if(source MATCHES "^[^/].*\\.cpp$" AND NOT options AND NOT definitions AND NOT skips)
       list(APPEND batched ${source})
     else()
       list(APPEND alone ${source})
@@ -63,8 +65,7 @@ function(scan_cell_batch_targets)
   get_directory_property(targets BUILDSYSTEM_TARGETS)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
-    get_target_property(libraries ${target} LINK_LIBRARIES)
-    if(type MATCHES "^(STATIC|SHARED)_LIBRARY$|EXECUTABLE" AND NOT "${libraries}" MATCHES "gtest")
+    if(type MATCHES "^(STATIC|SHARED)_LIBRARY$|EXECUTABLE")
       _scan_cell_batch(${target})
     endif()
   endforeach()

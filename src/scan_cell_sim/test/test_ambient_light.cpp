@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "config_folder.h"
 #include "scan_cell_sim/laser_line_renderer.h"
 #include "test_worlds.h"
 
@@ -15,7 +16,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-const std::string kConfig = CONFIG_FOLDER;
 const Region kSensor = {0, 0, 1696, 1710};
 constexpr double kLong = 0.03;    // [s] shows the room
 constexpr double kShort = 0.001;  // [s] of a scan
@@ -24,7 +24,7 @@ scan_cell_common::ScannerModel scanner() {
   return scan_cell_common::load_scanner_model(kConfig + "/scanner.yaml");
 }
 
-Optics noiseless() {
+Optics noiseless_in_room_light() {
   Optics optics;
   optics.background = optics.read_noise = optics.shot_noise = 0;
   return optics;
@@ -51,10 +51,10 @@ Exposure from_above(double duration) {
   return exposure;
 }
 
-class Image {
+class BoardImage {
  public:
-  Image(const World& world, const Exposure& exposure, const Optics& optics,
-        const Region& region = kSensor)
+  BoardImage(const World& world, const Exposure& exposure, const Optics& optics,
+             const Region& region = kSensor)
       : region_(region), pixels_(static_cast<std::size_t>(region.width * region.height)) {
     const LaserLineRenderer renderer(scanner(), optics);
     renderer.render(Scene(world), exposure, region, pixels_.data());
@@ -104,7 +104,7 @@ bool well_inside(const Vector2d& pixel) {
 TEST(AmbientLight, ShowsTheBoardsCornersWhereTheLensPutsThem) {
   const World world = with_board();
   const Exposure exposure = from_above(kLong);
-  const Image image(world, exposure, noiseless());
+  const BoardImage image(world, exposure, noiseless_in_room_light());
   const Checkerboard& board = *world.board;
   double sum = 0, worst = 0;
   int seen = 0;
@@ -129,8 +129,8 @@ TEST(AmbientLight, TheSquareBeforeTheFirstCornerIsBlack) {
   const World world = with_board();
   Exposure exposure = from_above(kLong);
   exposure.camera.translation() += world.board->pose.translation();
-  const Optics optics = noiseless();
-  const Image image(world, exposure, optics);
+  const Optics optics = noiseless_in_room_light();
+  const BoardImage image(world, exposure, optics);
   const auto grey = [&](double x, double y) {
     const Vector3d point = world.board->pose * Vector3d(x, y, 0);
     const Vector2d pixel = scanner().camera.project(exposure.camera.inverse() * point);
@@ -145,16 +145,16 @@ TEST(AmbientLight, TheSquareBeforeTheFirstCornerIsBlack) {
 }
 
 TEST(AmbientLight, AShortExposureShowsNothingOfTheRoom) {
-  Optics dark = noiseless();
+  Optics dark = noiseless_in_room_light();
   dark.ambient = 0;
   const Region region = {336, 599, 1024, 512};
   Exposure exposure = from_above(kShort);
   exposure.lasers = 1;
-  const Image lit(with_board(), exposure, noiseless(), region);
-  EXPECT_EQ(lit.pixels(), Image(with_board(), exposure, dark, region).pixels());
+  const BoardImage lit(with_board(), exposure, noiseless_in_room_light(), region);
+  EXPECT_EQ(lit.pixels(), BoardImage(with_board(), exposure, dark, region).pixels());
   exposure.duration = kLong;
-  EXPECT_NE(Image(with_board(), exposure, noiseless(), region).pixels(),
-            Image(with_board(), exposure, dark, region).pixels());
+  EXPECT_NE(BoardImage(with_board(), exposure, noiseless_in_room_light(), region).pixels(),
+            BoardImage(with_board(), exposure, dark, region).pixels());
 }
 
 TEST(AmbientLight, WhatStandsBeforeTheBoardHidesIt) {
@@ -162,8 +162,8 @@ TEST(AmbientLight, WhatStandsBeforeTheBoardHidesIt) {
   world.parts.push_back(box("box", {0.06, 0.06, 0.05}, pose(0, 0, 0, 0.3)));
   world.parts[0].reflectance = 0.5;
   const Exposure exposure = from_above(kLong);
-  const Optics optics = noiseless();
-  const Image image(world, exposure, optics);
+  const Optics optics = noiseless_in_room_light();
+  const BoardImage image(world, exposure, optics);
   for (const double x : {-0.015, 0.0, 0.015}) {
     const Vector2d pixel =
         scanner().camera.project(exposure.camera.inverse() * Vector3d(x, 0, 0.05));

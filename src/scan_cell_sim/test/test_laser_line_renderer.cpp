@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "config_folder.h"
 #include "scan_cell_sim/laser_line_renderer.h"
 #include "test_worlds.h"
 
@@ -16,7 +17,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using scan_cell_common::ScannerModel;
 
-const std::string kConfig = CONFIG_FOLDER;
 const Region kRegion = {336, 599, 1024, 512};
 
 Optics noiseless() {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "config_folder.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_sim/scene.h"
 #include "test_worlds.h"
@@ -14,8 +15,6 @@ namespace scan_cell_sim {
 namespace {
 
 using Eigen::Vector3d;
-
-const std::string kConfig = CONFIG_FOLDER;
 
 /// A world file with this text, gone at the end.
 class WorldFile {

@@ -13,6 +13,15 @@
 #include "robot/smart5_six.h"
 #include "scan_cell_common/errors/errors.h"
 
+/// The flange where J1 or J5 is so many degrees.
+inline Eigen::Isometry3d at_j1(double angle) {
+  return flange_by_denavit_hartenberg(degrees(angle, 0, -90, 0, 70, 0));
+}
+
+inline Eigen::Isometry3d at_j5(double angle) {
+  return flange_by_denavit_hartenberg(degrees(0, 0, -90, 0, angle, 0));
+}
+
 /// A robot at rest whose motions are checked.
 namespace c4g_driver {
 

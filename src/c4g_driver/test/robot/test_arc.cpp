@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "degree.h"
 #include "robot/arc.h"
 #include "robot/motion_check_test.h"
 
@@ -16,8 +17,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 namespace {
-
-constexpr double kDegree = M_PI / 180;
 
 /// A pose that turns with its place on a circle about an upright axis.
 Isometry3d round_the_part(double angle) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "c4g_driver/limits.h"
+#include "degree.h"
 #include "robot/smart5_six.h"
 #include "scan_cell_common/errors/errors.h"
 
@@ -16,8 +17,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kDegree = M_PI / 180;
-
 RobotLimits of_the_robot() {
   return narrowed({}, smart5_six());
 }
@@ -28,7 +27,7 @@ Eigen::Isometry3d at(double x, double y, double z) {
   return pose;
 }
 
-std::vector<double> degrees(std::vector<double> joints) {
+std::vector<double> joints_in_degrees(std::vector<double> joints) {
   for (double& joint : joints)
     joint *= kDegree;
   return joints;
@@ -39,8 +38,10 @@ std::vector<double> degrees(std::vector<double> joints) {
 TEST(Limits, TakeWhatTheRobotCanDo) {
   const RobotLimits limits = of_the_robot();
   EXPECT_NO_THROW(c4g_driver::check_flange(at(0.8, 0, 0.6), limits));
-  EXPECT_NO_THROW(c4g_driver::check_joints(degrees({170, 155, 0, 210, 130, 2700}), limits));
-  EXPECT_NO_THROW(c4g_driver::check_joints(degrees({-170, -85, -170, -210, -130, -2700}), limits));
+  EXPECT_NO_THROW(
+      c4g_driver::check_joints(joints_in_degrees({170, 155, 0, 210, 130, 2700}), limits));
+  EXPECT_NO_THROW(
+      c4g_driver::check_joints(joints_in_degrees({-170, -85, -170, -210, -130, -2700}), limits));
   EXPECT_NO_THROW(c4g_driver::check_override(100));
   EXPECT_NO_THROW(c4g_driver::check_camera_rate(0, limits));
 }
@@ -70,14 +71,14 @@ TEST(Limits, RefuseJointsBeyondEachEndOfEachRange) {
       std::vector<double> joints = middle;
       joints[i] = bad;
       try {
-        c4g_driver::check_joints(degrees(joints), limits);
+        c4g_driver::check_joints(joints_in_degrees(joints), limits);
         ADD_FAILURE() << "took J" << i + 1 << " = " << bad;
       } catch (const Refused& refused) {
         EXPECT_EQ(refused.thing(), "target J" + std::to_string(i + 1));
       }
     }
   }
-  EXPECT_THROW(c4g_driver::check_joints(degrees({0, 0, -90, 0, 0}), limits), Refused);
+  EXPECT_THROW(c4g_driver::check_joints(joints_in_degrees({0, 0, -90, 0, 0}), limits), Refused);
   EXPECT_THROW(c4g_driver::check_joints({}, limits), Refused);
 }
 

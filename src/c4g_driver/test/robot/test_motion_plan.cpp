@@ -15,14 +15,6 @@ using Eigen::Isometry3d;
 
 namespace {
 
-Isometry3d at_j1(double angle) {
-  return flange_by_denavit_hartenberg(degrees(angle, 0, -90, 0, 70, 0));
-}
-
-Isometry3d at_j5(double angle) {
-  return flange_by_denavit_hartenberg(degrees(0, 0, -90, 0, angle, 0));
-}
-
 Motion to(const Isometry3d& flange) {
   Motion motion;
   motion.flange = flange;

@@ -12,10 +12,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
-using Kind = CellShape::Kind;
+using ShapeKind = CellShape::Kind;
 
-CellShape shape(const std::string& name, const std::string& frame, Kind kind, const Vector3d& size,
-                const Isometry3d& pose = Isometry3d::Identity()) {
+CellShape shape(const std::string& name, const std::string& frame, ShapeKind kind,
+                const Vector3d& size, const Isometry3d& pose = Isometry3d::Identity()) {
   return {name, frame, kind, size, pose};
 }
 
@@ -33,7 +33,7 @@ class CollisionTest : public ToolCheckTest {
   /// Whether the ball on the flange, its centre at (0.8, 0, 0.5), meets the other shape.
   void expect_meets(const CellShape& other, double distance) {
     for (const double off : {-1e-4, 1e-4}) {
-      shapes_.shapes = {other, shape("ball", "flange", Kind::kSphere, {distance + off, 0, 0},
+      shapes_.shapes = {other, shape("ball", "flange", ShapeKind::kSphere, {distance + off, 0, 0},
                                      Isometry3d(Translation3d(0, 0, 0.1)))};
       const auto found = collisions();
       ASSERT_EQ(found.size(), off > 0 ? 1u : 0u) << other.name;
@@ -49,28 +49,28 @@ class CollisionTest : public ToolCheckTest {
 };
 
 TEST_F(CollisionTest, MeetsWhatIsAsNearAsItsRadius) {
-  expect_meets(shape("ball in the cell", "base_link", Kind::kSphere, {0.1, 0, 0},
+  expect_meets(shape("ball in the cell", "base_link", ShapeKind::kSphere, {0.1, 0, 0},
                      Isometry3d(Translation3d(0.8, 0.3, 0.1))),
                0.4);  // the centres are 0.5 apart
-  expect_meets(shape("box", "base_link", Kind::kBox, {0.2, 0.4, 0.2},
+  expect_meets(shape("box", "base_link", ShapeKind::kBox, {0.2, 0.4, 0.2},
                      Isometry3d(Translation3d(0.8 - 0.3, 0.1, 0.5 - 0.3))),
                std::hypot(0.2, 0.2));  // its nearest edge is 0.2 away in x and in z
-  expect_meets(shape("capsule", "base_link", Kind::kCapsule, {0.05, 0.2, 0},
+  expect_meets(shape("capsule", "base_link", ShapeKind::kCapsule, {0.05, 0.2, 0},
                      Isometry3d(Translation3d(0.8, 0.3, 0.5))),
                0.25);
-  expect_meets(shape("floor", "base_link", Kind::kHalfSpace, {0, 0, 1},
+  expect_meets(shape("floor", "base_link", ShapeKind::kHalfSpace, {0, 0, 1},
                      Isometry3d(Translation3d(9, 9, 0.2))),
                0.3);
   const double root = std::sqrt(0.5);
-  expect_meets(shape("slope", "base_link", Kind::kHalfSpace, {-root, 0, root},
+  expect_meets(shape("slope", "base_link", ShapeKind::kHalfSpace, {-root, 0, root},
                      Isometry3d(Translation3d(1.2, 5, 0.5))),
                0.4 * root);
 }
 
 TEST_F(CollisionTest, KnowsHowDeepBoxesAreInEachOther) {
-  shapes_.shapes = {shape("bracket", "flange", Kind::kBox, {0.6, 0.04, 0.04},
+  shapes_.shapes = {shape("bracket", "flange", ShapeKind::kBox, {0.6, 0.04, 0.04},
                           Isometry3d(Translation3d(0, 0, 0.03))),
-                    shape("table", "base_link", Kind::kBox, {1, 1, 0.5},
+                    shape("table", "base_link", ShapeKind::kBox, {1, 1, 0.5},
                           Isometry3d(Translation3d(0.8, 0, 0.3 + 0.012)))};
   // the bracket ends at 0.6 - 0.05, the table at 0.562
   auto found = collisions();
@@ -89,8 +89,8 @@ TEST_F(CollisionTest, KnowsHowDeepBoxesAreInEachOther) {
 TEST_F(CollisionTest, MovesWithTheTipAndTheLinks) {
   // a ball at the tool's tip just above a floor
   const Vector3d tip = (looking_down(0.8, 0, 0.6) * motion_.flange_to_tip).translation();
-  shapes_.shapes = {shape("ball", "tool_tip", Kind::kSphere, {0.01, 0, 0}),
-                    shape("floor", "base_link", Kind::kHalfSpace, {0, 0, 1},
+  shapes_.shapes = {shape("ball", "tool_tip", ShapeKind::kSphere, {0.01, 0, 0}),
+                    shape("floor", "base_link", ShapeKind::kHalfSpace, {0, 0, 1},
                           Isometry3d(Translation3d(0, 0, tip.z() - 0.0101)))};
   EXPECT_TRUE(collisions().empty());
   shapes_.clearance = 2e-4;
@@ -105,7 +105,7 @@ TEST_F(CollisionTest, TakesALinkForACapsuleFromItsJointToTheNext) {
   joints_ = degrees(0, 90, -90, 0, 10, 0);
   shapes_.links = {{"link_2", 0.1}};
   for (const double off : {-1e-3, 1e-3}) {
-    const CellShape ball = shape("ball", "base_link", Kind::kSphere, {0.2 + off, 0, 0});
+    const CellShape ball = shape("ball", "base_link", ShapeKind::kSphere, {0.2 + off, 0, 0});
     for (const Vector3d& place :
          {Vector3d(0.15 - 0.3, 0, 0.45), Vector3d(0.15 + 0.59 + 0.3, 0, 0.45),
           Vector3d(0.4, 0.3, 0.45), Vector3d(0.4, 0, 0.15)}) {
@@ -117,8 +117,8 @@ TEST_F(CollisionTest, TakesALinkForACapsuleFromItsJointToTheNext) {
 }
 
 TEST_F(CollisionTest, MeetsTheSurfaceOfThePartButLetsTheToolTouchIt) {
-  shapes_.shapes = {shape("ball", "flange", Kind::kSphere, {0.1, 0, 0}),
-                    shape("tool", "tool_tip", Kind::kCapsule, {0.3, 0.5, 0})};
+  shapes_.shapes = {shape("ball", "flange", ShapeKind::kSphere, {0.1, 0, 0}),
+                    shape("tool", "tool_tip", ShapeKind::kCapsule, {0.3, 0.5, 0})};
   CollisionScene scene(smart5_six(), shapes_);
   const auto count = [&] { return scene.collisions(joints_, motion_.flange_to_tip).size(); };
   for (const double off : {-1e-3, 1e-3}) {  // a square, 0.1 below the flange
@@ -144,7 +144,7 @@ TEST_F(CollisionTest, MeetsTheSurfaceOfThePartButLetsTheToolTouchIt) {
 }
 
 TEST_F(CollisionTest, RefusesFramesAndPartsThatAreNone) {
-  shapes_.shapes = {shape("a", "camera", Kind::kSphere, {1, 0, 0})};
+  shapes_.shapes = {shape("a", "camera", ShapeKind::kSphere, {1, 0, 0})};
   try {
     collisions();
     FAIL();
@@ -170,8 +170,8 @@ TEST_F(CollisionTest, RefusesFramesAndPartsThatAreNone) {
 
 TEST_F(CollisionTest, IsNamedWithItsWaypoint) {
   add_line({0.8, -0.2, 0.6}, {0.8, 0.2, 0.6}, 41);
-  shapes_.shapes = {shape("ball", "flange", Kind::kSphere, {0.05, 0, 0}),
-                    shape("clamp", "base_link", Kind::kBox, {0.1, 0.1, 0.1},
+  shapes_.shapes = {shape("ball", "flange", ShapeKind::kSphere, {0.05, 0, 0}),
+                    shape("clamp", "base_link", ShapeKind::kBox, {0.1, 0.1, 0.1},
                           Isometry3d(Translation3d(0.8, 0.2, 0.6)))};
   const CollisionScene scene(smart5_six(), shapes_);
   const ToolCheck found = check_tool_motion(smart5_six(), narrowed(limits_, smart5_six()), from_,

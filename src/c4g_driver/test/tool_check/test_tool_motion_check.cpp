@@ -11,7 +11,6 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-using Kind = ToolFault::Kind;
 using Jacobian = Eigen::Matrix<double, 6, 6>;
 
 Jacobian numeric_jacobian(const Joints& joints) {

@@ -7,7 +7,6 @@ namespace {
 
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
-using Kind = ToolFault::Kind;
 
 // Looking down, the wrist's centre stands above the flange: on a line x = r, J1 = -atan(y / r) goes
 // fastest at y = 0, by v / r.

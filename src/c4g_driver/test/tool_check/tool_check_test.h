@@ -12,6 +12,8 @@
 /// A robot with a tool whose paths are checked.
 namespace c4g_driver {
 
+using Kind = ToolFault::Kind;
+
 class ToolCheckTest : public testing::Test {
  protected:
   ToolCheckTest() {

@@ -30,7 +30,7 @@ std::vector<RunRecord> runs_with(const std::vector<double>& deviations) {
 }
 
 /// In turn on either side of 0 by a tenth of a millimetre.
-std::vector<double> calm(std::size_t count) {
+std::vector<double> calm_metres(std::size_t count) {
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i)
     values[i] = i % 2 == 0 ? -0.0001 : 0.0001;
@@ -65,7 +65,7 @@ TEST(RunChart, HasTheLimitsOfTheNistFlowRatesInMillimetres) {
 }
 
 TEST(RunChart, ShowsRefusedRunsAtTheirPlaceAndDoesNotCountThem) {
-  auto records = runs_with(calm(30));
+  auto records = runs_with(calm_metres(30));
   records[10].state = RunState::kRefused;
   records[10].reason = "tolerance_exceeded";
   records[10].figures.places["rim"] = 0.9;
@@ -84,7 +84,7 @@ TEST(RunChart, ShowsRefusedRunsAtTheirPlaceAndDoesNotCountThem) {
 }
 
 TEST(RunChart, NamesTheRunsThatBreakARule) {
-  auto values = calm(40);
+  auto values = calm_metres(40);
   values[30] = 0.0007;
   auto records = runs_with(values);
   records[5].state = RunState::kRefused;  // the axis has it, the statistics do not
@@ -94,34 +94,35 @@ TEST(RunChart, NamesTheRunsThatBreakARule) {
 }
 
 TEST(RunChart, GivesACapabilityOfPlacesWithTheirTolerance) {
-  const Json chart = chart_of(runs_with(calm(26)), "rim");
+  const Json chart = chart_of(runs_with(calm_metres(26)), "rim");
   // Closed form: 26 values of +- 0.1 mm, standard deviation 0.1 sqrt(26 / 25), limits +- 0.5 mm
   EXPECT_NEAR(chart.at("capability").at("cp"), 1 / (6 * 0.1 * std::sqrt(26.0 / 25)), 1e-9);
   EXPECT_EQ(chart.at("capability").at("cpk"), chart.at("capability").at("cp"));
   EXPECT_EQ(chart.at("capability").at("from"), 1);
   EXPECT_EQ(chart.at("tolerance"), (Json{-0.5, 0.5}));
-  EXPECT_EQ(chart_of(runs_with(calm(26)), "rms").at("capability").at("none"), "no_tolerance");
+  EXPECT_EQ(chart_of(runs_with(calm_metres(26)), "rms").at("capability").at("none"),
+            "no_tolerance");
 }
 
 TEST(RunChart, SaysWhyThereIsNoCapability) {
   const auto why = [](const std::vector<RunRecord>& records) {
     return chart_of(records, "rim").at("capability").at("none").get<std::string>();
   };
-  EXPECT_EQ(why(runs_with(calm(24))), "too_few_values");
-  auto records = runs_with(calm(40));
+  EXPECT_EQ(why(runs_with(calm_metres(24))), "too_few_values");
+  auto records = runs_with(calm_metres(40));
   records[3].tolerance = 0.001;
   EXPECT_EQ(why(records), "tolerance_changed");
   for (RunRecord& record : records)
     record.tolerance = 0;
   EXPECT_EQ(why(records), "no_tolerance");
-  records = runs_with(calm(40));
+  records = runs_with(calm_metres(40));
   for (RunRecord& record : records)
     record.state = RunState::kRefused;
   EXPECT_EQ(why(records), "too_few_values");
 }
 
 TEST(RunChart, TellsWhereTheClockWentBackAndWhereTheRecipeChanged) {
-  auto records = runs_with(calm(4));
+  auto records = runs_with(calm_metres(4));
   records[2].started = time_after(0);
   records[3].started = time_after(1);
   records[3].recipe_sha256 = "other";
@@ -136,7 +137,7 @@ TEST(RunChart, TellsWhereTheClockWentBackAndWhereTheRecipeChanged) {
 }
 
 TEST(RunChart, LeavesRepeatsOutAndTellsTheirNumber) {
-  auto records = runs_with(calm(4));
+  auto records = runs_with(calm_metres(4));
   records[3].again_of = records[0].id;
   const Json data = data_of(records);
   EXPECT_EQ(data.at("runs").size(), 3u);
@@ -144,7 +145,7 @@ TEST(RunChart, LeavesRepeatsOutAndTellsTheirNumber) {
 }
 
 TEST(RunChart, HasNoLimitBelowZeroWhereNothingCanBe) {
-  std::vector<RunRecord> records = runs_with(calm(3));
+  std::vector<RunRecord> records = runs_with(calm_metres(3));
   const std::vector<double> rms = {0.00001, 0.0001, 0.00001};
   for (std::size_t i = 0; i < rms.size(); ++i)
     records[i].figures.rms = rms[i];

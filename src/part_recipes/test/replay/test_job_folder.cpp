@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 
-constexpr seconds kLong(3600);
+constexpr seconds kLongLease(3600);
 
 std::vector<Job> some_jobs(std::size_t count) {
   std::vector<Job> jobs;
@@ -32,45 +32,45 @@ TEST(AJob, IsGivenToOneWorker) {
   const TemporaryFolder temporary;
   const JobFolder folder(temporary.path());
   folder.add(some_jobs(2));
-  const auto one = folder.claim(kLong);
-  const auto other = folder.claim(kLong);
+  const auto one = folder.claim(kLongLease);
+  const auto other = folder.claim(kLongLease);
   ASSERT_TRUE(one && other);
   EXPECT_NE(one->id, other->id);
   EXPECT_EQ(one->run, fs::path("/recorded") / one->id);
-  EXPECT_FALSE(folder.claim(kLong));
+  EXPECT_FALSE(folder.claim(kLongLease));
   folder.release(*one);
-  EXPECT_EQ(folder.claim(kLong)->id, one->id);
+  EXPECT_EQ(folder.claim(kLongLease)->id, one->id);
 }
 
 TEST(AJob, OfAWorkerThatIsSilentIsGivenToAnother) {
   const TemporaryFolder temporary;
   const JobFolder folder(temporary.path());
   folder.add(some_jobs(1));
-  const auto first = folder.claim(kLong);
+  const auto first = folder.claim(kLongLease);
   ASSERT_TRUE(first);
   // The worker was last heard of two hours ago.
   fs::last_write_time(temporary.path() / "claims" / first->id,
                       fs::file_time_type::clock::now() - std::chrono::hours(2));
-  ASSERT_TRUE(folder.claim(kLong));
-  EXPECT_FALSE(folder.claim(kLong)) << "it was claimed anew";
+  ASSERT_TRUE(folder.claim(kLongLease));
+  EXPECT_FALSE(folder.claim(kLongLease)) << "it was claimed anew";
 }
 
 TEST(AJob, ThatTwoWorkersDidCountsOnce) {
   const TemporaryFolder temporary;
   const JobFolder folder(temporary.path());
   folder.add(some_jobs(1));
-  const auto job = folder.claim(kLong);
+  const auto job = folder.claim(kLongLease);
   EXPECT_TRUE(folder.finish(*job, folder.runs() / "first"));
   EXPECT_FALSE(folder.finish(*job, folder.runs() / "second"));
   EXPECT_EQ(folder.result(job->id), folder.runs() / "first");
-  EXPECT_FALSE(folder.claim(kLong));
+  EXPECT_FALSE(folder.claim(kLongLease));
 }
 
 TEST(AJob, ThatIsThereAlreadyStays) {
   const TemporaryFolder temporary;
   const JobFolder folder(temporary.path());
   folder.add(some_jobs(1));
-  folder.finish(*folder.claim(kLong), folder.runs() / "first");
+  folder.finish(*folder.claim(kLongLease), folder.runs() / "first");
   folder.add(some_jobs(3));
   EXPECT_EQ(folder.jobs().size(), 3u);
   EXPECT_EQ(folder.result("run0"), folder.runs() / "first");

@@ -18,10 +18,10 @@ using scan_calibration::ViewObservation;
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-const synthetic::Noise kNoise = {0.1, 0.1, 1e-4, 1e-4};
+const synthetic::Noise kLightNoise = {0.1, 0.1, 1e-4, 1e-4};
 
 Observations session(const synthetic::Poses& poses, const synthetic::Cell& cell = {}) {
-  return observe(cell, flange_poses(cell, poses), kNoise, 1);
+  return observe(cell, flange_poses(cell, poses), kLightNoise, 1);
 }
 
 Observations good() {
@@ -84,7 +84,7 @@ TEST(UnusableSession, OfTurnsAboutOneAxisSaysWhatIsUndetermined) {
     turn.pretranslate(Vector3d(0.003 * (i % 3), 0.004 * (i % 5), 0.01 * (i % 4)));
     poses.push_back(turn * first);
   }
-  const std::string text = refused(observe(cell, poses, kNoise, 1));
+  const std::string text = refused(observe(cell, poses, kLightNoise, 1));
   EXPECT_SAYS(text, "orientations of the flange: about one axis only");
   EXPECT_SAYS(text, "the camera's position on the flange along this axis is undetermined");
 }
@@ -199,7 +199,7 @@ TEST(UnusableSession, OfALaserOnOneLineSaysHowFarItSpreads) {
   poses.seed = 9;
   for (ViewObservation& view : observations.views)
     view.lines[0].clear();
-  for (ViewObservation view : observe(cell, flange_poses(cell, poses), kNoise, 2).views) {
+  for (ViewObservation view : observe(cell, flange_poses(cell, poses), kLightNoise, 2).views) {
     view.name = "flat " + view.name;
     observations.views.push_back(view);
   }

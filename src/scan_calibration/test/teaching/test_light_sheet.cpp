@@ -18,7 +18,7 @@ constexpr double kRate = 100;  // [Hz]
 
 /// A projector 0.25 m left of the camera and 20 mm above its axis; the plane crosses the axis 0.5 m
 /// in front of it.
-LaserPlane left_laser() {
+LaserPlane left_laser_above_the_axis() {
   LaserPlane laser;
   laser.origin << -0.25, 0.02, 0;
   laser.normal = Vector3d(2, 0, -1).normalized();
@@ -29,7 +29,7 @@ LaserPlane left_laser() {
 }  // namespace
 
 TEST(LightSheet, LiesInThePlaneFromTheProjectorToTheOpticalAxis) {
-  const LaserPlane laser = left_laser();
+  const LaserPlane laser = left_laser_above_the_axis();
   const Eigen::Isometry3d frame = scan_calibration::laser_frame(laser, "laser_0");
   const auto sheet = scan_calibration::light_sheet(laser, "laser_0", {M_PI / 3, 0});
   for (const Vector3d& corner : sheet)
@@ -43,7 +43,8 @@ TEST(LightSheet, LiesInThePlaneFromTheProjectorToTheOpticalAxis) {
 }
 
 TEST(LightSheet, IsAsLongAsAsked) {
-  const auto sheet = scan_calibration::light_sheet(left_laser(), "laser_0", {M_PI / 2, 0.3});
+  const auto sheet =
+      scan_calibration::light_sheet(left_laser_above_the_axis(), "laser_0", {M_PI / 2, 0.3});
   EXPECT_TRUE(sheet[1].isApprox(Vector3d(0, -0.3, 0.3), 1e-12));
   EXPECT_TRUE(sheet[2].isApprox(Vector3d(0, 0.3, 0.3), 1e-12));
 }

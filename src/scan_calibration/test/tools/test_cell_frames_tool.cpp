@@ -20,7 +20,7 @@ namespace {
 
 const Isometry3d kBaseInWorld =
     Translation3d(-0.8, 0.05, 0.3) * AngleAxisd(0.4, Vector3d(0.1, -0.2, 1).normalized());
-const Isometry3d kTip = Isometry3d(Translation3d(0.01, -0.02, 0.2));
+const Isometry3d kTipInTool0 = Isometry3d(Translation3d(0.01, -0.02, 0.2));
 
 class CellFramesTool : public testing::Test {
  protected:
@@ -39,7 +39,7 @@ class CellFramesTool : public testing::Test {
       const Vector3d axis(std::cos(direction), std::sin(direction), 0);
       const Isometry3d tip =
           Translation3d(kBaseInWorld.inverse() * points[i]) * AngleAxisd(0.5, axis);
-      const Isometry3d flange = tip * kTip.inverse();
+      const Isometry3d flange = tip * kTipInTool0.inverse();
       const Eigen::Quaterniond q(flange.linear());
       const Vector3d t = flange.translation();
       file << t.x() << "," << t.y() << "," << t.z() << "," << q.x() << "," << q.y() << "," << q.z()
@@ -72,7 +72,7 @@ TEST_F(CellFramesTool, FindsTheToolAndThenTheWorldWithIt) {
   ASSERT_EQ(run("world --points " + taught({{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}})), 0)
       << printed();
   const scan_calibration::Cell cell = scan_calibration::load_cell(path("cell.yaml"));
-  EXPECT_TRUE(cell.tool_tip_in_tool0.isApprox(kTip, 1e-9));
+  EXPECT_TRUE(cell.tool_tip_in_tool0.isApprox(kTipInTool0, 1e-9));
   EXPECT_TRUE(cell.base_link_in_world.isApprox(kBaseInWorld, 1e-9));
 }
 

@@ -24,7 +24,7 @@ struct Point {
   double weight;
 };
 
-FieldedCloud three_points() {
+FieldedCloud three_points_with_fields() {
   const Point points[] = {
       {1, 2, 3, 0, {9, 9, 9}, 0.5}, {4, 5, 6, 1, {9, 9, 9}, 1.0 / 3}, {7, 8, 9, 1, {9, 9, 9}, -7}};
   FieldedCloud cloud;
@@ -66,17 +66,17 @@ class FieldedCloudFile : public ScratchFolder {};
 
 TEST_F(FieldedCloudFile, IsReadByPclWithAllItsFields) {
   pcl::PCLPointCloud2 read;
-  save_cloud((folder_ / "cloud.ply").string(), three_points().view(), 1e-3);
+  save_cloud((folder_ / "cloud.ply").string(), three_points_with_fields().view(), 1e-3);
   ASSERT_EQ(pcl::io::loadPLYFile((folder_ / "cloud.ply").string(), read), 0);
   expect_in_millimetres(read);
-  save_cloud((folder_ / "cloud.pcd").string(), three_points().view(), 1e-3);
+  save_cloud((folder_ / "cloud.pcd").string(), three_points_with_fields().view(), 1e-3);
   ASSERT_EQ(pcl::io::loadPCDFile((folder_ / "cloud.pcd").string(), read), 0);
   expect_in_millimetres(read);
 }
 
 TEST_F(FieldedCloudFile, IsReadBackAsPlaces) {
   for (const char* const name : {"cloud.ply", "cloud.pcd"}) {
-    save_cloud((folder_ / name).string(), three_points().view());
+    save_cloud((folder_ / name).string(), three_points_with_fields().view());
     const Cloud read = scan_cell_common::load_cloud((folder_ / name).string());
     ASSERT_EQ(read.size(), 3U);
     EXPECT_EQ(read[2].y, 8.0F);
@@ -87,7 +87,7 @@ TEST(FieldedCloud, GivesOtherPlacesWhatTheirSourcesCarry) {
   Cloud places;
   places.push_back({0.1F, 0.2F, 0.3F});
   places.push_back({0.4F, 0.5F, 0.6F});
-  const FieldedCloud chosen = with_fields(places, three_points().view(), {2, 0});
+  const FieldedCloud chosen = with_fields(places, three_points_with_fields().view(), {2, 0});
   Point points[2];
   ASSERT_EQ(chosen.bytes.size(), sizeof points);
   std::memcpy(points, chosen.bytes.data(), sizeof points);
@@ -122,7 +122,7 @@ TEST(FieldedCloud, TakesPlacesAndDirectionsAlongIntoAnotherFrame) {
 }
 
 TEST_F(FieldedCloudFile, IsReadBackWithAllItsFields) {
-  const FieldedCloud written = three_points();
+  const FieldedCloud written = three_points_with_fields();
   for (const char* const name : {"cloud.ply", "cloud.pcd"}) {
     const std::string path = (folder_ / name).string();
     save_cloud(path, written.view());
@@ -165,7 +165,7 @@ TEST_F(FieldedCloudFile, LosesWhatThePointsCarryThatAreDropped) {
 
 TEST(FieldedCloud, IsRefusedWhereItsFieldsMakeNoSense) {
   const auto refuses = [](const auto& spoil) {
-    FieldedCloud cloud = three_points();
+    FieldedCloud cloud = three_points_with_fields();
     spoil(cloud);
     EXPECT_THROW(places_of(cloud.view()), scan_cell_common::UnusableInput);
   };

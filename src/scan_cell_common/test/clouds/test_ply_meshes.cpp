@@ -39,8 +39,8 @@ void append_as(std::string& bytes, const std::string& type, int number, bool big
 
 /// As noether's tools and CloudCompare write them: with normals and colours of the vertices, and
 /// more properties of the faces.
-std::string ply(const std::string& format, const std::vector<std::vector<int>>& faces,
-                const Types& types = {"uchar", "int"}) {
+std::string ply_mesh(const std::string& format, const std::vector<std::vector<int>>& faces,
+                     const Types& types = {"uchar", "int"}) {
   std::string bytes = "ply\nformat " + format +
                       " 1.0\ncomment made\nelement vertex 6\nproperty float x\nproperty float y\n"
                       "property float z\nproperty float nx\nproperty uchar red\nelement face " +
@@ -112,7 +112,7 @@ TEST(PlyMesh, IsReadInEveryFormatWithAnyTypesOfItsLists) {
     for (const Types& types : {Types{"uchar", "int"}, Types{"int", "uint"}, Types{"uint", "short"},
                                Types{"uchar", "uchar"}, Types{"short", "int"}}) {
       SCOPED_TRACE(std::string(format) + types.count + types.index);
-      const std::string bytes = ply(format, {{0, 1, 4}, {0, 4, 5}, {1, 2, 3, 4}}, types);
+      const std::string bytes = ply_mesh(format, {{0, 1, 4}, {0, 4, 5}, {1, 2, 3, 4}}, types);
       EXPECT_EQ(faces_of_ply(bytes), 3U);
       const pcl::PolygonMesh mesh = parse_ply_mesh(bytes, "f");
       ASSERT_EQ(mesh.polygons.size(), 3U);
@@ -127,34 +127,34 @@ TEST(PlyMesh, CutsPolygonsIntoTrianglesThatFillThemAlsoWhereTheyAreConcave) {
     std::vector<int> face;
     for (int i = 0; i < 6; ++i)
       face.push_back((first + i) % 6);
-    const pcl::PolygonMesh mesh = triangulated(parse_ply_mesh(ply("ascii", {face}), "f"), "f");
+    const pcl::PolygonMesh mesh = triangulated(parse_ply_mesh(ply_mesh("ascii", {face}), "f"), "f");
     EXPECT_EQ(mesh.polygons.size(), 4U);
     EXPECT_NEAR(area_of(mesh), kArea, 1e-6) << first;
   }
 }
 
 TEST(PlyMesh, SaysWhatIsWrong) {
-  EXPECT_NE(complaint(ply("ascii", {{0, 1, 6}})).find("a face of vertex 6 of 6"),
+  EXPECT_NE(complaint(ply_mesh("ascii", {{0, 1, 6}})).find("a face of vertex 6 of 6"),
             std::string::npos);
   EXPECT_NE(
-      complaint(ply("binary_little_endian", {{0, 1, -1}})).find("a face of vertex 4294967295"),
+      complaint(ply_mesh("binary_little_endian", {{0, 1, -1}})).find("a face of vertex 4294967295"),
       std::string::npos);
-  EXPECT_NE(complaint(ply("ascii", {{0, 1, -1}})).find("'-1'; give whole numbers"),
+  EXPECT_NE(complaint(ply_mesh("ascii", {{0, 1, -1}})).find("'-1'; give whole numbers"),
             std::string::npos);
-  EXPECT_NE(complaint(ply("ascii", {{0, 1}})).find("a face of 2 corners; give at least three"),
+  EXPECT_NE(complaint(ply_mesh("ascii", {{0, 1}})).find("a face of 2 corners; give at least three"),
             std::string::npos);
-  std::string other = ply("ascii", {{0, 1, 2}});
+  std::string other = ply_mesh("ascii", {{0, 1, 2}});
   other.replace(other.find("int vertex_indices"), 18, "float somethings  ");
   EXPECT_EQ(faces_of_ply(other), 0U);
   EXPECT_NE(complaint(other).find("no single list of corners"), std::string::npos);
-  const std::string whole = ply("binary_big_endian", kNotched);
+  const std::string whole = ply_mesh("binary_big_endian", kNotched);
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_THROW(parse_ply_mesh(whole.substr(0, size), "f"), FileError) << size;
 }
 
 TEST_F(PlyMeshFiles, AreMeshesWhereTheyHaveFacesAndCloudsElsewhere) {
-  const std::string mesh = write("mesh.ply", ply("binary_little_endian", kNotched));
-  const std::string cloud = write("cloud.ply", ply("binary_little_endian", {}));
+  const std::string mesh = write("mesh.ply", ply_mesh("binary_little_endian", kNotched));
+  const std::string cloud = write("cloud.ply", ply_mesh("binary_little_endian", {}));
   EXPECT_TRUE(is_mesh_file(mesh));
   EXPECT_FALSE(is_mesh_file(cloud));
   EXPECT_FALSE(is_mesh_file(write("none.ply", "hello")));
@@ -163,7 +163,7 @@ TEST_F(PlyMeshFiles, AreMeshesWhereTheyHaveFacesAndCloudsElsewhere) {
 }
 
 TEST_F(PlyMeshFiles, SayWhereTheirFacesAreLeftOut) {
-  const LoadedCloud loaded = load_cloud_file(write("mesh.ply", ply("ascii", kNotched)), {});
+  const LoadedCloud loaded = load_cloud_file(write("mesh.ply", ply_mesh("ascii", kNotched)), {});
   EXPECT_EQ(loaded.cloud.size(), 6U);
   ASSERT_EQ(loaded.notes.size(), 1U);
   EXPECT_NE(loaded.notes[0].find("its 1 faces are left out"), std::string::npos);
@@ -174,8 +174,9 @@ TEST_F(PlyMeshFiles, ComeInMetresWhateverTheirUnit) {
       "v 0 0 0\nv 2000 0 0\nv 2000 2000 0\nv 1000 2000 0\nv 1000 1000 0\n"
       "v 0 1000 0\nf 1 2 3 4 5 6\n";
   EXPECT_NEAR(area_of(load_mesh(write("part.obj", obj), metres_per("mm"))), kArea, 1e-6);
-  EXPECT_NEAR(area_of(load_mesh(write("mesh.ply", ply("ascii", kNotched)), metres_per("inch"))),
-              kArea * 0.0254 * 0.0254, 1e-9);
+  EXPECT_NEAR(
+      area_of(load_mesh(write("mesh.ply", ply_mesh("ascii", kNotched)), metres_per("inch"))),
+      kArea * 0.0254 * 0.0254, 1e-9);
 }
 
 TEST_F(PlyMeshFiles, WrittenInAUnitComeBackInIt) {

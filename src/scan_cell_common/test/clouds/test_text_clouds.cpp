@@ -33,7 +33,7 @@ void expect_points(const std::string& text, const std::string& note = "") {
   }
 }
 
-std::string complaint(const std::string& text, double metres_per_unit = 1) {
+std::string text_complaint(const std::string& text, double metres_per_unit = 1) {
   try {
     parse_point_table(text, "f", metres_per_unit);
   } catch (const FileError& error) {
@@ -97,30 +97,32 @@ TEST(PointTable, TakesAnEmptyFieldForNoMeasurement) {
 }
 
 TEST(PointTable, SaysWhatIsWrong) {
-  EXPECT_SAYS(complaint("a,b,c\n1,2,3\n"), "f, line 1: no header with one x, one y and one z");
-  EXPECT_SAYS(complaint("x,x,y,z\n1,2,3,4\n"), "no header with one x");
-  EXPECT_SAYS(complaint("hello\n"), "'hello'; name the columns x, y and z");
-  EXPECT_SAYS(complaint("1 2\n"), "2 columns; give x, y and z in each line");
-  EXPECT_SAYS(complaint("x y z\n1 2 3\n1 2\n"), "f, line 3: 2 columns; give 3");
-  EXPECT_SAYS(complaint("1 2 3\n\n4 five 6\n"), "f, line 3: 'five' in column 2; give a number");
-  EXPECT_SAYS(complaint("x;y;z\n0,5;1;2\n"), "'0,5' in column 1; write numbers with a decimal");
-  EXPECT_SAYS(complaint("0 1.5 2.5 3.5 9\n1 1.6 2.6 3.6 9\n2 1.7 2.7 3.7 9\n"),
+  EXPECT_SAYS(text_complaint("a,b,c\n1,2,3\n"), "f, line 1: no header with one x, one y and one z");
+  EXPECT_SAYS(text_complaint("x,x,y,z\n1,2,3,4\n"), "no header with one x");
+  EXPECT_SAYS(text_complaint("hello\n"), "'hello'; name the columns x, y and z");
+  EXPECT_SAYS(text_complaint("1 2\n"), "2 columns; give x, y and z in each line");
+  EXPECT_SAYS(text_complaint("x y z\n1 2 3\n1 2\n"), "f, line 3: 2 columns; give 3");
+  EXPECT_SAYS(text_complaint("1 2 3\n\n4 five 6\n"),
+              "f, line 3: 'five' in column 2; give a number");
+  EXPECT_SAYS(text_complaint("x;y;z\n0,5;1;2\n"),
+              "'0,5' in column 1; write numbers with a decimal");
+  EXPECT_SAYS(text_complaint("0 1.5 2.5 3.5 9\n1 1.6 2.6 3.6 9\n2 1.7 2.7 3.7 9\n"),
               "its first column counts the lines; name x, y and z");
   std::string wide = "0";
   for (int i = 0; i < 40; ++i)
     wide += ",0.5";
-  EXPECT_SAYS(complaint(wide), "41 columns and no header");
-  EXPECT_SAYS(complaint(wide), "--column-step");
+  EXPECT_SAYS(text_complaint(wide), "41 columns and no header");
+  EXPECT_SAYS(text_complaint(wide), "--column-step");
 }
 
 TEST(PointTable, RefusesAnotherUnitThanItsHeaderNames) {
   for (const char* header : {"x_mm,y_mm,z_mm", "x [mm],y [mm],z [mm]", "X(mm),Y(mm),Z(mm)"}) {
     const std::string text = std::string(header) + "\n500,20,3\n";
-    EXPECT_SAYS(complaint(text), "gives x, y, z in mm; read it with --units mm");
-    EXPECT_SAYS(complaint(text, 0.0254), "--units mm");
-    EXPECT_EQ(complaint(text, 1e-3), "nothing");
+    EXPECT_SAYS(text_complaint(text), "gives x, y, z in mm; read it with --units mm");
+    EXPECT_SAYS(text_complaint(text, 0.0254), "--units mm");
+    EXPECT_EQ(text_complaint(text, 1e-3), "nothing");
   }
-  EXPECT_SAYS(complaint("x_mm,y_mm,z_inch\n1,2,3\n"), "no header with one x");
+  EXPECT_SAYS(text_complaint("x_mm,y_mm,z_inch\n1,2,3\n"), "no header with one x");
 }
 
 TEST(DepthProfiles, BecomePointsAtTheSteps) {

@@ -9,11 +9,13 @@
 #include <cmath>
 #include <functional>
 
+#include "scan_cell_common/clock/host_clock.h"
 #include "scan_cell_sim/controller/kinematics.h"
 #include "scan_cell_sim/controller/refusal.h"
 
 /// What the tests of the emulated controller's motions hold it against.
 
+constexpr scan_cell_common::Nanoseconds kStart = 1'700'000'000'000'000'000;  // of the host
 constexpr double kDegree = M_PI / 180;
 
 inline scan_cell_sim::Joints degrees(double a, double b, double c, double d, double e, double f) {

@@ -22,7 +22,6 @@ using scan_cell_sim::plan_arc;
 
 namespace {
 
-constexpr Nanoseconds kStart = 1'700'000'000'000'000'000;
 constexpr double kPlace = 0.05e-3;        // [m] what the arc may be off
 constexpr double kTurn = 0.01 * kDegree;  // [rad]
 

@@ -25,8 +25,6 @@ using Source = scan_cell_sim::Readiness::Source;
 
 namespace {
 
-constexpr Nanoseconds kStart = 1'700'000'000'000'000'000;
-
 class Motion : public testing::Test {
  protected:
   scan_cell_sim::MotionState at(double seconds) const {

@@ -11,7 +11,6 @@
 
 /// A path of the tool followed by the emulated arm, looked at every millisecond of its own time.
 
-constexpr scan_cell_common::Nanoseconds kStart = 1'700'000'000'000'000'000;
 constexpr double kStep = 1e-3;  // [s]
 
 /// What the robot did at an instant.

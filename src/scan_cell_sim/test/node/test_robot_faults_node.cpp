@@ -6,18 +6,11 @@
 #include <scan_cell_msgs/SetFaults.h>
 
 #include "controller/bare_client.h"
+#include "node/set_faults.h"
 
 using scan_cell_msgs::SetFaults;
 
 namespace {
-
-SetFaults::Response set_faults(const SetFaults::Request& request) {
-  SetFaults::Response response;
-  EXPECT_TRUE(ros::service::waitForService("/scan_cell_sim/set_faults", 30000));
-  SetFaults::Request asked = request;
-  EXPECT_TRUE(ros::service::call("/scan_cell_sim/set_faults", asked, response));
-  return response;
-}
 
 template <class Field, class Value>
 SetFaults::Request with(Field field, const Value& value) {

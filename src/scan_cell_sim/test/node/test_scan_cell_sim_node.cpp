@@ -18,6 +18,7 @@
 #include <set>
 
 #include "camera/loopback.h"
+#include "node/set_faults.h"
 
 namespace {
 
@@ -37,13 +38,6 @@ bool wait_until(const std::function<bool()>& condition) {
     ros::WallDuration(0.02).sleep();
   }
   return false;
-}
-
-scan_cell_msgs::SetFaults::Response set_faults(scan_cell_msgs::SetFaults::Request request = {}) {
-  scan_cell_msgs::SetFaults::Response response;
-  EXPECT_TRUE(ros::service::waitForService("/scan_cell_sim/set_faults", 1000 * kPatience));
-  EXPECT_TRUE(ros::service::call("/scan_cell_sim/set_faults", request, response));
-  return response;
 }
 
 scan_cell_msgs::LoadWorld::Response load_world(const std::string& path) {

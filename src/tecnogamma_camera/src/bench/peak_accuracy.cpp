@@ -14,12 +14,12 @@
 namespace tecnogamma_camera {
 namespace {
 
-constexpr int kColumns = 256;      // [px] chosen, as what follows
-constexpr double kMiddle = 128;    // [px]
-constexpr int kPhases = 20;        // of a pixel
-constexpr int kRowsOfPhase = 500;  // [px]
-constexpr double kHeight = 120;    // [grey value]
-constexpr double kMost = 255;      // [grey value] in 8 bits
+constexpr int kTrialColumns = 256;  // [px] chosen, as what follows
+constexpr double kMiddle = 128;     // [px]
+constexpr int kPhases = 20;         // of a pixel
+constexpr int kRowsOfPhase = 500;   // [px]
+constexpr double kHeight = 120;     // [grey value]
+constexpr double kMost = 255;       // [grey value] in 8 bits
 
 /// Integral over a pixel of the stripe's profile, height 1.
 double pixel_of(double offset, double sigma) {
@@ -38,9 +38,9 @@ std::vector<std::uint8_t> stripes(double sigma, const StripeLight& light) {
   std::mt19937 engine(1);
   std::normal_distribution<double> normal;
   std::vector<std::uint8_t> pixels;
-  pixels.reserve(static_cast<std::size_t>(kColumns) * kPhases * kRowsOfPhase);
+  pixels.reserve(static_cast<std::size_t>(kTrialColumns) * kPhases * kRowsOfPhase);
   for (int row = 0; row < kPhases * kRowsOfPhase; ++row) {
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column < kTrialColumns; ++column) {
       const double line = light.height * pixel_of(column - position_of(row), sigma);
       const double noise = std::hypot(light.noise, light.shot * std::sqrt(line));
       const double grey = light.background + line + noise * normal(engine);
@@ -85,8 +85,9 @@ void print_stripe(const PeakDetector& detector, double sigma, const StripeLight&
                   double figure) {
   const auto pixels = stripes(sigma, light);
   PeakProfile profile;
-  detector.detect(ImageView8{pixels.data(), kColumns, kPhases * kRowsOfPhase, kColumns, 0, 0},
-                  profile);
+  detector.detect(
+      ImageView8{pixels.data(), kTrialColumns, kPhases * kRowsOfPhase, kTrialColumns, 0, 0},
+      profile);
   const Accuracy found = measure(profile, sigma, light);
   std::printf("  %5.1f %8.0f %9.4f %9.4f %7.2f %9.4f %9.2f\n", sigma, figure, found.rms,
               found.bound, found.rms / found.bound, found.bias,

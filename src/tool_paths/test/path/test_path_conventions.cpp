@@ -4,13 +4,13 @@
 
 #include <sstream>
 
+#include "path/complaints.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "tool_paths/tool_path_files.h"
 
 using namespace tool_paths;
 using scan_cell_common::InvalidParameter;
-using scan_cell_common::UnusableInput;
 
 namespace {
 
@@ -62,25 +62,7 @@ Eigen::Matrix3d about_z(double degrees) {
 
 /// What the path is refused with; empty: it is not.
 std::string complaint(const std::string& text, const PathConventions& conventions = {}) {
-  try {
-    parse_tool_path_csv(text, "path.csv", conventions);
-  } catch (const UnusableInput& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::string yaml_complaint(const std::string& text) {
-  try {
-    parse_tool_path_yaml(text, "path.yaml");
-  } catch (const UnusableInput& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool names(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
+  return complaint_of([&] { parse_tool_path_csv(text, "path.csv", conventions); });
 }
 
 /// The whole path moved by a motion, as an adapted path is.

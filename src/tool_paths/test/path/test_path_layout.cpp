@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "path/complaints.h"
 #include "scan_cell_common/errors/errors.h"
 #include "tool_paths/tool_path_files.h"
 
@@ -67,17 +68,8 @@ ToolPathFile read(const std::string& text) {
   return parse_tool_path_yaml(text, "path");
 }
 
-std::string complaint(const std::string& text) {
-  try {
-    read(text);
-  } catch (const UnusableInput& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool names(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
+std::string layout_complaint(const std::string& text) {
+  return complaint_of([&] { read(text); });
 }
 
 ToolPath lifted(ToolPath path) {
@@ -202,29 +194,32 @@ TEST(YamlDocuments, OfAPoseEachAreOneSegment) {
 }
 
 TEST(YamlDocuments, WithoutPosesAreRefused) {
-  EXPECT_TRUE(names(complaint("- [1, 2, 3]\n---\nhello: world\n"), "line 3: no poses found"));
-  EXPECT_TRUE(names(complaint("- [1, 2, 3]\n--- {\n"), "line"));
-  EXPECT_TRUE(names(complaint("- [1, 2, 3]\n---\n- [1, 2]\n"), "no poses found"));
+  EXPECT_TRUE(
+      names(layout_complaint("- [1, 2, 3]\n---\nhello: world\n"), "line 3: no poses found"));
+  EXPECT_TRUE(names(layout_complaint("- [1, 2, 3]\n--- {\n"), "line"));
+  EXPECT_TRUE(names(layout_complaint("- [1, 2, 3]\n---\n- [1, 2]\n"), "no poses found"));
 }
 
 TEST(YamlDocuments, EndWhereTheTextEnds) {
-  EXPECT_TRUE(names(complaint("- [1, 2, 3]\n} more\n"), "line"));
-  EXPECT_TRUE(names(complaint(", 1000000000"), "line 1: neither part of a document"));
+  EXPECT_TRUE(names(layout_complaint("- [1, 2, 3]\n} more\n"), "line"));
+  EXPECT_TRUE(names(layout_complaint(", 1000000000"), "line 1: neither part of a document"));
 }
 
 TEST(YamlPoses, LeaveNothingUnread) {
-  EXPECT_TRUE(names(complaint("- {position: {x: 1, y: 2, z: 3, w: 4}}\n"), "'w' in a position"));
-  EXPECT_TRUE(names(complaint("- {position: {x: 1, y: 2, z: 3}, speed: 1}\n"
-                              "- {position: {x: 1, y: 2, z: 3}}\n"),
+  EXPECT_TRUE(
+      names(layout_complaint("- {position: {x: 1, y: 2, z: 3, w: 4}}\n"), "'w' in a position"));
+  EXPECT_TRUE(names(layout_complaint("- {position: {x: 1, y: 2, z: 3}, speed: 1}\n"
+                                     "- {position: {x: 1, y: 2, z: 3}}\n"),
                     "line 2: only some poses have 'speed'"));
-  EXPECT_TRUE(names(complaint("- {x: 1, y: 2, z: 3, x: 4}\n"), "'x' occurs twice"));
-  EXPECT_TRUE(names(complaint("a: [[1, 2, 3]]\na: [[4, 5, 6]]\n"), "'a' occurs twice"));
-  EXPECT_TRUE(names(complaint("a: &p {x: 1}\nb:\n- {<<: *p, position: {x: 1, y: 2, z: 3}}\n"),
-                    "'<<' merges keys"));
-  EXPECT_TRUE(names(complaint("a: [[1, 2, 3]]\nb:\n- {xyz: [1, 2, 3]}\n"),
+  EXPECT_TRUE(names(layout_complaint("- {x: 1, y: 2, z: 3, x: 4}\n"), "'x' occurs twice"));
+  EXPECT_TRUE(names(layout_complaint("a: [[1, 2, 3]]\na: [[4, 5, 6]]\n"), "'a' occurs twice"));
+  EXPECT_TRUE(
+      names(layout_complaint("a: &p {x: 1}\nb:\n- {<<: *p, position: {x: 1, y: 2, z: 3}}\n"),
+            "'<<' merges keys"));
+  EXPECT_TRUE(names(layout_complaint("a: [[1, 2, 3]]\nb:\n- {xyz: [1, 2, 3]}\n"),
                     "line 3: 'xyz' could be a position"));
   EXPECT_TRUE(
-      names(complaint("- {position: {x: 1, y: 2, z: 3}, speed: .nan}\n"), "speed = '.nan'"));
+      names(layout_complaint("- {position: {x: 1, y: 2, z: 3}, speed: .nan}\n"), "speed = '.nan'"));
 }
 
 TEST(CsvFields, LeaveNothingUnread) {

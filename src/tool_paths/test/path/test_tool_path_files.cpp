@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "path/complaints.h"
 #include "path/tool_path_file_targets.h"
 #include "scan_cell_common/errors/errors.h"
 #include "tool_paths/tool_path_files.h"
@@ -22,24 +23,11 @@ namespace {
 
 template <class Parser>
 std::string complaint(Parser parse, const std::string& text) {
-  try {
-    parse(text, "path", {});
-  } catch (const UnusableInput& error) {
-    return error.what();
-  }
-  return "";
+  return complaint_of([&] { parse(text, "path", {}); });
 }
 
 std::string csv_complaint(const std::string& text) {
   return complaint(parse_tool_path_csv, text);
-}
-
-std::string yaml_complaint(const std::string& text) {
-  return complaint(parse_tool_path_yaml, text);
-}
-
-bool names(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
 }
 
 ToolPath example() {
