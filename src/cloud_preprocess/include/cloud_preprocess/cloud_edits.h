@@ -54,6 +54,9 @@ struct CloudEdit {
   std::variant<BoxShape, HalfSpace, PrismShape, BrushShape, ClusterShape> shape;
 };
 
+/// "box", "plane", "polygon", "brush" or "cluster": in files and reports.
+const char* name_of(const CloudEdit& edit);
+
 /// Edits by hand, one after the other, in the frame of the cloud that comes in.
 class CloudEdits final : public Stage {
  public:

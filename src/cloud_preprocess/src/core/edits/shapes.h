@@ -15,7 +15,4 @@ std::vector<bool> points_in(const Cloud& cloud, const PrismShape& prism);
 std::vector<bool> points_in(const Cloud& cloud, const BrushShape& brush);
 std::vector<bool> points_in(const Cloud& cloud, const ClusterShape& cluster);
 
-/// "box", "plane", "polygon", "brush" or "cluster": in files and reports.
-const char* name_of(const CloudEdit& edit);
-
 }  // namespace cloud_preprocess
