@@ -1,7 +1,7 @@
 add_library(${PROJECT_NAME}_core
   src/core/approval/approval.cpp src/core/clock/utc_time.cpp src/core/disk/folder_lock.cpp
   src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp src/core/recipe/places_file.cpp
-  src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_file.cpp
+  src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_edits.cpp src/core/recipe/recipe_file.cpp
   src/core/recipe/recipe_names.cpp src/core/record/run_record.cpp src/core/replay/job_folder.cpp src/core/replay/replay.cpp
   src/core/run/again.cpp src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp
   src/core/run/figures.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp
@@ -38,10 +38,11 @@ if(CATKIN_ENABLE_TESTING)
   target_link_libraries(test_${PROJECT_NAME}_recipe ${PROJECT_NAME}_core
     ${scan_cell_common_LIBRARIES} scan_cell::scan_cell_common_clouds gtest_main)
   catkin_add_gtest(test_${PROJECT_NAME}_run
-    test/made_up_part.cpp test/run/test_run.cpp test/run/test_run_folder.cpp
-    test/temporary_folder.cpp test/view/test_run_view.cpp)
+    test/made_up_part.cpp test/run/test_recipe_edits.cpp test/run/test_run.cpp
+    test/run/test_run_folder.cpp test/temporary_folder.cpp test/view/test_run_view.cpp)
   target_link_libraries(test_${PROJECT_NAME}_run
-    ${PROJECT_NAME}_view scan_cell::scan_cell_common_clouds gtest_main)
+    ${PROJECT_NAME}_view scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_clouds
+    gtest_main)
   add_dependencies(test_${PROJECT_NAME}_run clean_cloud export_path stretch)
   catkin_add_gtest(test_${PROJECT_NAME}_replay
     test/made_up_part.cpp test/replay/test_job_folder.cpp test/replay/test_replay.cpp

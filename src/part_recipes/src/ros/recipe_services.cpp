@@ -12,6 +12,7 @@
 #include "history/history.h"
 #include "recipe/proof.h"
 #include "recipe/recipe.h"
+#include "recipe/recipe_edits.h"
 #include "run/recipe_picture.h"
 #include "scan_cell_common/errors/errors.h"
 
@@ -80,6 +81,7 @@ RecipeServices::RecipeServices(ros::NodeHandle node, const RecipeParameters& par
     : parameters_(parameters),
       display_(node),
       list_(node.advertiseService("list", &RecipeServices::list, this)),
+      edit_(node.advertiseService("edit", &RecipeServices::edit, this)),
       runs_(node.advertiseService("runs", &RecipeServices::runs, this)),
       describe_(node.advertiseService("describe", &RecipeServices::describe, this)),
       approve_(node.advertiseService("approve", &RecipeServices::approve, this)) {}
@@ -101,6 +103,13 @@ bool RecipeServices::list(scan_cell_msgs::ListRecipes::Request&,
   }
 }
 
+bool RecipeServices::edit(scan_cell_msgs::EditRecipe::Request& request,
+                          scan_cell_msgs::EditRecipe::Response& response) {
+  return answer(response, [&] {
+    set_edits(load_recipe(find_recipe(parameters_.recipes, request.recipe)), request.edits);
+  });
+}
+
 bool RecipeServices::runs(scan_cell_msgs::ListRuns::Request& request,
                           scan_cell_msgs::ListRuns::Response& response) {
   return answer(response, [&] {
@@ -120,6 +129,7 @@ bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
     const RunRecord record = load_run(folder);
     response.run = summary_of(folder, record);
     response.folder = folder.string();
+    response.recipe = fs::path(record.recipe_folder).filename().string();
     if (fs::exists(folder / kReportPage)) response.report = (folder / kReportPage).string();
     for (const auto& [name, value] : texts_of(record.figures)) {
       response.figure_names.push_back(name);

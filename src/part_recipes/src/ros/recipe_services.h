@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/ApproveRun.h>
 #include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
 
@@ -16,8 +17,8 @@
 
 namespace part_recipes {
 
-/// What can be asked and said of recipes and runs: ~list, ~runs, ~describe (which shows the run in
-/// rviz, too) and ~approve.
+/// What can be asked and said of recipes and runs: ~list, ~edit, ~runs, ~describe (which shows the
+/// run in rviz, too) and ~approve.
 class RecipeServices {
  public:
   RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters);
@@ -25,6 +26,8 @@ class RecipeServices {
  private:
   bool list(scan_cell_msgs::ListRecipes::Request& request,
             scan_cell_msgs::ListRecipes::Response& response);
+  bool edit(scan_cell_msgs::EditRecipe::Request& request,
+            scan_cell_msgs::EditRecipe::Response& response);
   bool runs(scan_cell_msgs::ListRuns::Request& request,
             scan_cell_msgs::ListRuns::Response& response);
   bool describe(scan_cell_msgs::DescribeRun::Request& request,
@@ -37,7 +40,7 @@ class RecipeServices {
 
   RecipeParameters parameters_;
   RunDisplay display_;
-  ros::ServiceServer list_, runs_, describe_, approve_;
+  ros::ServiceServer list_, edit_, runs_, describe_, approve_;
 };
 
 }  // namespace part_recipes

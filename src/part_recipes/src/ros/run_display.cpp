@@ -28,6 +28,20 @@ sensor_msgs::PointCloud2 object_of(const fs::path& run, const std_msgs::Header& 
   return scan_cell_common::to_message(scan_cell_common::Cloud(), header);
 }
 
+/// The raw scan, thinned for the eye; empty where the run has none.
+sensor_msgs::PointCloud2 scan_of(const fs::path& run, const std_msgs::Header& header) {
+  constexpr std::size_t kMostShown = 2'000'000;  // points; 24 MB, and a second of an old computer
+  scan_cell_common::Cloud shown;
+  const fs::path file = run / "inputs" / "scan.ply";
+  if (fs::exists(file)) {
+    const scan_cell_common::Cloud scan = scan_cell_common::load_cloud(file.string());
+    const std::size_t step = 1 + scan.size() / (kMostShown + 1);
+    for (std::size_t i = 0; i < scan.size(); i += step)
+      shown.push_back(scan[i]);
+  }
+  return scan_cell_common::to_message(shown, header);
+}
+
 visualization_msgs::Marker spheres(const tool_paths::Points& positions,
                                    const std_msgs::Header& header) {
   constexpr double kDiameter =
@@ -49,19 +63,23 @@ visualization_msgs::Marker spheres(const tool_paths::Points& positions,
 }  // namespace
 
 RunDisplay::RunDisplay(ros::NodeHandle node)
-    : deviation_(node.advertise<sensor_msgs::PointCloud2>("deviation", 1, true)),
+    : raw_(node.advertise<sensor_msgs::PointCloud2>("raw", 1, true)),
+      deviation_(node.advertise<sensor_msgs::PointCloud2>("deviation", 1, true)),
       path_(node.advertise<nav_msgs::Path>("path", 1, true)),
       adapted_(node.advertise<nav_msgs::Path>("adapted_path", 1, true)),
       concerned_(node.advertise<visualization_msgs::Marker>("concerned", 1, true)) {}
 
-void RunDisplay::show(const fs::path& run, const RunView& view) const {
+void RunDisplay::show(const fs::path& run, const RunView& view) {
+  if (run == shown_) return;
   std_msgs::Header header;
   header.frame_id = view.frame;
   header.stamp = ros::Time::now();
+  raw_.publish(scan_of(run, header));
   deviation_.publish(object_of(run, header));
   path_.publish(tool_path_stretcher::to_path_message(view.path, header));
   adapted_.publish(tool_path_stretcher::to_path_message(view.adapted, header));
   concerned_.publish(spheres(view.positions, header));
+  shown_ = run;
 }
 
 }  // namespace part_recipes

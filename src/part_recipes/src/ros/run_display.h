@@ -10,19 +10,22 @@
 
 namespace part_recipes {
 
-/// Shows one run in rviz, on latched topics: ~deviation (the scanned object; its points carry the
-/// field deviation [m] where it is known), ~path (the proven path, where the part lies),
+/// Shows one run in rviz, on latched topics: ~raw (the scan as it came; of a large one every so
+/// many points), ~deviation (the scanned object; its points carry the field deviation [m] where it
+/// is known), ~path (the proven path, where the part lies),
 /// ~adapted_path and ~concerned (waypoints that the verdict is about). What a run does not have is
 /// shown empty.
 class RunDisplay {
  public:
   explicit RunDisplay(ros::NodeHandle node);
 
+  /// Nothing is published where the run is shown already: runs do not change.
   /// @throw scan_cell_common::Error of whoever reads its files
-  void show(const std::filesystem::path& run, const RunView& view) const;
+  void show(const std::filesystem::path& run, const RunView& view);
 
  private:
-  ros::Publisher deviation_, path_, adapted_, concerned_;
+  std::filesystem::path shown_;  // empty: none
+  ros::Publisher raw_, deviation_, path_, adapted_, concerned_;
 };
 
 }  // namespace part_recipes
