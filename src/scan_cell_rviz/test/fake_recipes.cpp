@@ -2,14 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fake_recipes.h"
 
+#include <sensor_msgs/PointCloud2.h>
+
+#include <utility>
+
+#include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_common/ros/cloud_messages.h"
+
 namespace scan_cell_rviz {
 
 using scan_cell_msgs::RecipeState;
 using scan_cell_msgs::RunRecipeResult;
 using scan_cell_msgs::RunSummary;
 
+namespace {
+
+/// A lattice of ten by ten by ten points, 1 mm apart.
+sensor_msgs::PointCloud2 lattice() {
+  scan_cell_common::Cloud cloud;
+  for (int i = 0; i < 1000; ++i)
+    cloud.push_back({static_cast<float>(i % 10) * 1e-3F, static_cast<float>(i / 10 % 10) * 1e-3F,
+                     static_cast<float>(i / 100) * 1e-3F});
+  std_msgs::Header header;
+  header.frame_id = "world";
+  return scan_cell_common::to_message(cloud, header);
+}
+
+}  // namespace
+
 FakeRecipes::FakeRecipes()
-    : services_({node_.advertiseService("list", &FakeRecipes::list, this),
+    : raw_(node_.advertise<sensor_msgs::PointCloud2>("raw", 1, true)),
+      services_({node_.advertiseService("list", &FakeRecipes::list, this),
+                 node_.advertiseService("edit", &FakeRecipes::edit, this),
                  node_.advertiseService("runs", &FakeRecipes::runs, this),
                  node_.advertiseService("describe", &FakeRecipes::describe, this),
                  node_.advertiseService("approve", &FakeRecipes::approve, this)}),
@@ -37,6 +61,19 @@ int FakeRecipes::goals() const {
 scan_cell_msgs::ApproveRunRequest FakeRecipes::last_decision() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return decision_;
+}
+
+scan_cell_msgs::EditRecipeRequest FakeRecipes::last_edit() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return edit_;
+}
+
+bool FakeRecipes::edit(scan_cell_msgs::EditRecipe::Request& request,
+                       scan_cell_msgs::EditRecipe::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  edit_ = request;
+  response.success = 1;
+  return true;
 }
 
 bool FakeRecipes::was_cancelled() const {
@@ -132,6 +169,8 @@ bool FakeRecipes::describe(scan_cell_msgs::DescribeRun::Request&,
                            scan_cell_msgs::DescribeRun::Response& response) {
   response.success = 1;
   response.run = summary();
+  response.recipe = "frame";
+  if (!std::exchange(shown_, true)) raw_.publish(lattice());
   response.figure_names = {"scale", "rms"};
   response.figure_values = {"1.000012", "0.0213 mm"};
   if (response.run.state != RunSummary::REFUSED) return true;

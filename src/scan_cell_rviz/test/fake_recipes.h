@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/ApproveRun.h>
 #include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
 #include <scan_cell_msgs/RunRecipeAction.h>
@@ -28,6 +29,7 @@ class FakeRecipes {
   scan_cell_msgs::RunRecipeGoal last_goal() const;
   int goals() const;
   scan_cell_msgs::ApproveRunRequest last_decision() const;
+  scan_cell_msgs::EditRecipeRequest last_edit() const;
   bool was_cancelled() const;
 
   /// From now on ~list answers when the promise is kept.
@@ -39,19 +41,23 @@ class FakeRecipes {
   bool runs(scan_cell_msgs::ListRuns::Request&, scan_cell_msgs::ListRuns::Response&);
   bool describe(scan_cell_msgs::DescribeRun::Request&, scan_cell_msgs::DescribeRun::Response&);
   bool approve(scan_cell_msgs::ApproveRun::Request&, scan_cell_msgs::ApproveRun::Response&);
+  bool edit(scan_cell_msgs::EditRecipe::Request&, scan_cell_msgs::EditRecipe::Response&);
   scan_cell_msgs::RunSummary summary() const;
 
   mutable std::mutex mutex_;
   scan_cell_msgs::RunRecipeGoal goal_;
   scan_cell_msgs::ApproveRunRequest decision_;
+  scan_cell_msgs::EditRecipeRequest edit_;
   int goals_ = 0;
   int outcome_ = -1;
   std::uint8_t state_ = scan_cell_msgs::RunSummary::ACCEPTED;
   std::uint8_t decided_ = scan_cell_msgs::RunSummary::OPEN;
   bool cancelled_ = false;
+  bool shown_ = false;  // the run
   std::shared_future<void> list_until_;
 
   ros::NodeHandle node_{"/part_recipes"};
+  ros::Publisher raw_;
   std::vector<ros::ServiceServer> services_;
   actionlib::SimpleActionServer<scan_cell_msgs::RunRecipeAction> server_;
 };

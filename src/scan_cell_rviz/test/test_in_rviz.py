@@ -29,7 +29,7 @@ class InRviz(unittest.TestCase):
     def end(rviz):
         if rviz.poll() is None:
             os.killpg(rviz.pid, signal.SIGKILL)
-        rviz.communicate()
+            rviz.communicate()
 
     @staticmethod
     def listeners():

@@ -77,7 +77,8 @@ class ASeat : public testing::Test {
 
   std::unique_ptr<FakeRecipes> recipes_;
   CellLink link_{CellLink::Names()};
-  Seat seat_{link_};
+  EditSession edits_;
+  Seat seat_{link_, edits_};
 };
 
 TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
@@ -91,11 +92,52 @@ TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
   EXPECT_FALSE(button("run")->isEnabled()) << "one scan at a time";
   recipes_->finish(RunSummary::ACCEPTED);
   ASSERT_TRUE(comes([this] { return text("verdict").find("Accepted") != std::string::npos; }));
-  EXPECT_EQ(find<QTabWidget>("pages")->currentIndex(), 1);
+  EXPECT_EQ(find<QTabWidget>("pages")->currentIndex(), 2);
   auto* const figures = find<QTableWidget>("figures");
   ASSERT_EQ(figures->rowCount(), 2);
   EXPECT_EQ(figures->item(1, 1)->text(), "0.0213 mm");
   EXPECT_TRUE(comes([this] { return button("run")->isEnabled(); }));
+}
+
+TEST_F(ASeat, CleansTheScanInViewByHandAndSavesItIntoTheRecipe) {
+  EXPECT_FALSE(button("save_edits")->isEnabled()) << "there is no scan";
+  scan_to(RunSummary::ACCEPTED);
+  ASSERT_TRUE(comes([this] { return text("clean_count") == "1000 of 1000 points stay."; }))
+      << text("clean_count");
+  cloud_preprocess::HalfSpace half;  // of the fake's lattice 5 of 10 layers
+  half.point.z() = 0.0045;
+  edits_.add({false, half});
+  ASSERT_TRUE(comes([this] { return text("clean_count") == "500 of 1000 points stay."; }));
+  auto* const edits = find<QListWidget>("edits");
+  EXPECT_EQ(edits->item(0)->text(), "delete plane: 500 points went");
+  find<QTabWidget>("pages")->setCurrentIndex(1);
+  click("undo");
+  ASSERT_TRUE(comes([this] { return text("clean_count") == "1000 of 1000 points stay."; }));
+  click("redo");
+  ASSERT_TRUE(comes([this] { return text("clean_count") == "500 of 1000 points stay."; }));
+  click("save_edits");
+  ASSERT_TRUE(comes([this] { return text("clean_end").find("Saved") == 0; })) << trouble();
+  EXPECT_EQ(recipes_->last_edit().recipe, "frame");
+  EXPECT_EQ(recipes_->last_edit().edits, cloud_preprocess::to_yaml({{false, half}}));
+  click("drop_edits");
+  EXPECT_TRUE(comes([&] { return edits->count() == 0; }));
+}
+
+TEST_F(ASeat, SaysWhyAnEditIsNotDoneAndTakesTheSettingsOfTheNext) {
+  scan_to(RunSummary::ACCEPTED);
+  ASSERT_TRUE(comes([this] { return edits_.view() != nullptr; }));
+  find<QComboBox>("edit_what")->setCurrentIndex(1);
+  find<QDoubleSpinBox>("edit_radius")->setValue(2.5);
+  EXPECT_TRUE(edits_.settings().keep);
+  EXPECT_NEAR(edits_.settings().radius, 0.0025, 1e-12);
+  cloud_preprocess::BrushShape beside;
+  beside.places = {{1, 1, 1}};
+  beside.radius = edits_.settings().radius;
+  edits_.add({edits_.settings().keep, beside});
+  EXPECT_TRUE(comes([this] {
+    return text("clean_end").find("leaves nothing") != std::string::npos;
+  })) << text("clean_end");
+  EXPECT_EQ(text("clean_count"), "1000 of 1000 points stay.");
 }
 
 TEST_F(ASeat, RefusesAPartTypeThatIsOutOfDateAndSaysWhy) {
@@ -125,7 +167,7 @@ TEST_F(ASeat, LetsAPersonWithANameApproveAnAcceptedRunAndThenWork) {
       << text("decision");
   EXPECT_EQ(recipes_->last_decision().run, "run_1");
   EXPECT_EQ(recipes_->last_decision().name, "Ada");
-  find<QTabWidget>("pages")->setCurrentIndex(2);
+  find<QTabWidget>("pages")->setCurrentIndex(3);
   ASSERT_TRUE(comes([this] { return button("dry_run")->isEnabled(); }));
   click("dry_run");
   ASSERT_TRUE(comes([this] { return recipes_->goals() == 2; }));
@@ -156,7 +198,8 @@ TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
 TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
   scan();
   CellLink other((CellLink::Names()));
-  Seat watching(other);
+  EditSession its_edits;
+  Seat watching(other, its_edits);
   other.start();
   auto* const doing = watching.findChild<QLabel*>("doing");
   ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));
@@ -228,13 +271,13 @@ TEST_F(ASeat, ShowsADeviceThatFailsALaserThatIsOnAndANodeThatIsGone) {
 
 TEST_F(ASeat, OpensAnEarlierRunFromTheHistory) {
   auto* const pages = find<QTabWidget>("pages");
-  pages->setCurrentIndex(3);
+  pages->setCurrentIndex(4);
   auto* const runs = find<QTableWidget>("runs");
   ASSERT_TRUE(comes([&] { return runs->rowCount() == 1; })) << trouble();
   EXPECT_EQ(runs->item(0, 0)->text(), "2026-11-25T12:13:14");
   Q_EMIT runs->cellActivated(0, 0);
   EXPECT_TRUE(comes([this] { return !text("verdict").empty(); }));
-  EXPECT_EQ(pages->currentIndex(), 1);
+  EXPECT_EQ(pages->currentIndex(), 2);
 }
 
 /// Closes the window and answers the question that it asks.

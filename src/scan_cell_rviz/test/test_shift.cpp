@@ -40,7 +40,7 @@ void make_recipe(const std::string& folder) {
 
 class AShift : public testing::Test {
  protected:
-  AShift() : link_(CellLink::Names()), seat_(link_) {
+  AShift() : link_(CellLink::Names()), seat_(link_, edits_) {
     link_.start();
     seat_.show();
   }
@@ -77,6 +77,7 @@ class AShift : public testing::Test {
   }
 
   CellLink link_;
+  EditSession edits_;
   Seat seat_;
 };
 
@@ -107,6 +108,19 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   click("refuse");
   ASSERT_TRUE(shows("decision", "Refused by Ada"));
   take_picture("refused");
+
+  // the rim of the floor, where nothing of the part is
+  ASSERT_TRUE(comes([this] { return edits_.view() != nullptr; }));
+  cloud_preprocess::HalfSpace rim;
+  rim.normal = Eigen::Vector3d::UnitX();
+  for (const auto& point : *edits_.view()->source)
+    rim.point.x() = std::max(rim.point.x(), point.x - 0.005);
+  edits_.add({false, rim});
+  ASSERT_TRUE(comes([this] { return edits_.view()->edits.size() == 1; }));
+  EXPECT_FALSE(edits_.view()->last.empty());
+  click("save_edits");
+  ASSERT_TRUE(shows("clean_end", "Saved")) << text("clean_end") << text("trouble");
+  take_picture("clean");
   EXPECT_FALSE(seat_.findChild<QPushButton*>("work")->isEnabled());
 
   click("run");

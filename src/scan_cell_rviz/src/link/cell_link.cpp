@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <scan_cell_msgs/ApproveRun.h>
+#include <scan_cell_msgs/EditRecipe.h>
 
 #include <QMetaType>
 
@@ -35,6 +36,7 @@ void register_types() {
       "std::vector<scan_cell_msgs::RunSummary>");
   qRegisterMetaType<scan_cell_msgs::DescribeRunResponse>("scan_cell_msgs::DescribeRunResponse");
   qRegisterMetaType<RunRecipeResult>("scan_cell_msgs::RunRecipeResult");
+  qRegisterMetaType<sensor_msgs::PointCloud2ConstPtr>("sensor_msgs::PointCloud2ConstPtr");
 }
 
 RunRecipeResult result_without_run(const std::string& message) {
@@ -66,6 +68,8 @@ CellLink::CellLink(const Names& names) : names_(names), spinner_(1, &queue_) {
       [this](const auto& cell) { show(Device::kCell, sign_of(*cell)); });
   diagnostics_ = node_.subscribe("/diagnostics", 10, &CellLink::on_diagnostics, this);
   status_ = node_.subscribe(names_.recipes + "/run/status", 10, &CellLink::on_status, this);
+  raw_ = node_.subscribe<sensor_msgs::PointCloud2>(
+      names_.recipes + "/raw", 1, [this](const auto& raw) { Q_EMIT rawCame(raw); });
   feedback_.push_back(node_.subscribe<scan_cell_msgs::ScanActionFeedback>(
       names_.cell + "/scan/feedback", 10, [this](const auto& news) {
         const auto& scan = news->feedback;
@@ -153,6 +157,16 @@ void CellLink::decide(const QString& run, bool approved, const QString& name, co
     request.note = note.toStdString();
     scan_cell::call<scan_cell_msgs::ApproveRun>(names_.recipes + "/approve", request, kCallTimeout);
     Q_EMIT decided(run);
+  });
+}
+
+void CellLink::edit(const QString& recipe, const QString& edits) {
+  ask([=] {
+    scan_cell_msgs::EditRecipe::Request request;
+    request.recipe = recipe.toStdString();
+    request.edits = edits.toStdString();
+    scan_cell::call<scan_cell_msgs::EditRecipe>(names_.recipes + "/edit", request, kCallTimeout);
+    Q_EMIT edited(recipe);
   });
 }
 

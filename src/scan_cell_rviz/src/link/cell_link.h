@@ -15,6 +15,7 @@
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/TriggerState.h>
 #include <scan_cell_msgs/WorkAction.h>
+#include <sensor_msgs/PointCloud2.h>
 
 #include <QObject>
 #include <QString>
@@ -65,6 +66,10 @@ class CellLink : public QObject {
   void describe(const QString& run);
   void decide(const QString& run, bool approved, const QString& name, const QString& note);
 
+  /// Puts edits by hand into a recipe. Answers by edited, or failed.
+  /// @param edits in YAML
+  void edit(const QString& recipe, const QString& edits);
+
   /// Scans and adapts a part. Ends with runEnded.
   void run(const QString& recipe, const QString& note);
 
@@ -82,6 +87,8 @@ class CellLink : public QObject {
   void runsListed(std::vector<scan_cell_msgs::RunSummary> runs);
   void described(scan_cell_msgs::DescribeRunResponse run);
   void decided(QString run);
+  void edited(QString recipe);
+  void rawCame(sensor_msgs::PointCloud2ConstPtr raw);  ///< of the run that was described
   void failed(QString message);
   void progressed(QString doing, double share);  ///< share below 0: not known
   void runEnded(scan_cell_msgs::RunRecipeResult result, bool was_work);
@@ -106,7 +113,7 @@ class CellLink : public QObject {
   ros::NodeHandle node_;
   std::unique_ptr<Client> client_;
   std::vector<ros::Subscriber> feedback_;
-  ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_;
+  ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_, raw_;
   ros::WallTimer timer_;
 
   mutable std::mutex mutex_;

@@ -4,7 +4,11 @@
 
 #include <OgreQuaternion.h>
 #include <OgreVector3.h>
+#include <rviz/display.h>
+#include <rviz/display_group.h>
 #include <rviz/frame_manager.h>
+#include <rviz/tool.h>
+#include <rviz/tool_manager.h>
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
@@ -24,11 +28,14 @@ SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
 
 void SeatPanel::onInitialize() {
   link_ = std::make_unique<CellLink>(CellLink::Names());
-  seat_ = new Seat(*link_, this);
+  seat_ = new Seat(*link_, shared_edit_session(), this);
   seat_->set_person(person_);
   layout()->addWidget(seat_);
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
   connect(seat_, &Seat::placeChosen, this, &SeatPanel::look_at);
+  connect(seat_, &Seat::toolWanted, this, &SeatPanel::use_tool);
+  box_ = std::make_unique<BoxHandles>(shared_edit_session());
+  connect(seat_, &Seat::boxWanted, box_.get(), &BoxHandles::apply);
   window()->installEventFilter(this);
   link_->start();
 }
@@ -49,6 +56,34 @@ bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
     return true;
   }
   return rviz::Panel::eventFilter(object, event);
+}
+
+/// The display of the box's handles, unless there is one, as of a saved configuration.
+void SeatPanel::show_box_display() {
+  const QString name = tr("box of the seat");
+  rviz::DisplayGroup* const displays = vis_manager_->getRootDisplayGroup();
+  rviz::Display* display = nullptr;
+  for (int i = 0; i < displays->numDisplays(); ++i)
+    if (displays->getDisplayAt(i)->getName() == name) display = displays->getDisplayAt(i);
+  if (display == nullptr)
+    display = vis_manager_->createDisplay("rviz/InteractiveMarkers", name, true);
+  display->subProp("Update Topic")->setValue(QString::fromStdString(box_->topic() + "/update"));
+}
+
+/// @param name of a tool of this package, such as polygon; box, and view, go with rviz's own, which
+/// drags handles
+void SeatPanel::use_tool(const QString& name) {
+  rviz::ToolManager* const tools = vis_manager_->getToolManager();
+  if (name == "box") {
+    show_box_display();
+    box_->show();
+  }
+  if (name == "view") box_->hide();
+  if (name == "box" || name == "view") return tools->setCurrentTool(tools->getDefaultTool());
+  const QString wanted = "scan_cell_rviz/" + name.left(1).toUpper() + name.mid(1);
+  for (int i = 0; i < tools->numTools(); ++i)
+    if (tools->getTool(i)->getClassId() == wanted) return tools->setCurrentTool(tools->getTool(i));
+  tools->setCurrentTool(tools->addTool(wanted));
 }
 
 /// Turns the view; where the frame is not known to rviz, it stays.

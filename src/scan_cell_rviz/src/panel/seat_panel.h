@@ -8,6 +8,7 @@
 
 #include "link/cell_link.h"
 #include "seat/seat.h"
+#include "view/box_handles.h"
 
 namespace scan_cell_rviz {
 
@@ -26,9 +27,12 @@ class SeatPanel : public rviz::Panel {
  private:
   /// @return whether the window may close
   bool may_close();
+  void use_tool(const QString& name);
+  void show_box_display();
   void look_at(double x, double y, double z, const QString& frame);
 
   std::unique_ptr<CellLink> link_;
+  std::unique_ptr<BoxHandles> box_;
   Seat* seat_ = nullptr;
   QString person_;
 };

@@ -8,6 +8,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "scan_cell_common/ros/cloud_messages.h"
 #include "seat/text_label.h"
 
 namespace scan_cell_rviz {
@@ -23,12 +24,14 @@ QString id_of(const RunRecipeResult& result) {
 
 }  // namespace
 
-Seat::Seat(CellLink& link, QWidget* parent)
+Seat::Seat(CellLink& link, EditSession& edits, QWidget* parent)
     : QWidget(parent),
       link_(link),
+      edits_(edits),
       band_(new Band(this)),
       pages_(new QTabWidget(this)),
       part_(new PartPage(this)),
+      clean_(new CleanPage(edits, this)),
       fit_(new FitPage(this)),
       work_(new WorkPage(this)),
       history_(new HistoryPage(this)),
@@ -38,9 +41,10 @@ Seat::Seat(CellLink& link, QWidget* parent)
       trouble_(text_label("trouble", this)) {
   pages_->setObjectName("pages");
   pages_->addTab(part_, tr("&1 Part"));
-  pages_->addTab(fit_, tr("&2 Fit"));
-  pages_->addTab(work_, tr("&3 Work"));
-  pages_->addTab(history_, tr("&4 History"));
+  pages_->addTab(clean_, tr("&2 Clean"));
+  pages_->addTab(fit_, tr("&3 Fit"));
+  pages_->addTab(work_, tr("&4 Work"));
+  pages_->addTab(history_, tr("&5 History"));
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
@@ -58,6 +62,7 @@ Seat::Seat(CellLink& link, QWidget* parent)
 
   connect_link();
   connect_pages();
+  connect_clean();
   show_busy(link_.busy());
   tell(QString());
 }
@@ -107,6 +112,26 @@ void Seat::connect_pages() {
     if (pages_->currentWidget() == history_) link_.list_runs();
   });
   connect(stop_, &QPushButton::clicked, &link_, &CellLink::stop);
+}
+
+void Seat::connect_clean() {
+  // By the link's thread: millions of points are read.
+  connect(
+      &link_, &CellLink::rawCame, &edits_,
+      [&edits = edits_](const sensor_msgs::PointCloud2ConstPtr& raw) {
+        edits.open(std::make_shared<cloud_preprocess::Cloud>(scan_cell_common::from_message(*raw)),
+                   raw->header.frame_id);
+      },
+      Qt::DirectConnection);
+  connect(&link_, &CellLink::described, this,
+          [this](const auto& run) { clean_->set_recipe(QString::fromStdString(run.recipe)); });
+  connect(&link_, &CellLink::edited, this, [this](const QString& recipe) {
+    clean_->show_end(tr("Saved into %1: scan a part again, or prove the recipe.").arg(recipe));
+    link_.list_recipes();
+  });
+  connect(clean_, &CleanPage::saveWanted, &link_, &CellLink::edit);
+  connect(clean_, &CleanPage::toolWanted, this, &Seat::toolWanted);
+  connect(clean_, &CleanPage::boxWanted, this, &Seat::boxWanted);
 }
 
 void Seat::show_busy(Busy busy) {

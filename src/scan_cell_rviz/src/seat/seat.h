@@ -8,8 +8,10 @@
 #include <QTabWidget>
 #include <QWidget>
 
+#include "edit/edit_session.h"
 #include "link/cell_link.h"
 #include "seat/band.h"
+#include "seat/clean_page.h"
 #include "seat/fit_page.h"
 #include "seat/history_page.h"
 #include "seat/part_page.h"
@@ -22,7 +24,8 @@ class Seat : public QWidget {
   Q_OBJECT
 
  public:
-  explicit Seat(CellLink& link, QWidget* parent = nullptr);
+  /// @param edits of the scan in view
+  Seat(CellLink& link, EditSession& edits, QWidget* parent = nullptr);
 
   /// A scan or work of this seat is under way.
   bool is_busy() const { return link_.busy() == Busy::kOurs; }
@@ -32,19 +35,24 @@ class Seat : public QWidget {
  Q_SIGNALS:
   void personChanged();
   void placeChosen(double x, double y, double z, QString frame);  ///< [m]
+  void toolWanted(QString name);                                  ///< as CleanPage
+  void boxWanted();                                               ///< likewise
 
  private:
   void connect_link();
   void connect_pages();
+  void connect_clean();
   void show_busy(Busy busy);
   void show_progress(const QString& doing, double share);
   void show_end(const scan_cell_msgs::RunRecipeResult& result, bool was_work);
   void tell(const QString& message);  ///< what went wrong; empty: nothing
 
   CellLink& link_;
+  EditSession& edits_;
   Band* band_;
   QTabWidget* pages_;
   PartPage* part_;
+  CleanPage* clean_;
   FitPage* fit_;
   WorkPage* work_;
   HistoryPage* history_;

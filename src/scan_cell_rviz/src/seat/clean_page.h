@@ -1,0 +1,54 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QWidget>
+
+#include "edit/edit_session.h"
+
+namespace scan_cell_rviz {
+
+/// Cleaning by hand: how the next edit is made, which there are, and what they leave.
+class CleanPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  CleanPage(EditSession& session, QWidget* parent = nullptr);
+
+  /// The part type whose scan is in view; empty: none.
+  void set_recipe(const QString& recipe);
+
+  void show_end(const QString& message);  ///< of what was saved, or why not
+
+ Q_SIGNALS:
+  void toolWanted(QString name);  ///< of a tool of rviz, such as polygon; box, view
+  void boxWanted();               ///< the edit by the box in the view
+  void saveWanted(QString recipe, QString edits);  ///< YAML
+
+ private:
+  void lay_out();
+  void show_view();
+  void take_settings();
+  QDoubleSpinBox* length_box(const char* name, double metres, const QString& meaning);
+
+  EditSession& session_;
+  QString recipe_;
+  QLabel* count_;
+  QComboBox* what_;
+  QDoubleSpinBox* depth_;
+  QDoubleSpinBox* radius_;
+  QDoubleSpinBox* gap_;
+  QListWidget* edits_;
+  QPushButton* undo_;
+  QPushButton* redo_;
+  QPushButton* drop_;
+  QPushButton* save_;
+  QLabel* end_;
+};
+
+}  // namespace scan_cell_rviz

@@ -1,0 +1,147 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/box_handles.h"
+
+#include <ros/this_node.h>
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <algorithm>
+
+#include "edit/box.h"
+#include "scan_cell_common/ros/conversions.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+using cloud_preprocess::BoxShape;
+using visualization_msgs::InteractiveMarker;
+using visualization_msgs::InteractiveMarkerControl;
+using visualization_msgs::InteractiveMarkerFeedback;
+using visualization_msgs::Marker;
+
+constexpr const char* kBox = "box";
+
+/// A control's x axis is what it moves along or turns about.
+Eigen::Quaterniond along(const Eigen::Vector3d& axis) {
+  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), axis);
+}
+
+InteractiveMarkerControl control_of(const Eigen::Vector3d& axis, std::uint8_t mode,
+                                    const std::string& name) {
+  InteractiveMarkerControl control;
+  control.orientation = tf2::toMsg(along(axis));
+  control.interaction_mode = mode;
+  control.name = name;
+  return control;
+}
+
+Marker marker_of(std::int32_t type, const Eigen::Vector3d& size, float alpha) {
+  Marker marker;
+  marker.type = type;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = size.x();
+  marker.scale.y = size.y();
+  marker.scale.z = size.z();
+  marker.color.r = 0.1F;
+  marker.color.g = 0.4F;
+  marker.color.b = 0.9F;
+  marker.color.a = alpha;
+  return marker;
+}
+
+/// Moved and turned by arrows and rings.
+InteractiveMarker body_of(const BoxShape& box) {
+  constexpr float kClear = 0.25F;
+  InteractiveMarker body;
+  body.name = kBox;
+  body.description = "";
+  body.pose = scan_cell_common::to_ros_pose(box.pose);
+  body.scale = static_cast<float>(1.3 * box.size.maxCoeff());
+  InteractiveMarkerControl seen;
+  seen.always_visible = 1;
+  seen.interaction_mode = InteractiveMarkerControl::NONE;
+  seen.markers = {marker_of(Marker::CUBE, box.size, kClear)};
+  body.controls.push_back(seen);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis);
+    body.controls.push_back(
+        control_of(unit, InteractiveMarkerControl::MOVE_AXIS, "move_" + std::to_string(axis)));
+    body.controls.push_back(
+        control_of(unit, InteractiveMarkerControl::ROTATE_AXIS, "turn_" + std::to_string(axis)));
+  }
+  return body;
+}
+
+/// A ball on a face, which is pulled out or pushed in.
+InteractiveMarker handle_of(const BoxShape& box, int face) {
+  constexpr double kShare = 0.08;  // of the longest side; chosen
+  InteractiveMarker handle;
+  handle.name = "face_" + std::to_string(face);
+  Eigen::Isometry3d pose = box.pose;
+  pose.translation() = face_middle(box, face);
+  handle.pose = scan_cell_common::to_ros_pose(pose);
+  handle.scale = static_cast<float>(kShare * box.size.maxCoeff());
+  InteractiveMarkerControl control =
+      control_of(outward(face), InteractiveMarkerControl::MOVE_AXIS, handle.name);
+  control.always_visible = 1;
+  control.markers = {
+      marker_of(Marker::SPHERE, Eigen::Vector3d::Constant(kShare * box.size.maxCoeff()), 1)};
+  handle.controls = {control};
+  return handle;
+}
+
+}  // namespace
+
+BoxHandles::BoxHandles(EditSession& session)
+    : session_(session),
+      topic_(ros::this_node::getName() + "/box"),
+      server_(std::make_unique<interactive_markers::InteractiveMarkerServer>(topic_)) {
+  connect(&session_, &EditSession::changed, this, [this] {
+    const EditedViewPtr view = session_.view();
+    if (shown() && (!view || view->frame != frame_)) hide();
+  });
+}
+
+void BoxHandles::show() {
+  const EditedViewPtr view = session_.view();
+  if (!view || shown()) return;
+  frame_ = view->frame;
+  box_ = box_within(*view->source, view->kept);
+  draw();
+}
+
+void BoxHandles::hide() {
+  frame_.clear();
+  server_->clear();
+  server_->applyChanges();
+}
+
+void BoxHandles::apply() {
+  if (shown()) session_.add({session_.settings().keep, box_});
+}
+
+void BoxHandles::draw() {
+  InteractiveMarker body = body_of(box_);
+  body.header.frame_id = frame_;
+  server_->insert(body, [this](const Feedback& feedback) { on_box(feedback); });
+  for (int face = 0; face < kFaces; ++face) {
+    InteractiveMarker handle = handle_of(box_, face);
+    handle.header.frame_id = frame_;
+    server_->insert(handle, [this, face](const Feedback& feedback) { on_face(face, feedback); });
+  }
+  server_->applyChanges();
+}
+
+void BoxHandles::on_box(const Feedback& feedback) {
+  if (feedback->event_type != InteractiveMarkerFeedback::POSE_UPDATE) return;
+  box_.pose = scan_cell_common::from_ros(feedback->pose);
+  draw();
+}
+
+void BoxHandles::on_face(int face, const Feedback& feedback) {
+  if (feedback->event_type != InteractiveMarkerFeedback::POSE_UPDATE) return;
+  drag_face(box_, face, scan_cell_common::from_ros(feedback->pose).translation());
+  draw();
+}
+
+}  // namespace scan_cell_rviz

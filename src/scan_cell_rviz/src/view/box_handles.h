@@ -1,0 +1,45 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <interactive_markers/interactive_marker_server.h>
+
+#include <QObject>
+#include <memory>
+
+#include "edit/edit_session.h"
+
+namespace scan_cell_rviz {
+
+/// A box in the view that a person moves, turns and pulls by its faces: an interactive marker on
+/// the topic ~box of this node. Callbacks are served by rviz.
+class BoxHandles : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit BoxHandles(EditSession& session);
+
+  /// Puts a box amid the scan in view; does nothing where there is none.
+  void show();
+  void hide();
+  bool shown() const { return !frame_.empty(); }
+  const std::string& topic() const { return topic_; }  //!< of the interactive markers
+
+  /// Deletes what is in it, or keeps that alone, as the page says.
+  void apply();
+
+ private:
+  using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
+
+  void draw();
+  void on_box(const Feedback& feedback);
+  void on_face(int face, const Feedback& feedback);
+
+  EditSession& session_;
+  const std::string topic_;
+  std::string frame_;  // of the scan; empty: no box is shown
+  cloud_preprocess::BoxShape box_;
+  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
+};
+
+}  // namespace scan_cell_rviz
