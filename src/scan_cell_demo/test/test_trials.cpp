@@ -26,7 +26,7 @@ const char* const kUnseenAfter = "unseen_after:=0.2";  // [s]
 const char* const kFollowWatch = "follow_watch:=0.2";  // [s]
 constexpr TrialLimits kLimits{0.4, 1.0};               // [s]
 
-class Trials : public testing::TestWithParam<Blow> {
+class Trials : public testing::TestWithParam<Trial> {
  protected:
   static void SetUpTestSuite() {
     fs::create_directories(clouds());
@@ -50,12 +50,6 @@ class Trials : public testing::TestWithParam<Blow> {
   }
   static std::string clouds() { return folder() + "/clouds"; }
 
-  static void expect_promises_kept(const Trial& trial) {
-    const TrialResult result = bench_->make(trial, name_of(trial.moment));
-    for (const std::string& failure : result.failures)
-      ADD_FAILURE() << failure << "; the cell said: " << result.outcome;
-  }
-
   static std::unique_ptr<StartedCell> started_;
   static std::unique_ptr<LaserTap> tap_;
   static std::unique_ptr<RunningCell> cell_;
@@ -67,33 +61,32 @@ std::unique_ptr<LaserTap> Trials::tap_;
 std::unique_ptr<RunningCell> Trials::cell_;
 std::unique_ptr<TrialBench> Trials::bench_;
 
-std::string name_of_param(const testing::TestParamInfo<Blow>& blow) {
-  std::string name = name_of(blow.param);
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
+/// Each blow at each moment at which it may come.
+std::vector<Trial> every_trial() {
+  std::vector<Trial> trials;
+  for (const Blow blow : every_blow()) {
+    trials.push_back({blow, Moment::kMidMove, 0.3, 0});
+    if (blow == Blow::kStop) {
+      trials.push_back({blow, Moment::kMidProgram, 0.6, 0});  // in a later pass
+    } else {
+      trials.push_back({blow, Moment::kMidScan, 0.3, 0});
+    }
+  }
+  for (const Blow blow : every_blow_in_a_path())
+    trials.push_back({blow, Moment::kMidPath, 0.3, 0});
+  return trials;
 }
 
 }  // namespace
 
-TEST_P(Trials, LasersGoOffInMidScanAndNothingBeginsAnew) {
-  if (GetParam() == Blow::kStop) {
-    expect_promises_kept({GetParam(), Moment::kMidProgram, 0.6, 0});  // in a later pass
-  } else {
-    expect_promises_kept({GetParam(), Moment::kMidScan, 0.3, 0});
-  }
+TEST_P(Trials, LasersAndToolGoOffTheRobotStaysAndNothingBeginsAnew) {
+  const TrialResult result = bench_->make(GetParam(), name_of(GetParam().moment));
+  for (const std::string& failure : result.failures)
+    ADD_FAILURE() << failure << "; the cell said: " << result.outcome;
 }
 
-TEST_P(Trials, RobotStaysWhereItStoppedInMidMove) {
-  expect_promises_kept({GetParam(), Moment::kMidMove, 0.3, 0});
-}
-
-INSTANTIATE_TEST_SUITE_P(OfEach, Trials, testing::ValuesIn(every_blow()), name_of_param);
-
-class PathTrials : public Trials {};
-
-TEST_P(PathTrials, ToolGoesOffInMidPathAndNothingGoesOn) {
-  expect_promises_kept({GetParam(), Moment::kMidPath, 0.3, 0});
-}
-
-INSTANTIATE_TEST_SUITE_P(OfEach, PathTrials, testing::ValuesIn(every_blow_in_a_path()),
-                         name_of_param);
+INSTANTIATE_TEST_SUITE_P(OfEach, Trials, testing::ValuesIn(every_trial()), [](const auto& trial) {
+  std::string name = name_of(trial.param.blow) + " in " + name_of(trial.param.moment);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});

@@ -211,15 +211,15 @@ TEST_F(StretchAction, ShowsTheWaypointsThatAVerdictIsAbout) {
 TEST_F(StretchAction, GivesTheAcceptedPathAsTheRobotsProgramToo) {
   StretchToolPathGoal program = goal(part_);
   program.robot_program = "frame.src";
-  program.robot_program_options = {"waypoint_z=into_part", "tool=3"};
+  program.robot_program_options = {"waypoint_z=into_part", "comment=left"};
   const auto result = finish(program, State::SUCCEEDED);
   EXPECT_EQ(result.robot_program_error, "");
   ASSERT_EQ(result.robot_program.size(), 1u);
   EXPECT_EQ(result.robot_program[0].name, "frame.src");
   const std::string& text = result.robot_program[0].text;
-  EXPECT_NE(text.find("DEF FRAME"), std::string::npos) << text;
-  EXPECT_NE(text.find("TOOL_DATA[3]"), std::string::npos);
-  EXPECT_NE(text.find("path: adapted.csv sha256 "), std::string::npos);
+  EXPECT_NE(text.find("DEF frame "), std::string::npos) << text;
+  EXPECT_NE(text.find("; left"), std::string::npos);
+  EXPECT_NE(text.find("; path: adapted.csv sha256 "), std::string::npos);
   EXPECT_NE(result.robot_program_notes.at(1).find("moves, read back the same"), std::string::npos);
   program.robot_program = "frame.mod";
   program.robot_program_options.clear();
