@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
+#include "scan_cell_common/files/temporary_folder.h"
 
 namespace part_recipes {
 
-/// A folder that is removed at the end.
-class TemporaryFolder {
+/// A folder that is removed at the end, also where a test took its permissions away.
+class TemporaryFolder : public scan_cell_common::TemporaryFolder {
  public:
-  TemporaryFolder();
+  TemporaryFolder() : scan_cell_common::TemporaryFolder("part_recipes") {}
   ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// From then on permissions count for this process, also for root.

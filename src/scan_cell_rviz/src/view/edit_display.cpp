@@ -52,7 +52,7 @@ void EditDisplay::onInitialize() {
 }
 
 void EditDisplay::show() {
-  if (!kept_) return;
+  if (!kept_ || !isEnabled()) return;  // millions of points that nobody sees
   view_ = shared_edit_session().view();
   for (auto* const cloud : {kept_.get(), taken_.get()})
     cloud->setDimensions(size_->getFloat(), size_->getFloat(), size_->getFloat());

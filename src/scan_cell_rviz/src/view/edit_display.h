@@ -28,6 +28,7 @@ class EditDisplay : public rviz::Display {
 
  protected:
   void onInitialize() override;
+  void onEnable() override { show(); }
 
  private Q_SLOTS:
   void show();

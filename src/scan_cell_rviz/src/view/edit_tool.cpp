@@ -35,13 +35,24 @@ void EditTool::deactivate() {
   draw({}, false);
 }
 
+/// What cannot be done is said on the page, and begun anew.
+template <class Act>
+void EditTool::attempt(const Act& act) {
+  try {
+    act();
+  } catch (const scan_cell_common::Error& error) {
+    begin_anew();
+    Q_EMIT shared_edit_session().failed(QString::fromStdString(error.what()));
+  }
+}
+
 int EditTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   const bool by_left = event.left() || event.leftUp();
   if (!by_left || event.alt()) {
     context_->getViewManager()->getCurrent()->handleMouseEvent(event);
     return Render;
   }
-  try {
+  attempt([&] {
     if (event.type == QEvent::MouseButtonDblClick) {
       finish();
     } else if (event.leftUp()) {
@@ -50,22 +61,14 @@ int EditTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
       if (event.leftDown()) press(*ray);
       if (event.type == QEvent::MouseMove) drag(*ray);
     }
-  } catch (const scan_cell_common::Error& error) {
-    begin_anew();
-    Q_EMIT shared_edit_session().failed(QString::fromStdString(error.what()));
-  }
+  });
   return Render;
 }
 
 int EditTool::processKeyEvent(QKeyEvent* event, rviz::RenderPanel* panel) {
-  try {
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-      finish();
-      return Render;
-    }
-  } catch (const scan_cell_common::Error& error) {
-    Q_EMIT shared_edit_session().failed(QString::fromStdString(error.what()));
-    begin_anew();
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    attempt([this] { finish(); });
+    return Render;
   }
   if (event->key() != Qt::Key_Escape) return rviz::Tool::processKeyEvent(event, panel);
   begin_anew();

@@ -40,6 +40,8 @@ class EditTool : public rviz::Tool {
   void edit(const decltype(cloud_preprocess::CloudEdit::shape)& shape);
 
  private:
+  template <class Act>
+  void attempt(const Act& act);
   std::optional<Ray> ray_of(const rviz::ViewportMouseEvent& event);
 
   std::unique_ptr<rviz::BillboardLine> line_;

@@ -6,7 +6,11 @@
 
 namespace scan_cell_rviz {
 
-using Eigen::Vector3d;
+namespace {
+
+constexpr std::size_t kLeastCorners = 3;
+
+}  // namespace
 
 QString PolygonTool::help() const {
   return tr(
@@ -18,14 +22,12 @@ void PolygonTool::press(const Ray& ray) {
   if (!place_) place_ = shared_edit_session().pick(ray);
   if (!place_) return setStatus(tr("No point is there. ") + help());
   corners_.push_back(ray);
-  constexpr std::size_t kLeast = 3;
-  if (corners_.size() < kLeast) return draw({*place_}, false);
+  if (corners_.size() < kLeastCorners) return draw({*place_}, false);
   draw(prism_behind(corners_, *place_, shared_edit_session().settings().depth).corners, true);
 }
 
 void PolygonTool::finish() {
-  constexpr std::size_t kLeast = 3;
-  if (!place_ || corners_.size() < kLeast) return setStatus(help());
+  if (!place_ || corners_.size() < kLeastCorners) return setStatus(help());
   edit(prism_behind(corners_, *place_, shared_edit_session().settings().depth));
 }
 

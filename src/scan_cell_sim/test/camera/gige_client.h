@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "camera/loopback.h"
+#include "config_folder.h"
 #include "scan_cell_common/clock/host_clock.h"
 #include "scan_cell_sim/cell.h"
 
@@ -20,7 +21,6 @@ namespace scan_cell_sim {
 using scan_cell_common::host_now;
 using scan_cell_common::Nanoseconds;
 
-inline const std::string kConfig = CONFIG_FOLDER;
 inline constexpr const char* kAddress = "127.0.0.1";
 
 inline bool wait_until(const std::function<bool()>& condition) {
