@@ -53,6 +53,7 @@ class RobotModel {
  private:
   KDL::Chain chain_;
   std::vector<std::string> link_names_;
+  std::vector<bool> moving_;  // a link turns against the one before
   std::array<std::string, 6> names_;
   Joints lower_;
   Joints upper_;

@@ -80,7 +80,7 @@ struct ToolCheck {
   std::vector<Eigen::Isometry3d> tips;  //!< at each waypoint, in base_link, as followed
   std::optional<SlowestPlace> slowest;  //!< none: the tip moves nowhere
   std::array<JointMargin, 6> margins;   //!< of each joint, along the whole path
-  bool stands_there = false;            //!< the robot stands at the first waypoint
+  bool stands_there = false;            //!< the robot stands at the first waypoint, in its posture
 
   bool possible() const { return faults.empty(); }  //!< whether the robot can follow the path
   std::string refusal() const;                      //!< the first fault, for a person; or empty

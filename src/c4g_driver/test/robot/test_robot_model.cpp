@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <future>
 #include <random>
+#include <vector>
 
 #include "robot/closed_form.h"
 #include "robot/inverse_kinematics.h"
@@ -37,6 +39,19 @@ std::string complaint(std::string urdf, const std::string& from, const std::stri
   return "";
 }
 
+/// Whether the model tells the place and the motion of the flange right, time after time.
+bool right_of(const Joints& joints) {
+  constexpr int kTimes = 20000;
+  constexpr double kTolerance = 1e-9;
+  const auto flange = flange_by_denavit_hartenberg(joints);
+  const RobotModel::Jacobian jacobian = smart5_six().jacobian_at(joints);
+  for (int i = 0; i < kTimes; ++i) {
+    if (!smart5_six().flange_at(joints).isApprox(flange, kTolerance)) return false;
+    if (!smart5_six().jacobian_at(joints).isApprox(jacobian, kTolerance)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 TEST(RobotModel, PutsTheFlangeWhereTheDataSheetPutsIt) {
@@ -61,6 +76,15 @@ TEST(RobotModel, GivesTheVelocityOfTheFlange) {
       EXPECT_LT((jacobian.col(k) - change / (2 * kStep)).norm(), 1e-7);
     }
   }
+}
+
+TEST(RobotModel, AnswersEachOfSeveralThreadsForItsOwnJoints) {
+  std::mt19937 random(7);
+  std::vector<std::future<bool>> threads(4);
+  for (auto& thread : threads)
+    thread = std::async(std::launch::async, right_of, within_the_ranges(random));
+  for (auto& thread : threads)
+    EXPECT_TRUE(thread.get());
 }
 
 TEST(RobotModel, HasTheRangesAndSpeedsOfTheDataSheet) {

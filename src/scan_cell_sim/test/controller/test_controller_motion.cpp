@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <future>
 #include <random>
+#include <vector>
 
 #include "controller/arm/wire_pose.h"
 #include "controller/arm_truth.h"
@@ -77,6 +79,24 @@ TEST(Kinematics, AgreesWithTheProductOfExponentials) {
                                                  scan_cell_sim::joint_limits().upper[axis])(random);
     expect_same(scan_cell_sim::flange_of(joints), product_of_exponentials(joints), 1e-9);
   }
+}
+
+TEST(Kinematics, AnswersEachOfSeveralThreadsForItsOwnJoints) {
+  const auto right_of = [](const Joints& joints) {
+    constexpr int kTimes = 50000;
+    const Eigen::Isometry3d flange = product_of_exponentials(joints);
+    int right = 0;
+    for (int i = 0; i < kTimes; ++i)
+      right += scan_cell_sim::flange_of(joints).isApprox(flange, 1e-9);
+    return right == kTimes;
+  };
+  std::vector<std::future<bool>> threads(4);
+  for (std::size_t i = 0; i < threads.size(); ++i) {
+    const Joints joints = degrees(10, 20, -80, 30, 40, 50) * (1 - 0.2 * static_cast<double>(i));
+    threads[i] = std::async(std::launch::async, right_of, joints);
+  }
+  for (auto& thread : threads)
+    EXPECT_TRUE(thread.get());
 }
 
 TEST(Kinematics, LooksDownWithTheForearmLevelAndTheWristBent) {

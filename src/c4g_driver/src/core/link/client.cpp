@@ -135,8 +135,9 @@ void Client::follow(const ToolMotion& motion, std::size_t from,
     throw Refused(fault.thing, fault.value, fault.cure);
   }
   if (!check.stands_there) {
-    throw Refused("path", fmt::format("the tool's tip is not at waypoint {}", from),
-                  "move it there first");
+    throw Refused("path",
+                  fmt::format("the robot is not at waypoint {}, in a posture for the path", from),
+                  "move it there first, to the joints that check_follow gives");
   }
   FollowPath request = load_path(*link_, motion, ++paths_, from, go_on);
   request.watch = options_.follow_watch;

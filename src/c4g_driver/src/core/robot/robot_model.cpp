@@ -19,6 +19,8 @@ namespace {
 
 using scan_cell_common::InvalidParameter;
 
+constexpr const char* kAxis = "";  // name of a segment that is no link: ends on a joint's axis
+
 [[noreturn]] void refuse(const std::string& what, const std::string& cure) {
   throw InvalidParameter("robot description", what, cure);
 }
@@ -39,32 +41,43 @@ KDL::Frame to_kdl(const urdf::Pose& pose) {
           KDL::Vector(pose.position.x, pose.position.y, pose.position.z)};
 }
 
-/// A URDF's joint turns or slides along an axis at the origin of the link that it moves.
-KDL::Segment segment_of(const urdf::Joint& joint) {
+/// From a frame whose z axis is the joint's axis to the joint's own.
+KDL::Rotation turn_of_axis(const urdf::Vector3& axis) {
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(axis.x, axis.y, axis.z),
+                                                       Eigen::Vector3d::UnitZ());
+  return KDL::Rotation::Quaternion(turn.x(), turn.y(), turn.z(), turn.w());
+}
+
+/// A URDF's joint turns or slides along an axis at the origin of the link that it moves. Not KDL's
+/// joint about any axis, which keeps its last angle: threads that share it spoil each other's.
+void add(KDL::Chain& chain, const urdf::Joint& joint) {
   const KDL::Frame origin = to_kdl(joint.parent_to_joint_origin_transform);
-  const KDL::Vector axis = origin.M * KDL::Vector(joint.axis.x, joint.axis.y, joint.axis.z);
-  KDL::Joint moved(joint.name, KDL::Joint::None);
-  if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS)
-    moved = KDL::Joint(joint.name, origin.p, axis, KDL::Joint::RotAxis);
-  if (joint.type == urdf::Joint::PRISMATIC)
-    moved = KDL::Joint(joint.name, origin.p, axis, KDL::Joint::TransAxis);
-  return KDL::Segment(joint.child_link_name, moved, origin);
+  const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
+  const bool slides = joint.type == urdf::Joint::PRISMATIC;
+  if (!turns && !slides) {
+    chain.addSegment(
+        KDL::Segment(joint.child_link_name, KDL::Joint(joint.name, KDL::Joint::None), origin));
+    return;
+  }
+  const KDL::Frame from_axis(turn_of_axis(joint.axis));
+  const auto type = turns ? KDL::Joint::RotZ : KDL::Joint::TransZ;
+  chain.addSegment(KDL::Segment(kAxis, KDL::Joint(KDL::Joint::None), origin * from_axis.Inverse()));
+  chain.addSegment(KDL::Segment(joint.child_link_name, KDL::Joint(joint.name, type), from_axis));
 }
 
 KDL::Chain chain_of(const urdf::ModelInterface& model, const std::string& base,
                     const std::string& flange) {
-  std::vector<KDL::Segment> segments;  // from the flange back
+  std::vector<urdf::JointConstSharedPtr> joints;  // from the flange back
   urdf::LinkConstSharedPtr link = model.getLink(flange);
-  for (; link && link->name != base; link = link->getParent()) {
-    if (link->parent_joint) segments.push_back(segment_of(*link->parent_joint));
-  }
+  for (; link && link->name != base; link = link->getParent())
+    if (link->parent_joint) joints.push_back(link->parent_joint);
   if (!link) {
     refuse("no chain from '" + base + "' to '" + flange + "'",
            "set base_frame and flange_link to links of the URDF, the one before the other");
   }
   KDL::Chain chain;
-  for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment)
-    chain.addSegment(*segment);
+  for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint)
+    add(chain, **joint);
   if (chain.getNrOfJoints() != 6) {
     refuse(fmt::format("{} moving joints from '{}' to '{}'", chain.getNrOfJoints(), base, flange),
            "give an arm of six");
@@ -83,8 +96,10 @@ RobotModel::RobotModel(const std::string& urdf, const std::string& base,
   chain_ = chain_of(*model, base, flange);
   std::size_t i = 0;
   for (const KDL::Segment& segment : chain_.segments) {
+    if (segment.getName() == kAxis) continue;
     link_names_.push_back(segment.getName());
-    if (segment.getJoint().getType() == KDL::Joint::None) continue;
+    moving_.push_back(segment.getJoint().getType() != KDL::Joint::None);
+    if (!moving_.back()) continue;
     names_[i] = segment.getJoint().getName();
     const auto joint = model->getJoint(names_[i]);
     const bool endless = joint->type == urdf::Joint::CONTINUOUS;
@@ -115,9 +130,9 @@ std::vector<Eigen::Isometry3d> RobotModel::links_at(const Joints& joints) const 
   KDL::ChainFkSolverPos_recursive solver(chain_);
   solver.JntToCart(to_kdl(joints), frames);
   std::vector<Eigen::Isometry3d> poses;
-  poses.reserve(frames.size() + 1);
-  for (const KDL::Frame& frame : frames)
-    poses.push_back(from_kdl(frame));
+  poses.reserve(link_names_.size() + 1);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (chain_.segments[i].getName() != kAxis) poses.push_back(from_kdl(frames[i]));
   return poses;
 }
 
@@ -125,7 +140,7 @@ Eigen::Vector3d RobotModel::next_origin(std::size_t link) const {
   // joints turn about their link's origin: at 0 this is the same as at any angle
   const std::vector<Eigen::Isometry3d> links = links_at(Joints::Zero());
   std::size_t next = link + 1;
-  while (next < links.size() && chain_.segments[next].getJoint().getType() == KDL::Joint::None)
+  while (next < links.size() && !moving_[next])
     ++next;
   return links[link].inverse() * links[std::min(next, links.size() - 1)].translation();
 }

@@ -56,41 +56,56 @@ std::optional<ToolCheck> follow_spun(const ToolCheckSubject& subject, double tur
   return follow(turned, spin->joints.front(), stands_there);
 }
 
+struct Begin {
+  double turn = 0;  // [rad] of the first waypoint's own pose
+  std::vector<Joints> postures;
+  bool stands_there = false;
+};
+
+/// Where the robot does not stand: the first turn that it can reach.
+Begin begin_elsewhere(const ToolCheckSubject& subject, const RobotState& from) {
+  for (const double quarters : {0, 2, 1, 3}) {
+    const double turn = quarters * M_PI / 2;
+    std::vector<Joints> postures = begins(subject, from, turn);
+    if (!postures.empty()) return {turn, std::move(postures), false};
+  }
+  return {};
+}
+
+std::optional<ToolCheck> possible_spin(const ToolCheckSubject& subject, const Begin& begin) {
+  for (const Joints& posture : begin.postures) {
+    for (const Spacing& spacing : {kCoarse, kFine}) {
+      auto check = follow_spun(subject, begin.turn, posture, begin.stands_there, spacing);
+      if (!check) break;
+      if (check->possible()) return check;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 ToolCheck check_as_given(const ToolCheckSubject& subject, const RobotState& from) {
-  if (stands_at_begin(subject, from)) return follow(subject, from.joints, true);
+  std::optional<ToolCheck> standing;
+  if (stands_at_begin(subject, from)) standing = follow(subject, from.joints, true);
+  if (standing && standing->possible()) return std::move(*standing);
   std::vector<Joints> postures = begins(subject, from, 0);
   if (const std::size_t within = count_within(subject, postures)) postures.resize(within);
   if (postures.empty()) postures.push_back(from.joints);
   std::optional<ToolCheck> best;
   for (const Joints& posture : postures) {
     keep(best, follow(subject, posture, false));
-    if (best->possible()) break;
+    if (best->possible()) return std::move(*best);
   }
-  return std::move(*best);
+  return std::move(standing ? *standing : *best);
 }
 
 std::optional<ToolCheck> check_with_free_turn(const ToolCheckSubject& subject,
                                               const RobotState& from) {
-  const auto standing = turn_at_begin(subject, from);
-  double turn = standing.value_or(0);
-  std::vector<Joints> postures = {from.joints};
-  if (!standing) {
-    for (const double quarters : {0, 2, 1, 3}) {  // where the given turn is out of reach
-      turn = quarters * M_PI / 2;
-      postures = begins(subject, from, turn);
-      if (!postures.empty()) break;
-    }
+  if (const auto turn = turn_at_begin(subject, from)) {
+    if (auto check = possible_spin(subject, {*turn, {from.joints}, true})) return check;
   }
-  for (const Joints& posture : postures) {
-    for (const Spacing& spacing : {kCoarse, kFine}) {
-      auto check = follow_spun(subject, turn, posture, standing.has_value(), spacing);
-      if (!check) break;
-      if (check->possible()) return check;
-    }
-  }
-  return std::nullopt;
+  return possible_spin(subject, begin_elsewhere(subject, from));
 }
 
 }  // namespace c4g_driver

@@ -26,16 +26,16 @@ KDL::Chain make_chain() {
   const Eigen::Matrix3d turn = flange_turn();
   const auto column = [&turn](int i) { return Vector(turn(0, i), turn(1, i), turn(2, i)); };
   const Rotation flange(column(0), column(1), column(2));
-  const auto axis = [](const Vector& direction) {
-    return Joint(Vector::Zero(), direction, Joint::RotAxis);
-  };
+  // Not Joint::RotAxis, which keeps its last angle: threads that share it spoil each other's.
+  const Joint minus_x(Joint::RotX, -1), y(Joint::RotY), minus_y(Joint::RotY, -1),
+      minus_z(Joint::RotZ, -1);
   KDL::Chain chain;
-  chain.addSegment(Segment(axis({0, 0, -1}), Frame(Vector(kA1, 0, kD1))));
-  chain.addSegment(Segment(axis({0, 1, 0}), Frame(forearm_up, Vector(0, 0, kA2))));
-  chain.addSegment(Segment(axis({0, -1, 0}), Frame(Vector(kD4, 0, kA3))));
-  chain.addSegment(Segment(axis({-1, 0, 0})));
-  chain.addSegment(Segment(axis({0, 1, 0})));
-  chain.addSegment(Segment(axis({-1, 0, 0}), Frame(flange, Vector(kD6, 0, 0))));
+  chain.addSegment(Segment(minus_z, Frame(Vector(kA1, 0, kD1))));
+  chain.addSegment(Segment(y, Frame(forearm_up, Vector(0, 0, kA2))));
+  chain.addSegment(Segment(minus_y, Frame(Vector(kD4, 0, kA3))));
+  chain.addSegment(Segment(minus_x));
+  chain.addSegment(Segment(y));
+  chain.addSegment(Segment(minus_x, Frame(flange, Vector(kD6, 0, 0))));
   return chain;
 }
 
