@@ -14,8 +14,8 @@ class CollisionScene;
 /// between in steps of 5 mm and a degree at most, along the lines and turns that the controller
 /// goes. The posture stays the same all along the path: the present one if the robot stands at the
 /// first waypoint and can follow the path from there, else the nearest to it of those in which the
-/// path can be followed. With free_about_z the tool is turned so that the joints move least, as far as
-/// posture, ranges, box and scene let it; where no such turns are found, the path is checked as
+/// path can be followed. With free_about_z the tool is turned so that the joints move least, as far
+/// as posture, ranges, box and scene let it; where no such turns are found, the path is checked as
 /// given.
 /// @param limits narrowed() to the robot
 /// @param from the robot at rest: its joints, and the mode that decides about the speed limit
