@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "made_preview.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 
@@ -32,10 +33,12 @@ sensor_msgs::PointCloud2 lattice() {
 
 FakeRecipes::FakeRecipes()
     : raw_(node_.advertise<sensor_msgs::PointCloud2>("raw", 1, true)),
+      previews_(node_.advertise<scan_cell_msgs::WorkPreview>("/scan_cell/work_preview", 1, true)),
       services_({node_.advertiseService("list", &FakeRecipes::list, this),
                  node_.advertiseService("edit", &FakeRecipes::edit, this),
                  node_.advertiseService("runs", &FakeRecipes::runs, this),
                  node_.advertiseService("describe", &FakeRecipes::describe, this),
+                 node_.advertiseService("preview", &FakeRecipes::preview, this),
                  node_.advertiseService("approve", &FakeRecipes::approve, this)}),
       server_(
           node_, "run",
@@ -74,6 +77,23 @@ bool FakeRecipes::edit(scan_cell_msgs::EditRecipe::Request& request,
   edit_ = request;
   response.success = 1;
   return true;
+}
+
+/// Plays the cell, too, that shows it.
+bool FakeRecipes::preview(scan_cell_msgs::PreviewRun::Request& request,
+                          scan_cell_msgs::PreviewRun::Response& response) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    preview_ = request;
+  }
+  previews_.publish(made_preview());
+  response.success = 1;
+  return true;
+}
+
+scan_cell_msgs::PreviewRunRequest FakeRecipes::last_preview() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return preview_;
 }
 
 bool FakeRecipes::was_cancelled() const {

@@ -9,6 +9,7 @@
 #include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
+#include <scan_cell_msgs/PreviewRun.h>
 #include <scan_cell_msgs/RunRecipeAction.h>
 
 #include <future>
@@ -30,6 +31,7 @@ class FakeRecipes {
   int goals() const;
   scan_cell_msgs::ApproveRunRequest last_decision() const;
   scan_cell_msgs::EditRecipeRequest last_edit() const;
+  scan_cell_msgs::PreviewRunRequest last_preview() const;
   bool was_cancelled() const;
 
   /// From now on ~list answers when the promise is kept.
@@ -42,12 +44,14 @@ class FakeRecipes {
   bool describe(scan_cell_msgs::DescribeRun::Request&, scan_cell_msgs::DescribeRun::Response&);
   bool approve(scan_cell_msgs::ApproveRun::Request&, scan_cell_msgs::ApproveRun::Response&);
   bool edit(scan_cell_msgs::EditRecipe::Request&, scan_cell_msgs::EditRecipe::Response&);
+  bool preview(scan_cell_msgs::PreviewRun::Request&, scan_cell_msgs::PreviewRun::Response&);
   scan_cell_msgs::RunSummary summary() const;
 
   mutable std::mutex mutex_;
   scan_cell_msgs::RunRecipeGoal goal_;
   scan_cell_msgs::ApproveRunRequest decision_;
   scan_cell_msgs::EditRecipeRequest edit_;
+  scan_cell_msgs::PreviewRunRequest preview_;
   int goals_ = 0;
   int outcome_ = -1;
   std::uint8_t state_ = scan_cell_msgs::RunSummary::ACCEPTED;
@@ -58,6 +62,7 @@ class FakeRecipes {
 
   ros::NodeHandle node_{"/part_recipes"};
   ros::Publisher raw_;
+  ros::Publisher previews_;
   std::vector<ros::ServiceServer> services_;
   actionlib::SimpleActionServer<scan_cell_msgs::RunRecipeAction> server_;
 };

@@ -177,6 +177,32 @@ TEST_F(ASeat, LetsAPersonWithANameApproveAnAcceptedRunAndThenWork) {
   EXPECT_TRUE(comes([this] { return text("work_end") == "Done. all waypoints were passed"; }));
 }
 
+TEST_F(ASeat, PreviewsTheWorkBeforeAnythingMoves) {
+  QSignalSpy chosen(&seat_, &Seat::poseChosen);
+  EXPECT_FALSE(button("preview")->isEnabled()) << "of no run";
+  scan_to(RunSummary::ACCEPTED);
+  find<QTabWidget>("pages")->setCurrentIndex(3);
+  ASSERT_TRUE(comes([this] { return button("preview_dry")->isEnabled(); }));
+  EXPECT_FALSE(find<QSlider>("pose")->isEnabled());
+  click("preview_dry");
+  ASSERT_TRUE(comes([this] { return find<QSlider>("pose")->isEnabled(); })) << trouble();
+  EXPECT_EQ(recipes_->last_preview().run, "run_1");
+  EXPECT_NE(recipes_->last_preview().dry_run, 0);
+  EXPECT_EQ(recipes_->goals(), 1) << "the scan alone";
+  EXPECT_EQ(find<QSlider>("pose")->maximum(), 4);
+  EXPECT_EQ(chosen.count(), 1) << "the ghost does not come";
+  find<QSlider>("pose")->setValue(2);
+  EXPECT_EQ(chosen.last().at(0).toInt(), 2);
+  EXPECT_NE(text("at_pose").find("cannot follow"), std::string::npos) << text("at_pose");
+  EXPECT_NE(text("at_pose").find("waypoint 1: 30 mm/s"), std::string::npos) << text("at_pose");
+  QSignalSpy place(&seat_, &Seat::placeChosen);
+  ASSERT_EQ(find<QListWidget>("faults")->count(), 1);
+  find<QListWidget>("faults")->setCurrentRow(0);
+  EXPECT_EQ(find<QSlider>("pose")->value(), 4);
+  ASSERT_EQ(place.count(), 1) << "the view does not turn there";
+  EXPECT_EQ(place.at(0).at(0).toDouble(), 0.4);
+}
+
 TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
   seat_.set_person("Ada");
   scan_to(RunSummary::REFUSED);

@@ -128,6 +128,10 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   click("approve");
   ASSERT_TRUE(shows("decision", "Approved by Ada"));
   take_picture("fit");
+  click("preview_dry");
+  ASSERT_TRUE(shows("at_pose", "can follow the whole way")) << text("at_pose") << text("trouble");
+  seat_.findChild<QSlider*>("pose")->setValue(20);
+  EXPECT_TRUE(shows("at_pose", "waypoint 19:")) << "after one approach: " << text("at_pose");
   click("work");
   ASSERT_TRUE(shows("work_end", "Not worked")) << "it was never run dry";
   take_picture("not_worked");

@@ -7,21 +7,16 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rviz/display.h>
-#include <rviz/render_panel.h>
 #include <rviz/tool.h>
 #include <rviz/tool_manager.h>
-#include <rviz/view_controller.h>
-#include <rviz/view_manager.h>
 #include <rviz/viewport_mouse_event.h>
-#include <rviz/visualization_manager.h>
 
 #include <QApplication>
 #include <QKeyEvent>
-#include <QTest>
-#include <functional>
 #include <memory>
 
 #include "edit/edit_session.h"
+#include "rviz_view.h"
 #include "view/cloud_frame.h"
 
 namespace scan_cell_rviz {
@@ -29,11 +24,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kPatience = 20000;  // [ms] software rendering
-constexpr int kHalf = 20;         // lattice steps to each side
-constexpr double kStep = 5e-3;    // [m]
-constexpr double kUpper = 0.1;    // [m] of the upper of two layers
-constexpr double kScale = 2000;   // [pixels/m]
+constexpr int kHalf = 20;        // lattice steps to each side
+constexpr double kStep = 5e-3;   // [m]
+constexpr double kUpper = 0.1;   // [m] of the upper of two layers
+constexpr double kScale = 2000;  // [pixels/m]
 constexpr std::size_t kLayer = (2 * kHalf + 1) * (2 * kHalf + 1);
 
 std::shared_ptr<cloud_preprocess::Cloud> two_layers() {
@@ -48,26 +42,16 @@ std::shared_ptr<cloud_preprocess::Cloud> two_layers() {
 
 class Tools : public testing::Test {
  protected:
-  /// rviz has one view a process.
   static void SetUpTestSuite() {
-    panel_ = new rviz::RenderPanel;
-    manager_ = new rviz::VisualizationManager(panel_);
-    panel_->initialize(manager_->getSceneManager(), manager_);
-    panel_->resize(800, 600);
-    panel_->show();
-    manager_->initialize();
-    manager_->setFixedFrame("world");
-    manager_->getViewManager()->setCurrentViewControllerType("rviz/TopDownOrtho");
+    view_ = new RvizView;
+    panel_ = &view_->panel;
+    manager_ = &view_->manager;
     manager_->getViewManager()->getCurrent()->subProp("Scale")->setValue(kScale);
     display_ = manager_->createDisplay("scan_cell_rviz/EditedScan", "scan", true);
-    manager_->startUpdate();
-    ASSERT_TRUE(comes([] { return frame_in_view(*manager_, "world").has_value(); }));
+    ASSERT_TRUE(view_->start());
     QTest::qWait(200);  // the view's camera follows its settings when it is drawn
   }
-  static void TearDownTestSuite() {
-    delete manager_;
-    delete panel_;
-  }
+  static void TearDownTestSuite() { delete view_; }
 
   Tools() {
     session().set_settings({});
@@ -80,10 +64,6 @@ class Tools : public testing::Test {
   ~Tools() override { manager_->getToolManager()->removeAll(); }
 
   static EditSession& session() { return shared_edit_session(); }
-
-  static bool comes(const std::function<bool()>& condition) {
-    return QTest::qWaitFor(condition, kPatience);
-  }
 
   rviz::Tool* use(const char* name) {
     rviz::Tool* const tool = manager_->getToolManager()->addTool(name);
@@ -128,11 +108,13 @@ class Tools : public testing::Test {
     return comes([=] { return session().view()->last.size() == points; });
   }
 
+  static RvizView* view_;
   static rviz::RenderPanel* panel_;
   static rviz::VisualizationManager* manager_;
   static rviz::Display* display_;
 };
 
+RvizView* Tools::view_ = nullptr;
 rviz::RenderPanel* Tools::panel_ = nullptr;
 rviz::VisualizationManager* Tools::manager_ = nullptr;
 rviz::Display* Tools::display_ = nullptr;
@@ -148,14 +130,7 @@ TEST_F(Tools, APolygonTakesWhatIsBehindItToItsDepth) {
 }
 
 TEST_F(Tools, TheDisplayTellsHowMuchStays) {
-  const auto told = [] {
-    for (int i = 0; i < display_->numChildren(); ++i) {
-      rviz::Property* const status = display_->childAt(i);  // its name tells the level, too
-      if (status->getName().startsWith("Status") && status->numChildren() > 0)
-        return status->childAt(0)->getValue().toString();
-    }
-    return QString();
-  };
+  const auto told = [] { return status_of(*display_, "Scan"); };
   EXPECT_TRUE(comes([&] { return told() == QString("%1 points stay").arg(2 * kLayer); }))
       << told().toStdString();
   cloud_preprocess::HalfSpace upper;

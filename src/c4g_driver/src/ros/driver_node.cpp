@@ -235,6 +235,8 @@ void DriverNode::check_follow(const scan_cell_msgs::CheckFollow::Request& reques
           client_.check(to_tool_motion(request.path, parameters_.base_frame),
                         request.path.from_waypoint, {request.joints.begin(), request.joints.end()}),
           request.path.from_waypoint);
+  const auto& names = parameters_.client.robot->joint_names();
+  response.joint_names.assign(names.begin(), names.end());
 }
 
 void DriverNode::get_static_pose(const scan_cell_msgs::GetStaticPose::Request&,

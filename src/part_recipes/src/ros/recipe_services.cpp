@@ -14,6 +14,7 @@
 #include "recipe/recipe.h"
 #include "recipe/recipe_edits.h"
 #include "run/recipe_picture.h"
+#include "run/run_recipe.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {
@@ -84,6 +85,7 @@ RecipeServices::RecipeServices(ros::NodeHandle node, const RecipeParameters& par
       edit_(node.advertiseService("edit", &RecipeServices::edit, this)),
       runs_(node.advertiseService("runs", &RecipeServices::runs, this)),
       describe_(node.advertiseService("describe", &RecipeServices::describe, this)),
+      preview_(node.advertiseService("preview", &RecipeServices::preview, this)),
       approve_(node.advertiseService("approve", &RecipeServices::approve, this)) {}
 
 fs::path RecipeServices::folder_of(const std::string& run) const {
@@ -141,6 +143,15 @@ bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
     for (const Eigen::Vector3d& position : view.positions)
       response.waypoint_positions.push_back(tf2::toMsg(position));
     display_.show(folder, view);
+  });
+}
+
+bool RecipeServices::preview(scan_cell_msgs::PreviewRun::Request& request,
+                             scan_cell_msgs::PreviewRun::Response& response) {
+  return answer(response, [&] {
+    const fs::path folder = folder_of(request.run);
+    constexpr double kTimeout = 5;  // [s] for the cell; chosen
+    preview_work(load_recipe(folder / "inputs"), folder, request.dry_run != 0, kTimeout);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
+#include <scan_cell_msgs/PreviewRun.h>
 
 #include <filesystem>
 #include <string>
@@ -18,7 +19,7 @@
 namespace part_recipes {
 
 /// What can be asked and said of recipes and runs: ~list, ~edit, ~runs, ~describe (which shows the
-/// run in rviz, too) and ~approve.
+/// run in rviz, too), ~preview of its work, and ~approve.
 class RecipeServices {
  public:
   RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters);
@@ -32,6 +33,8 @@ class RecipeServices {
             scan_cell_msgs::ListRuns::Response& response);
   bool describe(scan_cell_msgs::DescribeRun::Request& request,
                 scan_cell_msgs::DescribeRun::Response& response);
+  bool preview(scan_cell_msgs::PreviewRun::Request& request,
+               scan_cell_msgs::PreviewRun::Response& response);
   bool approve(scan_cell_msgs::ApproveRun::Request& request,
                scan_cell_msgs::ApproveRun::Response& response);
 
@@ -40,7 +43,7 @@ class RecipeServices {
 
   RecipeParameters parameters_;
   RunDisplay display_;
-  ros::ServiceServer list_, edit_, runs_, describe_, approve_;
+  ros::ServiceServer list_, edit_, runs_, describe_, preview_, approve_;
 };
 
 }  // namespace part_recipes

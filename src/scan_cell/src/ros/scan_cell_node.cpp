@@ -9,6 +9,7 @@
 #include "scan_cell_common/ros/node_main.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 #include "services/grab_image.h"
+#include "services/preview_work.h"
 #include "services/record_pose.h"
 
 int main(int argc, char** argv) {
@@ -25,7 +26,9 @@ int main(int argc, char** argv) {
         const scan_cell::StateTopic state(node);
         scan_cell::ScanAction scan(node, parameters, devices, cell, state);
         scan_cell::CalibrateAction calibrate(node, parameters, devices, cell, state);
-        scan_cell::WorkAction work(node, parameters, devices, cell, state);
+        const scan_cell::WorkPlanner planner(parameters);
+        scan_cell::WorkAction work(node, parameters, devices, planner, cell, state);
+        const scan_cell::PreviewWork preview(node, parameters.base_frame, planner, devices.robot);
         const scan_cell::GrabImage grab_image(node, parameters, cell);
         const scan_cell::RecordPose record_pose(node, parameters.base_frame, devices.robot);
         scan_cell_common::take_over_shutdown();

@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -20,6 +21,7 @@ struct Options {
   WorkGoal goal;
   std::string waypoint_z;
   bool dry_run = false;
+  bool preview = false;
   double timeout = 10;
 };
 
@@ -38,8 +40,28 @@ WorkGoal goal_of(const Options& options) {
   return goal;
 }
 
+/// As scan_cell's ~preview_work says it. @return the process's exit code
+int preview(const Options& options) {
+  scan_cell::CellClient client(ros::NodeHandle(), {});
+  const auto answer = client.preview(goal_of(options), options.timeout);
+  if (answer.success == 0U) {
+    std::fprintf(stderr, "work: %s\n", answer.message.c_str());
+    return scan_cell_common::kUnusable;
+  }
+  const auto& preview = answer.preview;
+  for (const scan_cell_msgs::FollowFault& fault : preview.faults)
+    std::printf("%s\n", fault.message.c_str());
+  std::printf("%zu poses of the tip, %zu faults\n", preview.waypoints.size(),
+              preview.faults.size());
+  if (std::isfinite(preview.slowest_speed))
+    std::printf("slowest on the way to pose %u: %g mm/s at most, as joints and tool can turn\n",
+                preview.slowest_waypoint, preview.slowest_speed * 1e3);
+  return preview.faults.empty() ? 0 : scan_cell_common::kRefused;
+}
+
 /// @return the process's exit code
 int work(const Options& options) {
+  if (options.preview) return preview(options);
   scan_cell::CellClient client(ros::NodeHandle(), {});
   scan_cell::ProgressBar bar(options.dry_run ? "dry run" : "work");
   const WorkResult result =
@@ -61,7 +83,8 @@ int main(int argc, char** argv) {
   scan_cell_common::Outputs outputs;
   CLI::App app(
       "Runs an adapted path with the tool in the running cell, or dry: lifted, slow, tool off.\n"
-      "Exit code 0: done; 2: refused, nothing moved; 1: it ended early.");
+      "Exit code 0: done; 2: refused, nothing moved; 1: it ended early, or could not be looked "
+      "at.");
   app.add_option("--path", options.goal.path, "adapted tool path, as adapt wrote it")->required();
   app.add_option("--report", options.goal.report, "report that adapt wrote with it")->required();
   app.add_option(
@@ -70,6 +93,8 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"into_part", "out_of_part"}));
   app.add_option("--frame", options.goal.frame, "of the path; without it world");
   app.add_flag("--dry-run", options.dry_run, "needed once before the first real run of a path");
+  app.add_flag("--preview", options.preview,
+               "moves nothing: says where the robot cannot follow, and shows the way in rviz");
   app.add_option("--from-waypoint", options.goal.from_waypoint,
                  "begin with this one, counted from 0");
   outputs.add(app, "--record", options.goal.record, "each waypoint that was passed: JSON");

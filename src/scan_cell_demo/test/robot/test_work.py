@@ -19,7 +19,8 @@ import unittest
 import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped
-from scan_cell_msgs.msg import RobotStatus
+from scan_cell_msgs.msg import RobotStatus, WorkPreview
+from sensor_msgs.msg import JointState
 
 LENGTH = 0.2  # [m]
 SPACING = 0.005  # [m]
@@ -151,6 +152,42 @@ class Work(unittest.TestCase):
         count = self.write_path(height=2.5)
         self.write_report(count)
         self.expect_refused(*self.work('--dry-run'), word='waypoint')
+
+    def preview(self, *options):
+        with self.lock:
+            self.tips = []
+        run = subprocess.run([word for word in self.command('--preview', *options) if word != '--record'
+                              and word != self.file('record.json')], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             text=True, timeout=60, check=False)
+        shown = rospy.wait_for_message('/scan_cell/work_preview', WorkPreview, PATIENCE)
+        with self.lock:
+            tips = list(self.tips)
+        self.assertLess(max(x for x, _, _ in tips) - min(x for x, _, _ in tips), 1e-6, 'nothing moved')
+        return run.returncode, run.stdout, shown
+
+    def test_preview_tells_where_the_robot_will_stand_before_it_moves(self):
+        count = self.write_path()
+        self.write_report(count)
+        code, log, shown = self.preview('--dry-run')
+        self.assertEqual(code, 0, log)
+        self.assertTrue(shown.dry_run)
+        self.assertEqual([each for each in shown.path_waypoints if each >= 0], list(range(count)))
+        self.assertEqual({each.outputs for each in shown.waypoints}, {0})
+        code, log = self.work('--dry-run')
+        self.assertEqual(code, 0, log)
+        stands = rospy.wait_for_message('/joint_states', JointState, PATIENCE)
+        joints = dict(zip(stands.name, stands.position))
+        for name, angle in zip(shown.joint_names, shown.joints[-6:]):
+            self.assertAlmostEqual(joints[name], angle, delta=1e-3)
+
+    def test_preview_tells_all_that_the_robot_cannot_do(self):
+        count = self.write_path(height=2.5)
+        self.write_report(count)
+        code, log, shown = self.preview()
+        self.assertEqual(code, 2, log)
+        self.assertIn('waypoint', shown.message)
+        self.assertGreater(len(shown.faults), count // 2)
+        self.assertIn(shown.message, log)
 
     def test_an_interrupt_stops_the_robot_and_what_was_done_is_written(self):
         count = self.write_path()

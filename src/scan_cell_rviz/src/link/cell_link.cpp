@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <scan_cell_msgs/ApproveRun.h>
 #include <scan_cell_msgs/EditRecipe.h>
+#include <scan_cell_msgs/PreviewRun.h>
 
 #include <QMetaType>
 
@@ -22,6 +23,7 @@ constexpr double kLook = 0.25;          // [s] between two looks at what is ther
 constexpr int kLooksAList = 4;          // while there is none: every second; chosen
 constexpr int kLooksACalibration = 40;  // that is every 10 s; chosen
 constexpr double kCallTimeout = 5;      // [s] for an answer; chosen
+constexpr double kPreviewTimeout = 20;  // [s] a tool is started, and it waits for the cell; chosen
 constexpr double kTaken = 10;           // [s] for a goal to be taken where nobody else has the cell
 constexpr double kGone = 3;             // [s] without the server until its goal is given up
 constexpr double kCameraSilent = 5;     // [s] diagnostics come every second
@@ -37,6 +39,7 @@ void register_types() {
   qRegisterMetaType<scan_cell_msgs::DescribeRunResponse>("scan_cell_msgs::DescribeRunResponse");
   qRegisterMetaType<RunRecipeResult>("scan_cell_msgs::RunRecipeResult");
   qRegisterMetaType<sensor_msgs::PointCloud2ConstPtr>("sensor_msgs::PointCloud2ConstPtr");
+  qRegisterMetaType<scan_cell_msgs::WorkPreviewConstPtr>("scan_cell_msgs::WorkPreviewConstPtr");
 }
 
 RunRecipeResult result_without_run(const std::string& message) {
@@ -70,6 +73,8 @@ CellLink::CellLink(const Names& names) : names_(names), spinner_(1, &queue_) {
   status_ = node_.subscribe(names_.recipes + "/run/status", 10, &CellLink::on_status, this);
   raw_ = node_.subscribe<sensor_msgs::PointCloud2>(
       names_.recipes + "/raw", 1, [this](const auto& raw) { Q_EMIT rawCame(raw); });
+  preview_ = node_.subscribe<scan_cell_msgs::WorkPreview>(
+      names_.cell + "/work_preview", 1, [this](const auto& preview) { Q_EMIT previewed(preview); });
   feedback_.push_back(node_.subscribe<scan_cell_msgs::ScanActionFeedback>(
       names_.cell + "/scan/feedback", 10, [this](const auto& news) {
         const auto& scan = news->feedback;
@@ -167,6 +172,16 @@ void CellLink::edit(const QString& recipe, const QString& edits) {
     request.edits = edits.toStdString();
     scan_cell::call<scan_cell_msgs::EditRecipe>(names_.recipes + "/edit", request, kCallTimeout);
     Q_EMIT edited(recipe);
+  });
+}
+
+void CellLink::preview(const QString& run, bool dry) {
+  ask([=] {
+    scan_cell_msgs::PreviewRun::Request request;
+    request.run = run.toStdString();
+    request.dry_run = static_cast<unsigned char>(dry);
+    scan_cell::call<scan_cell_msgs::PreviewRun>(names_.recipes + "/preview", request,
+                                                kPreviewTimeout);
   });
 }
 

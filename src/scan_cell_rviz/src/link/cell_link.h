@@ -15,6 +15,7 @@
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/TriggerState.h>
 #include <scan_cell_msgs/WorkAction.h>
+#include <scan_cell_msgs/WorkPreview.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <QObject>
@@ -73,6 +74,9 @@ class CellLink : public QObject {
   /// Scans and adapts a part. Ends with runEnded.
   void run(const QString& recipe, const QString& note);
 
+  /// Asks what the robot would do to work the part of a run. Answers by previewed, or failed.
+  void preview(const QString& run, bool dry);
+
   /// Works the part of a run. Ends with runEnded.
   void work(const QString& run, bool dry);
 
@@ -88,7 +92,8 @@ class CellLink : public QObject {
   void described(scan_cell_msgs::DescribeRunResponse run);
   void decided(QString run);
   void edited(QString recipe);
-  void rawCame(sensor_msgs::PointCloud2ConstPtr raw);  ///< of the run that was described
+  void rawCame(sensor_msgs::PointCloud2ConstPtr raw);           ///< of the run that was described
+  void previewed(scan_cell_msgs::WorkPreviewConstPtr preview);  ///< whoever asked for it
   void failed(QString message);
   void progressed(QString doing, double share);  ///< share below 0: not known
   void runEnded(scan_cell_msgs::RunRecipeResult result, bool was_work);
@@ -113,7 +118,7 @@ class CellLink : public QObject {
   ros::NodeHandle node_;
   std::unique_ptr<Client> client_;
   std::vector<ros::Subscriber> feedback_;
-  ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_, raw_;
+  ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_, raw_, preview_;
   ros::WallTimer timer_;
 
   mutable std::mutex mutex_;

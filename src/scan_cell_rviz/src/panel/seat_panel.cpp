@@ -34,6 +34,7 @@ void SeatPanel::onInitialize() {
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
   connect(seat_, &Seat::placeChosen, this, &SeatPanel::look_at);
   connect(seat_, &Seat::toolWanted, this, &SeatPanel::use_tool);
+  connect(seat_, &Seat::poseChosen, this, &SeatPanel::show_pose);
   box_ = std::make_unique<BoxHandles>(shared_edit_session());
   connect(seat_, &Seat::boxWanted, box_.get(), &BoxHandles::apply);
   window()->installEventFilter(this);
@@ -58,16 +59,24 @@ bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
   return rviz::Panel::eventFilter(object, event);
 }
 
-/// The display of the box's handles, unless there is one, as of a saved configuration.
-void SeatPanel::show_box_display() {
-  const QString name = tr("box of the seat");
+/// A display of that name, unless there is one, as of a saved configuration.
+rviz::Display* SeatPanel::display_of(const QString& type, const QString& name) {
   rviz::DisplayGroup* const displays = vis_manager_->getRootDisplayGroup();
-  rviz::Display* display = nullptr;
   for (int i = 0; i < displays->numDisplays(); ++i)
-    if (displays->getDisplayAt(i)->getName() == name) display = displays->getDisplayAt(i);
-  if (display == nullptr)
-    display = vis_manager_->createDisplay("rviz/InteractiveMarkers", name, true);
+    if (displays->getDisplayAt(i)->getName() == name) return displays->getDisplayAt(i);
+  return vis_manager_->createDisplay(type, name, true);
+}
+
+void SeatPanel::show_box_display() {
+  rviz::Display* const display = display_of("rviz/InteractiveMarkers", tr("box of the seat"));
   display->subProp("Update Topic")->setValue(QString::fromStdString(box_->topic() + "/update"));
+}
+
+void SeatPanel::show_pose(int pose) {
+  rviz::Display* const display =
+      display_of("scan_cell_rviz/WorkPreview", tr("what the robot would do (page Work)"));
+  display->setEnabled(true);
+  display->subProp("Pose")->setValue(pose);
 }
 
 /// @param name of a tool of this package, such as polygon; box, and view, go with rviz's own, which

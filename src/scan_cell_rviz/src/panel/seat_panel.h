@@ -10,6 +10,10 @@
 #include "seat/seat.h"
 #include "view/box_handles.h"
 
+namespace rviz {
+class Display;
+}
+
 namespace scan_cell_rviz {
 
 /// The seat as a panel of rviz. It asks before the window closes amid a scan or work.
@@ -28,7 +32,9 @@ class SeatPanel : public rviz::Panel {
   /// @return whether the window may close
   bool may_close();
   void use_tool(const QString& name);
+  rviz::Display* display_of(const QString& type, const QString& name);
   void show_box_display();
+  void show_pose(int pose);
   void look_at(double x, double y, double z, const QString& frame);
 
   std::unique_ptr<CellLink> link_;

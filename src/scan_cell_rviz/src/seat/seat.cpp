@@ -76,6 +76,7 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::progressed, this, &Seat::show_progress);
   connect(&link_, &CellLink::failed, this, &Seat::tell);
   connect(&link_, &CellLink::runEnded, this, &Seat::show_end);
+  connect(&link_, &CellLink::previewed, work_, &WorkPage::show_preview);
   connect(&link_, &CellLink::decided, &link_, &CellLink::describe);
   connect(&link_, &CellLink::described, this, [this](const auto& run) {
     fit_->show_run(run);
@@ -103,6 +104,12 @@ void Seat::connect_pages() {
     tell(QString());
     link_.work(run, dry);
   });
+  connect(work_, &WorkPage::previewWanted, this, [this](const QString& run, bool dry) {
+    tell(QString());
+    link_.preview(run, dry);
+  });
+  connect(work_, &WorkPage::poseChosen, this, &Seat::poseChosen);
+  connect(work_, &WorkPage::placeChosen, this, &Seat::placeChosen);
   connect(history_, &HistoryPage::refreshWanted, &link_, &CellLink::list_runs);
   connect(history_, &HistoryPage::runChosen, this, [this](const QString& run) {
     pages_->setCurrentWidget(fit_);

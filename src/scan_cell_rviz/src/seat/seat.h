@@ -37,6 +37,7 @@ class Seat : public QWidget {
   void placeChosen(double x, double y, double z, QString frame);  ///< [m]
   void toolWanted(QString name);                                  ///< as CleanPage
   void boxWanted();                                               ///< likewise
+  void poseChosen(int pose);                                      ///< of the preview, to be shown
 
  private:
   void connect_link();

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seat/work_page.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
+#include "preview/preview_view.h"
 #include "seat/text_label.h"
 
 namespace scan_cell_rviz {
@@ -14,6 +18,11 @@ WorkPage::WorkPage(QWidget* parent)
     : QWidget(parent),
       part_(text_label("work_part", this)),
       end_(text_label("work_end", this)),
+      preview_(new QPushButton(tr("Pre&view"), this)),
+      preview_dry_(new QPushButton(tr("Preview the dr&y run"), this)),
+      pose_(new QSlider(Qt::Horizontal, this)),
+      at_pose_(text_label("at_pose", this)),
+      faults_(new QListWidget(this)),
       dry_(new QPushButton(tr("&Dry run"), this)),
       work_(new QPushButton(tr("&Work"), this)) {
   dry_->setObjectName("dry_run");
@@ -24,6 +33,7 @@ WorkPage::WorkPage(QWidget* parent)
          "the path was run dry once."));
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(part_);
+  layout->addLayout(preview_box());
   layout->addWidget(dry_);
   layout->addWidget(work_);
   layout->addWidget(end_);
@@ -35,6 +45,69 @@ WorkPage::WorkPage(QWidget* parent)
     });
   }
   show_run({});
+}
+
+QLayout* WorkPage::preview_box() {
+  preview_->setObjectName("preview");
+  preview_->setToolTip(
+      tr("Moves nothing: shows the way, the robot at each of its poses, and where "
+         "it cannot follow"));
+  preview_dry_->setObjectName("preview_dry");
+  preview_dry_->setToolTip(tr("The same of the dry run"));
+  pose_->setObjectName("pose");
+  pose_->setToolTip(tr("Pose of the tool's tip at which the robot's ghost stands"));
+  faults_->setObjectName("faults");
+  faults_->setToolTip(tr("Where the robot cannot follow: the view turns there"));
+  auto* const buttons = new QHBoxLayout;
+  for (QPushButton* const button : {preview_, preview_dry_}) {
+    buttons->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, button] {
+      asked_ = true;
+      Q_EMIT previewWanted(QString::fromStdString(run_.id), button == preview_dry_);
+    });
+  }
+  connect(pose_, &QSlider::valueChanged, this, [this](int pose) {
+    show_pose(pose);
+    Q_EMIT poseChosen(pose);
+  });
+  connect(faults_, &QListWidget::currentRowChanged, this, &WorkPage::show_fault);
+  auto* const box = new QVBoxLayout;
+  box->addLayout(buttons);
+  box->addWidget(pose_);
+  box->addWidget(at_pose_);
+  box->addWidget(faults_);
+  pose_->setEnabled(false);
+  faults_->hide();
+  return box;
+}
+
+void WorkPage::show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
+  shown_ = preview;
+  pose_->setEnabled(!preview->waypoints.empty());
+  pose_->setMaximum(std::max(0, static_cast<int>(preview->waypoints.size()) - 1));
+  faults_->clear();
+  for (const auto& fault : preview->faults)
+    faults_->addItem(QString::fromStdString(fault.message));
+  faults_->setVisible(!preview->faults.empty());
+  show_pose(pose_->value());
+  if (std::exchange(asked_, false)) Q_EMIT poseChosen(pose_->value());
+}
+
+void WorkPage::show_pose(int pose) {
+  if (!shown_) return;
+  const QString can = shown_->faults.empty() ? tr("The robot can follow the whole way.")
+                                             : tr("The robot cannot follow it: %n fault(s).",
+                                                  nullptr, static_cast<int>(shown_->faults.size()));
+  at_pose_->setText(can + "\n" + text_at(*shown_, static_cast<std::size_t>(pose)));
+}
+
+/// The ghost goes to the waypoint, and the view to the very place.
+void WorkPage::show_fault(int row) {
+  if (!shown_ || row < 0 || row >= static_cast<int>(shown_->faults.size())) return;
+  const auto& fault = shown_->faults[static_cast<std::size_t>(row)];
+  pose_->setValue(static_cast<int>(fault.waypoint));
+  const auto& place = fault.tip.position;
+  Q_EMIT placeChosen(place.x, place.y, place.z, QString::fromStdString(shown_->header.frame_id));
 }
 
 void WorkPage::show_run(const RunSummary& run) {
@@ -60,6 +133,9 @@ void WorkPage::set_free(bool free) {
 }
 
 void WorkPage::update_buttons() {
+  const bool looked_at = run_.state == RunSummary::ACCEPTED;  // approved or not: it moves nothing
+  preview_->setEnabled(looked_at);
+  preview_dry_->setEnabled(looked_at);
   const bool may =
       free_ && run_.state == RunSummary::ACCEPTED && run_.decision == RunSummary::APPROVED_BY;
   dry_->setEnabled(may);

@@ -3,14 +3,18 @@
 #pragma once
 
 #include <scan_cell_msgs/RunSummary.h>
+#include <scan_cell_msgs/WorkPreview.h>
 
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
+#include <QSlider>
 #include <QWidget>
 
 namespace scan_cell_rviz {
 
-/// The robot follows the path of an approved run: dry first, then with the tool on.
+/// The robot follows the path of an approved run: looked at before, then dry, then with the tool
+/// on.
 class WorkPage : public QWidget {
   Q_OBJECT
 
@@ -20,18 +24,32 @@ class WorkPage : public QWidget {
   void show_run(const scan_cell_msgs::RunSummary& run);
   void show_end(const QString& message);  ///< how the work ended
   void set_free(bool free);               ///< whether the robot may begin
+  void show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview);
 
  Q_SIGNALS:
   void workWanted(QString run, bool dry);
+  void previewWanted(QString run, bool dry);
+  void poseChosen(int pose);                                      ///< of the preview
+  void placeChosen(double x, double y, double z, QString frame);  ///< [m] of a fault
 
  private:
+  QLayout* preview_box();
+  void show_pose(int pose);
+  void show_fault(int row);
   void update_buttons();
 
   scan_cell_msgs::RunSummary run_;
   QLabel* part_;
   QLabel* end_;
+  QPushButton* preview_;
+  QPushButton* preview_dry_;
+  QSlider* pose_;
+  QLabel* at_pose_;
+  QListWidget* faults_;
   QPushButton* dry_;
   QPushButton* work_;
+  scan_cell_msgs::WorkPreviewConstPtr shown_;
+  bool asked_ = false;  // for a preview that has not come
   bool free_ = false;
 };
 

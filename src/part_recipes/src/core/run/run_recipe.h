@@ -70,4 +70,10 @@ EndedRun run_recipe(const Recipe& recipe, const RunRequest& request, const Stage
 void work(const Recipe& recipe, const RunRequest& request, const StageBegins& begins,
           EndedRun& ended);
 
+/// Shows on scan_cell's ~work_preview what the robot would do to work the part of a run, be it
+/// possible or not. Nothing moves.
+/// @param timeout [s] to wait for the cell
+/// @throw scan_cell_common::Refused if the cell cannot look at it
+void preview_work(const Recipe& recipe, const std::filesystem::path& run, bool dry, double timeout);
+
 }  // namespace part_recipes

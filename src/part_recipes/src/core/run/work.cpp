@@ -5,6 +5,7 @@
 #include "run/calls/stage_calls.h"
 #include "run/calls/tool_call.h"
 #include "run/run_recipe.h"
+#include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {
 namespace {
@@ -32,6 +33,20 @@ void work(const Recipe& recipe, const RunRequest& request, const StageBegins& be
   ended.worked = code == 0;
   ended.work_message = last_line(log);
   if (ended.worked) std::filesystem::remove(log);
+}
+
+void preview_work(const Recipe& recipe, const std::filesystem::path& run, bool dry,
+                  double timeout) {
+  const std::filesystem::path log = free_name(run.string() + ".preview") + ".log";
+  const ToolCall call = preview_call(recipe, run, dry, timeout);
+  const int code = run_tool(call, run.parent_path(), log, {}).exit_code;
+  const std::string said = last_line(log);
+  std::filesystem::remove(log);
+  constexpr int kCannotFollow = 2;  // work --help
+  if (code != 0 && code != kCannotFollow)
+    throw scan_cell_common::Refused(
+        "preview of " + run.filename().string(), said,
+        "is the cell running, and the run accepted? see docs/scan_cell.md");
 }
 
 }  // namespace part_recipes

@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/CalibrateAction.h>
+#include <scan_cell_msgs/PreviewWork.h>
 #include <scan_cell_msgs/ScanAction.h>
 #include <scan_cell_msgs/StretchToolPathAction.h>
 #include <scan_cell_msgs/WorkAction.h>
@@ -33,6 +34,7 @@ class CellClient {
     std::string scan = "/scan_cell/scan";                  //!< action
     std::string calibrate = "/scan_cell/calibrate";        //!< action
     std::string work = "/scan_cell/work";                  //!< action
+    std::string preview = "/scan_cell/preview_work";       //!< service
     std::string state = "/scan_cell/state";                //!< topic
     std::string stretch = "/tool_path_stretcher/stretch";  //!< action
     std::string clean_cloud = "/preprocess/clean_cloud";   //!< topic, end of the preprocessing
@@ -70,6 +72,12 @@ class CellClient {
   /// @throw ConnectionError if the cell is not there, or goes away
   scan_cell_msgs::WorkResult work(const scan_cell_msgs::WorkGoal& goal, double timeout,
                                   const Progress& progress);
+
+  /// What the robot would do with that goal; the cell shows it on ~work_preview, too. Nothing
+  /// moves.
+  /// @throw ConnectionError if the cell is not there
+  scan_cell_msgs::PreviewWorkResponse preview(const scan_cell_msgs::WorkGoal& goal,
+                                              double timeout) const;
 
   CalibrationFiles calibration_files() const;  //!< of the running cell
 

@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/work_action.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/files/sha256.h"
-#include "scan_cell_common/ros/conversions.h"
-#include "tool_paths/tool_path_files.h"
 
 namespace scan_cell {
 
 using scan_cell_common::Refused;
 using scan_cell_msgs::WorkGoal;
 using scan_cell_msgs::WorkResult;
-using tool_path_programs::WaypointZ;
 
 namespace {
 
@@ -28,18 +26,13 @@ std::string hash_of(const std::string& file) {
   }
 }
 
-WaypointZ waypoint_z_of(const WorkGoal& goal, WaypointZ otherwise) {
-  if (goal.waypoint_z == WorkGoal::Z_INTO_PART) return WaypointZ::kIntoPart;
-  if (goal.waypoint_z == WorkGoal::Z_OUT_OF_PART) return WaypointZ::kOutOfPart;
-  return otherwise;
-}
-
 }  // namespace
 
 WorkAction::WorkAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
-                       CellInUse& cell, const StateTopic& state)
+                       const WorkPlanner& planner, CellInUse& cell, const StateTopic& state)
     : node_(node),
       parameters_(parameters),
+      planner_(planner),
       dry_runs_(parameters.work.dry_runs),
       sequence_(devices.robot, devices.robot, devices.trigger, *this, parameters.timing),
       action_(node, "work", cell, state, *this) {
@@ -60,18 +53,11 @@ std::string WorkAction::accept(const WorkGoal& goal) {
     scan_cell_common::refuse_overwriting(goal.record, {goal.path, goal.report});
     scan_cell_common::check_output(goal.record, {".json"}, "write the record as .json");
   }
-  const auto path = tool_paths::load_tool_path(goal.path);
-  tool_path_programs::ExportParameters process = parameters_.work.process;
-  process.waypoint_z = waypoint_z_of(goal, process.waypoint_z);
-  std::optional<DryRun> dry_run;
-  if (dry) dry_run = parameters_.work.dry_run;
-  plan_ = plan_of(path, process, report_.in_air, goal.from_waypoint, dry_run);
-  const Eigen::Isometry3d base =
-      transform(parameters_.base_frame, goal.frame.empty() ? "world" : goal.frame);
-  for (WorkWaypoint& waypoint : plan_.waypoints)
-    waypoint.tip = base * waypoint.tip;
-  plan_.flange_to_tip = transform(parameters_.flange_frame, parameters_.work.tip_frame);
-  waypoints_ = waypoint_count(path);
+  plan_ = planner_.plan(goal, report_);
+  waypoints_ =
+      goal.from_waypoint + static_cast<std::size_t>(std::count_if(
+                               plan_.waypoints.begin(), plan_.waypoints.end(),
+                               [](const auto& each) { return each.waypoint.has_value(); }));
   record_ = WorkRecord();
   return goal.path;
 }
@@ -83,16 +69,6 @@ CalibrationNow WorkAction::calibration() const {
   node_.getParam(parameters_.work.frames + "/scanner_file", scanner);
   node_.getParam(parameters_.work.frames + "/cell_file", cell);
   return {hash_of(scanner), hash_of(cell)};
-}
-
-Eigen::Isometry3d WorkAction::transform(const std::string& to, const std::string& from) const {
-  try {
-    return scan_cell_common::from_ros(
-        transforms_.lookupTransform(to, from, ros::Time(0), ros::Duration(1.0)).transform);
-  } catch (const tf2::TransformException& error) {
-    throw Refused("frame '" + from + "'", error.what(),
-                  "start the node that publishes the calibrated frames");
-  }
 }
 
 WorkResult WorkAction::run(const WhyToCancel& why_to_cancel) {

@@ -4,14 +4,13 @@
 
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/WorkAction.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <string>
 
 #include "actions/cell_action.h"
 #include "actions/cell_devices.h"
 #include "devices/parameters.h"
+#include "devices/work_planner.h"
 #include "work/work_permit.h"
 #include "work/work_record.h"
 #include "work/work_sequence.h"
@@ -23,7 +22,7 @@ class WorkAction : private WorkObserver, private CellAction<scan_cell_msgs::Work
  public:
   /// @param node the private node handle
   WorkAction(ros::NodeHandle node, const Parameters& parameters, CellDevices& devices,
-             CellInUse& cell, const StateTopic& state);
+             const WorkPlanner& planner, CellInUse& cell, const StateTopic& state);
 
   /// Cancels the work under way, if any, and waits until the robot stands.
   ~WorkAction() override;
@@ -35,14 +34,12 @@ class WorkAction : private WorkObserver, private CellAction<scan_cell_msgs::Work
   void on_passed(const WorkWaypoint& waypoint) override;
 
   CalibrationNow calibration() const;
-  Eigen::Isometry3d transform(const std::string& to, const std::string& from) const;
   SequenceEnd kept(SequenceEnd end) const;
 
   const ros::NodeHandle node_;
   const Parameters parameters_;
+  const WorkPlanner& planner_;
   const DryRuns dry_runs_;
-  tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_{transforms_};
   WorkSequence sequence_;
   scan_cell_msgs::WorkGoal goal_;
   tool_path_programs::AcceptedReport report_;

@@ -6,6 +6,7 @@
 
 #include "client/clean_cloud_watch.h"
 #include "scan_cell/ros/scan_goal.h"
+#include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/goal_client.h"
 #include "scan_cell_common/tools/interrupts.h"
@@ -160,6 +161,13 @@ scan_cell_msgs::WorkResult CellClient::work(const scan_cell_msgs::WorkGoal& goal
   const auto watched = [&](auto& complete) { complete.watcher = watcher_.name(timeout); };
   return run_action<scan_cell_msgs::WorkAction>(node_, names_.work, goal, timeout, watched,
                                                 feedback);
+}
+
+scan_cell_msgs::PreviewWorkResponse CellClient::preview(const scan_cell_msgs::WorkGoal& goal,
+                                                        double timeout) const {
+  scan_cell_msgs::PreviewWorkRequest request;
+  request.goal = goal;
+  return ask<scan_cell_msgs::PreviewWork>(names_.preview, request, timeout);
 }
 
 CalibrationFiles CellClient::calibration_files() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <scan_cell_msgs/CheckFollow.h>
 #include <scan_cell_msgs/FollowAction.h>
 #include <scan_cell_msgs/MoveAction.h>
 #include <scan_cell_msgs/PeakProfile.h>
@@ -25,6 +26,8 @@
 
 namespace scan_cell {
 
+scan_cell_msgs::FollowWaypoint message_of(const WorkWaypoint& waypoint);
+
 /// The robot behind a node with c4g_driver's interface.
 class RosRobot : public Robot, public Follower {
  public:
@@ -41,6 +44,8 @@ class RosRobot : public Robot, public Follower {
   void stop() noexcept override;
 
   FollowCheck check_follow(const WorkPlan& plan) override;
+  /// All that the driver says of a path. @throw scan_cell_common::Error if it cannot tell
+  scan_cell_msgs::CheckFollow::Response ask_about(const WorkPlan& plan) const;
   void set_joint_speed(double share) override;
   void restore_speed() noexcept override;
   void start_joints(const std::vector<double>& joints) override;

@@ -1,7 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/this_node.h>
-#include <scan_cell_msgs/CheckFollow.h>
 #include <scan_cell_msgs/SetOverride.h>
 
 #include "devices/motion_of.h"
@@ -20,24 +19,27 @@ constexpr std::size_t kJoints = 6;
 
 }  // namespace
 
+scan_cell_msgs::FollowWaypoint message_of(const WorkWaypoint& waypoint) {
+  scan_cell_msgs::FollowWaypoint message;
+  message.tip = scan_cell_common::to_ros_pose(waypoint.tip);
+  message.speed = waypoint.speed;
+  message.zone = waypoint.zone;
+  message.outputs = waypoint.outputs;
+  return message;
+}
+
 FollowGoal RosRobot::goal_of(const WorkPlan& plan) const {
   FollowGoal goal;
   goal.header.frame_id = parameters_.base_frame;
   goal.header.stamp = ros::Time::now();
   goal.flange_to_tip = scan_cell_common::to_ros_pose(plan.flange_to_tip);
-  for (const WorkWaypoint& each : plan.waypoints) {
-    scan_cell_msgs::FollowWaypoint waypoint;
-    waypoint.tip = scan_cell_common::to_ros_pose(each.tip);
-    waypoint.speed = each.speed;
-    waypoint.zone = each.zone;
-    waypoint.outputs = each.outputs;
-    goal.waypoints.push_back(waypoint);
-  }
+  for (const WorkWaypoint& waypoint : plan.waypoints)
+    goal.waypoints.push_back(message_of(waypoint));
   goal.watcher = ros::this_node::getName();
   return goal;
 }
 
-FollowCheck RosRobot::check_follow(const WorkPlan& plan) {
+scan_cell_msgs::CheckFollow::Response RosRobot::ask_about(const WorkPlan& plan) const {
   const std::string service = parameters_.robot + "/check_follow";
   scan_cell_msgs::CheckFollow::Request request;
   request.path = goal_of(plan);
@@ -47,11 +49,16 @@ FollowCheck RosRobot::check_follow(const WorkPlan& plan) {
   if (answer.link_lost)
     throw scan_cell_common::ConnectionError(service, "link lost", answer.message);
   check_answer(service, answer);
+  return answer;
+}
+
+FollowCheck RosRobot::check_follow(const WorkPlan& plan) {
+  const auto answer = ask_about(plan);
   FollowCheck check{answer.message, {}};
   if (answer.joints.size() >= kJoints)
     check.start.assign(answer.joints.begin(), answer.joints.begin() + kJoints);
   else if (check.refusal.empty())
-    check.refusal = service + " gives no joints";
+    check.refusal = parameters_.robot + "/check_follow gives no joints";
   return check;
 }
 

@@ -79,15 +79,32 @@ ToolCall export_call(const Recipe& recipe, const RobotProgram& program) {
   return call;
 }
 
-ToolCall work_call(const Recipe& recipe, const fs::path& run, bool dry, const fs::path& record,
-                   double timeout) {
-  ToolCall call{dry ? "dry_run" : "work",
+namespace {
+
+ToolCall call_of_work(const Recipe& recipe, const fs::path& run, const std::string& stage,
+                      double timeout, const std::vector<std::string>& options) {
+  ToolCall call{stage,
                 "scan_cell",
                 {"work", "--path", (run / path_name(recipe)).string(), "--report",
-                 (run / "report.json").string(), "--record", record.string(), "--timeout",
-                 fmt::format("{}", timeout)}};
-  if (dry) call.command.emplace_back("--dry-run");
+                 (run / "report.json").string(), "--timeout", fmt::format("{}", timeout)}};
+  call.command.insert(call.command.end(), options.begin(), options.end());
   add_options(call, recipe.work);
+  return call;
+}
+
+}  // namespace
+
+ToolCall work_call(const Recipe& recipe, const fs::path& run, bool dry, const fs::path& record,
+                   double timeout) {
+  ToolCall call =
+      call_of_work(recipe, run, dry ? "dry_run" : "work", timeout, {"--record", record.string()});
+  if (dry) call.command.emplace_back("--dry-run");
+  return call;
+}
+
+ToolCall preview_call(const Recipe& recipe, const fs::path& run, bool dry, double timeout) {
+  ToolCall call = call_of_work(recipe, run, "preview", timeout, {"--preview"});
+  if (dry) call.command.emplace_back("--dry-run");
   return call;
 }
 

@@ -46,4 +46,8 @@ ToolCall work_call(const Recipe& recipe, const std::filesystem::path& run, bool 
 /// Where that program goes, from inputs.
 std::string program_file(const RobotProgram& program);
 
+/// The same work, looked at only.
+ToolCall preview_call(const Recipe& recipe, const std::filesystem::path& run, bool dry,
+                      double timeout);
+
 }  // namespace part_recipes

@@ -1,0 +1,55 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "preview/link_poses.h"
+
+#include <kdl_parser/kdl_parser.hpp>
+
+#include "scan_cell_common/errors/errors.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+using Poses = std::map<std::string, KDL::Frame>;
+
+void add(Poses& poses, const KDL::SegmentMap::const_iterator& link, const KDL::Frame& parent,
+         const std::map<std::string, double>& joints) {
+  const KDL::Segment& segment = GetTreeElementSegment(link->second);
+  const auto angle = joints.find(segment.getJoint().getName());
+  const KDL::Frame pose = parent * segment.pose(angle == joints.end() ? 0 : angle->second);
+  poses[link->first] = pose;
+  for (const auto& child : GetTreeElementChildren(link->second))
+    add(poses, child, pose, joints);
+}
+
+Eigen::Isometry3d from_kdl(const KDL::Frame& frame) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (int row = 0; row < 3; ++row) {
+    pose.translation()[row] = frame.p[row];
+    for (int column = 0; column < 3; ++column)
+      pose.linear()(row, column) = frame.M(row, column);
+  }
+  return pose;
+}
+
+}  // namespace
+
+LinkPoses::LinkPoses(const std::string& urdf) {
+  if (!kdl_parser::treeFromString(urdf, tree_))
+    throw scan_cell_common::UnusableInput("robot_description", "no URDF",
+                                          "give a URDF that check_urdf takes");
+}
+
+std::map<std::string, Eigen::Isometry3d> LinkPoses::at(
+    const std::string& base, const std::map<std::string, double>& joints) const {
+  Poses found;
+  add(found, tree_.getRootSegment(), KDL::Frame::Identity(), joints);
+  std::map<std::string, Eigen::Isometry3d> poses;
+  const auto origin = found.find(base);
+  if (origin == found.end()) return poses;
+  const KDL::Frame to_base = origin->second.Inverse();
+  for (const auto& [name, pose] : found)
+    poses[name] = from_kdl(to_base * pose);
+  return poses;
+}
+
+}  // namespace scan_cell_rviz

@@ -1,0 +1,90 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "preview/preview_view.h"
+
+#include <QObject>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scan_cell_rviz {
+namespace {
+
+using scan_cell_msgs::WorkPreview;
+
+constexpr double kDegree = M_PI / 180;
+
+QString outputs_of(std::uint32_t outputs) {
+  QStringList numbers;
+  for (int i = 0; i < 32; ++i)
+    if ((outputs >> i & 1U) != 0) numbers << QString::number(i + 1);
+  return numbers.isEmpty() ? QObject::tr("all outputs off")
+                           : QObject::tr("output %1 on").arg(numbers.join(", "));
+}
+
+}  // namespace
+
+std::map<std::string, double> joints_at(const WorkPreview& preview, std::size_t pose) {
+  const std::size_t count = preview.joint_names.size();
+  std::map<std::string, double> joints;
+  if ((pose + 1) * count > preview.joints.size()) return joints;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = preview.joints[pose * count + i];
+    if (!std::isfinite(angle)) return {};
+    joints[preview.joint_names[i]] = angle;
+  }
+  return joints;
+}
+
+QString text_at(const WorkPreview& preview, std::size_t pose) {
+  if (pose >= preview.waypoints.size()) return {};
+  const std::int32_t waypoint =
+      pose < preview.path_waypoints.size() ? preview.path_waypoints[pose] : -1;
+  const auto& at = preview.waypoints[pose];
+  QString text = QObject::tr("%1: %2 mm/s, %3")
+                     .arg(waypoint < 0 ? QObject::tr("on the way to or from the path")
+                                       : QObject::tr("waypoint %1").arg(waypoint))
+                     .arg(at.speed * 1e3, 0, 'g', 4)
+                     .arg(outputs_of(at.outputs));
+  const auto joints = joints_at(preview, pose);
+  if (joints.empty()) return text + QObject::tr("\nThe robot does not get there.");
+  QStringList angles;
+  for (const std::string& name : preview.joint_names)
+    angles << QObject::tr("%1 %2")
+                  .arg(QString::fromStdString(name))
+                  .arg(joints.at(name) / kDegree, 0, 'f', 1);
+  return text + "\n" + angles.join(", ") + QObject::tr(" degrees");
+}
+
+SpeedRange speeds_of(const WorkPreview& preview) {
+  SpeedRange range{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 1; i < preview.waypoints.size(); ++i) {
+    if (i >= preview.path_waypoints.size() || preview.path_waypoints[i] < 0 ||
+        preview.path_waypoints[i - 1] < 0)
+      continue;
+    range.least = std::min(range.least, preview.waypoints[i].speed);
+    range.most = std::max(range.most, preview.waypoints[i].speed);
+  }
+  if (!(range.least <= range.most)) range.least = range.most;
+  return range;
+}
+
+std::array<float, 3> colour_of(double speed, const SpeedRange& range) {
+  constexpr std::array<std::array<float, 3>, 5> kStops = {{{0.27F, 0.00F, 0.33F},
+                                                           {0.23F, 0.32F, 0.55F},
+                                                           {0.13F, 0.57F, 0.55F},
+                                                           {0.37F, 0.79F, 0.38F},
+                                                           {0.99F, 0.91F, 0.14F}}};
+  const double width = range.most - range.least;
+  const double share = width > 0 ? std::clamp((speed - range.least) / width, 0.0, 1.0) : 1;
+  const double place = share * static_cast<double>(kStops.size() - 1);
+  const auto lower = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
+  const auto part = static_cast<float>(place - static_cast<double>(lower));
+  std::array<float, 3> colour{};
+  for (std::size_t i = 0; i < 3; ++i)
+    colour[i] = (1 - part) * kStops[lower][i] + part * kStops[lower + 1][i];
+  return colour;
+}
+
+}  // namespace scan_cell_rviz

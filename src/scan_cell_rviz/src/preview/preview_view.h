@@ -1,0 +1,36 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/WorkPreview.h>
+
+#include <QString>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+/// What a preview of the work shows of one of its poses.
+namespace scan_cell_rviz {
+
+/// [rad] by name; empty: the robot does not get there, or there is no such pose.
+std::map<std::string, double> joints_at(const scan_cell_msgs::WorkPreview& preview,
+                                        std::size_t pose);
+
+/// Such as "waypoint 12, 50 mm/s, output 3; J1 12.3, J2 -45.6 degrees".
+QString text_at(const scan_cell_msgs::WorkPreview& preview, std::size_t pose);
+
+/// [m/s] on the way along the path itself.
+struct SpeedRange {
+  double least = 0;
+  double most = 0;
+};
+
+SpeedRange speeds_of(const scan_cell_msgs::WorkPreview& preview);
+
+/// Red, green, blue, 0 .. 1, of a speed: from dark blue for the least to yellow for the most, in
+/// steps that also grow lighter for eyes that do not tell colours (after viridis, Smith and van der
+/// Walt 2015).
+std::array<float, 3> colour_of(double speed, const SpeedRange& range);
+
+}  // namespace scan_cell_rviz

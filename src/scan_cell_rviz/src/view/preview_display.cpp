@@ -1,0 +1,166 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/preview_display.h"
+
+#include <rviz/display_context.h>
+#include <rviz/properties/float_property.h>
+#include <rviz/properties/int_property.h>
+#include <rviz/properties/ros_topic_property.h>
+#include <rviz/properties/string_property.h>
+#include <rviz/robot/robot_link.h>
+#include <urdf/model.h>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "preview/preview_view.h"
+#include "scan_cell_common/errors/errors.h"
+#include "view/cloud_frame.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+using rviz::StatusProperty;
+using scan_cell_msgs::WorkPreview;
+
+constexpr float kAlpha = 0.5F;  // the robot itself stays in sight; chosen
+
+void place(rviz::Robot& robot, const std::map<std::string, Eigen::Isometry3d>& poses) {
+  for (const auto& [name, link] : robot.getLinks()) {
+    const auto found = poses.find(name);
+    if (found == poses.end()) continue;
+    const Eigen::Quaternionf turn(found->second.linear().cast<float>());
+    const Ogre::Vector3 position = to_ogre(found->second.translation());
+    const Ogre::Quaternion orientation(turn.w(), turn.x(), turn.y(), turn.z());
+    link->setTransforms(position, orientation, position, orientation);
+  }
+}
+
+QString said_of(const WorkPreview& preview) {
+  const SpeedRange range = speeds_of(preview);
+  return QObject::tr("%1 poses%2; %3 (dark) to %4 mm/s (yellow), to the path and away grey")
+      .arg(preview.waypoints.size())
+      .arg(preview.dry_run != 0 ? QObject::tr(" of the dry run") : QString())
+      .arg(range.least * 1e3)
+      .arg(range.most * 1e3);
+}
+
+}  // namespace
+
+PreviewDisplay::PreviewDisplay() {
+  topic_ = new rviz::RosTopicProperty(
+      "Topic", "/scan_cell/work_preview",
+      QString::fromStdString(ros::message_traits::datatype<WorkPreview>()),
+      "what the cell would do with a path", this, SLOT(subscribe()));
+  description_ =
+      new rviz::StringProperty("Robot Description", "robot_description",
+                               "parameter with the robot's URDF", this, SLOT(load_robot()));
+  pose_ = new rviz::IntProperty("Pose", 0, "of the tip, counted from 0, where the ghost stands",
+                                this, SLOT(place_ghost()));
+  pose_->setMin(0);
+  alpha_ = new rviz::FloatProperty("Alpha", kAlpha, "of the ghost: 0 hides it", this,
+                                   SLOT(place_ghost()));
+  alpha_->setMin(0);
+  alpha_->setMax(1);
+}
+
+PreviewDisplay::~PreviewDisplay() {
+  subscriber_.shutdown();
+}
+
+void PreviewDisplay::onInitialize() {
+  drawing_ = std::make_unique<PreviewDrawing>(context_->getSceneManager(), scene_node_);
+  robot_ = std::make_unique<rviz::Robot>(scene_node_, context_, "Ghost", this);
+  robot_->setVisualVisible(true);
+  robot_->setCollisionVisible(false);
+  robot_->setVisible(false);
+}
+
+void PreviewDisplay::onEnable() {
+  load_robot();
+  subscribe();
+}
+
+void PreviewDisplay::onDisable() {
+  subscriber_.shutdown();
+  robot_->setVisible(false);
+}
+
+void PreviewDisplay::subscribe() {
+  if (!isEnabled()) return;
+  subscriber_ = update_nh_.subscribe(topic_->getTopicStd(), 1, &PreviewDisplay::show, this);
+}
+
+void PreviewDisplay::load_robot() {
+  if (!isEnabled()) return;
+  std::string text;
+  urdf::Model urdf;
+  robot_->clear();
+  model_.reset();
+  if (!update_nh_.getParam(description_->getStdString(), text) || !urdf.initString(text))
+    return setStatus(StatusProperty::Warn, "Ghost",
+                     tr("no URDF in %1: none is shown").arg(description_->getString()));
+  try {
+    model_ = std::make_unique<LinkPoses>(text);
+    robot_->load(urdf, true, false);
+  } catch (const scan_cell_common::Error& error) {
+    return setStatus(StatusProperty::Warn, "Ghost", error.what());
+  }
+  place_ghost();
+}
+
+void PreviewDisplay::show(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
+  preview_ = preview;
+  pose_->setMax(std::max(0, static_cast<int>(preview->waypoints.size()) - 1));
+  drawing_->draw(*preview);
+  if (preview->faults.empty())
+    setStatus(StatusProperty::Ok, "Way", said_of(*preview));
+  else
+    setStatus(StatusProperty::Error, "Way", QString::fromStdString(preview->message));
+  place_ghost();
+}
+
+void PreviewDisplay::place_ghost() {
+  links_.clear();
+  if (!robot_ || !isEnabled()) return;
+  const bool wanted = preview_ && model_ && alpha_->getFloat() > 0;
+  const auto joints = wanted ? joints_at(*preview_, static_cast<std::size_t>(pose_->getInt()))
+                             : std::map<std::string, double>();
+  if (!joints.empty()) links_ = model_->at(preview_->header.frame_id, joints);
+  robot_->setVisible(!links_.empty());
+  if (preview_ && model_)
+    setStatus(links_.empty() ? StatusProperty::Warn : StatusProperty::Ok, "Ghost",
+              text_at(*preview_, static_cast<std::size_t>(pose_->getInt())));
+  if (!links_.empty()) {
+    robot_->setAlpha(alpha_->getFloat());
+    place(*robot_, links_);
+  }
+  context_->queueRender();
+}
+
+std::optional<Eigen::Isometry3d> PreviewDisplay::ghost(const std::string& link) const {
+  const auto found = links_.find(link);
+  if (found == links_.end()) return std::nullopt;
+  return found->second;
+}
+
+void PreviewDisplay::update(float, float) {
+  if (!preview_) return setStatus(StatusProperty::Ok, "Way", "none was asked for");
+  const auto frame = frame_in_view(*context_, preview_->header.frame_id);
+  if (!frame)
+    return setStatus(
+        StatusProperty::Error, "Frame",
+        QString::fromStdString("'" + preview_->header.frame_id + "' is not known to rviz"));
+  deleteStatus("Frame");
+  scene_node_->setPosition(frame->position);
+  scene_node_->setOrientation(frame->orientation);
+}
+
+void PreviewDisplay::reset() {
+  rviz::Display::reset();
+  load_robot();
+  if (preview_) show(preview_);
+}
+
+}  // namespace scan_cell_rviz
+
+PLUGINLIB_EXPORT_CLASS(scan_cell_rviz::PreviewDisplay, rviz::Display)

@@ -1,0 +1,65 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/subscriber.h>
+#include <rviz/display.h>
+#include <rviz/robot/robot.h>
+#include <scan_cell_msgs/WorkPreview.h>
+
+#include <memory>
+#include <optional>
+
+#include "preview/link_poses.h"
+#include "view/preview_drawing.h"
+
+namespace rviz {
+class FloatProperty;
+class IntProperty;
+class RosTopicProperty;
+class StringProperty;
+}  // namespace rviz
+
+namespace scan_cell_rviz {
+
+/// What the robot would do with a path, before it moves: the way, and a ghost of the robot at the
+/// pose that "Pose" counts.
+class PreviewDisplay : public rviz::Display {
+  Q_OBJECT
+
+ public:
+  PreviewDisplay();
+  ~PreviewDisplay() override;
+
+  void update(float wall_dt, float ros_dt) override;
+  void reset() override;
+
+  /// Where the ghost's link is in the preview's frame. @return none: it is not shown
+  std::optional<Eigen::Isometry3d> ghost(const std::string& link) const;
+
+ protected:
+  void onInitialize() override;
+  void onEnable() override;
+  void onDisable() override;
+
+ private Q_SLOTS:
+  void subscribe();
+  void place_ghost();
+  void load_robot();
+
+ private:
+  void show(const scan_cell_msgs::WorkPreviewConstPtr& preview);
+
+  rviz::RosTopicProperty* topic_;
+  rviz::StringProperty* description_;
+  rviz::IntProperty* pose_;
+  rviz::FloatProperty* alpha_;
+  ros::Subscriber subscriber_;
+  scan_cell_msgs::WorkPreviewConstPtr preview_;
+  std::unique_ptr<PreviewDrawing> drawing_;
+  std::unique_ptr<rviz::Robot> robot_;
+  std::unique_ptr<LinkPoses> model_;
+  std::map<std::string, Eigen::Isometry3d> links_;  // of the ghost; empty: it is hidden
+};
+
+}  // namespace scan_cell_rviz
