@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "c4g_driver/goal.h"
+#include "c4g_driver/jog.h"
 #include "c4g_driver/limits.h"
 #include "c4g_driver/link_report.h"
 #include "c4g_driver/motion_plan.h"
@@ -72,6 +73,10 @@ class Client {
   /// Moves all axes together to six joints [rad]. @throw as move()
   void move_to_joints(const std::vector<double>& joints, double camera_rate);
 
+  /// Starts to move one way, as far as the robot can within half a metre or a quarter turn: who
+  /// wants it to go less far stops it. @throw as move(), if it cannot move that way at all
+  void jog(const Jog& jog);
+
   /// Follows a path of the tool if the robot can; it is checked first, then loaded, and begun when
   /// the controller has confirmed all of it. The tip stands at the waypoint to begin with.
   /// @param from waypoint to begin with, counted from 0; 0: the whole path
@@ -124,6 +129,9 @@ class Client {
   LinkReport link() const;                      //!< of this moment
 
  private:
+  /// Sends what `choose` takes of the check of motions from where the robot stands.
+  template <class Choose>
+  void begin(bool in_joints, const Choose& choose);
   RobotState current() const;
   RobotState standing() const;
   MotionSettings settings_in_force();

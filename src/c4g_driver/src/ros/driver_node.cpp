@@ -42,6 +42,7 @@ DriverNode::DriverNode(ros::NodeHandle node, ros::NodeHandle private_node,
           private_node, "move", [this](const auto& goal) { move(goal); }, false),
       path_follower_(private_node, client_, listeners_, status_.getTopic(), parameters.base_frame,
                      parameters.feedback_rate),
+      jogger_(private_node, client_, parameters.jog_silence, parameters.max_jog_override),
       diagnostics_(node, private_node) {
   diagnostics_.setHardwareID(parameters.client.address);
   diagnostics_.add("link", [this](auto& status) { diagnosis_.report(client_.link(), status); });

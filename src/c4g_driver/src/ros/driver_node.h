@@ -23,6 +23,7 @@
 #include "c4g_driver/client.h"
 #include "driver_diagnostics.h"
 #include "driver_parameters.h"
+#include "jogger.h"
 #include "path_follower.h"
 #include "scan_cell_common/ros/listeners.h"
 
@@ -87,6 +88,7 @@ class DriverNode {
   Client client_;
   MoveServer server_;
   PathFollower path_follower_;
+  Jogger jogger_;
   diagnostic_updater::Updater diagnostics_;
   ros::Timer status_timer_;
 

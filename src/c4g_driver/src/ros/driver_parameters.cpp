@@ -67,6 +67,10 @@ void describe(ParameterTable& table, DriverParameters& parameters) {
             "the URDF's link where `flange_frame` is measured");
   table.add("feedback_rate", parameters.feedback_rate, {1, 1000, "Hz"}, "of the move action");
   table.add("status_rate", parameters.status_rate, {1, 1000, "Hz"}, "of `~status`");
+  table.add("jog_silence", parameters.jog_silence, {0.05, 1, "s"},
+            "without a `~jog` after which the robot stops");
+  table.add("max_jog_override", parameters.max_jog_override, {0.1, 100, "%"},
+            "of the programmed speed, that a `~jog` may ask for");
 }
 
 DriverParameters DriverParameters::load(const ros::NodeHandle& node) {

@@ -17,6 +17,8 @@ struct DriverParameters {
   std::string flange_link = "flange";  //!< of the URDF; lies where flange_frame is measured
   double feedback_rate = 20;           //!< [Hz] of the move action
   double status_rate = 10;             //!< [Hz]
+  double jog_silence = 0.2;            //!< [s] without a ~jog after which the robot stops
+  double max_jog_override = 10;        //!< [%] of the programmed speed
 
   /// @throw scan_cell_common::InvalidParameter naming the parameter that is missing, bad or unknown
   static DriverParameters load(const ros::NodeHandle& node);

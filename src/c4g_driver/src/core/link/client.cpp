@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "link/link.h"
 #include "link/path_loader.h"
@@ -85,19 +86,42 @@ void Client::move_to_joints(const std::vector<double>& joints, double camera_rat
   move(motion);
 }
 
-void Client::move(const Motion& motion) {
-  check_goal(motion, *options_.robot, options_.limits);
+template <class Choose>
+void Client::begin(bool in_joints, const Choose& choose) {
   const std::lock_guard<std::mutex> settled(settings_mutex_);
   if (goal().underway()) throw Refused("motion", "another is under way", "stop it first");
   MotionSettings settings;
-  if (motion.kind != Motion::Kind::kToJoints) settings = settings_in_force();
+  if (!in_joints) settings = settings_in_force();
   const RobotState from = standing();
   settings.linear_speed = from.linear_speed;
   settings.override = from.override;
-  const MotionEnd end = MotionCheck(*options_.robot, options_.limits, from, settings).run(motion);
+  const auto [motion, end] =
+      choose(MotionCheck(*options_.robot, options_.limits, from, settings), from);
   const Request request = request_of(motion);
   const Link::Start start{target_of(motion), end.max_override};
   link_->request(request, &start);
+}
+
+void Client::move(const Motion& motion) {
+  check_goal(motion, *options_.robot, options_.limits);
+  begin(motion.kind == Motion::Kind::kToJoints, [&](const MotionCheck& check, const RobotState&) {
+    return std::pair(motion, check.run(motion));
+  });
+}
+
+void Client::jog(const Jog& jog) {
+  constexpr double kLeast = 1.0 / 256;  // 2 mm, or a third of a degree; chosen
+  begin(jog.kind == Jog::Kind::kJoint, [&](const MotionCheck& check, const RobotState& from) {
+    for (double share = 1;; share /= 2) {
+      const Motion motion = jog_motion(from, jog, share);
+      try {
+        check_goal(motion, *options_.robot, options_.limits);
+        return std::pair(motion, check.run(motion));
+      } catch (const Refused&) {
+        if (share <= kLeast) throw;
+      }
+    }
+  });
 }
 
 ToolCheck Client::check_path(const ToolMotion& motion, std::size_t from, const RobotState& state) {

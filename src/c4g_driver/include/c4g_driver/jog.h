@@ -1,0 +1,33 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "c4g_driver/motion.h"
+#include "c4g_driver/robot_state.h"
+
+namespace c4g_driver {
+
+/// One way in which a person moves the robot by a button.
+struct Jog {
+  /// What moves.
+  enum class Kind {
+    kJoint,   //!< one joint
+    kBase,    //!< the flange, along or about an axis of the base
+    kFlange,  //!< the flange, along or about an axis of its own
+  };
+  Kind kind = Kind::kJoint;
+  int axis = 0;       //!< 0 .. 5: the joint; or x, y, z, then the turns about them
+  int direction = 1;  //!< 1 or -1
+
+  friend bool operator==(const Jog& a, const Jog& b) {
+    return a.kind == b.kind && a.axis == b.axis && a.direction == b.direction;
+  }
+  friend bool operator!=(const Jog& a, const Jog& b) { return !(a == b); }
+};
+
+/// A motion that goes so far one way.
+/// @param share 0 .. 1 of half a metre, or of a quarter turn
+/// @throw scan_cell_common::Refused if the axis or the direction is none
+Motion jog_motion(const RobotState& from, const Jog& jog, double share);
+
+}  // namespace c4g_driver
