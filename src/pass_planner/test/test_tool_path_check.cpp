@@ -63,11 +63,15 @@ TEST_F(ToolPathCheckTest, PutsThePathBeforeTheRobotWithApproachesAndRetracts) {
   EXPECT_TRUE(tip.linear().col(2).isApprox(-Vector3d::UnitZ(), 1e-12));
   const Isometry3d front = robot_.base_link_in_world * robot_path.motion.waypoints[0].tip;
   EXPECT_TRUE(front.translation().isApprox(Vector3d(0, -0.1, 0.35), 1e-12));
-  EXPECT_EQ(place_on_path(robot_path, 0, 1), "the approach to waypoint 0");
-  EXPECT_EQ(place_on_path(robot_path, 2, 1), "waypoint 1");
-  EXPECT_EQ(place_on_path(robot_path, 24, 0.25), "25 % of the way to waypoint 21");
-  EXPECT_EQ(place_on_path(robot_path, 22, 1), "the retract from waypoint 20");
-  EXPECT_EQ(place_on_path(robot_path, 23, 1), "the approach to waypoint 21");
+  EXPECT_EQ(tool_path_programs::place_on_path(robot_path.waypoint, 0, 1),
+            "the approach to waypoint 0");
+  EXPECT_EQ(tool_path_programs::place_on_path(robot_path.waypoint, 2, 1), "waypoint 1");
+  EXPECT_EQ(tool_path_programs::place_on_path(robot_path.waypoint, 24, 0.25),
+            "25 % of the way to waypoint 21");
+  EXPECT_EQ(tool_path_programs::place_on_path(robot_path.waypoint, 22, 1),
+            "the retract from waypoint 20");
+  EXPECT_EQ(tool_path_programs::place_on_path(robot_path.waypoint, 23, 1),
+            "the approach to waypoint 21");
 }
 
 TEST_F(ToolPathCheckTest, PassesItAndFindsTheWayToItsBegin) {

@@ -33,7 +33,7 @@ sensor_msgs::PointCloud2 lattice() {
 
 FakeRecipes::FakeRecipes()
     : raw_(node_.advertise<sensor_msgs::PointCloud2>("raw", 1, true)),
-      previews_(node_.advertise<scan_cell_msgs::WorkPreview>("/scan_cell/work_preview", 1, true)),
+      previews_(node_.advertise<scan_cell_msgs::WorkPreview>("/scan_cell/work_preview", 10, true)),
       services_({node_.advertiseService("list", &FakeRecipes::list, this),
                  node_.advertiseService("edit", &FakeRecipes::edit, this),
                  node_.advertiseService("runs", &FakeRecipes::runs, this),
@@ -86,7 +86,12 @@ bool FakeRecipes::preview(scan_cell_msgs::PreviewRun::Request& request,
     const std::lock_guard<std::mutex> lock(mutex_);
     preview_ = request;
   }
-  previews_.publish(made_preview());
+  scan_cell_msgs::WorkPreview preview = made_preview();
+  preview.dry_run = request.dry_run;
+  previews_.publish(preview);
+  preview.path = "/runs/of_another_seat/adapted_path.csv";
+  preview.waypoints.resize(3);
+  previews_.publish(preview);
   response.success = 1;
   return true;
 }

@@ -13,6 +13,7 @@ namespace scan_cell_rviz {
 inline scan_cell_msgs::WorkPreview made_preview() {
   scan_cell_msgs::WorkPreview preview;
   preview.header.frame_id = "base_link";
+  preview.path = "/runs/run_1/adapted_path.csv";
   preview.joint_names = {"J1", "J2"};
   preview.path_waypoints = {-1, 0, 1, 2, -1};
   for (int i = 0; i < 5; ++i) {

@@ -37,8 +37,9 @@ TEST(LinkPoses, AreThoseOfTheJointsAlsoBesideTheChain) {
   EXPECT_TRUE(poses.at("floor").isApprox(Isometry3d(Translation3d(0, 0, -0.5)), 1e-12));
 }
 
-TEST(LinkPoses, AreNoneInABaseThatIsNoLink) {
-  EXPECT_TRUE(LinkPoses(kArm).at("world", {}).empty());
+TEST(LinkPoses, RefuseABaseThatIsNoLinkAndAJointThatIsNone) {
+  EXPECT_THROW(LinkPoses(kArm).at("world", {}), scan_cell_common::UnusableInput);
+  EXPECT_THROW(LinkPoses(kArm).at("base", {{"joint_1", 0}}), scan_cell_common::UnusableInput);
 }
 
 TEST(LinkPoses, RefuseWhatIsNoUrdf) {

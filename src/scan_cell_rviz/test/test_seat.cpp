@@ -193,7 +193,8 @@ TEST_F(ASeat, PreviewsTheWorkBeforeAnythingMoves) {
   EXPECT_EQ(chosen.count(), 1) << "the ghost does not come";
   find<QSlider>("pose")->setValue(2);
   EXPECT_EQ(chosen.last().at(0).toInt(), 2);
-  EXPECT_NE(text("at_pose").find("cannot follow"), std::string::npos) << text("at_pose");
+  EXPECT_NE(text("at_pose").find("Dry run. The robot cannot follow"), std::string::npos)
+      << text("at_pose");
   EXPECT_NE(text("at_pose").find("waypoint 1: 30 mm/s"), std::string::npos) << text("at_pose");
   QSignalSpy place(&seat_, &Seat::placeChosen);
   ASSERT_EQ(find<QListWidget>("faults")->count(), 1);

@@ -129,7 +129,8 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   ASSERT_TRUE(shows("decision", "Approved by Ada"));
   take_picture("fit");
   click("preview_dry");
-  ASSERT_TRUE(shows("at_pose", "can follow the whole way")) << text("at_pose") << text("trouble");
+  ASSERT_TRUE(shows("at_pose", "Dry run. The robot can follow the whole way"))
+      << text("at_pose") << text("trouble");
   seat_.findChild<QSlider*>("pose")->setValue(20);
   EXPECT_TRUE(shows("at_pose", "waypoint 19:")) << "after one approach: " << text("at_pose");
   click("work");

@@ -15,14 +15,14 @@ struct Jog {
     kBase,    //!< the flange, along or about an axis of the base
     kFlange,  //!< the flange, along or about an axis of its own
   };
-  Kind kind = Kind::kJoint;
-  int axis = 0;       //!< 0 .. 5: the joint; or x, y, z, then the turns about them
-  int direction = 1;  //!< 1 or -1
+  Kind kind = Kind::kJoint;  //!< what moves
+  int axis = 0;              //!< 0 .. 5: the joint; or x, y, z, then the turns about them
+  int direction = 1;         //!< 1 or -1
 
+  /// Whether it is the same way.
   friend bool operator==(const Jog& a, const Jog& b) {
     return a.kind == b.kind && a.axis == b.axis && a.direction == b.direction;
   }
-  friend bool operator!=(const Jog& a, const Jog& b) { return !(a == b); }
 };
 
 /// A motion that goes so far one way.

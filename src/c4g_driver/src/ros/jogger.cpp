@@ -87,7 +87,7 @@ void Jogger::work() {
   const auto wanted = wish();
   if (under_way_ && !client_.goal().underway()) end(wanted.has_value());
   if (under_way_) {
-    if (!wanted || wanted->jog != *under_way_) stop();
+    if (!wanted || !(wanted->jog == *under_way_)) stop();
     return;
   }
   if (wanted) {

@@ -157,6 +157,8 @@ void fill_in(scan_cell_msgs::CheckFollow::Response& response, const ToolCheck& c
     message.waypoint = static_cast<std::uint32_t>(from + fault.waypoint);
     message.way = fault.way;
     message.tip = scan_cell_common::to_ros_pose(fault.tip);
+    message.about = fault.about;
+    message.reason = fault.value + "; " + fault.cure;
     message.message = fault.what();
     response.faults.push_back(message);
   }

@@ -85,8 +85,11 @@ RecipeServices::RecipeServices(ros::NodeHandle node, const RecipeParameters& par
       edit_(node.advertiseService("edit", &RecipeServices::edit, this)),
       runs_(node.advertiseService("runs", &RecipeServices::runs, this)),
       describe_(node.advertiseService("describe", &RecipeServices::describe, this)),
-      preview_(node.advertiseService("preview", &RecipeServices::preview, this)),
-      approve_(node.advertiseService("approve", &RecipeServices::approve, this)) {}
+      approve_(node.advertiseService("approve", &RecipeServices::approve, this)) {
+  node.setCallbackQueue(&preview_queue_);
+  preview_ = node.advertiseService("preview", &RecipeServices::preview, this);
+  preview_spinner_.start();
+}
 
 fs::path RecipeServices::folder_of(const std::string& run) const {
   check_name(run);
@@ -150,8 +153,8 @@ bool RecipeServices::preview(scan_cell_msgs::PreviewRun::Request& request,
                              scan_cell_msgs::PreviewRun::Response& response) {
   return answer(response, [&] {
     const fs::path folder = folder_of(request.run);
-    constexpr double kTimeout = 5;  // [s] for the cell; chosen
-    preview_work(load_recipe(folder / "inputs"), folder, request.dry_run != 0, kTimeout);
+    preview_work(load_recipe(folder / "inputs"), folder, request.dry_run != 0, parameters_.timeout,
+                 [] { return !ros::ok(); });
   });
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/ApproveRun.h>
 #include <scan_cell_msgs/DescribeRun.h>
@@ -43,7 +44,12 @@ class RecipeServices {
 
   RecipeParameters parameters_;
   RunDisplay display_;
-  ros::ServiceServer list_, edit_, runs_, describe_, preview_, approve_;
+  ros::ServiceServer list_, edit_, runs_, describe_, approve_;
+
+  // It waits for the cell; a cancel of a run must not wait for it.
+  ros::CallbackQueue preview_queue_;
+  ros::ServiceServer preview_;
+  ros::AsyncSpinner preview_spinner_{1, &preview_queue_};
 };
 
 }  // namespace part_recipes

@@ -10,6 +10,7 @@
 #include "c4g_driver/tool_motion_check.h"
 #include "pass_planner/reach.h"
 #include "tool_path_programs/path_to_program.h"
+#include "tool_path_programs/place_on_path.h"
 #include "tool_paths/tool_path.h"
 
 namespace c4g_driver {
@@ -20,11 +21,9 @@ namespace pass_planner {
 
 /// A tool path as the robot follows it: approaches, waypoints and retracts.
 struct PathForRobot {
-  Eigen::Isometry3d frame_in_base_link;  //!< the path's own frame [m]
-  c4g_driver::ToolMotion motion;         //!< in base_link
-  std::vector<std::optional<std::size_t>>
-      waypoint;  //!< of the path, counted over all segments, of
-                 //!< each of the motion; none: approach, retract
+  Eigen::Isometry3d frame_in_base_link;        //!< the path's own frame [m]
+  c4g_driver::ToolMotion motion;               //!< in base_link
+  tool_path_programs::PathWaypoints waypoint;  //!< of each of the motion
 };
 
 /// @param tip_in_flange [m]
@@ -33,10 +32,6 @@ PathForRobot path_for_robot(const tool_paths::ToolPath& path,
                             const tool_path_programs::ExportParameters& parameters,
                             const Eigen::Isometry3d& frame_in_base_link,
                             const Eigen::Isometry3d& tip_in_flange);
-
-/// "waypoint 12", "35 % of the way to waypoint 12", "the approach to waypoint 0"
-/// @param step of the motion
-std::string place_on_path(const PathForRobot& path, std::size_t step, double way);
 
 /// The path with the orientations that the tool has in a check of it, in its own frame.
 /// @param checked tips of the motion, in base_link

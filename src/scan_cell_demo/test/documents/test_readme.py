@@ -42,9 +42,9 @@ class Readme(unittest.TestCase):
                                   ('new', readme_command('rosrun part_recipes recipe new ')),
                                   ('run', readme_command('rosrun part_recipes run ')),
                                   ('history', readme_command('rosrun part_recipes history list ')),
-                                  ('preview', commands('README.md', 'rosrun scan_cell work ')[0]),
-                                  ('dry', commands('README.md', 'rosrun scan_cell work ')[1]),
-                                  ('work', commands('README.md', 'rosrun scan_cell work ')[2])):
+                                  ('preview', readme_command('rosrun scan_cell preview_work ')),
+                                  ('dry', commands('README.md', 'rosrun scan_cell work ')[0]),
+                                  ('work', commands('README.md', 'rosrun scan_cell work ')[1])):
                 cls.codes[name] = cls.user.run(command, name + '.log')
         finally:
             cls.user.end(cell)
@@ -93,7 +93,7 @@ class Readme(unittest.TestCase):
         self.assertIn('accepted', self.user.log('history.log'))
 
     def test_cell_runs_the_path_dry_and_then_really(self):
-        self.assertIn('--dry-run', commands('README.md', 'rosrun scan_cell work ')[1])
+        self.assertIn('--dry-run', commands('README.md', 'rosrun scan_cell work ')[0])
         self.expect_well('preview')
         self.assertIn('0 faults', self.user.log('preview.log'))
         for name in ('dry', 'work'):

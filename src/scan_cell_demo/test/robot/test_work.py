@@ -156,9 +156,9 @@ class Work(unittest.TestCase):
     def preview(self, *options):
         with self.lock:
             self.tips = []
-        run = subprocess.run([word for word in self.command('--preview', *options) if word != '--record'
-                              and word != self.file('record.json')], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                             text=True, timeout=60, check=False)
+        run = subprocess.run(['rosrun', 'scan_cell', 'preview_work', '--path', self.file('path.csv'), '--report',
+                              self.file('report.json'), '--waypoint-z', 'out_of_part'] + list(options),
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, check=False)
         shown = rospy.wait_for_message('/scan_cell/work_preview', WorkPreview, PATIENCE)
         with self.lock:
             tips = list(self.tips)
@@ -185,7 +185,8 @@ class Work(unittest.TestCase):
         self.write_report(count)
         code, log, shown = self.preview()
         self.assertEqual(code, 2, log)
-        self.assertIn('waypoint', shown.message)
+        self.assertTrue(shown.message.startswith('the approach to waypoint 0'), shown.message)
+        self.assertIn('waypoint %d: ' % (count - 1), log)
         self.assertGreater(len(shown.faults), count // 2)
         self.assertIn(shown.message, log)
 

@@ -74,7 +74,8 @@ CellLink::CellLink(const Names& names) : names_(names), spinner_(1, &queue_) {
   raw_ = node_.subscribe<sensor_msgs::PointCloud2>(
       names_.recipes + "/raw", 1, [this](const auto& raw) { Q_EMIT rawCame(raw); });
   preview_ = node_.subscribe<scan_cell_msgs::WorkPreview>(
-      names_.cell + "/work_preview", 1, [this](const auto& preview) { Q_EMIT previewed(preview); });
+      names_.cell + "/work_preview", 10,
+      [this](const auto& preview) { Q_EMIT previewed(preview); });
   feedback_.push_back(node_.subscribe<scan_cell_msgs::ScanActionFeedback>(
       names_.cell + "/scan/feedback", 10, [this](const auto& news) {
         const auto& scan = news->feedback;
@@ -96,6 +97,7 @@ CellLink::CellLink(const Names& names) : names_(names), spinner_(1, &queue_) {
 
 CellLink::~CellLink() {
   spinner_.stop();
+  preview_worker_.reset();
   worker_.reset();  // while there still is somebody whose signals it emits
 }
 
@@ -111,8 +113,8 @@ Busy CellLink::busy() const {
 
 /// Runs a task aside; what it throws becomes failed().
 template <class Task>
-void CellLink::ask(Task task) {
-  worker_->add([this, task] {
+void CellLink::ask(Worker& worker, Task task) {
+  worker.add([this, task] {
     try {
       task();
     } catch (const std::exception& error) {
@@ -135,7 +137,7 @@ void CellLink::list_recipes() {
 }
 
 void CellLink::list_runs() {
-  ask([this] {
+  ask(*worker_, [this] {
     scan_cell_msgs::ListRuns::Request request;
     request.limit = 50;
     Q_EMIT runsListed(
@@ -145,7 +147,7 @@ void CellLink::list_runs() {
 }
 
 void CellLink::describe(const QString& run) {
-  ask([this, run] {
+  ask(*worker_, [this, run] {
     scan_cell_msgs::DescribeRun::Request request;
     request.run = run.toStdString();
     Q_EMIT described(scan_cell::call<scan_cell_msgs::DescribeRun>(names_.recipes + "/describe",
@@ -154,7 +156,7 @@ void CellLink::describe(const QString& run) {
 }
 
 void CellLink::decide(const QString& run, bool approved, const QString& name, const QString& note) {
-  ask([=] {
+  ask(*worker_, [=] {
     scan_cell_msgs::ApproveRun::Request request;
     request.run = run.toStdString();
     request.approved = static_cast<unsigned char>(approved);
@@ -166,7 +168,7 @@ void CellLink::decide(const QString& run, bool approved, const QString& name, co
 }
 
 void CellLink::edit(const QString& recipe, const QString& edits) {
-  ask([=] {
+  ask(*worker_, [=] {
     scan_cell_msgs::EditRecipe::Request request;
     request.recipe = recipe.toStdString();
     request.edits = edits.toStdString();
@@ -176,7 +178,7 @@ void CellLink::edit(const QString& recipe, const QString& edits) {
 }
 
 void CellLink::preview(const QString& run, bool dry) {
-  ask([=] {
+  ask(*preview_worker_, [=] {
     scan_cell_msgs::PreviewRun::Request request;
     request.run = run.toStdString();
     request.dry_run = static_cast<unsigned char>(dry);

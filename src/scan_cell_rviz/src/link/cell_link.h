@@ -111,7 +111,7 @@ class CellLink : public QObject {
   void on_status(const actionlib_msgs::GoalStatusArray& status);
   void on_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics);
   template <class Task>
-  void ask(Task task);
+  void ask(Worker& worker, Task task);
 
   const Names names_;
   ros::CallbackQueue queue_;
@@ -133,6 +133,7 @@ class CellLink : public QObject {
   int looks_ = 0;
   std::atomic<bool> listed_{false};  // the recipes of the node that is there
   std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();
+  std::unique_ptr<Worker> preview_worker_ = std::make_unique<Worker>();  // others need not wait
   ros::AsyncSpinner spinner_;
 };
 

@@ -18,6 +18,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
+#include <vector>
 
 namespace scan_cell_rviz {
 
@@ -59,22 +60,33 @@ bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
   return rviz::Panel::eventFilter(object, event);
 }
 
-/// A display of that name, unless there is one, as of a saved configuration.
-rviz::Display* SeatPanel::display_of(const QString& type, const QString& name) {
-  rviz::DisplayGroup* const displays = vis_manager_->getRootDisplayGroup();
-  for (int i = 0; i < displays->numDisplays(); ++i)
-    if (displays->getDisplayAt(i)->getName() == name) return displays->getDisplayAt(i);
-  return vis_manager_->createDisplay(type, name, true);
+/// The display that is there, as of a saved configuration, or a new one.
+/// @param name where there may be several of the type; empty: any
+rviz::Display* SeatPanel::display_of(const QString& type, const QString& name,
+                                     const QString& title) {
+  std::vector<rviz::DisplayGroup*> groups = {vis_manager_->getRootDisplayGroup()};
+  while (!groups.empty()) {
+    rviz::DisplayGroup* const group = groups.back();
+    groups.pop_back();
+    for (int i = 0; i < group->numDisplays(); ++i) {
+      rviz::Display* const display = group->getDisplayAt(i);
+      if (display->getClassId() == type && (name.isEmpty() || display->getName() == name))
+        return display;
+      if (rviz::DisplayGroup* const inner = group->getGroupAt(i)) groups.push_back(inner);
+    }
+  }
+  return vis_manager_->createDisplay(type, title, true);
 }
 
 void SeatPanel::show_box_display() {
-  rviz::Display* const display = display_of("rviz/InteractiveMarkers", tr("box of the seat"));
+  const QString title = tr("box of the seat");
+  rviz::Display* const display = display_of("rviz/InteractiveMarkers", title, title);
   display->subProp("Update Topic")->setValue(QString::fromStdString(box_->topic() + "/update"));
 }
 
 void SeatPanel::show_pose(int pose) {
   rviz::Display* const display =
-      display_of("scan_cell_rviz/WorkPreview", tr("what the robot would do (page Work)"));
+      display_of("scan_cell_rviz/WorkPreview", {}, tr("what the robot would do"));
   display->setEnabled(true);
   display->subProp("Pose")->setValue(pose);
 }

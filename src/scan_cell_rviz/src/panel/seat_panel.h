@@ -32,7 +32,7 @@ class SeatPanel : public rviz::Panel {
   /// @return whether the window may close
   bool may_close();
   void use_tool(const QString& name);
-  rviz::Display* display_of(const QString& type, const QString& name);
+  rviz::Display* display_of(const QString& type, const QString& name, const QString& title);
   void show_box_display();
   void show_pose(int pose);
   void look_at(double x, double y, double z, const QString& frame);

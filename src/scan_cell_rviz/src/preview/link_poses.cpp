@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "preview/link_poses.h"
 
+#include <algorithm>
 #include <kdl_parser/kdl_parser.hpp>
 
 #include "scan_cell_common/errors/errors.h"
@@ -41,11 +42,22 @@ LinkPoses::LinkPoses(const std::string& urdf) {
 
 std::map<std::string, Eigen::Isometry3d> LinkPoses::at(
     const std::string& base, const std::map<std::string, double>& joints) const {
+  for (const auto& [name, angle] : joints) {
+    const auto& links = tree_.getSegments();
+    const bool known = std::any_of(links.begin(), links.end(), [&name = name](const auto& link) {
+      return GetTreeElementSegment(link.second).getJoint().getName() == name;
+    });
+    if (!known)
+      throw scan_cell_common::UnusableInput("joint " + name, "not in robot_description",
+                                            "give the URDF of the robot that the driver has");
+  }
   Poses found;
   add(found, tree_.getRootSegment(), KDL::Frame::Identity(), joints);
   std::map<std::string, Eigen::Isometry3d> poses;
   const auto origin = found.find(base);
-  if (origin == found.end()) return poses;
+  if (origin == found.end())
+    throw scan_cell_common::UnusableInput("frame " + base, "no link of robot_description",
+                                          "give the URDF of the robot that the driver has");
   const KDL::Frame to_base = origin->second.Inverse();
   for (const auto& [name, pose] : found)
     poses[name] = from_kdl(to_base * pose);

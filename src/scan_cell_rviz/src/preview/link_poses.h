@@ -19,7 +19,8 @@ class LinkPoses {
 
   /// @param base link that the poses are in [m]
   /// @param joints [rad] by name; those not named are at 0
-  /// @return by the link's name; nothing if there is no such base
+  /// @return by the link's name
+  /// @throw scan_cell_common::UnusableInput if the robot has no such base, or no such joint
   std::map<std::string, Eigen::Isometry3d> at(const std::string& base,
                                               const std::map<std::string, double>& joints) const;
 

@@ -17,7 +17,7 @@ namespace scan_cell_rviz {
 std::map<std::string, double> joints_at(const scan_cell_msgs::WorkPreview& preview,
                                         std::size_t pose);
 
-/// Such as "waypoint 12, 50 mm/s, output 3; J1 12.3, J2 -45.6 degrees".
+/// Such as "waypoint 12: 50 mm/s, output 3 on", and under it "J1 12.3, J2 -45.6 degrees".
 QString text_at(const scan_cell_msgs::WorkPreview& preview, std::size_t pose);
 
 /// [m/s] on the way along the path itself.

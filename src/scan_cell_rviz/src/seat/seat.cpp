@@ -76,6 +76,7 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::progressed, this, &Seat::show_progress);
   connect(&link_, &CellLink::failed, this, &Seat::tell);
   connect(&link_, &CellLink::runEnded, this, &Seat::show_end);
+  connect(&link_, &CellLink::failed, work_, &WorkPage::give_up_preview);
   connect(&link_, &CellLink::previewed, work_, &WorkPage::show_preview);
   connect(&link_, &CellLink::decided, &link_, &CellLink::describe);
   connect(&link_, &CellLink::described, this, [this](const auto& run) {

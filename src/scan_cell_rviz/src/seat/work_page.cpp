@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seat/work_page.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QHBoxLayout>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -55,16 +58,16 @@ QLayout* WorkPage::preview_box() {
   preview_dry_->setObjectName("preview_dry");
   preview_dry_->setToolTip(tr("The same of the dry run"));
   pose_->setObjectName("pose");
+  pose_->setAccessibleName(tr("Pose of the preview"));
   pose_->setToolTip(tr("Pose of the tool's tip at which the robot's ghost stands"));
   faults_->setObjectName("faults");
+  faults_->setAccessibleName(tr("What the robot cannot do"));
   faults_->setToolTip(tr("Where the robot cannot follow: the view turns there"));
   auto* const buttons = new QHBoxLayout;
   for (QPushButton* const button : {preview_, preview_dry_}) {
     buttons->addWidget(button);
-    connect(button, &QPushButton::clicked, this, [this, button] {
-      asked_ = true;
-      Q_EMIT previewWanted(QString::fromStdString(run_.id), button == preview_dry_);
-    });
+    connect(button, &QPushButton::clicked, this,
+            [this, button] { ask_for_preview(button == preview_dry_); });
   }
   connect(pose_, &QSlider::valueChanged, this, [this](int pose) {
     show_pose(pose);
@@ -81,16 +84,42 @@ QLayout* WorkPage::preview_box() {
   return box;
 }
 
-void WorkPage::show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
-  shown_ = preview;
-  pose_->setEnabled(!preview->waypoints.empty());
-  pose_->setMaximum(std::max(0, static_cast<int>(preview->waypoints.size()) - 1));
+void WorkPage::ask_for_preview(bool dry) {
+  forget_preview();
+  asked_ = true;
+  update_buttons();
+  Q_EMIT previewWanted(QString::fromStdString(run_.id), dry);
+}
+
+void WorkPage::forget_preview() {
+  shown_.reset();
+  pose_->setEnabled(false);
+  at_pose_->clear();
   faults_->clear();
+  faults_->hide();
+}
+
+void WorkPage::give_up_preview() {
+  asked_ = false;
+  update_buttons();
+}
+
+void WorkPage::show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
+  const QFileInfo file(QString::fromStdString(preview->path));
+  if (run_.id.empty() || file.dir().dirName() != QString::fromStdString(run_.id)) return;
+  forget_preview();
+  shown_ = preview;
+  {
+    const QSignalBlocker nobody_chose_it(pose_);
+    pose_->setMaximum(std::max(0, static_cast<int>(preview->waypoints.size()) - 1));
+  }
+  pose_->setEnabled(!preview->waypoints.empty());
   for (const auto& fault : preview->faults)
     faults_->addItem(QString::fromStdString(fault.message));
   faults_->setVisible(!preview->faults.empty());
   show_pose(pose_->value());
   if (std::exchange(asked_, false)) Q_EMIT poseChosen(pose_->value());
+  update_buttons();
 }
 
 void WorkPage::show_pose(int pose) {
@@ -98,7 +127,8 @@ void WorkPage::show_pose(int pose) {
   const QString can = shown_->faults.empty() ? tr("The robot can follow the whole way.")
                                              : tr("The robot cannot follow it: %n fault(s).",
                                                   nullptr, static_cast<int>(shown_->faults.size()));
-  at_pose_->setText(can + "\n" + text_at(*shown_, static_cast<std::size_t>(pose)));
+  at_pose_->setText((shown_->dry_run != 0 ? tr("Dry run. ") : tr("Work. ")) + can + "\n" +
+                    text_at(*shown_, static_cast<std::size_t>(pose)));
 }
 
 /// The ghost goes to the waypoint, and the view to the very place.
@@ -111,7 +141,10 @@ void WorkPage::show_fault(int row) {
 }
 
 void WorkPage::show_run(const RunSummary& run) {
-  if (run.id != run_.id) end_->clear();
+  if (run.id != run_.id) {
+    end_->clear();
+    forget_preview();
+  }
   run_ = run;
   const QString name = QString::fromStdString(run.recipe + ", " + run.id);
   if (run.id.empty())
@@ -133,7 +166,7 @@ void WorkPage::set_free(bool free) {
 }
 
 void WorkPage::update_buttons() {
-  const bool looked_at = run_.state == RunSummary::ACCEPTED;  // approved or not: it moves nothing
+  const bool looked_at = free_ && !asked_ && run_.state == RunSummary::ACCEPTED && !run_.id.empty();
   preview_->setEnabled(looked_at);
   preview_dry_->setEnabled(looked_at);
   const bool may =

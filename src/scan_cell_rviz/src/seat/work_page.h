@@ -24,7 +24,9 @@ class WorkPage : public QWidget {
   void show_run(const scan_cell_msgs::RunSummary& run);
   void show_end(const QString& message);  ///< how the work ended
   void set_free(bool free);               ///< whether the robot may begin
+  /// Of the run in view; others are not shown.
   void show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview);
+  void give_up_preview();  ///< what was asked for does not come
 
  Q_SIGNALS:
   void workWanted(QString run, bool dry);
@@ -34,6 +36,8 @@ class WorkPage : public QWidget {
 
  private:
   QLayout* preview_box();
+  void ask_for_preview(bool dry);
+  void forget_preview();
   void show_pose(int pose);
   void show_fault(int row);
   void update_buttons();
@@ -49,7 +53,7 @@ class WorkPage : public QWidget {
   QPushButton* dry_;
   QPushButton* work_;
   scan_cell_msgs::WorkPreviewConstPtr shown_;
-  bool asked_ = false;  // for a preview that has not come
+  bool asked_ = false;  // for a preview that has neither come nor failed
   bool free_ = false;
 };
 

@@ -81,36 +81,47 @@ void PreviewDisplay::onEnable() {
 }
 
 void PreviewDisplay::onDisable() {
+  forget();
+}
+
+/// What came by another topic, or before it was hidden, is no longer true.
+void PreviewDisplay::forget() {
   subscriber_.shutdown();
-  robot_->setVisible(false);
+  preview_.reset();
+  drawing_->clear();
+  place_ghost();
 }
 
 void PreviewDisplay::subscribe() {
   if (!isEnabled()) return;
-  subscriber_ = update_nh_.subscribe(topic_->getTopicStd(), 1, &PreviewDisplay::show, this);
+  forget();
+  try {
+    subscriber_ = update_nh_.subscribe(topic_->getTopicStd(), 1, &PreviewDisplay::show, this);
+    deleteStatus("Topic");
+  } catch (const ros::Exception& error) {  // of a name that is none
+    setStatus(StatusProperty::Error, "Topic", error.what());
+  }
 }
 
 void PreviewDisplay::load_robot() {
   if (!isEnabled()) return;
-  std::string text;
-  urdf::Model urdf;
   robot_->clear();
   model_.reset();
-  if (!update_nh_.getParam(description_->getStdString(), text) || !urdf.initString(text))
-    return setStatus(StatusProperty::Warn, "Ghost",
-                     tr("no URDF in %1: none is shown").arg(description_->getString()));
   try {
-    model_ = std::make_unique<LinkPoses>(text);
-    robot_->load(urdf, true, false);
-  } catch (const scan_cell_common::Error& error) {
-    return setStatus(StatusProperty::Warn, "Ghost", error.what());
+    std::string text;
+    urdf::Model urdf;
+    if (update_nh_.getParam(description_->getStdString(), text) && urdf.initString(text)) {
+      model_ = std::make_unique<LinkPoses>(text);
+      robot_->load(urdf, true, false);
+    }
+  } catch (const ros::Exception&) {  // a name that is none
+  } catch (const scan_cell_common::Error&) {
   }
   place_ghost();
 }
 
 void PreviewDisplay::show(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
   preview_ = preview;
-  pose_->setMax(std::max(0, static_cast<int>(preview->waypoints.size()) - 1));
   drawing_->draw(*preview);
   if (preview->faults.empty())
     setStatus(StatusProperty::Ok, "Way", said_of(*preview));
@@ -120,36 +131,52 @@ void PreviewDisplay::show(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
 }
 
 void PreviewDisplay::place_ghost() {
+  if (!robot_) return;
   links_.clear();
-  if (!robot_ || !isEnabled()) return;
-  const bool wanted = preview_ && model_ && alpha_->getFloat() > 0;
-  const auto joints = wanted ? joints_at(*preview_, static_cast<std::size_t>(pose_->getInt()))
-                             : std::map<std::string, double>();
-  if (!joints.empty()) links_ = model_->at(preview_->header.frame_id, joints);
-  robot_->setVisible(!links_.empty());
-  if (preview_ && model_)
-    setStatus(links_.empty() ? StatusProperty::Warn : StatusProperty::Ok, "Ghost",
-              text_at(*preview_, static_cast<std::size_t>(pose_->getInt())));
-  if (!links_.empty()) {
-    robot_->setAlpha(alpha_->getFloat());
-    place(*robot_, links_);
+  if (preview_ && isEnabled()) {
+    const auto at = static_cast<std::size_t>(pose_->getInt());
+    const std::string hidden = place_links(joints_at(*preview_, at));
+    const QString said = hidden.empty() ? text_at(*preview_, at) : QString::fromStdString(hidden);
+    setStatus(links_.empty() ? StatusProperty::Warn : StatusProperty::Ok, "Ghost", said);
   }
+  robot_->setVisible(in_frame_ && !links_.empty() && alpha_->getFloat() > 0);
+  robot_->setAlpha(alpha_->getFloat());
+  place(*robot_, links_);
   context_->queueRender();
 }
 
-std::optional<Eigen::Isometry3d> PreviewDisplay::ghost(const std::string& link) const {
-  const auto found = links_.find(link);
-  if (found == links_.end()) return std::nullopt;
-  return found->second;
+/// @return why there are none; empty: there are
+std::string PreviewDisplay::place_links(const std::map<std::string, double>& joints) {
+  if (!model_) return description_->getStdString() + " is no URDF: no ghost";
+  if (joints.empty()) return "the robot does not get there, or there is no such pose";
+  try {
+    links_ = model_->at(preview_->header.frame_id, joints);
+    return "";
+  } catch (const scan_cell_common::Error& error) {
+    return error.what();
+  }
+}
+
+std::optional<Eigen::Vector3d> PreviewDisplay::ghost(const std::string& link) const {
+  rviz::RobotLink* const shown = robot_->getLink(link);
+  if (shown == nullptr || !robot_->isVisible()) return std::nullopt;
+  const Ogre::Vector3 place = shown->getVisualNode()->_getDerivedPosition();
+  return Eigen::Vector3d(place.x, place.y, place.z);
 }
 
 void PreviewDisplay::update(float, float) {
   if (!preview_) return setStatus(StatusProperty::Ok, "Way", "none was asked for");
   const auto frame = frame_in_view(*context_, preview_->header.frame_id);
-  if (!frame)
+  if (frame.has_value() != in_frame_) {  // elsewhere it would tell untruths
+    in_frame_ = frame.has_value();
+    scene_node_->setVisible(in_frame_);
+    place_ghost();
+  }
+  if (!frame) {
     return setStatus(
         StatusProperty::Error, "Frame",
         QString::fromStdString("'" + preview_->header.frame_id + "' is not known to rviz"));
+  }
   deleteStatus("Frame");
   scene_node_->setPosition(frame->position);
   scene_node_->setOrientation(frame->orientation);
@@ -158,7 +185,7 @@ void PreviewDisplay::update(float, float) {
 void PreviewDisplay::reset() {
   rviz::Display::reset();
   load_robot();
-  if (preview_) show(preview_);
+  subscribe();  // it is latched
 }
 
 }  // namespace scan_cell_rviz

@@ -34,8 +34,8 @@ class PreviewDisplay : public rviz::Display {
   void update(float wall_dt, float ros_dt) override;
   void reset() override;
 
-  /// Where the ghost's link is in the preview's frame. @return none: it is not shown
-  std::optional<Eigen::Isometry3d> ghost(const std::string& link) const;
+  /// Where a link of the ghost is drawn in the view [m]. @return none: it is not shown
+  std::optional<Eigen::Vector3d> ghost(const std::string& link) const;
 
  protected:
   void onInitialize() override;
@@ -49,6 +49,8 @@ class PreviewDisplay : public rviz::Display {
 
  private:
   void show(const scan_cell_msgs::WorkPreviewConstPtr& preview);
+  void forget();
+  std::string place_links(const std::map<std::string, double>& joints);
 
   rviz::RosTopicProperty* topic_;
   rviz::StringProperty* description_;
@@ -60,6 +62,7 @@ class PreviewDisplay : public rviz::Display {
   std::unique_ptr<rviz::Robot> robot_;
   std::unique_ptr<LinkPoses> model_;
   std::map<std::string, Eigen::Isometry3d> links_;  // of the ghost; empty: it is hidden
+  bool in_frame_ = true;                            // the preview's frame is known
 };
 
 }  // namespace scan_cell_rviz

@@ -76,7 +76,7 @@ void PreviewDrawing::draw_way(const WorkPreview& preview) {
 }
 
 void PreviewDrawing::draw_frames(const WorkPreview& preview) {
-  const std::size_t step = std::max<std::size_t>(1, preview.waypoints.size() / kFrames);
+  const std::size_t step = (preview.waypoints.size() + kFrames - 1) / kFrames;
   for (std::size_t i = 0; i < preview.waypoints.size(); i += step) {
     auto frame = std::make_unique<rviz::Axes>(scene_, node_, kFrameLength, kFrameRadius);
     frame->setPosition(place_of(preview.waypoints[i].tip));

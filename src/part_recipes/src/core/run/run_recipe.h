@@ -73,7 +73,9 @@ void work(const Recipe& recipe, const RunRequest& request, const StageBegins& be
 /// Shows on scan_cell's ~work_preview what the robot would do to work the part of a run, be it
 /// possible or not. Nothing moves.
 /// @param timeout [s] to wait for the cell
+/// @param stop whether to end now
 /// @throw scan_cell_common::Refused if the cell cannot look at it
-void preview_work(const Recipe& recipe, const std::filesystem::path& run, bool dry, double timeout);
+void preview_work(const Recipe& recipe, const std::filesystem::path& run, bool dry, double timeout,
+                  const std::function<bool()>& stop);
 
 }  // namespace part_recipes

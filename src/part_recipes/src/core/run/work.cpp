@@ -35,14 +35,14 @@ void work(const Recipe& recipe, const RunRequest& request, const StageBegins& be
   if (ended.worked) std::filesystem::remove(log);
 }
 
-void preview_work(const Recipe& recipe, const std::filesystem::path& run, bool dry,
-                  double timeout) {
+void preview_work(const Recipe& recipe, const std::filesystem::path& run, bool dry, double timeout,
+                  const std::function<bool()>& stop) {
   const std::filesystem::path log = free_name(run.string() + ".preview") + ".log";
   const ToolCall call = preview_call(recipe, run, dry, timeout);
-  const int code = run_tool(call, run.parent_path(), log, {}).exit_code;
+  const int code = run_tool(call, run.parent_path(), log, stop).exit_code;
   const std::string said = last_line(log);
   std::filesystem::remove(log);
-  constexpr int kCannotFollow = 2;  // work --help
+  constexpr int kCannotFollow = 2;  // preview_work --help
   if (code != 0 && code != kCannotFollow)
     throw scan_cell_common::Refused(
         "preview of " + run.filename().string(), said,

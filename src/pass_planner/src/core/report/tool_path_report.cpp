@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 namespace pass_planner {
+
+using tool_path_programs::place_on_path;
 namespace {
 
 using c4g_driver::JointMargin;
@@ -48,7 +50,7 @@ Json slowest_of(const PathForRobot& path, const ToolCheck& check) {
 }  // namespace
 
 std::string fault_text(const PathForRobot& path, const ToolFault& fault) {
-  return place_on_path(path, fault.waypoint, fault.way) +
+  return place_on_path(path.waypoint, fault.waypoint, fault.way) +
          (fault.about.empty() ? "" : ", " + fault.about) + ": " + fault.value + "; " + fault.cure;
 }
 
@@ -76,9 +78,10 @@ std::string summary_of(const PathForRobot& path, const ToolCheck& check,
     text += fault_text(path, fault) + "\n";
   if (!approach.empty()) text += "on the way to the begin: " + approach + "\n";
   if (check.slowest) {
-    text += fmt::format(
-        "slowest place: {:.3g} m/s at {}, where the path has {:.3g} m/s\n", check.slowest->speed,
-        place_on_path(path, check.slowest->waypoint, check.slowest->way), check.slowest->wanted);
+    text += fmt::format("slowest place: {:.3g} m/s at {}, where the path has {:.3g} m/s\n",
+                        check.slowest->speed,
+                        place_on_path(path.waypoint, check.slowest->waypoint, check.slowest->way),
+                        check.slowest->wanted);
   }
   const auto least = std::min_element(
       check.margins.begin(), check.margins.end(),
@@ -86,7 +89,7 @@ std::string summary_of(const PathForRobot& path, const ToolCheck& check,
   if (std::isfinite(least->margin)) {
     text += fmt::format("nearest to an end of its range: J{}, {:.3g} rad from it at {}\n",
                         least - check.margins.begin() + 1, least->margin,
-                        place_on_path(path, least->waypoint, 1));
+                        place_on_path(path.waypoint, least->waypoint, 1));
   }
   return text;
 }

@@ -33,16 +33,6 @@ PathForRobot path_for_robot(const tool_paths::ToolPath& path,
   return result;
 }
 
-std::string place_on_path(const PathForRobot& path, std::size_t step, double way) {
-  if (const auto& waypoint = path.waypoint[step]) {
-    if (way >= 1) return fmt::format("waypoint {}", *waypoint);
-    return fmt::format("{} % of the way to waypoint {}", std::lround(100 * way), *waypoint);
-  }
-  if (step > 0 && path.waypoint[step - 1])
-    return fmt::format("the retract from waypoint {}", *path.waypoint[step - 1]);
-  return fmt::format("the approach to waypoint {}", *path.waypoint[step + 1]);
-}
-
 tool_paths::ToolPath turned_path(tool_paths::ToolPath path, const PathForRobot& asked,
                                  const std::vector<Eigen::Isometry3d>& checked) {
   const Eigen::Matrix3d frame = asked.frame_in_base_link.linear();

@@ -7,6 +7,7 @@
 #include "devices/ros_devices.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "tool_path_programs/place_on_path.h"
 
 namespace scan_cell {
 
@@ -16,6 +17,17 @@ namespace {
 
 constexpr double kCheckOfAWaypoint = 1e-3;  // [s] twice what the check takes
 constexpr std::size_t kJoints = 6;
+
+/// The driver counts the poses that it was given; a person looks for waypoints of the path.
+void name_places(const WorkPlan& plan, scan_cell_msgs::CheckFollow::Response& answer) {
+  tool_path_programs::PathWaypoints waypoints;
+  for (const WorkWaypoint& pose : plan.waypoints)
+    waypoints.push_back(pose.waypoint);
+  for (scan_cell_msgs::FollowFault& fault : answer.faults)
+    fault.message = tool_path_programs::place_on_path(waypoints, fault.waypoint, fault.way) +
+                    (fault.about.empty() ? "" : ", " + fault.about) + ": " + fault.reason;
+  if (!answer.faults.empty()) answer.message = answer.faults.front().message;
+}
 
 }  // namespace
 
@@ -45,10 +57,11 @@ scan_cell_msgs::CheckFollow::Response RosRobot::ask_about(const WorkPlan& plan) 
   request.path = goal_of(plan);
   const double timeout =
       parameters_.call_timeout + kCheckOfAWaypoint * static_cast<double>(plan.waypoints.size());
-  const auto answer = ask<scan_cell_msgs::CheckFollow>(service, request, timeout);
+  auto answer = ask<scan_cell_msgs::CheckFollow>(service, request, timeout);
   if (answer.link_lost)
     throw scan_cell_common::ConnectionError(service, "link lost", answer.message);
   check_answer(service, answer);
+  name_places(plan, answer);
   return answer;
 }
 

@@ -81,13 +81,14 @@ ToolCall export_call(const Recipe& recipe, const RobotProgram& program) {
 
 namespace {
 
-ToolCall call_of_work(const Recipe& recipe, const fs::path& run, const std::string& stage,
-                      double timeout, const std::vector<std::string>& options) {
-  ToolCall call{stage,
+/// @param tool work, or preview_work
+ToolCall call_of_work(const Recipe& recipe, const fs::path& run, bool dry, const std::string& tool,
+                      double timeout) {
+  ToolCall call{dry ? "dry_run" : "work",
                 "scan_cell",
-                {"work", "--path", (run / path_name(recipe)).string(), "--report",
+                {tool, "--path", (run / path_name(recipe)).string(), "--report",
                  (run / "report.json").string(), "--timeout", fmt::format("{}", timeout)}};
-  call.command.insert(call.command.end(), options.begin(), options.end());
+  if (dry) call.command.emplace_back("--dry-run");
   add_options(call, recipe.work);
   return call;
 }
@@ -96,16 +97,13 @@ ToolCall call_of_work(const Recipe& recipe, const fs::path& run, const std::stri
 
 ToolCall work_call(const Recipe& recipe, const fs::path& run, bool dry, const fs::path& record,
                    double timeout) {
-  ToolCall call =
-      call_of_work(recipe, run, dry ? "dry_run" : "work", timeout, {"--record", record.string()});
-  if (dry) call.command.emplace_back("--dry-run");
+  ToolCall call = call_of_work(recipe, run, dry, "work", timeout);
+  call.command.insert(call.command.end(), {"--record", record.string()});
   return call;
 }
 
 ToolCall preview_call(const Recipe& recipe, const fs::path& run, bool dry, double timeout) {
-  ToolCall call = call_of_work(recipe, run, "preview", timeout, {"--preview"});
-  if (dry) call.command.emplace_back("--dry-run");
-  return call;
+  return call_of_work(recipe, run, dry, "preview_work", timeout);
 }
 
 }  // namespace part_recipes

@@ -1,0 +1,22 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tool_path_programs {
+
+/// Which waypoint of the path each pose of the tool is, counted over all segments; none: approach,
+/// retract.
+using PathWaypoints = std::vector<std::optional<std::size_t>>;
+
+/// Where on the path a person looks for a pose of the tool: "waypoint 12", "35 % of the way to
+/// waypoint 12", "the approach to waypoint 0", "the retract from waypoint 20".
+/// @param pose of them
+/// @param way 0 .. 1 of the way from the pose before; 1: at the pose
+std::string place_on_path(const PathWaypoints& waypoints, std::size_t pose, double way);
+
+}  // namespace tool_path_programs
