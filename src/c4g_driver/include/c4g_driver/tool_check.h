@@ -82,6 +82,9 @@ struct ToolCheck {
   std::array<JointMargin, 6> margins;   //!< of each joint, along the whole path
   bool stands_there = false;            //!< the robot stands at the first waypoint, in its posture
 
+  std::string as_it_stands;  //!< why the posture in which it stands there cannot follow, where
+                             //!< another one can; else empty
+
   bool possible() const { return faults.empty(); }  //!< whether the robot can follow the path
   std::string refusal() const;                      //!< the first fault, for a person; or empty
 };

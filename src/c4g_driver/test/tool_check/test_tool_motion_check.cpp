@@ -109,6 +109,7 @@ TEST_F(ToolCheckTest, BeginsFullTurnsAwayWhereTheRangeAsksForIt) {
   const ToolCheck unwound = check();
   EXPECT_TRUE(unwound.possible()) << unwound.refusal();
   EXPECT_FALSE(unwound.stands_there);
+  expect_within(unwound.as_it_stands, "J6: ");
   EXPECT_NEAR(unwound.joints.front()[5], from_.joints[5] - 2 * M_PI, 1e-6);
 }
 

@@ -160,7 +160,9 @@ void Client::follow(const ToolMotion& motion, std::size_t from,
   }
   if (!check.stands_there) {
     throw Refused("path",
-                  fmt::format("the robot is not at waypoint {}, in a posture for the path", from),
+                  check.as_it_stands.empty()
+                      ? fmt::format("the robot is not at waypoint {}", from)
+                      : "not from the posture in which the robot stands: " + check.as_it_stands,
                   "move it there first, to the joints that check_follow gives");
   }
   FollowPath request = load_path(*link_, motion, ++paths_, from, go_on);

@@ -95,7 +95,9 @@ ToolCheck check_as_given(const ToolCheckSubject& subject, const RobotState& from
   std::optional<ToolCheck> best;
   for (const Joints& posture : postures) {
     keep(best, follow(subject, posture, false));
-    if (best->possible()) return std::move(*best);
+    if (!best->possible()) continue;
+    if (standing) best->as_it_stands = standing->refusal();
+    return std::move(*best);
   }
   return std::move(standing ? *standing : *best);
 }

@@ -8,6 +8,7 @@
 #include <boost/process.hpp>
 #include <chrono>
 #include <csignal>
+#include <thread>
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
@@ -21,10 +22,13 @@ using scan_cell_common::FileError;
 
 namespace {
 
+/// Not by wait_for(), which misses the end of a child where SIGCHLD comes between two calls or to
+/// another thread (Boost 1.74).
 void wait(process::child& child, const Stop& stop) {
   constexpr std::chrono::milliseconds kPeriod(20);  // a person notices 100 ms
   bool told = false;
-  while (!child.wait_for(kPeriod)) {
+  while (child.running()) {
+    std::this_thread::sleep_for(kPeriod);
     if (told || !stop || !stop()) continue;
     kill(child.id(), SIGINT);
     told = true;
