@@ -57,12 +57,15 @@ QString text_at(const WorkPreview& preview, std::size_t pose) {
   return text + "\n" + angles.join(", ") + QObject::tr(" degrees");
 }
 
+bool is_along_path(const WorkPreview& preview, std::size_t pose) {
+  const auto& waypoints = preview.path_waypoints;
+  return pose > 0 && pose < waypoints.size() && waypoints[pose] >= 0 && waypoints[pose - 1] >= 0;
+}
+
 SpeedRange speeds_of(const WorkPreview& preview) {
   SpeedRange range{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 1; i < preview.waypoints.size(); ++i) {
-    if (i >= preview.path_waypoints.size() || preview.path_waypoints[i] < 0 ||
-        preview.path_waypoints[i - 1] < 0)
-      continue;
+    if (!is_along_path(preview, i)) continue;
     range.least = std::min(range.least, preview.waypoints[i].speed);
     range.most = std::max(range.most, preview.waypoints[i].speed);
   }

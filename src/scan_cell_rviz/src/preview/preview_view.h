@@ -20,6 +20,9 @@ std::map<std::string, double> joints_at(const scan_cell_msgs::WorkPreview& previ
 /// Such as "waypoint 12: 50 mm/s, output 3 on", and under it "J1 12.3, J2 -45.6 degrees".
 QString text_at(const scan_cell_msgs::WorkPreview& preview, std::size_t pose);
 
+/// Whether the way to a pose is along the path itself: not to it, or away from it.
+bool is_along_path(const scan_cell_msgs::WorkPreview& preview, std::size_t pose);
+
 /// [m/s] on the way along the path itself.
 struct SpeedRange {
   double least = 0;

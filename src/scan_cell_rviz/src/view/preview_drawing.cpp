@@ -58,15 +58,12 @@ void PreviewDrawing::draw(const WorkPreview& preview) {
 void PreviewDrawing::draw_way(const WorkPreview& preview) {
   if (preview.waypoints.size() < 2) return;
   const SpeedRange range = speeds_of(preview);
-  const auto on_path = [&](std::size_t i) {
-    return i < preview.path_waypoints.size() && preview.path_waypoints[i] >= 0;
-  };
   way_ = std::make_unique<rviz::BillboardLine>(scene_, node_);
   way_->setMaxPointsPerLine(static_cast<std::uint32_t>(2 * preview.waypoints.size()));
   way_->setLineWidth(kWidth);
   for (std::size_t i = 1; i < preview.waypoints.size(); ++i) {
     Ogre::ColourValue colour = kAway;
-    if (on_path(i) && on_path(i - 1)) {
+    if (is_along_path(preview, i)) {
       const auto rgb = colour_of(preview.waypoints[i].speed, range);
       colour = Ogre::ColourValue(rgb[0], rgb[1], rgb[2]);
     }

@@ -3,6 +3,7 @@
 #include <ros/this_node.h>
 #include <scan_cell_msgs/SetOverride.h>
 
+#include "devices/driver_call.h"
 #include "devices/motion_of.h"
 #include "devices/ros_devices.h"
 #include "scan_cell/ros/service_call.h"
@@ -57,10 +58,7 @@ scan_cell_msgs::CheckFollow::Response RosRobot::ask_about(const WorkPlan& plan) 
   request.path = goal_of(plan);
   const double timeout =
       parameters_.call_timeout + kCheckOfAWaypoint * static_cast<double>(plan.waypoints.size());
-  auto answer = ask<scan_cell_msgs::CheckFollow>(service, request, timeout);
-  if (answer.link_lost)
-    throw scan_cell_common::ConnectionError(service, "link lost", answer.message);
-  check_answer(service, answer);
+  auto answer = call_driver<scan_cell_msgs::CheckFollow>(service, request, timeout);
   name_places(plan, answer);
   return answer;
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "devices/driver_call.h"
 #include "devices/motion_of.h"
 #include "devices/ros_devices.h"
 #include "scan_cell/ros/service_call.h"
@@ -22,18 +23,6 @@ using scan_cell_msgs::MoveGoal;
 namespace {
 
 constexpr double kCheckOfAMotion = 0.05;  // [s] many times what the check of a motion takes; chosen
-
-/// @throw ConnectionError where the driver lost the controller, Refused where one of them refuses
-template <class Service>
-typename Service::Response call_driver(const std::string& name,
-                                       const typename Service::Request& request, double timeout) {
-  const typename Service::Response response = ask<Service>(name, request, timeout);
-  if (response.link_lost) {
-    throw scan_cell_common::ConnectionError(name, "link lost", response.message);
-  }
-  check_answer(name, response);
-  return response;
-}
 
 }  // namespace
 
