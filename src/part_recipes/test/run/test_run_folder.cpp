@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <random>
+#include <stdexcept>
 
 #include "made_up_part.h"
 #include "run/run_folder.h"
@@ -107,32 +108,50 @@ TEST(ARunFolder, InAReadOnlyFolderIsRefusedByItsName) {
   EXPECT_TRUE(fs::is_empty(temporary.path()));
 }
 
+/// Makes a run in another process and kills that at `instant` after it has begun.
+/// @return whether the run was made before
+bool make_and_kill(const fs::path& runs, std::chrono::microseconds instant) {
+  int ends[2] = {};
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    if (write(ends[1], "b", 1) != 1) _exit(1);
+    make_run(runs);
+    _exit(0);
+  }
+  char begun = 0;
+  EXPECT_EQ(read(ends[0], &begun, 1), 1);
+  usleep(static_cast<useconds_t>(instant.count()));  // the instant is what is tried
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  close(ends[0]);
+  close(ends[1]);
+  EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0) << status;
+  return WIFEXITED(status);
+}
+
 TEST(ARun, ThatIsKilledAtAnyInstantIsWholeOrNotThere) {
   const TemporaryFolder temporary;
-  const auto start = std::chrono::steady_clock::now();
-  make_run(temporary.path() / "whole");
-  const auto needed = std::chrono::duration_cast<std::chrono::microseconds>(
-      std::chrono::steady_clock::now() - start);
+  const fs::path runs = temporary.path() / "struck";
   std::mt19937 draw(1);
-  std::uniform_int_distribution<int> microseconds(0, static_cast<int>(2 * needed.count()));
-  int whole = 0;
+  std::uniform_real_distribution<double> part(0, 1);
+  double longest = 1000;  // [us] follows what a run takes on this machine at this moment
+  constexpr double kStep = 1.1;
   constexpr int kTimes = 200;
+  std::size_t ended = 0;
   for (int i = 0; i < kTimes; ++i) {
-    const pid_t child = fork();
-    if (child == 0) {
-      make_run(temporary.path() / "struck");
-      _exit(0);
-    }
-    usleep(static_cast<useconds_t>(microseconds(draw)));  // the instant is what is drawn
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
+    const std::chrono::microseconds instant(static_cast<int>(part(draw) * longest));
+    const bool was_made = make_and_kill(runs, instant);
+    ended += was_made ? 1 : 0;
+    longest = was_made ? longest / kStep : longest * kStep;
   }
-  for (const fs::path& run : runs_in(temporary.path() / "struck")) {
+  const auto made = runs_in(runs);
+  for (const fs::path& run : made)
     EXPECT_NO_THROW(check_files(run, load_run(run))) << run;
-    ++whole;
-  }
-  EXPECT_GT(whole, 0);
-  EXPECT_LT(whole, kTimes) << "none was struck";
+  EXPECT_GE(made.size(), ended) << "a run that ended is there";
+  EXPECT_GT(ended, 0u);
+  EXPECT_LT(made.size(), std::size_t{kTimes}) << "none was struck";
 }
 
 TEST(ARun, ThatTheDiskDoesNotTakeIsToldAndNotThere) {
