@@ -76,9 +76,10 @@ class ASeat : public testing::Test {
   }
 
   std::unique_ptr<FakeRecipes> recipes_;
-  CellLink link_{CellLink::Names()};
+  CellLink link_{NodeNames()};
+  TeachLink teach_{NodeNames()};
   EditSession edits_;
-  Seat seat_{link_, edits_};
+  Seat seat_{link_, teach_, edits_};
 };
 
 TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
@@ -90,6 +91,7 @@ TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
   EXPECT_EQ(recipes_->last_goal().note, "serial 7");
   EXPECT_TRUE(comes([this] { return text("doing") == "scan"; }));
   EXPECT_FALSE(button("run")->isEnabled()) << "one scan at a time";
+  EXPECT_FALSE(button("jog_plus_1")->isEnabled()) << "the scan moves the robot";
   recipes_->finish(RunSummary::ACCEPTED);
   ASSERT_TRUE(comes([this] { return text("verdict").find("Accepted") != std::string::npos; }));
   EXPECT_EQ(find<QTabWidget>("pages")->currentIndex(), 2);
@@ -97,6 +99,7 @@ TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
   ASSERT_EQ(figures->rowCount(), 2);
   EXPECT_EQ(figures->item(1, 1)->text(), "0.0213 mm");
   EXPECT_TRUE(comes([this] { return button("run")->isEnabled(); }));
+  EXPECT_TRUE(button("jog_plus_1")->isEnabled());
 }
 
 TEST_F(ASeat, CleansTheScanInViewByHandAndSavesItIntoTheRecipe) {
@@ -224,9 +227,10 @@ TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
 
 TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
   scan();
-  CellLink other((CellLink::Names()));
+  CellLink other((NodeNames()));
+  TeachLink its_teach((NodeNames()));
   EditSession its_edits;
-  Seat watching(other, its_edits);
+  Seat watching(other, its_teach, its_edits);
   other.start();
   auto* const doing = watching.findChild<QLabel*>("doing");
   ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));
@@ -348,16 +352,18 @@ TEST(ASeatPanel, AsksBeforeItClosesAmidAScanAndStopsItIfTold) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return recipes.was_cancelled(); }, kPatience));
 }
 
-TEST(ASeatPanel, KeepsTheNameOfThePersonWithTheSettingsOfRviz) {
+TEST(ASeatPanel, KeepsThePersonAndTheFileOfPosesWithTheSettingsOfRviz) {
   SeatPanel panel;
   panel.onInitialize();
   panel.findChild<QLineEdit*>("person")->setText("Jörg");
+  panel.findChild<QLineEdit*>("pose_file")->setText("/tmp/tip.csv");
   rviz::Config config;
   panel.save(config);
   SeatPanel other;
   other.load(config);
   other.onInitialize();
   EXPECT_EQ(other.findChild<QLineEdit*>("person")->text(), "Jörg");
+  EXPECT_EQ(other.findChild<QLineEdit*>("pose_file")->text(), "/tmp/tip.csv");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QTest>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -40,8 +41,9 @@ void make_recipe(const std::string& folder) {
 
 class AShift : public testing::Test {
  protected:
-  AShift() : link_(CellLink::Names()), seat_(link_, edits_) {
+  AShift() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_) {
     link_.start();
+    teach_.start();
     seat_.show();
   }
 
@@ -67,6 +69,33 @@ class AShift : public testing::Test {
     QTest::mouseClick(button, Qt::LeftButton);
   }
 
+  /// [degrees]; what is read ends at the degree sign.
+  double second_joint() const { return std::stod(text("joint_2")); }
+
+  /// Moves the robot by a button and back, and keeps a pose between.
+  void teach_a_pose(const fs::path& file) {
+    auto* const pages = seat_.findChild<QTabWidget*>("pages");
+    pages->setCurrentIndex(pages->count() - 1);
+    seat_.set_pose_file(QString::fromStdString(file.string()));
+    ASSERT_TRUE(comes([this] { return teach_.has_driver() && !text("joint_2").empty(); }));
+    const double before = second_joint();
+    for (const char* name : {"jog_plus_2", "jog_minus_2"}) {
+      auto* const button = seat_.findChild<QPushButton*>(name);
+      const double from = second_joint();
+      QTest::mousePress(button, Qt::LeftButton);
+      EXPECT_TRUE(comes([&] { return std::abs(second_joint() - from) > 1; }))
+          << name << ": " << text("jog_said");
+      QTest::mouseRelease(button, Qt::LeftButton);
+      EXPECT_TRUE(comes([this] { return text("jog_said").empty(); })) << text("jog_said");
+      if (button->objectName() == "jog_plus_2") {
+        click("take_pose");
+        EXPECT_TRUE(shows("pose_taken", "Pose 1 of")) << text("pose_taken");
+        take_picture("teach");
+      }
+    }
+    EXPECT_NEAR(second_joint(), before, 2);
+  }
+
   /// For the docs: into the folder SEAT_PICTURES, if that is set.
   void take_picture(const std::string& name) {
     const char* const folder = std::getenv("SEAT_PICTURES");
@@ -77,6 +106,7 @@ class AShift : public testing::Test {
   }
 
   CellLink link_;
+  TeachLink teach_;
   EditSession edits_;
   Seat seat_;
 };
@@ -98,6 +128,8 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   EXPECT_FALSE(recipes->item(0)->icon().isNull()) << "a person knows the part by its picture";
 
   take_picture("part");
+
+  teach_a_pose(folder / "poses.csv");
 
   click("run");
   EXPECT_TRUE(shows("sign_laser", "ON:")) << "a laser is on and nobody is told";

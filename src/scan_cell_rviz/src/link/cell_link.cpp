@@ -56,7 +56,7 @@ bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
 
 }  // namespace
 
-CellLink::CellLink(const Names& names) : names_(names), spinner_(1, &queue_) {
+CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_) {
   register_types();
   node_.setCallbackQueue(&queue_);
   client_ = std::make_unique<Client>(node_, names_.recipes + "/run");

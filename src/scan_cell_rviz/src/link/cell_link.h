@@ -26,6 +26,7 @@
 #include <mutex>
 #include <vector>
 
+#include "link/node_names.h"
 #include "link/sign.h"
 #include "link/worker.h"
 #include "scan_cell_common/ros/goal_client.h"
@@ -42,16 +43,7 @@ class CellLink : public QObject {
   Q_OBJECT
 
  public:
-  struct Names {
-    std::string recipes = "/part_recipes";      //!< node
-    std::string robot = "/c4g_driver";          //!< node
-    std::string trigger = "/laser_trigger";     //!< node
-    std::string camera = "/camera";             //!< node
-    std::string cell = "/scan_cell";            //!< node
-    std::string frames = "/calibrated_frames";  //!< node whose parameters name the calibration
-  };
-
-  explicit CellLink(const Names& names);
+  explicit CellLink(const NodeNames& names);
   ~CellLink() override;
 
   /// From here on signals come: connect them before.
@@ -113,7 +105,7 @@ class CellLink : public QObject {
   template <class Task>
   void ask(Worker& worker, Task task);
 
-  const Names names_;
+  const NodeNames names_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   std::unique_ptr<Client> client_;

@@ -28,11 +28,13 @@ SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
 }
 
 void SeatPanel::onInitialize() {
-  link_ = std::make_unique<CellLink>(CellLink::Names());
-  seat_ = new Seat(*link_, shared_edit_session(), this);
-  seat_->set_person(person_);
+  link_ = std::make_unique<CellLink>(NodeNames());
+  teach_ = std::make_unique<TeachLink>(NodeNames());
+  seat_ = new Seat(*link_, *teach_, shared_edit_session(), this);
+  apply_config();
   layout()->addWidget(seat_);
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
+  connect(seat_, &Seat::poseFileChanged, this, &SeatPanel::configChanged);
   connect(seat_, &Seat::placeChosen, this, &SeatPanel::look_at);
   connect(seat_, &Seat::toolWanted, this, &SeatPanel::use_tool);
   connect(seat_, &Seat::poseChosen, this, &SeatPanel::show_pose);
@@ -40,16 +42,26 @@ void SeatPanel::onInitialize() {
   connect(seat_, &Seat::boxWanted, box_.get(), &BoxHandles::apply);
   window()->installEventFilter(this);
   link_->start();
+  teach_->start();
 }
 
 void SeatPanel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
-  if (config.mapGetString("Person", &person_) && seat_ != nullptr) seat_->set_person(person_);
+  config.mapGetString("Person", &person_);
+  config.mapGetString("Pose File", &pose_file_);
+  if (seat_ != nullptr) apply_config();
 }
 
 void SeatPanel::save(rviz::Config config) const {
   rviz::Panel::save(config);
-  if (seat_ != nullptr) config.mapSetValue("Person", seat_->person());
+  if (seat_ == nullptr) return;
+  config.mapSetValue("Person", seat_->person());
+  config.mapSetValue("Pose File", seat_->pose_file());
+}
+
+void SeatPanel::apply_config() {
+  seat_->set_person(person_);
+  if (!pose_file_.isEmpty()) seat_->set_pose_file(pose_file_);
 }
 
 bool SeatPanel::eventFilter(QObject* object, QEvent* event) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "link/cell_link.h"
+#include "link/teach_link.h"
 #include "seat/seat.h"
 #include "view/box_handles.h"
 
@@ -31,6 +32,7 @@ class SeatPanel : public rviz::Panel {
  private:
   /// @return whether the window may close
   bool may_close();
+  void apply_config();
   void use_tool(const QString& name);
   rviz::Display* display_of(const QString& type, const QString& name, const QString& title);
   void show_box_display();
@@ -38,9 +40,11 @@ class SeatPanel : public rviz::Panel {
   void look_at(double x, double y, double z, const QString& frame);
 
   std::unique_ptr<CellLink> link_;
+  std::unique_ptr<TeachLink> teach_;
   std::unique_ptr<BoxHandles> box_;
   Seat* seat_ = nullptr;
   QString person_;
+  QString pose_file_;
 };
 
 }  // namespace scan_cell_rviz

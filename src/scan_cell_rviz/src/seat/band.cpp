@@ -4,7 +4,7 @@
 
 #include <QGridLayout>
 
-#include "seat/text_label.h"
+#include "seat/widgets.h"
 
 namespace scan_cell_rviz {
 namespace {

@@ -7,18 +7,12 @@
 #include <QVBoxLayout>
 
 #include "scan_cell_common/pose/units.h"
-#include "seat/text_label.h"
+#include "seat/widgets.h"
 
 namespace scan_cell_rviz {
 namespace {
 
 using scan_cell_common::kMillimetres;
-
-QPushButton* named_button(const char* name, const QString& text, QWidget* parent) {
-  auto* const button = new QPushButton(text, parent);
-  button->setObjectName(name);
-  return button;
-}
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "scan_cell_common/pose/units.h"
-#include "seat/text_label.h"
+#include "seat/widgets.h"
 
 namespace scan_cell_rviz {
 namespace {

@@ -6,7 +6,7 @@
 #include <QIcon>
 #include <QVBoxLayout>
 
-#include "seat/text_label.h"
+#include "seat/widgets.h"
 
 namespace scan_cell_rviz {
 namespace {

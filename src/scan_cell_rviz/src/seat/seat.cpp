@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "scan_cell_common/ros/cloud_messages.h"
-#include "seat/text_label.h"
+#include "seat/widgets.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -24,7 +24,7 @@ QString id_of(const RunRecipeResult& result) {
 
 }  // namespace
 
-Seat::Seat(CellLink& link, EditSession& edits, QWidget* parent)
+Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, QWidget* parent)
     : QWidget(parent),
       link_(link),
       edits_(edits),
@@ -35,6 +35,7 @@ Seat::Seat(CellLink& link, EditSession& edits, QWidget* parent)
       fit_(new FitPage(this)),
       work_(new WorkPage(this)),
       history_(new HistoryPage(this)),
+      teach_(new TeachPage(teach, this)),
       doing_(text_label("doing", this)),
       progress_(new QProgressBar(this)),
       stop_(new QPushButton(tr("S&top"), this)),
@@ -45,6 +46,7 @@ Seat::Seat(CellLink& link, EditSession& edits, QWidget* parent)
   pages_->addTab(fit_, tr("&3 Fit"));
   pages_->addTab(work_, tr("&4 Work"));
   pages_->addTab(history_, tr("&5 History"));
+  pages_->addTab(teach_, tr("&6 Teach"));
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
@@ -111,6 +113,7 @@ void Seat::connect_pages() {
   });
   connect(work_, &WorkPage::poseChosen, this, &Seat::poseChosen);
   connect(work_, &WorkPage::placeChosen, this, &Seat::placeChosen);
+  connect(teach_, &TeachPage::fileChanged, this, &Seat::poseFileChanged);
   connect(history_, &HistoryPage::refreshWanted, &link_, &CellLink::list_runs);
   connect(history_, &HistoryPage::runChosen, this, [this](const QString& run) {
     pages_->setCurrentWidget(fit_);
@@ -145,6 +148,7 @@ void Seat::connect_clean() {
 void Seat::show_busy(Busy busy) {
   part_->set_free(busy == Busy::kFree);
   work_->set_free(busy == Busy::kFree);
+  teach_->set_free(busy == Busy::kFree);
   stop_->setEnabled(busy != Busy::kFree);  // whoever sits nearest may stop the robot
   if (busy == Busy::kFree) show_progress(tr("Nothing is under way."), 0);
   if (busy == Busy::kOthers) show_progress(tr("Another seat or program has the cell."), -1);

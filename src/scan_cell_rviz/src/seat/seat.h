@@ -15,6 +15,7 @@
 #include "seat/fit_page.h"
 #include "seat/history_page.h"
 #include "seat/part_page.h"
+#include "seat/teach_page.h"
 #include "seat/work_page.h"
 
 namespace scan_cell_rviz {
@@ -25,15 +26,18 @@ class Seat : public QWidget {
 
  public:
   /// @param edits of the scan in view
-  Seat(CellLink& link, EditSession& edits, QWidget* parent = nullptr);
+  Seat(CellLink& link, TeachLink& teach, EditSession& edits, QWidget* parent = nullptr);
 
   /// A scan or work of this seat is under way.
   bool is_busy() const { return link_.busy() == Busy::kOurs; }
   QString person() const { return fit_->person(); }
   void set_person(const QString& name) { fit_->set_person(name); }
+  QString pose_file() const { return teach_->file(); }
+  void set_pose_file(const QString& file) { teach_->set_file(file); }
 
  Q_SIGNALS:
   void personChanged();
+  void poseFileChanged();
   void placeChosen(double x, double y, double z, QString frame);  ///< [m]
   void toolWanted(QString name);                                  ///< as CleanPage
   void boxWanted();                                               ///< likewise
@@ -57,6 +61,7 @@ class Seat : public QWidget {
   FitPage* fit_;
   WorkPage* work_;
   HistoryPage* history_;
+  TeachPage* teach_;
   QLabel* doing_;
   QProgressBar* progress_;
   QPushButton* stop_;

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "preview/preview_view.h"
-#include "seat/text_label.h"
+#include "seat/widgets.h"
 
 namespace scan_cell_rviz {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QPushButton>
 
 namespace scan_cell_rviz {
 
@@ -13,6 +14,12 @@ inline QLabel* text_label(const char* name, QWidget* parent) {
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   return label;
+}
+
+inline QPushButton* named_button(const char* name, const QString& text, QWidget* parent) {
+  auto* const button = new QPushButton(text, parent);
+  button->setObjectName(name);
+  return button;
 }
 
 }  // namespace scan_cell_rviz
