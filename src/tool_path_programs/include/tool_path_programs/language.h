@@ -41,11 +41,34 @@ struct PoseText {
   std::size_t offset = 0;  //!< of the first byte of what holds them, in the file
 };
 
+/// A piece of a file.
+struct ByteRange {
+  std::size_t begin = 0;  //!< of its first byte
+  std::size_t end = 0;    //!< behind its last one
+};
+
+/// The statement of an arc, in pieces, where they are needed to say the arc as lines.
+struct ArcText {
+  ByteRange statement;  //!< without what follows it, such as a comment
+  ByteRange word;       //!< that says that it is an arc; empty: a setting does
+  ByteRange via;        //!< with the comma or word that belongs to it
+  ByteRange target;     //!< where it leads to
+  ByteRange zone;       //!< of languages whose moves each say one
+};
+
 /// Where a step of a program comes from.
 struct StepText {
   Place place;                      //!< of the statement
   std::optional<std::size_t> pose;  //!< of a move: which of ProgramText::poses
   std::optional<std::size_t> via;   //!< of a circular move: as pose
+  /// Of a circular move that can be said as lines.
+  std::optional<ArcText> arc = std::nullopt;
+};
+
+/// An arc that is to be said as lines.
+struct ArcLines {
+  std::size_t step = 0;                  //!< of the program: a circular move
+  std::vector<Eigen::Isometry3d> poses;  //!< [m] in the move's user frame: those before its end
 };
 
 /// A program that was read: what it does, and where that stands. Two moves may refer to one pose.
@@ -91,6 +114,21 @@ class Language {
   /// @throw scan_cell_common::UnusableInput if the language cannot say one of them where it stands
   virtual std::vector<TextEdit> edits(const ProgramText& text,
                                       const std::vector<Eigen::Isometry3d>& poses) const = 0;
+
+  /// What to change in the text so that arcs become lines: to each of the poses, past which the
+  /// tool flies, and to the end that the arc has.
+  /// @param text as read() gave it; the steps have an ArcText
+  /// @param arcs no two of one statement
+  /// @throw scan_cell_common::UnusableInput if the language cannot say one of the poses there
+  virtual std::vector<TextEdit> lines(const ProgramText& text,
+                                      const std::vector<ArcLines>& arcs) const = 0;
+
+  /// Whether the tool has the via's orientation when an arc passes it, not one between those of the
+  /// arc's start and end.
+  virtual bool turns_by_via() const { return false; }
+
+  /// Whether edits() can change where an arc leads. If not, arcs that move become lines.
+  virtual bool moves_arcs() const { return true; }
 };
 
 /// All of them.

@@ -18,7 +18,9 @@ struct ProgramPathSettings {
   bool in_base = false;  //!< path in the robot's base; false: in the program's user frame
   /// [m] a joint move to a pose this far from all lines and arcs is no work on the part: it stays
   double max_joint_distance = 0.2;
-  double arc_step = 0.005;  //!< [m] along arcs, between waypoints that show how an arc bends
+  double arc_step = 0.005;  //!< [m] at most, along arcs, between waypoints that show how they bend
+  double arc_chord_error = 1e-4;  //!< [m] at most, of the lines between these from the arc
+  bool turns_by_via = false;      //!< as Language::turns_by_via
 };
 
 /// Where a waypoint of a program's path comes from.
@@ -44,6 +46,10 @@ ProgramPath path_of(const ProgramText& text, const ProgramPathSettings& settings
 /// @param adapted as many waypoints as program_path.path
 std::vector<Eigen::Isometry3d> poses_of(const ProgramText& text, const ProgramPath& program_path,
                                         const tool_paths::ToolPath& adapted);
+
+/// The program as it should read with these poses.
+/// @param poses one for each of text.poses
+Program program_with(const ProgramText& text, const std::vector<Eigen::Isometry3d>& poses);
 
 /// How far the arcs of a program miss the adapted path [m]: of each step that is circular, the
 /// farthest place; 0 for the others.

@@ -2,10 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot_program_targets.h"
 
-#include "tool_path_programs/program_path.h"
+#include <cmath>
+
+#include "tool_path_programs/adapted_program.h"
 
 using namespace tool_path_programs;
 using scan_cell_common::promise;
+
+namespace {
+
+/// On a part where no arc stays a circle.
+void check_bent(const Language& language, const ProgramText& text, const ReadSettings& settings) {
+  ProgramPathSettings path_settings;
+  path_settings.arc_step = 0.05;
+  path_settings.arc_chord_error = 0.01;
+  path_settings.turns_by_via = language.turns_by_via();
+  const ProgramPath path = path_of(text, path_settings);
+  tool_paths::ToolPath bent = path.path;
+  for (tool_paths::Segment& segment : bent.segments)
+    for (tool_paths::Waypoint& waypoint : segment.waypoints)
+      waypoint.pose.translation().z() += 1e-3 * std::sin(1e2 * waypoint.pose.translation().x());
+  const AdaptedProgram adapted = adapted_program(language, text, settings, path, bent, 1e-6);
+  const ProgramText again = language.read(adapted.files, settings);
+  promise(again.steps.size() >= text.steps.size(), "nothing is lost");
+  promise(adapted.notes.empty() == (again.steps.size() == text.steps.size()),
+          "what became lines is told");
+}
+
+}  // namespace
 
 void check_robot_program(const Language& language, const std::string& bytes,
                          const ReadSettings& settings) {
@@ -25,6 +49,7 @@ void check_robot_program(const Language& language, const std::string& bytes,
   for (Eigen::Isometry3d& pose : poses)
     pose = moved * pose;
   with_poses(language, text, settings, poses);
+  check_bent(language, text, settings);
 }
 
 std::vector<scan_cell_common::FuzzTarget> robot_program_targets() {

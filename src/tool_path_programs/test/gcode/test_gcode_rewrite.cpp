@@ -65,7 +65,7 @@ TEST(GcodeRewrite, RotaryAxesFollowTheToolsDirection) {
             "G0 X0.0000 Y10.0000 Z0 A5 B30 C90.00000\nG1 X0.0000 Y20.0000 F60\n");
 }
 
-TEST(GcodeRewrite, ArcsThatAreToMoveAreRefused) {
+TEST(GcodeRewrite, ArcsThatAreToMoveMustBecomeLinesBefore) {
   EXPECT_THROW(moved("G0 X0 Y0 Z0\nG2 X10 Y0 R5 F100\n", by(0.001, 0, 0)),
                scan_cell_common::UnusableInput);
 }

@@ -30,15 +30,20 @@ TEST(Circle, PlacesLieOnTheArcAndNotBeyondIt) {
   const auto places = circle->places(0.05);
   // 90 degrees are 0.785 m: 15 places between; 150 degrees 1.309 m: 26
   ASSERT_EQ(places.size(), 15u + 26u);
-  EXPECT_TRUE(places.front().isApprox(at(10 + 90. / 16), 1e-12));
-  EXPECT_TRUE(places[14].isApprox(at(100 - 90. / 16), 1e-12));
-  EXPECT_TRUE(places.back().isApprox(at(250 - 150. / 27), 1e-12));
+  EXPECT_TRUE(places.front().position.isApprox(at(10 + 90. / 16), 1e-12));
+  EXPECT_NEAR(places[14].angle, (90 - 90. / 16) * M_PI / 180, 1e-12);
+  EXPECT_NEAR(places[15].angle, (90 + 150. / 27) * M_PI / 180, 1e-12);
+  EXPECT_NEAR(circle->via_angle(), M_PI / 2, 1e-12);
+  EXPECT_NEAR(circle->sweep(), 240 * M_PI / 180, 1e-12);
+  EXPECT_TRUE(places[14].position.isApprox(at(100 - 90. / 16), 1e-12));
+  EXPECT_TRUE(places.back().position.isApprox(at(250 - 150. / 27), 1e-12));
 }
 
 TEST(Circle, TheLongWayRoundIsWhereViaIs) {
   const auto circle = Circle::through(at(0), at(-100), at(90));
   EXPECT_TRUE(circle->places(10).empty());
-  EXPECT_TRUE(circle->places(0.5 * M_PI * 100 / 180 / 1.5).front().isApprox(at(-50), 1e-12));
+  EXPECT_TRUE(
+      circle->places(0.5 * M_PI * 100 / 180 / 1.5).front().position.isApprox(at(-50), 1e-12));
 }
 
 TEST(Circle, IsNoneThroughPointsOfALine) {

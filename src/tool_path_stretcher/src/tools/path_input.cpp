@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_input.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
@@ -12,16 +10,17 @@
 #include "scan_cell_common/errors/text.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/pose/unit_quaternion.h"
+#include "tool_path_programs/adapted_program.h"
 #include "tool_path_programs/program_files.h"
-#include "tool_path_programs/program_path.h"
 #include "tool_paths/tool_path_files.h"
 
 namespace tool_path_stretcher {
 namespace {
 
 using scan_cell_common::InvalidParameter;
-using scan_cell_common::UnusableInput;
 using tool_path_programs::Language;
+
+constexpr double kFinestChord = 1e-5;  // [m] where no tolerance is allowed at all; chosen
 
 class PathFile final : public PathInput {
  public:
@@ -83,6 +82,8 @@ class ProgramFile final : public PathInput {
         language.read(tool_path_programs::load_program(language, file, options.files), settings_);
     tool_path_programs::ProgramPathSettings path;
     path.in_base = options.in_base;
+    path.turns_by_via = language.turns_by_via();
+    path.arc_chord_error = std::max(options.arc_tolerance, kFinestChord);
     program_path_ = path_of(text_, path);
   }
 
@@ -98,13 +99,12 @@ class ProgramFile final : public PathInput {
 
   std::vector<std::string> save(const std::string& output,
                                 const tool_paths::ToolPath& adapted) const override {
-    refuse_bent_arcs(adapted);
-    const auto files =
-        with_poses(language_, text_, settings_, poses_of(text_, program_path_, adapted));
-    for (const std::string& name : tool_path_programs::names_of_saved(output, files))
+    const auto program = adapted_program(language_, text_, settings_, program_path_, adapted,
+                                         options_.arc_tolerance);
+    for (const std::string& name : tool_path_programs::names_of_saved(output, program.files))
       scan_cell_common::refuse_overwriting(name, inputs());
-    tool_path_programs::save_program(output, files);
-    std::vector<std::string> notes;
+    tool_path_programs::save_program(output, program.files);
+    std::vector<std::string> notes = program.notes;
     for (const std::string& kept : program_path_.kept)
       notes.push_back("kept: " + kept);
     return notes;
@@ -116,17 +116,6 @@ class ProgramFile final : public PathInput {
     for (const std::string& name : tool_path_programs::names_of_saved(main_, text_.files))
       names.push_back(name);
     return names;
-  }
-
-  void refuse_bent_arcs(const tool_paths::ToolPath& adapted) const {
-    const std::vector<double> errors = arc_errors(text_, program_path_, adapted);
-    const auto worst = std::max_element(errors.begin(), errors.end());
-    if (worst == errors.end() || *worst <= options_.arc_tolerance) return;
-    const auto& place = text_.steps[static_cast<std::size_t>(worst - errors.begin())].place;
-    throw UnusableInput(
-        to_string(place, text_.files),
-        fmt::format("on the part this arc is no circle any more: {:.2g} mm off", 1e3 * *worst),
-        "allow it by --arc-tolerance, or write the arc as lines");
   }
 
   const Language& language_;
@@ -150,7 +139,8 @@ void add_program_options(CLI::App& app, ProgramOptions& options) {
   app.add_flag("--program-in-base", options.in_base,
                "the reference is in the robot's base, not in the program's user frame");
   app.add_option("--arc-tolerance", options.arc_tolerance,
-                 "[m] of an arc of the program from the adapted path")
+                 "[m] of an arc of the program from the adapted path; what is farther off becomes "
+                 "lines")
       ->check(CLI::NonNegativeNumber);
 }
 

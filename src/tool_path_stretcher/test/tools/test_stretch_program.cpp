@@ -82,6 +82,25 @@ class StretchProgram : public testing::Test {
     return text + "end\r\n";
   }
 
+  /// An arc along the sharpest corner of the path, between two lines.
+  std::string arc_program() const {
+    const auto& waypoints = path_.segments.front().waypoints;
+    const auto height = [&](std::size_t i) {
+      const Eigen::Vector3d chord =
+          waypoints[i + 2].pose.translation() - waypoints[i - 2].pose.translation();
+      const Eigen::Vector3d side =
+          waypoints[i].pose.translation() - waypoints[i - 2].pose.translation();
+      return side.cross(chord).norm() / chord.norm();
+    };
+    std::size_t corner = 3;
+    for (std::size_t i = 3; i + 3 < waypoints.size(); ++i)
+      if (height(i) > height(corner)) corner = i;
+    const auto pose = [&](std::size_t i) { return script_pose(waypoints[i].pose); };
+    return "def glue():\n  movel(" + pose(corner - 2) + ", a=0.5, v=0.05)\n  movec(" +
+           pose(corner) + ", " + pose(corner + 2) + ", a=0.5, v=0.05) # corner\n  movel(" +
+           pose(corner + 3) + ", a=0.5, v=0.05)\nend\n";
+  }
+
   int stretch(const std::string& path, const std::string& output, const std::string& more = "") {
     const std::string command = std::string(STRETCH_COMMAND) + " --reference " + file("r.ply") +
                                 " --object " + file("d.ply") + " --path " + file(path) +
@@ -134,6 +153,24 @@ TEST_F(StretchProgram, RefusesWhatItCannotResolveByFileAndLine) {
   EXPECT_EQ(stretch("p.script", "out.script"), 1);
   EXPECT_FALSE(fs::exists(file("out.script")));
   EXPECT_NE(text("stderr").find("p.script, line "), std::string::npos) << text("stderr");
+}
+
+TEST_F(StretchProgram, WritesAnArcAsLinesWhereItMissesTheAdaptedPathAndSaysSo) {
+  scan_cell_common::save_text(file("arc.script"), arc_program());
+  ASSERT_EQ(stretch("arc.script", "out.script", "--arc-tolerance 0.002"), 0) << text("stderr");
+  EXPECT_EQ(without_poses(text("out.script")), without_poses(arc_program()));
+  ASSERT_EQ(stretch("arc.script", "lines.script", "--arc-tolerance 0"), 0) << text("stderr");
+  const std::string lines = text("lines.script");
+  EXPECT_EQ(lines.find("movec"), std::string::npos);
+  EXPECT_EQ(lines.find("# corner"), lines.rfind("# corner"));
+  const auto old = poses_in(text("out.script")), poses = poses_in(lines);
+  ASSERT_GT(poses.size(), old.size() + 1);
+  // more places along the arc adapt it a little otherwise
+  EXPECT_LT((poses.front().translation() - old.front().translation()).norm(), 1e-4);
+  EXPECT_LT((poses.back().translation() - old.back().translation()).norm(), 1e-4);
+  EXPECT_NE(text("stdout").find("arc.script, line 3: on the part this arc is no circle any more"),
+            std::string::npos)
+      << text("stdout");
 }
 
 TEST_F(StretchProgram, KeepsItsMovesAndItsLanguage) {

@@ -28,6 +28,11 @@ class Fanuc : public Language {
                               const std::vector<Eigen::Isometry3d>& poses) const override {
     return fanuc_edits(text, poses);
   }
+  std::vector<TextEdit> lines(const ProgramText& text,
+                              const std::vector<ArcLines>& arcs) const override {
+    return fanuc_lines(text, arcs);
+  }
+  bool turns_by_via() const override { return true; }
 };
 
 }  // namespace

@@ -7,6 +7,9 @@
 
 namespace tool_path_programs {
 
+/// Behind the point, of all numbers that controllers write.
+constexpr int kFanucDigits = 3;
+
 /// Position [mm] and angles [degree] as FANUC writes them: X Y Z W P R, where R = Rz(R) Ry(P)
 /// Rx(W).
 using FanucPose = std::array<double, 6>;

@@ -11,8 +11,6 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr int kFewestDigits = 3;  // what controllers write
-
 class Edits {
  public:
   explicit Edits(const ProgramText& text) : text_(text) {
@@ -56,9 +54,9 @@ class Edits {
   /// Behind the point, at least those that are needed.
   static int digits_of(const std::string& text) {
     const std::size_t point = text.find('.');
-    if (point == std::string::npos) return kFewestDigits;
+    if (point == std::string::npos) return kFanucDigits;
     const std::size_t end = std::min(text.find_first_of("eE"), text.size());
-    return std::clamp(static_cast<int>(end - point) - 1, kFewestDigits, 12);
+    return std::clamp(static_cast<int>(end - point) - 1, kFanucDigits, 12);
   }
 
   const ProgramText& text_;

@@ -97,16 +97,25 @@ void check_options(TokenReader& reader, std::size_t end) {
 
 FanucMotion read_fanuc_motion(TokenReader& reader, std::size_t end) {
   FanucMotion motion;
+  ArcText& arc = motion.arc;
+  arc.word.begin = arc.statement.begin = reader.offset();
   motion.kind = read_kind(reader);
+  arc.word.end = reader.end_of_last();
+  arc.target.begin = arc.via.begin = reader.offset();
   motion.target = read_target(reader);
   if (motion.kind == MotionKind::kCircular) {
     pass_over_line_break(reader);
     motion.via = motion.target;
+    arc.target.begin = arc.via.end = reader.offset();
     motion.target = read_target(reader);
   }
+  arc.target.end = reader.end_of_last();
   motion.speed = read_speed(reader, motion.kind);
+  arc.zone.begin = reader.offset();
   motion.zone = read_zone(reader);
+  arc.zone.end = reader.end_of_last();
   check_options(reader, end);
+  arc.statement.end = reader.offset() + (reader.at_symbol(';') ? 1 : 0);
   return motion;
 }
 

@@ -13,6 +13,7 @@ namespace tool_path_programs {
 struct FanucMotion {
   MotionKind kind = MotionKind::kLinear;
   std::optional<int> via;  //!< which P[], of circular motions
+  ArcText arc;             //!< of circular motions
   int target = 0;          //!< which P[]
   double speed = 0;        //!< [m/s], of joint motions share of the axes' own
   double zone = 0;         //!< [m] CNT is no length: any above 0 is read as kFanucUnknownZone

@@ -146,6 +146,7 @@ class Reading {
     if (motion.via) {
       step.via = pose(*motion.via, position(*motion.via, program, where), program, where);
       move.via = text_.poses[*step.via].pose;
+      step.arc = motion.arc;
     }
     step.pose = pose(motion.target, target, program, where);
     move.pose = text_.poses[*step.pose].pose;

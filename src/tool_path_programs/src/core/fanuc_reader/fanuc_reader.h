@@ -15,4 +15,7 @@ ProgramText read_fanuc(const std::vector<SourceFile>& files, const ReadSettings&
 std::vector<TextEdit> fanuc_edits(const ProgramText& text,
                                   const std::vector<Eigen::Isometry3d>& poses);
 
+/// As Language::lines.
+std::vector<TextEdit> fanuc_lines(const ProgramText& text, const std::vector<ArcLines>& arcs);
+
 }  // namespace tool_path_programs

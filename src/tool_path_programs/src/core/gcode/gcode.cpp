@@ -32,6 +32,11 @@ class Gcode : public Language {
                               const std::vector<Eigen::Isometry3d>& poses) const override {
     return edits_of_gcode(text, poses);
   }
+  std::vector<TextEdit> lines(const ProgramText& text,
+                              const std::vector<ArcLines>& arcs) const override {
+    return lines_of_gcode(text, arcs);
+  }
+  bool moves_arcs() const override { return false; }
 };
 
 }  // namespace

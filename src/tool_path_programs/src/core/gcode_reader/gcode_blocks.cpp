@@ -128,6 +128,11 @@ const GcodeWord* GcodeBlock::find(char letter) const {
   return found == words.rend() ? nullptr : &*found;
 }
 
+ByteRange gcode_range(const GcodeBlock& block) {
+  const GcodeWord& last = block.words.back();
+  return {block.words.front().offset, last.number_offset + last.number_length};
+}
+
 std::vector<GcodeBlock> gcode_blocks(const SourceFile& file) {
   return Lines(file).run();
 }

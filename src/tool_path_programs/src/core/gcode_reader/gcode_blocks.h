@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tool_path_programs/source_text.h"
+#include "tool_path_programs/language.h"
 
 namespace tool_path_programs {
 
@@ -27,6 +27,9 @@ struct GcodeBlock {
   /// The last one of that letter; null: none.
   const GcodeWord* find(char letter) const;
 };
+
+/// From a block's first word to its last.
+ByteRange gcode_range(const GcodeBlock& block);
 
 /// The lines of a program that hold words. Comments in brackets and behind ; are left out, and so
 /// are lines of %, program numbers and lines that set parameters.

@@ -205,6 +205,21 @@ void GcodeMachine::arc(GcodeAction& action, const GcodeAxes& from) const {
          "give arcs of less than a turn in one plane, or lines");
 }
 
+int GcodeMachine::digits(Eigen::Index axis) const {
+  constexpr int kMillimetre = 4, kInch = 6, kDegree = 5;
+  if (axis > 2) return kDegree;
+  return inches_ ? kInch : kMillimetre;
+}
+
+GcodeBlock gcode_without_calls(GcodeBlock block) {
+  const auto is_call = [](const GcodeWord& word) {
+    return word.letter == 'M' && word.value != 2 && word.value != 30;
+  };
+  block.words.erase(std::remove_if(block.words.begin(), block.words.end(), is_call),
+                    block.words.end());
+  return block;
+}
+
 void GcodeMachine::fail(const std::string& value, const std::string& cure) const {
   throw scan_cell_common::UnusableInput(file_.name + ", line " + std::to_string(block_->line),
                                         value, cure);

@@ -46,6 +46,7 @@ class GcodeMachine {
 
   bool has_ended() const { return ended_; }                 //!< M2, M30
   double unit() const { return inches_ ? kGcodeInch : 1; }  //!< [mm] of the words
+  int digits(Eigen::Index axis) const;                      //!< that its words need
   double feed() const { return feed_; }                     //!< [mm/min]; NaN: not given
   double tolerance() const { return tolerance_; }           //!< [mm] of G64 P; 0: none
   const std::string& user() const { return user_; }         //!< G54; empty: none chosen
@@ -81,5 +82,8 @@ class GcodeMachine {
   std::string next_tool_;
   bool ended_ = false;
 };
+
+/// Without what M functions call: they were found harmless when the program was read.
+GcodeBlock gcode_without_calls(GcodeBlock block);
 
 }  // namespace tool_path_programs

@@ -12,10 +12,6 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr int kMillimetreDigits = 4;
-constexpr int kInchDigits = 6;
-constexpr int kDegreeDigits = 5;
-
 /// Goes through a program as the machine does, before and after the change: an axis that a line
 /// does not name is where an earlier line left it, and gets a word where that is elsewhere now.
 class Rewriting {
@@ -30,7 +26,7 @@ class Rewriting {
   std::vector<TextEdit> run(const std::vector<GcodeBlock>& blocks) {
     for (const GcodeBlock& block : blocks) {
       if (machine_.has_ended()) break;
-      const GcodeAction action = machine_.run(without_calls(block));
+      const GcodeAction action = machine_.run(gcode_without_calls(block));
       if (action.kind == GcodeAction::Kind::kIncomplete) pass(block);
       if (action.kind == GcodeAction::Kind::kMove) rewrite(block, action);
     }
@@ -38,16 +34,6 @@ class Rewriting {
   }
 
  private:
-  /// M functions were found harmless when the program was read.
-  static GcodeBlock without_calls(GcodeBlock block) {
-    const auto is_call = [](const GcodeWord& word) {
-      return word.letter == 'M' && word.value != 2 && word.value != 30;
-    };
-    block.words.erase(std::remove_if(block.words.begin(), block.words.end(), is_call),
-                      block.words.end());
-    return block;
-  }
-
   /// Lines that stay as they are.
   void pass(const GcodeBlock& block) {
     const bool own_places =
@@ -94,7 +80,7 @@ class Rewriting {
   [[noreturn]] void refuse_arc(const GcodeBlock& block) const {
     throw scan_cell_common::UnusableInput(
         text_.files[0].name + ", line " + std::to_string(block.line),
-        "an arc (G2, G3) whose ends are to move", "give the program with lines in place of arcs");
+        "an arc (G2, G3) whose ends are to move", "say it as lines");
   }
 
   void replace(const GcodeWord& word, Eigen::Index axis, double value) {
@@ -107,9 +93,7 @@ class Rewriting {
 
   std::string text_of(const std::string& old, Eigen::Index axis, double value) {
     said_[axis] = value;
-    if (axis > 2) return like(old, value, kDegreeDigits);
-    const bool inches = machine_.unit() != 1;
-    return like(old, value / machine_.unit(), inches ? kInchDigits : kMillimetreDigits);
+    return like(old, axis > 2 ? value : value / machine_.unit(), machine_.digits(axis));
   }
 
   double value_of(const GcodeWord& word, std::size_t axis) const {

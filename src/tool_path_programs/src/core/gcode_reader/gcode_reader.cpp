@@ -79,6 +79,7 @@ class Reader {
     }
     add(move, block);
     text_.steps.back().pose = text_.poses.size();
+    if (action.via) text_.steps.back().arc = ArcText{gcode_range(block), {}, {}, {}, {}};
     text_.poses.push_back({move.pose, {0, block.line}, block.words.front().offset});
     before_ = move.pose;
   }

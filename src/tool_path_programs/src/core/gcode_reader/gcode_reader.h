@@ -13,4 +13,7 @@ ProgramText read_gcode(const std::vector<SourceFile>& files, const ReadSettings&
 std::vector<TextEdit> edits_of_gcode(const ProgramText& text,
                                      const std::vector<Eigen::Isometry3d>& poses);
 
+/// As Language::lines.
+std::vector<TextEdit> lines_of_gcode(const ProgramText& text, const std::vector<ArcLines>& arcs);
+
 }  // namespace tool_path_programs

@@ -25,6 +25,10 @@ class Krl : public Language {
                               const std::vector<Eigen::Isometry3d>& poses) const override {
     return krl_edits(text, poses);
   }
+  std::vector<TextEdit> lines(const ProgramText& text,
+                              const std::vector<ArcLines>& arcs) const override {
+    return krl_lines(text, arcs);
+  }
 };
 
 }  // namespace

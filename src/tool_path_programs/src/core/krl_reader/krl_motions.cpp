@@ -45,18 +45,26 @@ void KrlMotions::move(const std::string& word, const Place& place, TokenReader& 
   const MotionKind kind = kind_of(word);
   const KrlSettings before = setter_.settings;
   std::optional<KrlAggregate> via;
+  ArcText arc;
+  arc.word = {reader.end_of_last() - word.size(), reader.end_of_last()};
   if (kind == MotionKind::kCircular) {
+    arc.via.begin = reader.offset();
     const Target way = target(reader);
     reader.expect(',');
+    arc.via.end = reader.offset();
     if (!way.pose) reader.fail("an arc through angles of the axes", "give a pose there");
     via = way.pose;
   }
+  arc.target.begin = reader.offset();
   const Target end = target(reader);
+  arc.target.end = reader.end_of_last();
   bool flies = false;
   read_behind(reader, flies);
+  arc.statement = {arc.word.begin, reader.end_of_last()};
   if (!end.stays && !end.pose && kind != MotionKind::kJoint)
     reader.fail("a line or arc to angles of the axes", "give a pose there, or PTP");
   if (end.pose) add_pose_move(kind, via, *end.pose, flies, place);
+  if (end.pose && via) text_.steps.back().arc = arc;
   if (end.joints) add_axes_move(*end.joints, place);
   add_waiting_outputs();
   setter_.settings = before;

@@ -13,4 +13,7 @@ ProgramText read_krl(const std::vector<SourceFile>& files, const ReadSettings& s
 std::vector<TextEdit> krl_edits(const ProgramText& text,
                                 const std::vector<Eigen::Isometry3d>& poses);
 
+/// As Language::lines.
+std::vector<TextEdit> krl_lines(const ProgramText& text, const std::vector<ArcLines>& arcs);
+
 }  // namespace tool_path_programs

@@ -25,6 +25,11 @@ class Pdl2 : public Language {
                               const std::vector<Eigen::Isometry3d>& poses) const override {
     return pdl2_edits(text, poses);
   }
+  std::vector<TextEdit> lines(const ProgramText& text,
+                              const std::vector<ArcLines>& arcs) const override {
+    return pdl2_lines(text, arcs);
+  }
+  bool turns_by_via() const override { return true; }
 };
 
 }  // namespace

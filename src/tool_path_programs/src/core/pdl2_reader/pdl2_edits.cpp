@@ -1,7 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <stdexcept>
 
 #include "pdl2_reader/pdl2_reader.h"
 #include "pdl2_reader/pdl2_values.h"
@@ -10,21 +9,7 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr double kSame = 1e-9;      // [m], parts of a rotation
-constexpr int kLinesOfListing = 8;  // that a pose in a .lsv may take
-
-/// The literal once more, from whole lines, so that no quote is cut.
-Pdl2Pose literal_at(const SourceFile& file, std::size_t offset) {
-  std::size_t end = offset;
-  for (int line = 0; line < kLinesOfListing && end < file.text.size(); ++line)
-    end = std::min(file.text.find('\n', end), file.text.size() - 1) + 1;
-  const SourceFile piece{file.name, file.text.substr(offset, end - offset)};
-  const auto tokens = tokens_of(piece, pdl2_rules());
-  TokenReader reader(piece, 0, tokens);
-  const auto pose = read_pos(reader);
-  if (!pose) throw std::logic_error("a pose that is none any more");
-  return *pose;
-}
+constexpr double kSame = 1e-9;  // [m], parts of a rotation
 
 }  // namespace
 
@@ -37,7 +22,7 @@ std::vector<TextEdit> pdl2_edits(const ProgramText& text,
     const bool turned = !((poses[i].linear() - old.pose.linear()).cwiseAbs().maxCoeff() <= kSame);
     if (!turned && shift.cwiseAbs().maxCoeff() <= kSame) continue;
     const SourceFile& file = text.files[old.place.file];
-    const Pdl2Pose literal = literal_at(file, old.offset);
+    const Pdl2Pose literal = pdl2_pose_at(file, old.offset);
     const Pdl2Numbers numbers = pdl2_numbers(poses[i]);
     for (std::size_t field = 0; field < numbers.size(); ++field) {
       if (field < 3 ? std::abs(shift[static_cast<Eigen::Index>(field)]) <= kSame : !turned)

@@ -1,5 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "pdl2_reader/pdl2_run.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
@@ -24,19 +26,28 @@ std::string key_of(const Frame& frame) {
 /// From behind MOVE or MOVEFLY.
 void Pdl2Run::move(bool flies) {
   const Place place = reader().place();
+  ArcText arc;
+  arc.statement.begin = reader().end_of_last() - std::string(flies ? "movefly" : "move").size();
   if (reader().accept("arm")) read_pdl2_variable(reader());
   const Pdl2Settings before = settings_;
+  arc.word.begin = reader().offset();
   const MotionKind how = kind();
+  arc.word.end = std::max(arc.word.begin, reader().end_of_last());
   if (!reader().accept("to"))
     reader().fail("a motion relative to where the robot is, or along a path of nodes",
                   "give a program of MOVE .. TO");
+  arc.target.begin = reader().offset();
   const Target end = target();
+  arc.target.end = arc.via.begin = reader().end_of_last();
   std::optional<Target> via;
   if (reader().accept("via")) via = target();
+  arc.via.end = reader().end_of_last();
   if ((how == MotionKind::kCircular) != via.has_value() || (via && !via->pose))
     reader().fail("an arc without a pose VIA, or VIA without an arc", "give CIRCULAR TO .. VIA ..");
   clauses();
+  arc.statement.end = reader().end_of_last();
   add(how, via, end, flies, place);
+  if (via && end.pose) text_.steps.back().arc = arc;
   settings_ = before;
 }
 

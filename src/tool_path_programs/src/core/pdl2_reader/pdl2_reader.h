@@ -13,4 +13,7 @@ ProgramText read_pdl2(const std::vector<SourceFile>& files, const ReadSettings& 
 std::vector<TextEdit> pdl2_edits(const ProgramText& text,
                                  const std::vector<Eigen::Isometry3d>& poses);
 
+/// As Language::lines.
+std::vector<TextEdit> pdl2_lines(const ProgramText& text, const std::vector<ArcLines>& arcs);
+
 }  // namespace tool_path_programs

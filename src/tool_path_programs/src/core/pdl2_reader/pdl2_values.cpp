@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pdl2_reader/pdl2_values.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "text/number_text.h"
 
 namespace tool_path_programs {
 namespace {
+
+constexpr int kLinesOfListing = 8;  // that a pose in a .lsv may take
 
 bool at_number(const TokenReader& reader) {
   if (reader.peek().kind == TokenKind::kNumber) return true;
@@ -17,7 +22,7 @@ bool at_number(const TokenReader& reader) {
 
 /// POS(1, 2, 3, 0, 90, 0, ..)
 std::optional<Pdl2Pose> read_call(TokenReader& reader) {
-  Pdl2Pose pose{{}, reader.peek().offset, reader.place()};
+  Pdl2Pose pose{{}, reader.peek().offset, reader.place(), ""};
   reader.next();
   if (!reader.accept('(')) return std::nullopt;
   for (std::size_t field = 0; field < 6; ++field) {
@@ -26,6 +31,8 @@ std::optional<Pdl2Pose> read_call(TokenReader& reader) {
     pose.numbers[field] = reader.number();
   }
   const bool ends = reader.at_symbol(',') || reader.at_symbol(')');
+  if (reader.at_symbol(',') && reader.peek_after().kind == TokenKind::kText)
+    pose.configuration = reader.peek_after().text;
   skip_parentheses(reader);
   if (!ends) return std::nullopt;
   return pose;
@@ -33,13 +40,18 @@ std::optional<Pdl2Pose> read_call(TokenReader& reader) {
 
 /// X:1 Y:2 Z:3 A:0 E:90 R:0
 std::optional<Pdl2Pose> read_list(TokenReader& reader) {
-  Pdl2Pose pose{{}, reader.peek().offset, reader.place()};
+  Pdl2Pose pose{{}, reader.peek().offset, reader.place(), ""};
   std::size_t field = 0;
   for (const char* name : {"X", "Y", "Z", "A", "E", "R"}) {
     while (reader.peek().kind == TokenKind::kLineEnd)
       reader.next();
     if (!reader.accept(name) || !reader.accept(':') || !at_number(reader)) return std::nullopt;
     pose.numbers[field++] = reader.number();
+  }
+  if (reader.at_name("cnfg") && reader.peek_after().text == ":") {
+    reader.next();
+    reader.next();
+    if (reader.peek().kind == TokenKind::kText) pose.configuration = reader.next().text;
   }
   return pose;
 }
@@ -87,6 +99,18 @@ void skip_parentheses(TokenReader& reader) {
 
 std::optional<Pdl2Pose> read_pos(TokenReader& reader) {
   return reader.at_name("pos") ? read_call(reader) : read_list(reader);
+}
+
+Pdl2Pose pdl2_pose_at(const SourceFile& file, std::size_t offset) {
+  std::size_t end = offset;
+  for (int line = 0; line < kLinesOfListing && end < file.text.size(); ++line)
+    end = std::min(file.text.find('\n', end), file.text.size() - 1) + 1;
+  const SourceFile piece{file.name, file.text.substr(offset, end - offset)};
+  const auto tokens = tokens_of(piece, pdl2_rules());
+  TokenReader reader(piece, 0, tokens);
+  const auto pose = read_pos(reader);
+  if (!pose) throw std::logic_error("a pose that is none any more");
+  return *pose;
 }
 
 Pdl2Value read_pdl2_value(TokenReader& reader) {

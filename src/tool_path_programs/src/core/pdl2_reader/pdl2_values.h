@@ -19,6 +19,7 @@ struct Pdl2Pose {
   std::array<NumberText, 6> numbers{};
   std::size_t offset = 0;  // of POS or X
   Place place;
+  std::string configuration;  // in its quotes; empty: none stands there
 
   Pdl2Numbers values() const;
 };
@@ -33,6 +34,10 @@ struct Pdl2Value {
 
 /// From POS or X; none if one of the six is not a number, the reader is somewhere behind it then.
 std::optional<Pdl2Pose> read_pos(TokenReader& reader);
+
+/// A pose once more, from whole lines, so that no quote is cut; numbers are counted from `offset`.
+/// @param offset of a pose that read_pos() gave
+Pdl2Pose pdl2_pose_at(const SourceFile& file, std::size_t offset);
 
 /// A value that is a literal: POS(..), XTNDPOS(POS(..), ..), {..}, a number.
 Pdl2Value read_pdl2_value(TokenReader& reader);

@@ -26,6 +26,10 @@ class Rapid : public Language {
                               const std::vector<Eigen::Isometry3d>& poses) const override {
     return rapid_edits(text, poses);
   }
+  std::vector<TextEdit> lines(const ProgramText& text,
+                              const std::vector<ArcLines>& arcs) const override {
+    return rapid_lines(text, arcs);
+  }
 };
 
 }  // namespace

@@ -77,6 +77,15 @@ const RapidMotion* rapid_motion(const std::string& name) {
   return found == motions().end() ? nullptr : &found->second;
 }
 
+const char* rapid_line_in_place_of(const std::string& name) {
+  // Not those that begin or end a process, or trigger something at a distance from an end.
+  static const std::map<std::string, const char*> lines = {
+      {"movec", "MoveL"}, {"movecdo", "MoveLDO"}, {"movecao", "MoveLAO"}, {"movecgo", "MoveLGO"},
+      {"arcc", "ArcL"},   {"dispc", "DispL"},     {"paintc", "PaintL"},   {"cutc", "CutL"}};
+  const auto found = lines.find(lower_case(name));
+  return found == lines.end() ? nullptr : found->second;
+}
+
 bool rapid_moves_nothing(const std::string& name) {
   static const Words words = words_of(kMoveNothing);
   return words.count(lower_case(name)) != 0;

@@ -20,6 +20,10 @@ struct RapidMotion {
 /// Null: it is not one of them.
 const RapidMotion* rapid_motion(const std::string& name);
 
+/// What says the way along a line that an instruction says along an arc, in the same words behind
+/// it; null: there is none.
+const char* rapid_line_in_place_of(const std::string& name);
+
 /// Instructions that the reader knows to be without influence on motions.
 bool rapid_moves_nothing(const std::string& name);
 

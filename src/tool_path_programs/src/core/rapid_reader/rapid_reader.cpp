@@ -146,7 +146,10 @@ class Reading {
     Move move;
     StepText step{call.place, {}, {}};
     move.kind = motion.kind;
-    if (vias == 1) move.via = pose_at(arguments[0], routine, step.via);
+    if (vias == 1) {
+      move.via = pose_at(arguments[0], routine, step.via);
+      if (rapid_line_in_place_of(call.name) != nullptr) step.arc = arc_text(call, tool, where);
+    }
     move.pose = pose_at(arguments[vias], routine, step.pose);
     set_speed(move, speed_of(call, arguments[vias + 1], routine, where), where);
     move.zone = 1e-3 * zone_of(call, arguments[tool - 1], routine);
@@ -156,6 +159,32 @@ class Reading {
     if (motion.sets_output)
       add_output(arguments[tool + 1], data_.output_of(arguments[tool + 2], routine), routine,
                  call.place);
+  }
+
+  /// @param tool which of the arguments
+  static ArcText arc_text(const RapidCall& call, std::size_t tool, TokenReader reader) {
+    ArcText arc;
+    arc.statement.begin = arc.word.begin = reader.offset();
+    const auto begin = [&](std::size_t argument) {
+      reader.go_to(call.arguments[argument].begin);
+      return reader.offset();
+    };
+    const auto range = [&](std::size_t argument) {
+      ByteRange range{begin(argument), 0};
+      while (reader.position() < call.arguments[argument].end)
+        reader.next();
+      range.end = reader.end_of_last();
+      return range;
+    };
+    reader.next();
+    arc.word.end = reader.end_of_last();
+    arc.via = {begin(0), begin(1)};
+    arc.target = range(1);
+    arc.zone = range(tool - 1);
+    while (!reader.accept(';'))
+      reader.next();
+    arc.statement.end = reader.end_of_last();
+    return arc;
   }
 
   void move_joints(const RapidArgument& target, const RapidRoutine& routine, const Place& place) {

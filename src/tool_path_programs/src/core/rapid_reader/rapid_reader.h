@@ -15,4 +15,7 @@ ProgramText read_rapid(const std::vector<SourceFile>& files, const ReadSettings&
 std::vector<TextEdit> rapid_edits(const ProgramText& text,
                                   const std::vector<Eigen::Isometry3d>& poses);
 
+/// As Language::lines.
+std::vector<TextEdit> rapid_lines(const ProgramText& text, const std::vector<ArcLines>& arcs);
+
 }  // namespace tool_path_programs

@@ -41,13 +41,14 @@ double Circle::distance(const Eigen::Vector3d& point) const {
   return std::hypot((arm - height * axis_).norm() - radius_.norm(), height);
 }
 
-std::vector<Eigen::Vector3d> Circle::places(double step) const {
-  std::vector<Eigen::Vector3d> places;
+std::vector<ArcPlace> Circle::places(double step) const {
+  std::vector<ArcPlace> places;
   const auto add = [&](double begin, double end) {
     const int count = static_cast<int>(std::ceil((end - begin) * radius() / step));
-    for (int i = 1; i < count; ++i)
-      places.push_back(centre_ +
-                       Eigen::AngleAxisd(begin + (end - begin) * i / count, axis_) * radius_);
+    for (int i = 1; i < count; ++i) {
+      const double angle = begin + (end - begin) * i / count;
+      places.push_back({centre_ + Eigen::AngleAxisd(angle, axis_) * radius_, angle});
+    }
   };
   add(0, via_);
   add(via_, sweep_);

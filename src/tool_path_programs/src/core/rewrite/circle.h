@@ -8,6 +8,12 @@
 
 namespace tool_path_programs {
 
+/// A place on an arc.
+struct ArcPlace {
+  Eigen::Vector3d position;  //!< [m]
+  double angle = 0;          //!< [rad] from the start, the way of the arc
+};
+
 /// The circle through three points [m], and the arc from the first through the second to the third.
 class Circle {
  public:
@@ -18,10 +24,12 @@ class Circle {
   /// [m] to the nearest place of the whole circle.
   double distance(const Eigen::Vector3d& point) const;
 
-  /// Places on the arc without its ends and its via, at most `step` [m] apart.
-  std::vector<Eigen::Vector3d> places(double step) const;
+  /// Places on the arc without its ends and its via, at most `step` [m] apart, in their order.
+  std::vector<ArcPlace> places(double step) const;
 
   double radius() const { return radius_.norm(); }  //!< [m]
+  double via_angle() const { return via_; }         //!< [rad] from the start, the way of the arc
+  double sweep() const { return sweep_; }           //!< [rad] to the end
 
  private:
   Circle() = default;

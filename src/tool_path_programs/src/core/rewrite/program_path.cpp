@@ -4,10 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "rewrite/circle.h"
+#include "rewrite/path_frame.h"
 #include "scan_cell_common/errors/errors.h"
 #include "tool_path_programs/read_back.h"
 
@@ -16,45 +20,11 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
+constexpr double kLongestArc = 100;  // [m] no robot goes so far in one; chosen
+
 std::string where(const ProgramText& text, std::size_t step) {
   return to_string(text.steps[step].place, text.files);
 }
-
-bool same(const std::optional<Eigen::Isometry3d>& one,
-          const std::optional<Eigen::Isometry3d>& two) {
-  return one.has_value() == two.has_value() && (!one || one->isApprox(*two, 1e-12));
-}
-
-/// From the frame in which a move's pose stands to that of the path.
-class PathFrame {
- public:
-  PathFrame(const ProgramText& text, bool in_base) : text_(text), in_base_(in_base) {
-    const auto moves = moves_of(text.program);
-    if (!moves.empty()) first_ = &text.program.frames.at(moves.front()->frames).user;
-  }
-
-  Eigen::Isometry3d operator()(std::size_t step) const {
-    const Move& move = std::get<Move>(text_.program.steps[step]);
-    const Frame& user = text_.program.frames[move.frames].user;
-    if (in_base_) return place_of(user, step);
-    if (user.name == first_->name && same(user.pose, first_->pose))
-      return Eigen::Isometry3d::Identity();
-    return place_of(*first_, step).inverse() * place_of(user, step);
-  }
-
- private:
-  const Eigen::Isometry3d& place_of(const Frame& user, std::size_t step) const {
-    if (user.pose) return *user.pose;
-    throw UnusableInput(where(text_, step),
-                        user.name.empty() ? "its user frame is not in the program"
-                                          : "the program does not say where " + user.name + " is",
-                        "give the place of the frame");
-  }
-
-  const ProgramText& text_;
-  const bool in_base_;
-  const Frame* first_ = nullptr;  // of the program's moves
-};
 
 class Maker {
  public:
@@ -119,21 +89,50 @@ class Maker {
     if (!circle)
       throw UnusableInput(where(text_, step), "an arc whose three positions make no circle",
                           "correct the program");
-    for (const Eigen::Vector3d& place : circle->places(settings_.arc_step)) {
-      Eigen::Isometry3d pose = via;
-      pose.translation() = place;
-      add(step, pose, std::nullopt);
+    const double length = circle->radius() * circle->sweep();
+    if (!(length <= kLongestArc))
+      throw UnusableInput(where(text_, step), fmt::format("an arc of {:.3g} m", length),
+                          "correct the program");
+    const auto add_via = [&] {
+      if (add(step, via, text_.steps[step].via)) return;
+      add(step, place_at({via.translation(), circle->via_angle()}, *circle, via, to), std::nullopt);
+    };
+    bool is_behind_via = false;
+    for (const ArcPlace& place : circle->places(arc_step(*circle))) {
+      if (!std::exchange(is_behind_via, place.angle > circle->via_angle()) && is_behind_via)
+        add_via();
+      add(step, place_at(place, *circle, via, to), std::nullopt);
     }
-    add(step, via, text_.steps[step].via);
+    if (!is_behind_via) add_via();
   }
 
-  void add(std::size_t step, const Eigen::Isometry3d& pose,
+  /// [m] the sagitta of a chord s of a circle r is s^2 / 8 r.
+  double arc_step(const Circle& circle) const {
+    return std::min(settings_.arc_step, std::sqrt(8 * circle.radius() * settings_.arc_chord_error));
+  }
+
+  /// The tool turns evenly along an arc, to its end or to the via between.
+  Eigen::Isometry3d place_at(const ArcPlace& place, const Circle& circle,
+                             const Eigen::Isometry3d& via, const Eigen::Isometry3d& to) const {
+    const Eigen::Quaterniond from(last_->linear()), end(to.linear()), middle(via.linear());
+    const double sweep = circle.sweep(), half = circle.via_angle();
+    Eigen::Quaterniond turn = from.slerp(place.angle / sweep, end);
+    if (settings_.turns_by_via && place.angle <= half)
+      turn = from.slerp(place.angle / half, middle);
+    else if (settings_.turns_by_via)
+      turn = middle.slerp((place.angle - half) / (sweep - half), end);
+    return Eigen::Translation3d(place.position) * turn;
+  }
+
+  /// @return whether it is a waypoint of its own
+  bool add(std::size_t step, const Eigen::Isometry3d& pose,
            const std::optional<std::size_t>& text) {
-    if (text && is_known(step, *text, pose)) return;
+    if (text && is_known(step, *text, pose)) return false;
     if (!segment_)
       segment_ = tool_paths::Segment{fmt::format("{}", result_.path.segments.size() + 1), {}};
     segment_->waypoints.push_back({pose, {}});
     result_.sources.push_back({step, text});
+    return true;
   }
 
   /// One pose of the text is one waypoint, wherever it is used.
@@ -177,18 +176,6 @@ std::vector<const tool_paths::Waypoint*> waypoints_of(const tool_paths::ToolPath
   return waypoints;
 }
 
-/// The program as it should read with these poses.
-Program with_poses(const ProgramText& text, const std::vector<Eigen::Isometry3d>& poses) {
-  Program program = text.program;
-  for (std::size_t step = 0; step < program.steps.size(); ++step) {
-    Move* move = std::get_if<Move>(&program.steps[step]);
-    if (!move) continue;
-    if (text.steps[step].pose) move->pose = poses.at(*text.steps[step].pose);
-    if (move->via && text.steps[step].via) move->via = poses.at(*text.steps[step].via);
-  }
-  return program;
-}
-
 }  // namespace
 
 ProgramPath path_of(const ProgramText& text, const ProgramPathSettings& settings) {
@@ -211,10 +198,21 @@ std::vector<Eigen::Isometry3d> poses_of(const ProgramText& text, const ProgramPa
   return poses;
 }
 
+Program program_with(const ProgramText& text, const std::vector<Eigen::Isometry3d>& poses) {
+  Program program = text.program;
+  for (std::size_t step = 0; step < program.steps.size(); ++step) {
+    Move* move = std::get_if<Move>(&program.steps[step]);
+    if (!move) continue;
+    if (text.steps[step].pose) move->pose = poses.at(*text.steps[step].pose);
+    if (move->via && text.steps[step].via) move->via = poses.at(*text.steps[step].via);
+  }
+  return program;
+}
+
 std::vector<double> arc_errors(const ProgramText& text, const ProgramPath& program_path,
                                const tool_paths::ToolPath& adapted) {
   const PathFrame frame(text, program_path.settings.in_base);
-  const Program program = with_poses(text, poses_of(text, program_path, adapted));
+  const Program program = program_with(text, poses_of(text, program_path, adapted));
   std::vector<std::optional<Circle>> circles(program.steps.size());
   const Move* last = nullptr;
   std::size_t last_step = 0;
@@ -249,8 +247,8 @@ std::vector<SourceFile> with_poses(const Language& language, const ProgramText& 
   limits.speed = 0;
   WriteSettings as_it_was;
   as_it_was.dialect = text.dialect;
-  const std::string difference =
-      first_difference(with_poses(text, poses), again.program, language.unsaid(as_it_was), limits);
+  const std::string difference = first_difference(program_with(text, poses), again.program,
+                                                  language.unsaid(as_it_was), limits);
   if (!difference.empty())
     throw UnusableInput(language.title() + " program " + text.program.name,
                         "read back it differs: " + difference,

@@ -29,6 +29,7 @@ const Token& TokenReader::peek_after() const {
 
 const Token& TokenReader::next() {
   const Token& token = tokens_[at_];
+  end_of_last_ = token.offset + token.text.size();
   if (token.kind != TokenKind::kEnd) ++at_;
   pass_comments();
   return token;

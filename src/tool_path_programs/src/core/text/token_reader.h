@@ -46,9 +46,11 @@ class TokenReader {
   std::string name();
   NumberText number();  //!< with a sign
 
-  void skip_line();           //!< to the beginning of the next one
-  Place place() const;        //!< of the next token
-  std::string where() const;  //!< of the next token, for errors
+  void skip_line();                                         //!< to the beginning of the next one
+  Place place() const;                                      //!< of the next token
+  std::size_t offset() const { return peek().offset; }      //!< of the next token
+  std::size_t end_of_last() const { return end_of_last_; }  //!< behind what next() gave
+  std::string where() const;                                //!< of the next token, for errors
   [[noreturn]] void fail(const std::string& value, const std::string& cure) const;
 
  private:
@@ -59,6 +61,7 @@ class TokenReader {
   std::size_t file_index_;
   const std::vector<Token>& tokens_;
   std::size_t at_ = 0;
+  std::size_t end_of_last_ = 0;
 };
 
 }  // namespace tool_path_programs

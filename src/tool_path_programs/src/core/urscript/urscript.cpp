@@ -29,6 +29,10 @@ class Urscript : public Language {
                               const std::vector<Eigen::Isometry3d>& poses) const override {
     return edits_of_urscript(text, poses);
   }
+  std::vector<TextEdit> lines(const ProgramText& text,
+                              const std::vector<ArcLines>& arcs) const override {
+    return lines_of_urscript(text, arcs);
+  }
 };
 
 }  // namespace

@@ -8,6 +8,9 @@ namespace tool_path_programs {
 
 /// Orientations as Universal Robots write them: the axis of one turn, as long as its angle [rad].
 
+/// Behind the point, of metres and radians in a script.
+constexpr int kScriptDigits = 7;
+
 /// Of an angle from 0 to pi.
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation);
 

@@ -13,8 +13,6 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr int kDigits = 7;  // of metres and radians
-
 /// The six numbers of a pose where they stand.
 class PoseNumbers {
  public:
@@ -78,7 +76,7 @@ class PoseEdits {
  private:
   void add(const NumberText& old, double number) {
     const std::string old_text = numbers_.text(old);
-    const std::string text = like(old_text, number, kDigits);
+    const std::string text = like(old_text, number, kScriptDigits);
     if (text != old_text) edits_.push_back({file_, old.offset, old.length, text});
   }
 

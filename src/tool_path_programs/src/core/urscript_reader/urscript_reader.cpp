@@ -252,14 +252,16 @@ class Run {
   Flow call(const TokenRange& range) {
     const Place place = reader().place();
     const std::size_t begin = reader().position();
+    const std::size_t offset = reader().offset();
     const std::string name = reader().name();
     const ScriptArguments arguments = ScriptExpressions(reader(), variables_).arguments();
     const std::size_t end = reader().position();
+    const ByteRange text{offset, reader().end_of_last()};
     spend(end - begin);
     const ScriptFunction* function = script_.function(name, place);
     check_no_motion({file_, begin + 1, end});
     if (function != nullptr && function->acts) return follow(*function, arguments, place, range);
-    if (function == nullptr && recorder_.record(name, arguments, place)) return Flow::kGoesOn;
+    if (function == nullptr && recorder_.record(name, arguments, place, text)) return Flow::kGoesOn;
     check_known(name, place);
     forget_what_changes({file_, begin, end});
     return Flow::kGoesOn;

@@ -38,8 +38,9 @@ ProgramText ScriptRecorder::done(const std::string& name) {
 }
 
 bool ScriptRecorder::record(const std::string& function, const ScriptArguments& arguments,
-                            const Place& place) {
+                            const Place& place, const ByteRange& call) {
   place_ = place;
+  call_ = call;
   if (function == "movej" || function == "movel" || function == "movep") {
     move(function, arguments);
   } else if (function == "movec") {
@@ -89,6 +90,7 @@ void ScriptRecorder::arc(const ScriptArguments& arguments) {
   set_speed(move, arguments, 3);
   set_zone(move, arguments, 4);
   add(move, *target, via);
+  text_.steps.back().arc = ArcText{call_, {}, {}, {}, {}};
 }
 
 void ScriptRecorder::set_speed(Move& move, const ScriptArguments& arguments,

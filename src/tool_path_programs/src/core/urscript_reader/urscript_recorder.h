@@ -19,9 +19,11 @@ class ScriptRecorder {
   ScriptRecorder(const std::vector<SourceFile>& files, const ReadSettings& settings);
 
   /// A call that moves, switches an output or changes the tool.
+  /// @param call where it stands, from its name to its closing bracket
   /// @return whether it is one
   /// @throw scan_cell_common::UnusableInput naming file and line of what cannot be resolved
-  bool record(const std::string& function, const ScriptArguments& arguments, const Place& place);
+  bool record(const std::string& function, const ScriptArguments& arguments, const Place& place,
+              const ByteRange& call);
 
   ProgramText done(const std::string& name);
 
@@ -44,7 +46,8 @@ class ScriptRecorder {
 
   const ReadSettings& settings_;
   ProgramText text_;
-  Place place_;  // of the statement
+  Place place_;     // of the statement
+  ByteRange call_;  // likewise
   Frame tool_;
   std::string tool_key_;  // the same for the same tool
   std::map<LiteralId, std::size_t> poses_;

@@ -1,0 +1,96 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+
+#include "scan_cell_common/errors/errors.h"
+#include "text/arc_statement.h"
+#include "text/number_text.h"
+#include "text/token_reader.h"
+#include "urscript_reader/rotation_vector.h"
+#include "urscript_reader/urscript_reader.h"
+
+namespace tool_path_programs {
+namespace {
+
+constexpr const char* kBlend = "0.0005";  // [m] past a pose between; chosen: far below a chord
+
+/// The arguments of movec by their names, as they are written.
+std::map<std::string, std::string> arguments_of(const std::string& call) {
+  static const std::vector<std::string> names = {"pose_via", "pose_to", "a", "v", "r", "mode"};
+  const SourceFile source{"", call};
+  const auto tokens = tokens_of(source, {{"#"}, "\"", ""});
+  TokenReader reader(source, 0, tokens);
+  reader.name();
+  reader.expect('(');
+  std::map<std::string, std::string> arguments;
+  for (std::size_t position = 0; !reader.accept(')') && !reader.at_end(); ++position) {
+    std::string name = position < names.size() ? names[position] : "";
+    while (reader.at_line_end() && !reader.at_end())
+      reader.next();
+    if (reader.peek().kind == TokenKind::kName && reader.peek_after().text == "=") {
+      name = reader.name();
+      reader.next();
+    }
+    const std::size_t begin = reader.offset();
+    for (int depth = 0; depth > 0 || !(reader.at_symbol(',') || reader.at_symbol(')'));) {
+      if (reader.at_end()) break;
+      if (reader.at_symbol('(') || reader.at_symbol('[')) ++depth;
+      if (reader.at_symbol(')') || reader.at_symbol(']')) --depth;
+      reader.next();
+    }
+    arguments[name] = call.substr(begin, reader.end_of_last() - begin);
+    reader.accept(',');
+  }
+  return arguments;
+}
+
+/// A pose in the frame in which the arc's end is.
+std::string script_literal(const ProgramText& text, std::size_t step, const Eigen::Isometry3d& pose,
+                           const Eigen::Vector3d& near) {
+  const Move& move = std::get<Move>(text.program.steps[step]);
+  const Frame& user = text.program.frames[move.frames].user;
+  const Eigen::Vector3d turn = rotation_vector_near(pose.linear(), near);
+  std::string literal = "p[";
+  for (Eigen::Index i = 0; i < 3; ++i)
+    literal += fixed(pose.translation()[i], kScriptDigits) + ", ";
+  for (Eigen::Index i = 0; i < 3; ++i)
+    literal += fixed(turn[i], kScriptDigits) + (i < 2 ? ", " : "]");
+  if (!user.name.empty()) return "pose_trans(" + user.name + ", " + literal + ")";
+  if (user.pose && !user.pose->isApprox(Eigen::Isometry3d::Identity()))
+    throw scan_cell_common::UnusableInput(to_string(text.steps[step].place, text.files),
+                                          "an arc in a frame without a name",
+                                          "let the frame be a variable");
+  return literal;
+}
+
+std::vector<std::string> script_statements(const ProgramText& text, const ArcLines& arc) {
+  const ArcStatement old(text, arc.step);
+  const auto arguments = arguments_of(old.piece(old.pieces().statement));
+  std::string speeds;
+  for (const char* name : {"a", "v"})
+    if (const auto found = arguments.find(name); found != arguments.end())
+      speeds += std::string(", ") + name + "=" + found->second;
+  const auto blend = arguments.find("r");
+  const std::string zone = blend == arguments.end() ? "" : ", r=" + blend->second;
+  const bool stops = std::get<Move>(text.program.steps[arc.step]).zone == 0;
+  const Eigen::Vector3d near =
+      rotation_vector(text.poses.at(*text.steps[arc.step].pose).pose.linear());
+  std::vector<std::string> statements;
+  for (const Eigen::Isometry3d& pose : arc.poses)
+    statements.push_back("movel(" + script_literal(text, arc.step, pose, near) + speeds +
+                         (stops ? std::string(", r=") + kBlend : zone) + ")");
+  statements.push_back("movel(" + arguments.at("pose_to") + speeds + zone + ")");
+  return statements;
+}
+
+}  // namespace
+
+std::vector<TextEdit> lines_of_urscript(const ProgramText& text,
+                                        const std::vector<ArcLines>& arcs) {
+  std::vector<TextEdit> edits;
+  for (const ArcLines& arc : arcs)
+    edits.push_back(in_place_of_arc(text, arc.step, script_statements(text, arc)));
+  return edits;
+}
+
+}  // namespace tool_path_programs
