@@ -4,7 +4,9 @@
 /// Position stream and commands over a bad wire, compared with what the controller really did.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 
+#include "follow_trials.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "wire_trials.h"
@@ -62,20 +64,52 @@ bool commands(const std::shared_ptr<const RobotModel>& robot, int number) {
   return trial.done > 0 && trial.done_twice + trial.lost + trial.done_in_secret == 0;
 }
 
+/// Each of them is told once.
+void tell_reasons(const std::vector<std::string>& reasons) {
+  std::map<std::string, int> counts;
+  for (const std::string& reason : reasons)
+    ++counts[reason];
+  for (const auto& [reason, times] : counts)
+    std::printf("    %d times: %s\n", times, reason.c_str());
+}
+
+bool paths(const std::shared_ptr<const RobotModel>& robot, int number) {
+  const FollowTrial trial = run_follow_trial(robot, number, bad_wire());
+  std::printf(
+      "%d paths of the tool; lost, repeated, overtaken: 30 %% each, in both directions, in %.0f "
+      "s\n",
+      number, trial.duration);
+  count("followed, each waypoint once and in order", trial.followed, "");
+  count("waypoints of these", trial.waypoints, "");
+  count("refused with a reason, and nothing moved", trial.refused, "");
+  count("ended early with a reason", trial.ended_early, "");
+  tell_reasons(trial.reasons);
+  count("begun twice or more", trial.twice, "goal 0");
+  count("out of order", trial.out_of_order, "goal 0");
+  count("told otherwise than it was", trial.in_secret, "goal 0");
+  return trial.followed > 0 && trial.twice + trial.out_of_order + trial.in_secret == 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   double seconds = 120;
   int number = 10000;
+  int number_of_paths = 1000;
   CLI::App app("The driver's client against the emulated controller over a bad wire");
   app.add_option("--seconds", seconds, "of the position stream")->capture_default_str();
   app.add_option("--commands", number, "")->check(CLI::Range(1, 10000))->capture_default_str();
+  app.add_option("--paths", number_of_paths, "of the tool")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   return scan_cell_common::tool_main("bench_c4g_wire", app, argc, argv, [&] {
     const auto robot = std::make_shared<const RobotModel>(scan_cell_common::read_file(URDF_FILE),
                                                           "base_link", "flange");
     const bool streamed = stream(robot, seconds);
     std::fflush(stdout);
     const bool commanded = commands(robot, number);
-    return streamed && commanded ? 0 : scan_cell_common::kUnusable;
+    std::fflush(stdout);
+    const bool followed = paths(robot, number_of_paths);
+    return streamed && commanded && followed ? 0 : scan_cell_common::kUnusable;
   });
 }

@@ -9,9 +9,9 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <thread>
 
 #include "scan_cell_common/errors/errors.h"
+#include "trial_setup.h"
 
 namespace c4g_driver {
 namespace {
@@ -22,39 +22,10 @@ using scan_cell_common::Refused;
 using scan_cell_sim::Controller;
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr double kPatience = 30;     // [s] chosen
 constexpr double kFaultShare = 0.3;  // of the datagrams; chosen
 
 double seconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();
-}
-
-ClientOptions options_for(const Controller& controller,
-                          const std::shared_ptr<const RobotModel>& robot) {
-  ClientOptions options;
-  options.port = controller.port();
-  options.link_timeout = 2;  // [s] chosen, for a busy machine
-  options.tries = 400;       // a retry every 5 ms
-  options.robot = robot;
-  options.limits.operation = Operation::kAutomatic;
-  return options;
-}
-
-void wait_for_link(const Client& client) {
-  const auto start = SteadyClock::now();
-  while (!client.link().up) {
-    if (seconds_since(start) > kPatience)
-      throw ConnectionError("emulated controller", client.link().message,
-                            "check the faults of its wire");
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-}
-
-Eigen::Isometry3d looking_down(double y) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() << 0.80, y, 0.60;
-  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  return pose;
 }
 
 /// Compares each delivered pose with the flange's true pose.

@@ -39,34 +39,6 @@ TEST_F(FollowTogether, TellEachWaypointWhereItsOutputsReallyBegan) {
   EXPECT_GT(compared, 100);
 }
 
-TEST_F(FollowTogether, PassEveryWaypointOfEveryPathOnceOverABadWire) {
-  scan_cell_sim::ControllerFaults faults;
-  for (auto* wire : {&faults.to_client, &faults.from_client})
-    wire->lost = wire->repeated = wire->delayed = 0.3;
-  controller_->set_faults(faults);
-  for (int i = 1; i <= 6; ++i) {
-    ASSERT_TRUE(eventually([this] { return client_->link().up; }));
-    const ToolMotion motion = zigzag(16, 1.0);
-    const std::size_t before = heard().size();
-    client_->follow(motion);
-    const Goal goal = client_->wait_for_goal(60);
-    ASSERT_EQ(goal.outcome(), Outcome::kReached) << goal.message();
-    EXPECT_EQ(goal.waypoint(), 16u);
-    EXPECT_EQ(controller_->motions_begun(), static_cast<std::uint64_t>(2 * i - 1));
-    EXPECT_EQ(begun(), i);
-    std::uint64_t passed = 0;
-    const auto all = heard();
-    for (std::size_t k = before; k < all.size(); ++k) {
-      if (all[k].robot.motion != all.back().robot.motion) continue;
-      EXPECT_GE(all[k].robot.waypoint, passed);
-      passed = all[k].robot.waypoint;
-    }
-    client_->move_to_pose(motion.waypoints.front().tip * motion.flange_to_tip.inverse(), 0);
-    ASSERT_EQ(client_->wait_for_goal(60).outcome(), Outcome::kReached);
-  }
-  EXPECT_GT(client_->link().stream.lost, 0u);
-}
-
 TEST_F(FollowTogether, GoOnOnlyFromTheWaypointThatANewGoalSays) {
   const ToolMotion motion = zigzag(20, 0.1);
   client_->follow(motion);

@@ -4,6 +4,7 @@
 /// The trials of bench_c4g_wire, in short.
 #include <gtest/gtest.h>
 
+#include "follow_trials.h"
 #include "robot/smart5_six.h"
 #include "wire_trials.h"
 
@@ -54,4 +55,15 @@ TEST(BadWire, HasEveryCommandDoneOnceOrRefused) {
   EXPECT_EQ(trial.done_twice, 0u);
   EXPECT_EQ(trial.lost, 0u);
   EXPECT_EQ(trial.done_in_secret, 0u);
+}
+
+TEST(BadWire, HasEveryWaypointOfEveryPathPassedOnceAndInOrderOrSaysWhyNot) {
+  const FollowTrial trial = run_follow_trial(robot(), 20, bad_wire());
+  EXPECT_GT(trial.followed, 10u);
+  EXPECT_EQ(trial.reasons.size(), trial.refused + trial.ended_early);
+  for (const std::string& reason : trial.reasons)
+    EXPECT_FALSE(reason.empty());
+  EXPECT_EQ(trial.twice, 0u);
+  EXPECT_EQ(trial.out_of_order, 0u);
+  EXPECT_EQ(trial.in_secret, 0u);
 }

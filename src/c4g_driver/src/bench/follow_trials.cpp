@@ -1,0 +1,156 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "follow_trials.h"
+
+#include <chrono>
+#include <random>
+
+#include "scan_cell_common/clock/host_clock.h"
+#include "scan_cell_common/errors/errors.h"
+#include "trial_setup.h"
+
+namespace c4g_driver {
+namespace {
+
+using scan_cell_common::Nanoseconds;
+using scan_cell_sim::Controller;
+
+constexpr double kZone = 0.001;         // [m]
+constexpr double kSpeed = 0.5;          // [m/s] chosen
+constexpr Nanoseconds kLook = 200'000;  // from look to look at the truth
+constexpr double kFarthest = 0.002;     // [m] the zone, and the way between two looks
+
+/// A walk at random within 0.1 m, on each line of which other outputs are on.
+class Walk {
+ public:
+  ToolMotion from(const Eigen::Isometry3d& flange) {
+    ToolMotion motion;
+    motion.flange_to_tip.translation() << 0.02, 0.01, 0.15;
+    const Eigen::Vector3d middle = (looking_down(0) * motion.flange_to_tip).translation();
+    ToolWaypoint waypoint{flange * motion.flange_to_tip, kSpeed, kZone, 1};
+    motion.waypoints.push_back(waypoint);
+    const int lines = std::uniform_int_distribution<int>(1, 12)(random_);
+    for (int line = 1; line <= lines; ++line) {
+      const Eigen::Vector3d place =
+          middle + 0.1 * Eigen::Vector3d(part_(random_), part_(random_), part_(random_));
+      Eigen::Vector3d step = place - waypoint.tip.translation();
+      step *= std::uniform_real_distribution<double>(0.01, 0.03)(random_) / step.norm();
+      waypoint.tip.translation() += step;
+      waypoint.outputs = static_cast<std::uint32_t>(line + 1);
+      motion.waypoints.push_back(waypoint);
+    }
+    return motion;
+  }
+
+ private:
+  std::mt19937 random_{1};
+  std::uniform_real_distribution<double> part_{-1, 1};
+};
+
+/// What the controller really did of a path between two instants.
+class Truth {
+ public:
+  Truth(const Controller& controller, const ToolMotion& motion, Nanoseconds begin,
+        Nanoseconds end) {
+    std::uint32_t outputs = controller.outputs_at(begin);
+    for (Nanoseconds instant = begin; instant <= end; instant += kLook) {
+      const std::uint32_t now = controller.outputs_at(instant);
+      if (now == outputs) continue;
+      // Off at the end, else those of the next waypoint, and there.
+      const bool is_end = now == 0 && passed_ > 0;
+      const bool is_next = now == passed_ + 1 && now <= motion.waypoints.size();
+      in_order_ = in_order_ && !ended_ && (is_end || is_next);
+      if (is_next) {
+        const Eigen::Isometry3d tip = controller.flange_at(instant) * motion.flange_to_tip;
+        const Eigen::Isometry3d& waypoint = motion.waypoints[passed_].tip;
+        in_order_ = in_order_ && (tip.translation() - waypoint.translation()).norm() < kFarthest;
+        ++passed_;
+      }
+      ended_ = ended_ || is_end;
+      outputs = now;
+    }
+  }
+
+  bool in_order() const { return in_order_; }
+
+  /// Whether it was at all but the last waypoint, whose outputs go off at once.
+  bool is_whole(const ToolMotion& motion) const {
+    return ended_ && passed_ + 1 >= motion.waypoints.size();
+  }
+
+ private:
+  std::size_t passed_ = 0;  // waypoints
+  bool in_order_ = true;
+  bool ended_ = false;
+};
+
+class Trials {
+ public:
+  Trials(Controller& controller, Client& client) : controller_(controller), client_(client) {}
+
+  void follow_one() {
+    wait_for_link(client_);
+    const ToolMotion motion = walk_.from(controller_.state().flange);
+    const Nanoseconds begin = scan_cell_common::host_now();
+    const std::uint64_t begun_before = controller_.motions_begun();
+    bool reached = false;
+    std::string reason;
+    try {
+      client_.follow(motion);
+      const Goal goal = client_.wait_for_goal(kPatience);
+      reached = goal.outcome() == Goal::Outcome::kReached;
+      reason = goal.message();
+    } catch (const scan_cell_common::Error& error) {
+      reason = error.what();
+    }
+    wait_for_link(client_);  // a begin that is on its way has come by then, too
+    const auto begun = controller_.motions_begun() - begun_before;
+    judge(Truth(controller_, motion, begin, scan_cell_common::host_now()), motion, begun, reached);
+    if (!reached) trial_.reasons.push_back(reason);
+  }
+
+  FollowTrial take() { return std::move(trial_); }
+
+ private:
+  void judge(const Truth& truth, const ToolMotion& motion, std::uint64_t begun, bool reached) {
+    if (begun > 1)
+      ++trial_.twice;
+    else if (!truth.in_order())
+      ++trial_.out_of_order;
+    else if (reached && (begun == 0 || !truth.is_whole(motion)))
+      ++trial_.in_secret;
+    else if (begun == 0)
+      ++trial_.refused;
+    else
+      ++(reached ? trial_.followed : trial_.ended_early);
+    if (reached) trial_.waypoints += motion.waypoints.size();
+  }
+
+  Controller& controller_;
+  Client& client_;
+  Walk walk_;
+  FollowTrial trial_;
+};
+
+}  // namespace
+
+FollowTrial run_follow_trial(const std::shared_ptr<const RobotModel>& robot, int paths,
+                             const scan_cell_sim::ControllerFaults& faults) {
+  scan_cell_sim::ControllerOptions options;
+  options.port = 0;
+  Controller controller(options);
+  Client client(options_for(controller, robot), nullptr);
+  wait_for_link(client);
+  client.move_to_pose(looking_down(0), 0);
+  client.wait_for_goal(kPatience);
+  controller.set_faults(faults);
+  Trials trials(controller, client);
+  const auto start = std::chrono::steady_clock::now();
+  for (int path = 0; path < paths; ++path)
+    trials.follow_one();
+  FollowTrial trial = trials.take();
+  trial.duration = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return trial;
+}
+
+}  // namespace c4g_driver

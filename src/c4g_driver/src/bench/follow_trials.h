@@ -1,0 +1,32 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "c4g_driver/client.h"
+#include "scan_cell_sim/controller/controller.h"
+
+namespace c4g_driver {
+
+/// What became of paths of the tool, by the client's answers and by what the controller did.
+struct FollowTrial {
+  std::uint64_t followed = 0;        //!< to the end, each waypoint once, in order
+  std::uint64_t refused = 0;         //!< with a reason; nothing moved
+  std::uint64_t ended_early = 0;     //!< with a reason; each waypoint up to there once, in order
+  std::uint64_t twice = 0;           //!< the controller began it more than once
+  std::uint64_t out_of_order = 0;    //!< a waypoint was left out, came again or too early
+  std::uint64_t in_secret = 0;       //!< told as refused, and begun; or told as followed, and not
+  std::vector<std::string> reasons;  //!< of those that were refused or ended early
+  std::uint64_t waypoints = 0;       //!< of all that was followed to the end
+  double duration = 0;               //!< [s]
+};
+
+/// One path after the other, each from where the one before ended.
+/// @throw scan_cell_common::Error if the client does not connect
+FollowTrial run_follow_trial(const std::shared_ptr<const RobotModel>& robot, int paths,
+                             const scan_cell_sim::ControllerFaults& faults);
+
+}  // namespace c4g_driver
