@@ -99,7 +99,11 @@ class View(InBrowser):
         self.assertEqual(points[0], 200000)
         self.assertGreater(points[1], 200000)
         self.assertIn('200000 of %d points' % points[1], page.texts('#view-points')[0])
-        print('200,000 points: %.2f MB, first picture after %.1f s' % (size / 1e6, page.run('return reportView.firstPicture') / 1e3))
+        picture, view = page.run('return [reportView.firstPicture, reportView.firstView]')
+        print('200,000 points: %.2f MB, first picture after %.1f s, the view that turns after %.1f s' %
+              (size / 1e6, picture / 1e3, view / 1e3))
+        self.assertLess(picture, view)
+        self.assertFalse(page.find('#poster').is_displayed())
         self.assertLess(size, MOST_BYTES)
         self.assertLessEqual(pages_of(page.pdf()), 4)
 
