@@ -4,7 +4,7 @@ add_library(${PROJECT_NAME}_core
   src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_edits.cpp src/core/recipe/recipe_file.cpp
   src/core/recipe/recipe_names.cpp src/core/record/run_record.cpp src/core/replay/job_folder.cpp src/core/replay/replay.cpp
   src/core/run/again.cpp src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp
-  src/core/run/figures.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp
+  src/core/run/figures.cpp src/core/run/place_check.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp
   src/core/run/run_folder.cpp src/core/run/run_recipe.cpp
   src/core/run/waypoints_concerned.cpp src/core/run/work.cpp)
 target_link_libraries(${PROJECT_NAME}_core
@@ -38,7 +38,8 @@ if(CATKIN_ENABLE_TESTING)
   target_link_libraries(test_${PROJECT_NAME}_recipe ${PROJECT_NAME}_core
     ${scan_cell_common_LIBRARIES} scan_cell::scan_cell_common_clouds gtest_main)
   catkin_add_gtest(test_${PROJECT_NAME}_run
-    test/made_up_part.cpp test/run/test_recipe_edits.cpp test/run/test_run.cpp
+    test/made_up_part.cpp test/run/test_place_check.cpp test/run/test_recipe_edits.cpp
+    test/run/test_run.cpp
     test/run/test_run_folder.cpp test/temporary_folder.cpp test/view/test_run_view.cpp)
   target_link_libraries(test_${PROJECT_NAME}_run
     ${PROJECT_NAME}_view scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_clouds

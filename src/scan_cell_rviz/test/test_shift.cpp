@@ -36,7 +36,8 @@ void make_recipe(const std::string& folder) {
           ros::param::param<std::string>("/scan_cell_sim/world", ""), "--part", "frame", "--output",
           path});
   rosrun({"part_recipes", "recipe", "--recipes", folder + "/recipes", "new", "frame", "--reference",
-          cloud, "--path", path, "--program", SCAN_PROGRAM, "--work", "waypoint_z=into_part"});
+          cloud, "--path", path, "--program", SCAN_PROGRAM, "--work", "waypoint_z=into_part",
+          "--check-program", SCAN_PROGRAM});
 }
 
 class AShift : public testing::Test {

@@ -63,6 +63,11 @@ void add_new(CLI::App& app, Options& options) {
   app.add_option("--program-option", options.program_options,
                  "NAME=VALUE: option of export_path for all of them");
   app.add_option("--work", options.work, "NAME=VALUE: waypoint_z or frame, as work takes them");
+  app.add_option("--check-program", made.check_program,
+                 "scan program (YAML) that is run before the work: does the part still lie there?");
+  app.add_option("--check-tolerance", made.check_tolerance,
+                 "by which the part may have moved since it was scanned [m]")
+      ->capture_default_str();
   app.add_option("--scanner", options.scanner, "scanner model that the reference was scanned with");
   app.add_option("--cell", options.cell, "cell file that the reference was scanned with");
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
 namespace scan_cell_common {
@@ -23,6 +24,18 @@ int plain_main(const std::string& name, CLI::App& options, int argc, char** argv
     arguments.push_back(word.data());
   return tool_main(name, options, static_cast<int>(arguments.size()), arguments.data(), body,
                    refused, outputs);
+}
+
+/// Without this a tool would wait for it for ever, whatever its timeout is.
+void wait_for_master() {
+  constexpr double kPatience = 10;  // [s] it may be starting; chosen as the tools' own timeout
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (!ros::master::check()) {
+    if (ros::WallTime::now() > end)
+      throw ConnectionError("ROS master", ros::master::getURI() + " does not answer",
+                            "start the cell (roslaunch), or set ROS_MASTER_URI");
+    ros::WallDuration(0.1).sleep();
+  }
 }
 
 }  // namespace
@@ -61,6 +74,7 @@ int ros_tool_main(const std::string& name, CLI::App& options, int argc, char** a
                   const std::function<int()>& body, int refused, const Outputs& outputs) {
   const auto run = [&] {
     ros::init(argc, argv, name, ros::init_options::AnonymousName);
+    wait_for_master();
     constexpr int kThreads = 2;
     ros::AsyncSpinner spinner(kThreads);
     spinner.start();

@@ -93,6 +93,10 @@ std::string yaml_of(const Recipe& recipe) {
        << YAML::Comment("[m] deviations within +- are good");
   write(text, recipe.programs);
   write(text, "work", recipe.work);
+  if (recipe.check)
+    text << YAML::Key << "check" << YAML::Value << YAML::BeginMap << YAML::Key << "program"
+         << YAML::Value << recipe.check->program << YAML::Key << "tolerance" << YAML::Value
+         << fmt::format("{}", recipe.check->tolerance) << YAML::EndMap;
   text << YAML::EndMap;
   return std::string(text.c_str()) + "\n";
 }
@@ -123,6 +127,8 @@ Recipe make_recipe(const fs::path& recipes, const NewRecipe& made) {
     recipe.stretch = made.stretch;
     recipe.programs = made.programs;
     recipe.work = made.work;
+    if (!made.check_program.empty())
+      recipe.check = CheckPass{draft.add(made.check_program, "check"), made.check_tolerance};
     scan_cell_common::save_text((draft.path() / kRecipeFile).string(), yaml_of(recipe));
     recipe = load_recipe(draft.path());
     save_proof(recipe, {false, utc_now(), "", hashes_of(recipe), made.calibration});

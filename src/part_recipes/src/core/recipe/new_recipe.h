@@ -22,6 +22,8 @@ struct NewRecipe {
   ToolOptions stretch;                 //!< parameters
   std::vector<RobotProgram> programs;  //!< to write
   ToolOptions work;                    //!< of work
+  std::string check_program;           //!< scan program before the work; empty: none
+  double check_tolerance = 0.0005;     //!< [m]
   Hashes calibration;                  //!< of the cell that scanned the reference; empty: not known
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,12 @@ struct RobotProgram {
   ToolOptions options;  //!< of export_path
 };
 
+/// A short scan before the work: whether the part lies where it was scanned.
+struct CheckPass {
+  std::string program;        //!< scan program that sees all of the path
+  double tolerance = 0.0005;  //!< [m] by which the part may have moved, and the path changed
+};
+
 /// All that one part type needs from scan to program. Lengths are metres.
 struct Recipe {
   std::filesystem::path folder;        //!< where its files lie
@@ -49,6 +56,7 @@ struct Recipe {
   std::vector<Place> places;           //!< each with a name of its own
   std::vector<RobotProgram> programs;  //!< of an accepted path
   ToolOptions work;                    //!< of work: waypoint_z, frame
+  std::optional<CheckPass> check;      //!< before each work; none: the part stays where it is
 
   /// Names of the files in the folder that a run depends on; recipe.yaml is the first.
   std::vector<std::string> files() const;

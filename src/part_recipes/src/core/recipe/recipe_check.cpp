@@ -103,6 +103,9 @@ std::vector<std::string> problems_of(const Recipe& recipe) {
     if (!recipe.program.empty()) scan_cell::load_scan_program(recipe.folder / recipe.program);
   });
   look([&] {
+    if (recipe.check) scan_cell::load_scan_program(recipe.folder / recipe.check->program);
+  });
+  look([&] {
     if (!recipe.cleaning.empty())
       cloud_preprocess::load_clean_parameters(recipe.folder / recipe.cleaning);
   });

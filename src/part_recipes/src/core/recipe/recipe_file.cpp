@@ -94,6 +94,14 @@ std::string name_of(const YamlEntry& entry) {
   return name;
 }
 
+CheckPass check_pass_of(const YamlEntry& entry) {
+  entry.refuse_unknown({"program", "tolerance"});
+  CheckPass check;
+  check.program = file_within(entry["program"]);
+  if (entry.has("tolerance")) check.tolerance = length(entry["tolerance"]);
+  return check;
+}
+
 void check_format(const YamlEntry& entry) {
   const int format = entry.as<int>();
   if (format != kRecipeFormat)
@@ -102,7 +110,7 @@ void check_format(const YamlEntry& entry) {
 
 Recipe parse_recipe(const YamlEntry& root) {
   root.refuse_unknown({"recipe", "name", "program", "cleaning", "reference", "path", "stretch",
-                       "tolerance", "places", "robot_programs", "work"});
+                       "tolerance", "places", "robot_programs", "work", "check"});
   check_format(root["recipe"]);
   Recipe recipe;
   recipe.name = name_of(root["name"]);
@@ -116,6 +124,7 @@ Recipe parse_recipe(const YamlEntry& root) {
   if (root.has("robot_programs")) recipe.programs = programs_of(root["robot_programs"]);
   if (root.has("work")) root["work"].refuse_unknown({"waypoint_z", "frame"});
   recipe.work = options_of(root, "work");
+  if (root.has("check")) recipe.check = check_pass_of(root["check"]);
   return recipe;
 }
 

@@ -56,8 +56,10 @@ fs::path find_recipe(const fs::path& recipes, const std::string& name) {
 
 std::vector<std::string> Recipe::files() const {
   std::vector<std::string> names = {kRecipeFile};
-  for (const std::string& file : {program, cleaning, reference.file, path.file}) {
-    if (!file.empty()) names.push_back(file);
+  const std::string check_program = check ? check->program : "";
+  for (const std::string& file : {program, cleaning, reference.file, path.file, check_program}) {
+    const bool is_known = std::find(names.begin(), names.end(), file) != names.end();
+    if (!file.empty() && !is_known) names.push_back(file);
   }
   return names;
 }

@@ -4,27 +4,20 @@
 
 #include "run/calls/stage_calls.h"
 #include "run/calls/tool_call.h"
+#include "run/place_check.h"
 #include "run/run_recipe.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {
-namespace {
-
-/// The first time ID.work, then ID.work_2 and so on: no record takes the place of another.
-std::string free_name(const std::string& wanted) {
-  std::string name = wanted;
-  for (int i = 2; std::filesystem::exists(name + ".json") || std::filesystem::exists(name + ".log");
-       ++i)
-    name = wanted + "_" + std::to_string(i);
-  return name;
-}
-
-}  // namespace
-
 void work(const Recipe& recipe, const RunRequest& request, const StageBegins& begins,
           EndedRun& ended) {
   if (request.work == Work::kNone || ended.record.state != RunState::kAccepted) return;
   const bool dry = request.work == Work::kDry;
+  if (!dry && recipe.check) {
+    const PlaceCheck place = check_place(recipe, ended.folder, request, begins);
+    ended.work_message = place.message;
+    if (!place.lies_there) return;
+  }
   if (begins) begins(dry ? "dry_run" : "work");
   const std::string beside = free_name(ended.folder.string() + (dry ? ".dry_run" : ".work"));
   const std::filesystem::path log = beside + ".log";

@@ -31,6 +31,7 @@ int node_main(int argc, char** argv, const std::string& name, const std::string&
 
 /// tool_main() of a tool that is a client of a running cell: takes ROS' own words (NAME:=VALUE) off
 /// the command line, and runs `body` under an anonymous node name with two threads for callbacks.
+/// Where no ROS master answers within 10 s it ends and says so.
 int ros_tool_main(const std::string& name, CLI::App& options, int argc, char** argv,
                   const std::function<int()>& body, int refused = kUnusable,
                   const Outputs& outputs = {});

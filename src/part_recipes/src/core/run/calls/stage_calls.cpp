@@ -56,6 +56,18 @@ ToolCall stretch_call(const Recipe& recipe) {
   return call;
 }
 
+ToolCall recheck_call(const Recipe& recipe, const fs::path& run) {
+  ToolCall call{"stretch",
+                "tool_path_stretcher",
+                {"stretch", "--reference", (run / "object.ply").string(), "--reference-units", "m",
+                 "--object", "../object.ply", "--object-units", "m", "--path",
+                 (run / path_name(recipe)).string(), "--path-units", recipe.path.units, "--output",
+                 adapted_path(recipe), "--report", "../report.json"}};
+  add_options(call, recipe.path.options);
+  add_options(call, recipe.stretch);
+  return call;
+}
+
 ToolCall deviations_call(const Recipe& recipe) {
   return {"deviations",
           "part_recipes",

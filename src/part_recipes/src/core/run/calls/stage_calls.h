@@ -27,6 +27,10 @@ ToolCall clean_call(const Recipe& recipe, const std::string& scan, const std::st
 /// report.json, and the adapted path where it is accepted.
 ToolCall stretch_call(const Recipe& recipe);
 
+/// report.json of an accepted run's path, from the scan of then to another one: object.ply.
+/// @param run its folder
+ToolCall recheck_call(const Recipe& recipe, const std::filesystem::path& run);
+
 /// deviation.ply, deviation.json.
 ToolCall deviations_call(const Recipe& recipe);
 

@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "recipe/recipe.h"
+#include "run/run_recipe.h"
+
+namespace part_recipes {
+
+/// What a short scan of a part that was scanned before has found.
+struct PlaceCheck {
+  bool lies_there = false;        //!< as it did, within the recipe's tolerance
+  std::optional<double> moved;    //!< [m] at most, of any place on the part; none: not found again
+  std::optional<double> changed;  //!< [m] at most, of the path, beyond that
+  std::string message;            //!< for a person
+};
+
+/// Scans the part of an accepted run by the program that its recipe has for it, and adapts the
+/// run's path from the first scan to this one. What was found is kept beside the run's folder:
+/// ID.check.json.
+/// @param recipe whose check is given
+/// @param run its folder
+/// @param scan raw cloud [m] in place of the cell's; none: the running cell scans
+/// @throw scan_cell_common::FileError if a tool cannot be called, or a file cannot be written
+PlaceCheck check_place(const Recipe& recipe, const std::filesystem::path& run,
+                       const RunRequest& request, const StageBegins& begins,
+                       const std::optional<std::filesystem::path>& scan = std::nullopt);
+
+/// The first of NAME, NAME_2, NAME_3 ... that no .json and no .log has: no record takes the place
+/// of another.
+std::string free_name(const std::string& wanted);
+
+}  // namespace part_recipes
