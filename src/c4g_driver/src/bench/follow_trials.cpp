@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "follow_trials.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <random>
 
@@ -53,7 +56,8 @@ class Truth {
   Truth(const Controller& controller, const ToolMotion& motion, Nanoseconds begin,
         Nanoseconds end) {
     std::uint32_t outputs = controller.outputs_at(begin);
-    for (Nanoseconds instant = begin; instant <= end; instant += kLook) {
+    for (Nanoseconds look = begin; look < end + kLook; look += kLook) {
+      const Nanoseconds instant = std::min(look, end);
       const std::uint32_t now = controller.outputs_at(instant);
       if (now == outputs) continue;
       // Off at the end, else those of the next waypoint, and there.
@@ -72,6 +76,11 @@ class Truth {
   }
 
   bool in_order() const { return in_order_; }
+
+  std::string text() const {
+    return fmt::format("{} waypoints passed, {}, outputs {}", passed_,
+                       in_order_ ? "in order" : "not in order", ended_ ? "off again" : "still on");
+  }
 
   /// Whether it was at all but the last waypoint, whose outputs go off at once.
   bool is_whole(const ToolMotion& motion) const {
@@ -123,6 +132,10 @@ class Trials {
       ++trial_.refused;
     else
       ++(reached ? trial_.followed : trial_.ended_early);
+    if (begun > 1 || !truth.in_order() || (reached && !truth.is_whole(motion)))
+      trial_.faults.push_back(
+          fmt::format("{} waypoints, begun {} times, {}: {}", motion.waypoints.size(), begun,
+                      reached ? "told as followed" : "not told as followed", truth.text()));
     if (reached) trial_.waypoints += motion.waypoints.size();
   }
 

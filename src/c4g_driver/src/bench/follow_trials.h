@@ -20,8 +20,10 @@ struct FollowTrial {
   std::uint64_t out_of_order = 0;    //!< a waypoint was left out, came again or too early
   std::uint64_t in_secret = 0;       //!< told as refused, and begun; or told as followed, and not
   std::vector<std::string> reasons;  //!< of those that were refused or ended early
-  std::uint64_t waypoints = 0;       //!< of all that was followed to the end
-  double duration = 0;               //!< [s]
+  std::vector<std::string>
+      faults;                   //!< what became of those that are twice, out_of_order, in_secret
+  std::uint64_t waypoints = 0;  //!< of all that was followed to the end
+  double duration = 0;          //!< [s]
 };
 
 /// One path after the other, each from where the one before ended.
