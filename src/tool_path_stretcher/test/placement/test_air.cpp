@@ -303,7 +303,10 @@ Case bent_frame(double size) {
   each.part.depth *= size;
   each.part.inside = [=](double x, double y) { return frame.inside(x / size, y / size); };
   each.part.height = [=](double x, double y) { return size * frame.height(x / size, y / size); };
-  each.part.path_position = [=](double a) { return size * frame.path_position(a); };
+  // of its type: a product that Eigen has not worked out yet would outlive what it refers to
+  each.part.path_position = [=](double a) -> Eigen::Vector3d {
+    return size * frame.path_position(a);
+  };
   each.scanned_part = each.part;
   each.path = synthetic::path_on(each.part, kWaypoints);
   each.deformation = synthetic::bend(0.006 * size, each.part.width);
