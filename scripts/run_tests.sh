@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # run_tests.sh BUILD TESTS ROSTESTS   runs every test of a build and names the failures: TESTS in parallel, with browsers
-# and schedulers among them, then ROSTESTS rostests in parallel, which mostly wait for their simulated cell.
+# and schedulers among them, then ROSTESTS rostests in parallel, which mostly wait for their simulated cell. Each of them
+# may take TEST_TIMEOUT seconds (1200).
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$1 tests=$2 rostests=$3 status=0
 
-run() { ctest --test-dir "$build" --output-on-failure --timeout 1200 "$@" || status=1; }
+run() { ctest --test-dir "$build" --output-on-failure --timeout "${TEST_TIMEOUT:-1200}" "$@" || status=1; }
 
 rm -rf "$build/test_results"
 run --tests-regex '_gtest_|_nosetests_' --parallel "$tests"

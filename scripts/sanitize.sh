@@ -29,7 +29,7 @@ addresses() {
   export LSAN_OPTIONS="suppressions=$PWD/scripts/sanitizers/leaks.txt:print_suppressions=0"
   # Under the sanitizer Eigen would use its own allocator, but PCL's libraries free memory that we allocated.
   # -O2: the simulated cell must keep up with its pulses.
-  make test BUILD=$tree DEVEL=$tree/devel CELLS=1 \
+  TEST_TIMEOUT=3600 make test BUILD=$tree DEVEL=$tree/devel CELLS=1 \
     FLAGS='-O2 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined -DEIGEN_MALLOC_ALREADY_ALIGNED=1 -Wno-maybe-uninitialized'
 }
 
