@@ -34,6 +34,7 @@ struct Options {
   TrialLimits limits;
   std::string folder = "out/trials";
   std::vector<std::string> blows;
+  std::vector<std::string> moments;
 };
 
 /// @param round of those of this blow
@@ -45,6 +46,7 @@ Moment moment_of(Blow blow, int round) {
 }
 
 /// All kinds in equal numbers, in an order that the seed decides.
+/// @throw scan_cell_common::InvalidParameter if none of the blows comes at any of the moments
 std::vector<Trial> mix(const Options& options) {
   std::mt19937 random(options.seed);
   std::uniform_real_distribution<double> share(0.1, 0.7), pause(0, 2),
@@ -55,7 +57,12 @@ std::vector<Trial> mix(const Options& options) {
       wanted.push_back(blow);
   }
   std::vector<Trial> trials;
-  for (int i = 0; i < options.count; ++i) {
+  constexpr int kRounds = 6;  // each blow has come at each of its moments by then
+  for (int i = 0; static_cast<int>(trials.size()) < options.count; ++i) {
+    if (trials.empty() && i > kRounds * static_cast<int>(wanted.size()))
+      throw scan_cell_common::InvalidParameter("--moments",
+                                               fmt::format("{}", fmt::join(options.moments, ", ")),
+                                               "give one at which these blows can come");
     const auto blows = static_cast<int>(wanted.size());
     const Blow blow = wanted[static_cast<std::size_t>(i % blows)];
     Moment moment = moment_of(blow, i / blows);
@@ -64,7 +71,9 @@ std::vector<Trial> mix(const Options& options) {
       moment = Moment::kMidProgram;
       part = anywhere(random);
     }
-    trials.push_back({blow, moment, part, pause(random)});
+    const Trial trial{blow, moment, part, pause(random)};
+    if (std::count(options.moments.begin(), options.moments.end(), name_of(moment)) > 0)
+      trials.push_back(trial);
   }
   std::shuffle(trials.begin(), trials.end(), random);
   return trials;
@@ -148,6 +157,9 @@ int main(int argc, char** argv) {
   Options options;
   for (const Blow blow : every_blow())
     options.blows.push_back(name_of(blow));
+  for (const Moment moment :
+       {Moment::kMidMove, Moment::kMidScan, Moment::kMidProgram, Moment::kMidPath})
+    options.moments.push_back(name_of(moment));
   CLI::App app("Disturbs the simulated cell at random times, and checks its promises");
   app.add_option("--count", options.count, "number of trials")->check(CLI::PositiveNumber);
   app.add_option("--seed", options.seed, "seed of their order and times");
@@ -158,6 +170,9 @@ int main(int argc, char** argv) {
   scan_cell_common::refuse_renamed(app, {{"--most-on", "--max-on"}});
   app.add_option("--blows", options.blows, "which of them")
       ->check(CLI::IsMember(options.blows))
+      ->capture_default_str();
+  app.add_option("--moments", options.moments, "when they come")
+      ->check(CLI::IsMember(options.moments))
       ->capture_default_str();
   app.add_option("--folder", options.folder, "folder for clouds and logs");
   return scan_cell_common::tool_main("trials", app, argc, argv, [&] { return run(options); });
