@@ -5,6 +5,7 @@
 #include <scan_cell_msgs/RecordPose.h>
 
 #include <QApplication>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTest>
@@ -95,6 +96,12 @@ class ATeachPage : public testing::Test {
     return page_->findChild<QLabel*>(label)->text().toStdString();
   }
   void press(const char* name) const { QTest::mousePress(button(name), Qt::LeftButton); }
+  /// Moves the pointer with its left button down.
+  static void drag(QPushButton* button, const QPoint& to) {
+    QMouseEvent move(QEvent::MouseMove, to, button->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(button, &move);
+  }
   void release(const char* name) const { QTest::mouseRelease(button(name), Qt::LeftButton); }
 
   std::size_t count() const { return driver_->heard().size(); }
@@ -125,7 +132,9 @@ TEST_F(ATeachPage, MovesTheRobotWhileAButtonIsHeld) {
   page_->findChild<QDoubleSpinBox*>("jog_speed")->setValue(7);
   press("jog_minus_3");
   ASSERT_TRUE(goes());
-  for (const Jog& jog : driver_->heard()) {
+  const auto heard = driver_->heard();
+  for (std::size_t i = 1; i < heard.size(); ++i) {  // behind the one that says it was up
+    const Jog& jog = heard[i];
     EXPECT_EQ(jog.kind, Jog::BASE);
     EXPECT_EQ(jog.axis, 2);
     EXPECT_EQ(jog.direction, -1);
@@ -145,8 +154,9 @@ TEST_F(ATeachPage, MovesTheRobotWhileTheSpaceBarIsHeld) {
     QApplication::sendEvent(plus, &repeated);
   }
   ASSERT_TRUE(goes());
-  for (const Jog& jog : driver_->heard())
-    EXPECT_EQ(jog.direction, 1) << "it stopped in between";
+  const auto heard = driver_->heard();
+  for (std::size_t i = 1; i < heard.size(); ++i)
+    EXPECT_EQ(heard[i].direction, 1) << "it stopped in between";
   QTest::keyRelease(plus, Qt::Key_Space);
   EXPECT_TRUE(has_stopped());
 }
@@ -175,6 +185,27 @@ TEST_F(ATeachPage, StopsTheRobotWhateverTakesTheButtonAway) {
   }
 }
 
+TEST_F(ATeachPage, StopsWhereThePointerLeavesTheButtonAndDoesNotGoOnWhereItComesBack) {
+  QPushButton* const plus = button("jog_plus_1");
+  press("jog_plus_1");
+  ASSERT_TRUE(goes());
+  drag(plus, plus->rect().bottomRight() + QPoint(50, 50));
+  EXPECT_TRUE(has_stopped());
+  drag(plus, plus->rect().center());
+  EXPECT_TRUE(has_stopped());
+  release("jog_plus_1");
+  press("jog_plus_1");
+  EXPECT_TRUE(goes());
+  release("jog_plus_1");
+}
+
+TEST_F(ATeachPage, TellsThatTheButtonWasUpWheneverItIsPressed) {
+  press("jog_plus_1");
+  ASSERT_TRUE(goes());
+  EXPECT_EQ(driver_->heard().front().direction, 0);
+  release("jog_plus_1");
+}
+
 TEST_F(ATeachPage, MustBePressedAnewWhereTheWindowHung) {
   press("jog_plus_1");
   ASSERT_TRUE(goes());
@@ -184,6 +215,8 @@ TEST_F(ATeachPage, MustBePressedAnewWhereTheWindowHung) {
   EXPECT_TRUE(has_stopped());
   EXPECT_LE(count(), before + 2);
   EXPECT_NE(text("jog_said").find("press the button again"), std::string::npos);
+  drag(button("jog_plus_1"), button("jog_plus_1")->rect().center() + QPoint(1, 0));
+  EXPECT_TRUE(has_stopped()) << "the mouse, still held, moved";
   release("jog_plus_1");
   press("jog_plus_1");
   EXPECT_TRUE(goes());
@@ -193,6 +226,9 @@ TEST_F(ATeachPage, MustBePressedAnewWhereTheWindowHung) {
 TEST_F(ATeachPage, MustBePressedAnewWhereTheDriverWasGone) {
   press("jog_plus_1");
   ASSERT_TRUE(goes());
+  ros::NodeHandle node;
+  const boost::function<void(const scan_cell_msgs::JogConstPtr&)> listen = [](const auto&) {};
+  const ros::Subscriber recording = node.subscribe<Jog>("/c4g_driver/jog", 10, listen);
   driver_.reset();
   EXPECT_TRUE(comes([this] { return !button("jog_plus_1")->isDown(); }));
   EXPECT_NE(text("jog_said").find("not running"), std::string::npos) << text("jog_said");

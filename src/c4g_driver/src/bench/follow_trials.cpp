@@ -77,6 +77,9 @@ class Truth {
 
   bool in_order() const { return in_order_; }
 
+  /// Whether no output is on at the end.
+  bool is_off() const { return ended_ || passed_ == 0; }
+
   std::string text() const {
     return fmt::format("{} waypoints passed, {}, outputs {}", passed_,
                        in_order_ ? "in order" : "not in order", ended_ ? "off again" : "still on");
@@ -102,10 +105,12 @@ class Trials {
     const ToolMotion motion = walk_.from(controller_.state().flange);
     const Nanoseconds begin = scan_cell_common::host_now();
     const std::uint64_t begun_before = controller_.motions_begun();
-    bool reached = false;
+    bool reached = false, refused = false;
     std::string reason;
     try {
+      refused = true;
       client_.follow(motion);
+      refused = false;
       const Goal goal = client_.wait_for_goal(kPatience);
       reached = goal.outcome() == Goal::Outcome::kReached;
       reason = goal.message();
@@ -114,25 +119,33 @@ class Trials {
     }
     wait_for_link(client_);  // a begin that is on its way has come by then, too
     const auto begun = controller_.motions_begun() - begun_before;
-    judge(Truth(controller_, motion, begin, scan_cell_common::host_now()), motion, begun, reached);
+    const Truth truth(controller_, motion, begin, scan_cell_common::host_now());
+    judge(truth, motion, begun, {reached, refused});
     if (!reached) trial_.reasons.push_back(reason);
   }
 
   FollowTrial take() { return std::move(trial_); }
 
  private:
-  void judge(const Truth& truth, const ToolMotion& motion, std::uint64_t begun, bool reached) {
+  struct Told {
+    bool reached, refused;
+  };
+
+  void judge(const Truth& truth, const ToolMotion& motion, std::uint64_t begun, const Told& told) {
+    const bool reached = told.reached;
+    const bool wrong =
+        told.refused ? begun > 0 : reached && (begun == 0 || !truth.is_whole(motion));
     if (begun > 1)
       ++trial_.twice;
     else if (!truth.in_order())
       ++trial_.out_of_order;
-    else if (reached && (begun == 0 || !truth.is_whole(motion)))
+    else if (wrong || !truth.is_off())
       ++trial_.in_secret;
     else if (begun == 0)
       ++trial_.refused;
     else
       ++(reached ? trial_.followed : trial_.ended_early);
-    if (begun > 1 || !truth.in_order() || (reached && !truth.is_whole(motion)))
+    if (begun > 1 || !truth.in_order() || wrong || !truth.is_off())
       trial_.faults.push_back(
           fmt::format("{} waypoints, begun {} times, {}: {}", motion.waypoints.size(), begun,
                       reached ? "told as followed" : "not told as followed", truth.text()));

@@ -18,7 +18,8 @@ struct FollowTrial {
   std::uint64_t ended_early = 0;     //!< with a reason; each waypoint up to there once, in order
   std::uint64_t twice = 0;           //!< the controller began it more than once
   std::uint64_t out_of_order = 0;    //!< a waypoint was left out, came again or too early
-  std::uint64_t in_secret = 0;       //!< told as refused, and begun; or told as followed, and not
+  std::uint64_t in_secret = 0;       //!< told as refused, and begun; told as followed, and not;
+                                     //!< or with outputs on when it had ended
   std::vector<std::string> reasons;  //!< of those that were refused or ended early
   std::vector<std::string>
       faults;                   //!< what became of those that are twice, out_of_order, in_secret

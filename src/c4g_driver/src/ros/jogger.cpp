@@ -72,6 +72,7 @@ void Jogger::hear(const Message& message) {
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   wish_ = wish;
+  was_up_ = was_up_ || message.direction == 0;
   refusal_ = refusal;
   heard_ = ros::SteadyTime::now();
 }
@@ -79,22 +80,35 @@ void Jogger::hear(const Message& message) {
 /// What a person wants at this moment.
 std::optional<Jogger::Wish> Jogger::wish() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!wish_ || (ros::SteadyTime::now() - heard_).toSec() > silence_) return std::nullopt;
+  if ((ros::SteadyTime::now() - heard_).toSec() > silence_) return std::nullopt;
   return wish_;
 }
 
+/// What came before a silence counts no more: a button may be held that nobody hears of.
+bool Jogger::is_silent() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return (ros::SteadyTime::now() - heard_).toSec() > silence_;
+}
+
+bool Jogger::take_up() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(was_up_, false);
+}
+
 void Jogger::work() {
+  const bool up = take_up();  // before the wish: it may have come with it
   const auto wanted = wish();
+  if (is_silent()) let_go_first_ = true;
   if (under_way_ && !client_.goal().underway()) end(wanted.has_value());
   if (under_way_) {
     if (!wanted || !(wanted->jog == *under_way_)) stop();
     return;
   }
+  if (up) let_go_first_ = false;
   if (wanted) {
     if (!let_go_first_) begin(*wanted);
     return;
   }
-  let_go_first_ = false;
   if (const std::string refusal = take_refusal(); !refusal.empty()) tell(false, refusal);
 }
 
@@ -105,7 +119,7 @@ void Jogger::end(bool held) {
                          (stopping_ && goal.outcome() == Goal::Outcome::kStopped);
   under_way_.reset();
   stopping_ = false;
-  let_go_first_ = held && !as_wanted;
+  let_go_first_ = let_go_first_ || (held && !as_wanted);
   restore_speed();
   tell(false, as_wanted ? "" : goal.message());
 }

@@ -14,9 +14,10 @@
 
 namespace c4g_driver {
 
-/// Held to run: the robot moves while ~jog comes, and stops where it ends or says so. After it
-/// stopped for another reason, the button has to be let go first. Works in its own thread: calls of
-/// others do not keep it from stopping.
+/// Held to run: the robot moves while ~jog comes, and stops where it ends or says so. It begins
+/// only behind a message that says that the button is up: so it does not when this node was
+/// started, or the network was gone, while somebody held the button, nor after it stopped for
+/// another reason. Works in its own thread: calls of others do not keep it from stopping.
 class Jogger {
  public:
   /// @param silence [s] without a message after which the robot stops
@@ -39,6 +40,8 @@ class Jogger {
   void begin(const Wish& wish);
   void end(bool held);
   std::string take_refusal();
+  bool take_up();
+  bool is_silent() const;
   void slow_down(double percent);
   void restore_speed();
   void stop();
@@ -52,11 +55,12 @@ class Jogger {
   mutable std::mutex mutex_;
   std::optional<Wish> wish_;
   std::string refusal_;  // of the message that came last
+  bool was_up_ = false;  // the button, since that was looked at last
   ros::SteadyTime heard_;
 
   std::optional<Jog> under_way_;           // that this object began
   bool stopping_ = false;                  // because the person wants it
-  bool let_go_first_ = false;              // before it may begin again
+  bool let_go_first_ = true;               // before it may begin
   std::optional<double> override_before_;  // [%]
 
   ros::CallbackQueue heard_queue_, work_queue_;

@@ -33,7 +33,13 @@ class JoggedDriver : public driver_node_test::Driver {
     return jog;
   }
 
-  /// Presses the button until it is so.
+  /// Presses the button, and holds it until it is so.
+  bool press(const Jog& jog, const std::function<bool()>& condition) {
+    let_go();
+    return hold(jog, condition);
+  }
+
+  /// Sends what a button that is held does until it is so.
   bool hold(const Jog& jog, const std::function<bool()>& condition) {
     return eventually([&] {
       jog_.publish(jog);
@@ -64,7 +70,7 @@ class JoggedDriver : public driver_node_test::Driver {
 }  // namespace
 
 TEST_F(JoggedDriver, MovesWhileTheButtonIsHeldAndStopsWhenItIsLetGo) {
-  ASSERT_TRUE(hold(along(Jog::BASE, 1, 1), [this] { return moved() > 0.01; })) << said();
+  ASSERT_TRUE(press(along(Jog::BASE, 1, 1), [this] { return moved() > 0.01; })) << said();
   EXPECT_NEAR(truth().translation().x(), begin_.translation().x(), 1e-3);
   EXPECT_GT(truth().translation().y(), begin_.translation().y());
   let_go();
@@ -77,12 +83,12 @@ TEST_F(JoggedDriver, MovesWhileTheButtonIsHeldAndStopsWhenItIsLetGo) {
 }
 
 TEST_F(JoggedDriver, StopsWhereNobodyHoldsTheButtonAnyLonger) {
-  ASSERT_TRUE(hold(along(Jog::FLANGE, 2, -1), [this] { return moved() > 0.01; })) << said();
+  ASSERT_TRUE(press(along(Jog::FLANGE, 2, -1), [this] { return moved() > 0.01; })) << said();
   EXPECT_TRUE(eventually([this] { return stands(); }, 0.7));  // silence, a look, braking
 }
 
 TEST_F(JoggedDriver, TurnsRoundWithoutLettingGo) {
-  ASSERT_TRUE(hold(along(Jog::BASE, 1, 1), [this] { return moved() > 0.01; })) << said();
+  ASSERT_TRUE(press(along(Jog::BASE, 1, 1), [this] { return moved() > 0.01; })) << said();
   EXPECT_TRUE(hold(along(Jog::BASE, 1, -1), [this] {
     return truth().translation().y() < begin_.translation().y() - 0.005;
   })) << said();
@@ -92,7 +98,7 @@ TEST_F(JoggedDriver, TurnsRoundWithoutLettingGo) {
 TEST_F(JoggedDriver, MovesOneJointToTheEndOfItsRangeAndNotBeyond) {
   const double range = scan_cell_sim::joint_limits().upper[4];
   const double begin = controller_->state().joints[4];
-  ASSERT_TRUE(hold(along(Jog::JOINT, 4, 1), [&] {
+  ASSERT_TRUE(press(along(Jog::JOINT, 4, 1), [&] {
     return controller_->state().joints[4] > begin + 0.1;
   })) << said();
   ASSERT_TRUE(hold(along(Jog::JOINT, 4, 1), [&] { return !said().empty() && stands(); }));
@@ -102,7 +108,7 @@ TEST_F(JoggedDriver, MovesOneJointToTheEndOfItsRangeAndNotBeyond) {
 }
 
 TEST_F(JoggedDriver, DoesNotGoOnByItselfAfterAnEmergencyStop) {
-  ASSERT_TRUE(hold(along(Jog::BASE, 1, 1), [this] { return moved() > 0.01; })) << said();
+  ASSERT_TRUE(press(along(Jog::BASE, 1, 1), [this] { return moved() > 0.01; })) << said();
   controller_->press_e_stop();
   ASSERT_TRUE(hold(along(Jog::BASE, 1, 1), [this] { return stands() && !said().empty(); }));
   controller_->release_e_stop();
@@ -121,7 +127,7 @@ TEST_F(JoggedDriver, RestoresTheSpeedThatWasSet) {
         [&] { return status_.is([&](const auto& status) { return status.override == percent; }); });
   };
   ASSERT_TRUE(is(100));
-  ASSERT_TRUE(hold(along(Jog::BASE, 1, 1), [this] { return moved() > 0.005; })) << said();
+  ASSERT_TRUE(press(along(Jog::BASE, 1, 1), [this] { return moved() > 0.005; })) << said();
   EXPECT_TRUE(is(10));
   let_go();
   EXPECT_TRUE(is(100));
@@ -129,7 +135,7 @@ TEST_F(JoggedDriver, RestoresTheSpeedThatWasSet) {
 
 TEST_F(JoggedDriver, LeavesTheMotionOfOthersAlone) {
   start_long_move();
-  ASSERT_TRUE(hold(along(Jog::BASE, 0, 1), [this] { return !said().empty(); }));
+  ASSERT_TRUE(press(along(Jog::BASE, 0, 1), [this] { return !said().empty(); }));
   EXPECT_NE(said().find("another is under way"), std::string::npos) << said();
   ASSERT_TRUE(move_.waitForResult(driver_node_test::kPatience));
   EXPECT_EQ(move_.getResult()->outcome, driver_node_test::MoveResult::REACHED);
@@ -138,8 +144,26 @@ TEST_F(JoggedDriver, LeavesTheMotionOfOthersAlone) {
 TEST_F(JoggedDriver, RefusesASpeedOrAnAxisThatIsNone) {
   Jog fast = along(Jog::BASE, 1, 1);
   fast.override = 50;
-  ASSERT_TRUE(hold(fast, [this] { return said().find("max_jog_override") != std::string::npos; }));
+  ASSERT_TRUE(press(fast, [this] { return said().find("max_jog_override") != std::string::npos; }));
   Jog axis = along(Jog::JOINT, 6, 1);
   ASSERT_TRUE(hold(axis, [this] { return said().find("axis") != std::string::npos; }));
   EXPECT_LT(moved(), 1e-9);
+}
+
+TEST_F(JoggedDriver, DoesNotBeginWithAButtonThatWasHeldBeforeItHeardOfIt) {
+  const auto moves = [this] { return moved() > 1e-6; };
+  const auto held_for_a_second = [&] {
+    return eventually(
+        [&] {
+          jog_.publish(along(Jog::BASE, 1, 1));
+          ros::WallDuration(0.02).sleep();
+          return moves();
+        },
+        1);
+  };
+  EXPECT_FALSE(held_for_a_second()) << "the driver was started while it was held";
+  ASSERT_TRUE(press(along(Jog::BASE, 1, 1), [this] { return moved() > 0.01; })) << said();
+  ASSERT_TRUE(eventually([this] { return stands(); }, 0.7)) << "nothing comes";
+  begin_ = truth();
+  EXPECT_FALSE(held_for_a_second()) << "the network was gone while it was held";
 }

@@ -6,7 +6,6 @@
 #include <cstdlib>
 
 #include "made_up_recipe.h"
-#include "recipe/proof.h"
 #include "run/place_check.h"
 #include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
@@ -99,8 +98,8 @@ TEST_F(APlaceCheck, OfARunThatTheRecipeDidNotMakeIsRefused) {
 TEST_F(APlaceCheck, StandsBeforeTheWork) {
   RunRequest work_it = request("moved.ply");
   work_it.work = Work::kReal;
-  setenv("ROS_MASTER_URI", "http://localhost:1", 1);  // nobody is there
-  work(recipe_, work_it, {}, run_);
+  setenv("ROS_MASTER_URI", "http://localhost:1", 1);             // nobody is there
+  work(load_recipe(run_.folder / "inputs"), work_it, {}, run_);  // as of a run that is chosen later
   EXPECT_FALSE(run_.worked);
   EXPECT_NE(run_.work_message.find("scan failed: scan: ROS master"), std::string::npos)
       << run_.work_message;

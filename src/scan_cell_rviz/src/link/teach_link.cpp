@@ -33,7 +33,7 @@ TeachLink::TeachLink(const NodeNames& names) : names_(names), spinner_(1, &queue
   qRegisterMetaType<scan_cell_msgs::JogState>("scan_cell_msgs::JogState");
   qRegisterMetaType<std::vector<double>>("std::vector<double>");
   node_.setCallbackQueue(&queue_);
-  jog_ = node_.advertise<scan_cell_msgs::Jog>(names_.robot + "/jog", 1);
+  jog_ = node_.advertise<scan_cell_msgs::Jog>(names_.robot + "/jog", 10);
   state_ = node_.subscribe<scan_cell_msgs::JogState>(
       names_.robot + "/jog_state", 10, [this](const auto& state) { Q_EMIT jogTold(*state); });
   joints_ = node_.subscribe<sensor_msgs::JointState>(

@@ -31,8 +31,8 @@ class TeachLink : public QObject {
   /// From here on signals come: connect them before.
   void start();
 
-  /// Whether anybody hears jog().
-  bool has_driver() const { return jog_.getNumSubscribers() > 0; }
+  /// Whether the driver is there. Others may listen to jog(), so its own topic tells.
+  bool has_driver() const { return state_.getNumPublishers() > 0 && jog_.getNumSubscribers() > 0; }
 
   /// One message: the robot moves while these come. Sent at once, by whoever calls.
   void jog(const scan_cell_msgs::Jog& message) { jog_.publish(message); }

@@ -3,6 +3,8 @@
 #include "seat/hold_button.h"
 
 #include <QEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
 
 namespace scan_cell_rviz {
 
@@ -11,7 +13,9 @@ HoldButton::HoldButton(const char* name, const QString& text, QWidget* parent)
   setObjectName(name);
   setFocusPolicy(Qt::StrongFocus);
   setAutoDefault(false);
-  connect(this, &QPushButton::pressed, this, [this] { set_held(true); });
+  connect(this, &QPushButton::pressed, this, [this] {
+    if (pressing_) set_held(true);
+  });
   connect(this, &QPushButton::released, this, [this] { set_held(false); });
 }
 
@@ -34,6 +38,23 @@ bool HoldButton::event(QEvent* event) {
       break;
   }
   return QPushButton::event(event);
+}
+
+void HoldButton::mousePressEvent(QMouseEvent* event) {
+  pressing_ = true;
+  QPushButton::mousePressEvent(event);
+  pressing_ = false;
+}
+
+/// Qt presses a button again where the pointer comes back to it.
+void HoldButton::mouseMoveEvent(QMouseEvent* event) {
+  if (held_) QPushButton::mouseMoveEvent(event);
+}
+
+void HoldButton::keyPressEvent(QKeyEvent* event) {
+  pressing_ = !event->isAutoRepeat();
+  QPushButton::keyPressEvent(event);
+  pressing_ = false;
 }
 
 void HoldButton::set_held(bool held) {

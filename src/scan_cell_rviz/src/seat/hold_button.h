@@ -6,8 +6,9 @@
 
 namespace scan_cell_rviz {
 
-/// Held to run, by the mouse or by the space bar. It is let go, too, where it loses the focus, is
-/// hidden or disabled, or its window is no longer the active one.
+/// Held to run, by the mouse or by the space bar. It is let go, too, where the pointer leaves it,
+/// it loses the focus, is hidden or disabled, or its window is no longer the active one. Whatever
+/// let it go, it must be pressed anew: to move the pointer back does not do it.
 class HoldButton : public QPushButton {
   Q_OBJECT
 
@@ -24,11 +25,15 @@ class HoldButton : public QPushButton {
 
  protected:
   bool event(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void set_held(bool held);
 
   bool held_ = false;
+  bool pressing_ = false;  // a key or the mouse's button goes down now
 };
 
 }  // namespace scan_cell_rviz

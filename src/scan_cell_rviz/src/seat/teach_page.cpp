@@ -161,6 +161,7 @@ void TeachPage::hold(HoldButton* button, int axis, int direction) {
   jog_.direction = static_cast<std::int8_t>(direction);
   jog_.override = speed_->value();
   said_->clear();
+  link_.jog(Jog());  // the driver begins behind a button that is up
   since_sent_.start();
   timer_.start();
   send();

@@ -68,7 +68,8 @@ struct StepText {
 /// An arc that is to be said as lines.
 struct ArcLines {
   std::size_t step = 0;                  //!< of the program: a circular move
-  std::vector<Eigen::Isometry3d> poses;  //!< [m] in the move's user frame: those before its end
+  Eigen::Isometry3d start;               //!< [m] in the move's user frame
+  std::vector<Eigen::Isometry3d> poses;  //!< [m] there, too: those before its end
 };
 
 /// A program that was read: what it does, and where that stands. Two moves may refer to one pose.

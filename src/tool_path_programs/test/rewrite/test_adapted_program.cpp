@@ -37,7 +37,7 @@ std::string fanuc_position(int number, const std::string& x, const std::string& 
 
 const Example kExamples[] = {
     {"krl", "part.src",
-     "DEF part ( )\r\n$VEL.CP=0.02\r\n$APO.CDIS=1\r\nLIN {X 100,Y 0,Z 0,A 0,B 0,C 0}\r\n"
+     "DEF part ( )\r\n$VEL.CP=0.02\r\n$APO.CDIS=1\r\nLIN {X 100,Y 0,Z 0,A 0,B 0,C 0,E1 5}\r\n"
      "$OUT[3]=TRUE\r\n  CIRC {X 70.710678,Y 70.710678,Z 0,A 90,B 0,C 0}, "
      "{Y 100,X 0,A 40,E1 5} ; rim\r\n$OUT[3]=FALSE\r\n"
      "LIN {X -50,Y 100,Z 0,A 40,B 0,C 0}\r\nEND\r\n",
@@ -261,31 +261,69 @@ TEST(AdaptedProgram, SaysTheMotionOfGcodeAnewBehindAnArcThatBecameLines) {
   EXPECT_EQ(now.substr(now.size() - end.size()), end);
 }
 
-TEST(AdaptedProgram, RefusesAnArcAtWhoseEndSomethingElseIsTriggered) {
-  const std::string text =
-      "DEF part ( )\n$VEL.CP=0.02\nLIN {X 100,Y 0,Z 0,A 0,B 0,C 0}\n"
-      "TRIGGER WHEN DISTANCE=1 DELAY=0 DO $OUT[3]=TRUE\n"
-      "CIRC {X 70.710678,Y 70.710678}, {X 0,Y 100}\nEND\n";
-  try {
-    bent_in_first_quarter(language_named("krl"), "part.src", text);
-    FAIL();
-  } catch (const UnusableInput& error) {
-    EXPECT_NE(error.value().find("reads otherwise"), std::string::npos) << error.what();
+TEST(AdaptedProgram, LeavesTheExternalAxesOfAnEndWhoseOtherNumbersItCompletes) {
+  const Example& krl = kExamples[0];
+  const std::string now =
+      bent_in_first_quarter(language_named("krl"), krl.file, krl.text).files[0].text;
+  EXPECT_NE(now.find("{Y 100,X 0,A 40,E1 5,Z 0.0000,B"), std::string::npos) << now;
+}
+
+/// An arc of an example with something else in its place.
+std::string with(const std::string& language, const std::string& old, const std::string& other) {
+  for (const Example& example : kExamples) {
+    if (example.language != language) continue;
+    std::string text = example.text;
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << language << ": " << old;
+    return text.replace(at, old.size(), other);
+  }
+  return "";
+}
+
+/// Arcs that mean more than their places say: as lines they would do something else.
+TEST(AdaptedProgram, RefusesArcsThatCannotBeSaidAsLines) {
+  const std::string position = fanuc_position(3, ".000", "100.000", "40.000");
+  const struct {
+    std::string language, old, other;
+  } cases[] = {
+      {"krl", "  CIRC", "TRIGGER WHEN DISTANCE=1 DELAY=0 DO $OUT[3]=FALSE\r\n  CIRC"},
+      {"krl", "  CIRC", "TRIGGER WHEN PATH=-10 DELAY=0 DO $OUT[GLUE]=FALSE\r\n  CIRC"},
+      {"krl", "  CIRC", "$CIRC_TYPE=#PATH\r\n  CIRC"},
+      {"krl", "E1 5} ; rim", "E1 90} ; rim"},
+      {"rapid", "MoveCDO p2,p3,v20,fine,tool0,glue,0;", "DispC\\Off,p2,p3,v20,bead,fine,tool0;"},
+      {"rapid", "MoveCDO p2,p3,v20,fine,tool0,glue,0;", "TriggC p2,p3,v20,gun,fine,tool0;"},
+      {"rapid", "MoveCDO p2", "CirPathMode\\CirPointOri;\n  MoveCDO p2"},
+      {"rapid", "[0,1,-1,0],[9E9", "[0,1,-1,0],[300"},
+      {"pdl2", "WITH $LIN_SPD = 0.01", "WITH CONDITION[1]"},
+      {"fanuc", "FINE ACC80", "FINE COORD"},
+      {"fanuc", position, position.substr(0, position.size() - 4) + ",\n\tE1= 12.5 mm\n};\n"},
+      {"urscript", "0.6981317], v=0.02)\n  set_digital_out(3, False)",
+       "0.6981317], v=0.02, mode=1)\n  set_digital_out(3, False)"},
+      {"urscript", "0.6981317], v=0.02)\n  set_digital_out(3, False)",
+       "0.6981317], v=0.02, r=0.02)\n  set_digital_out(3, False)"},
+      {"urscript", "p[0.1, 0, 0, 0, 0, 0], v=0.02)", "p[0.1, 0, 0, 0, 0, 0], v=0.02, r=0.01)"},
+      {"gcode", "F1200", "F1200 M0"},
+  };
+  for (const auto& each : cases) {
+    SCOPED_TRACE(each.language + ": " + each.other);
+    const auto& language = language_named(each.language);
+    const std::string name = "part" + language.endings().front();
+    try {
+      const auto result =
+          bent_in_first_quarter(language, name, with(each.language, each.old, each.other));
+      ADD_FAILURE() << result.files[0].text;
+    } catch (const UnusableInput& error) {
+      EXPECT_NE(std::string(error.what()).find(name + ", line "), std::string::npos)
+          << error.what();
+    }
   }
 }
 
-TEST(AdaptedProgram, RefusesAnArcWhoseInstructionHasNoLine) {
-  const std::string target = ",[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-  const std::string text = "MODULE m\nPROC main()\nMoveL [[100,0,0],[1,0,0,0]" + target +
-                           ",v20,z1,tool0;\nTriggC [[70.710678,70.710678,0],[1,0,0,0]" + target +
-                           ",[[0,100,0],[1,0,0,0]" + target +
-                           ",v20,gun,fine,tool0;\nENDPROC\nENDMODULE\n";
-  try {
-    bent_in_first_quarter(language_named("rapid"), "part.mod", text);
-    FAIL();
-  } catch (const UnusableInput& error) {
-    EXPECT_EQ(error.thing(), "part.mod, line 4");
-  }
+TEST(AdaptedProgram, RefusesMoreThanHalfACircleAlongWhichTheToolTurns) {
+  const std::string start = "G0 X100 Y0 Z0 A0 B0 C0\n", arc = "G3 X0 Y-100 I-100 J0 F1200";
+  const auto& gcode = language_named("gcode");
+  EXPECT_NO_THROW(bent_in_first_quarter(gcode, "part.ngc", start + arc + "\n"));
+  EXPECT_THROW(bent_in_first_quarter(gcode, "part.ngc", start + arc + " C270\n"), UnusableInput);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachLanguage, AnArc, testing::ValuesIn(kExamples),

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "clock/utc_time.h"
-#include "recipe/proof.h"
 #include "run/calls/stage_calls.h"
 #include "run/calls/tool_call.h"
+#include "run/run_folder.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
@@ -113,8 +113,7 @@ class Check {
   PlaceCheck run(const std::optional<fs::path>& scan) {
     if (scan)
       fs::copy_file(*scan, folder_.inputs() / "scan.ply");
-    else if (call(scan_call(recipe_, load_proof(recipe_).calibration, false, request_.timeout)) !=
-             0)
+    else if (call(scan_call(recipe_, load_run(run_).calibration, false, request_.timeout)) != 0)
       return failed("scan");
     if (call(clean_call(recipe_, "scan.ply", "m")) != 0) return failed("clean");
     const int code = call(recheck_call(recipe_, run_));

@@ -1,13 +1,14 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cctype>
 #include <map>
+#include <sstream>
 
 #include "fanuc_reader/fanuc_angles.h"
 #include "fanuc_reader/fanuc_reader.h"
 #include "fanuc_reader/fanuc_source.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 #include "text/arc_statement.h"
 #include "text/number_text.h"
 
@@ -24,17 +25,20 @@ class FanucLines {
   void add(const ArcLines& arc) {
     file_ = text_.steps[arc.step].place.file;
     const PoseText& target = text_.poses.at(*text_.steps[arc.step].pose);
+    check_groups(arc.step, position_at(target).second);
     ArcStatement end(text_, arc.step);
     const ArcText& pieces = end.pieces();
     end.put(pieces.word, "L").put(pieces.via, "");
-    const bool stops = std::toupper(end.piece(pieces.zone).front()) != 'C';
+    const bool stops = std::get<Move>(text_.program.steps[arc.step]).zone == 0;
+    const std::string options =
+        options_of_motion(arc.step, {pieces.zone.end, pieces.statement.end});
     std::vector<std::string> statements;
     for (const Eigen::Isometry3d& pose : arc.poses) {
       ArcStatement line = end;
       line.put(pieces.target, "P[" + std::to_string(add_position(target, pose)) + "]");
-      // Options behind it, such as outputs, are of the end.
+      // Outputs behind it are of the end.
       line.put({pieces.zone.begin, pieces.statement.end},
-               (stops ? "CNT100" : line.piece(pieces.zone)) + "    ;");
+               (stops ? "CNT100" : line.piece(pieces.zone)) + options + "    ;");
       statements.push_back(line.text());
     }
     statements.push_back(end.text());
@@ -54,6 +58,44 @@ class FanucLines {
                          [&](const FanucProgram& one) { return one.file == file_; });
   }
 
+  /// Those behind the zone that hold for all of the way.
+  std::string options_of_motion(std::size_t step, const ByteRange& range) const {
+    const std::string& file = text_.files[file_].text;
+    std::istringstream words(file.substr(range.begin, range.end - range.begin));
+    std::string options;
+    for (std::string word; words >> word;) {
+      const std::string lower = scan_cell_common::lower_case(word);
+      if (lower == "coord" || lower == "rtcp")
+        throw scan_cell_common::UnusableInput(to_string(text_.steps[step].place, text_.files),
+                                              "an arc with " + word, "write it as lines");
+      if (lower.rfind("acc", 0) == 0 || lower == "wjnt" || lower == "pth") options += " " + word;
+    }
+    return options;
+  }
+
+  /// Other axes would go all their way in the first line.
+  void check_groups(std::size_t step, const std::string& position) const {
+    for (const char* other : {"GP2", "E1=", "E1 ="})
+      if (position.find(other) != std::string::npos)
+        throw scan_cell_common::UnusableInput(
+            to_string(text_.steps[step].place, text_.files),
+            "an arc along which other axes may move (" + std::string(other) + ")",
+            "write it as lines");
+  }
+
+  /// A position, and its bytes.
+  std::pair<FanucPosition, std::string> position_at(const PoseText& pose) const {
+    const SourceFile& file = text_.files[pose.place.file];
+    const auto tokens = fanuc_tokens(file);
+    TokenReader reader(file, pose.place.file, tokens);
+    const auto first =
+        std::lower_bound(tokens.begin(), tokens.end(), pose.offset,
+                         [](const Token& token, std::size_t byte) { return token.offset < byte; });
+    reader.go_to(static_cast<std::size_t>(first - tokens.begin()));
+    const FanucPosition position = read_fanuc_position(reader);
+    return {position, file.text.substr(pose.offset, reader.end_of_last() - pose.offset)};
+  }
+
   /// As the position where the arc leads to, with other numbers.
   /// @return its number
   int add_position(const PoseText& target, const Eigen::Isometry3d& pose) {
@@ -62,26 +104,16 @@ class FanucLines {
       throw scan_cell_common::UnusableInput(to_string(target.place, text_.files),
                                             "no number is left for another position",
                                             "allow the arc by a tolerance");
-    const std::string& file = text_.files[file_].text;
-    const auto tokens = fanuc_tokens(text_.files[file_]);
-    TokenReader reader(text_.files[file_], file_, tokens);
-    reader.go_to(static_cast<std::size_t>(
-        std::lower_bound(tokens.begin(), tokens.end(), target.offset,
-                         [](const Token& token, std::size_t byte) { return token.offset < byte; }) -
-        tokens.begin()));
-    const FanucPosition old = read_fanuc_position(reader);
-    const std::size_t end = reader.end_of_last();
+    const auto [old, text] = position_at(target);
     std::vector<TextEdit> edits;
-    const std::size_t bracket = file.find('[', old.offset);
-    const std::size_t closing = file.find(']', bracket);
-    edits.push_back({0, bracket + 1 - old.offset, closing - bracket - 1, std::to_string(last)});
+    const std::size_t bracket = text.find('[') + 1;
+    edits.push_back({0, bracket, text.find(']') - bracket, std::to_string(last)});
     const FanucPose numbers = fanuc_pose(pose, {kFanucDigits, kFanucDigits, kFanucDigits});
     for (std::size_t i = 0; i < numbers.size(); ++i)
       edits.push_back({0, old.pose[i]->offset - old.offset, old.pose[i]->length,
                        fixed(numbers[i], kFanucDigits)});
-    positions_[file_] +=
-        edited({{"", file.substr(old.offset, end - old.offset)}}, edits).front().text +
-        (file.find("\r\n") == std::string::npos ? "\n" : "\r\n");
+    const bool dos = text_.files[file_].text.find("\r\n") != std::string::npos;
+    positions_[file_] += edited({{"", text}}, edits).front().text + (dos ? "\r\n" : "\n");
     return last;
   }
 

@@ -46,7 +46,7 @@ class GcodeLines {
   /// The G2 of an arc before it, which is gone, held on.
   void say_motion(const GcodeBlock& block, const GcodeAction& action) {
     const bool is_said = std::any_of(block.words.begin(), block.words.end(), is_motion);
-    if (!is_said && action.kind == GcodeAction::Kind::kNone) return;
+    if (!is_said && action.kind != GcodeAction::Kind::kMove) return;
     if (!is_said)
       edits_.push_back(
           {0, block.words.front().offset, 0, "G" + std::to_string(action.motion) + " "});

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gcode_reader/gcode_reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "gcode_reader/gcode_machine.h"
 #include "scan_cell_common/errors/errors.h"
@@ -26,6 +28,14 @@ std::string dialect_of(const std::vector<GcodeBlock>& blocks, const SourceFile& 
   throw scan_cell_common::UnusableInput(file.name,
                                         "rotary axes " + std::string(rotary.begin(), rotary.end()),
                                         "give A B C, A C, B C or none, or say the dialect");
+}
+
+/// M functions that stop behind the move of their line.
+bool has_end(const GcodeBlock& block) {
+  const std::set<double> ends = {0, 1, 2, 30, 60};
+  return std::any_of(block.words.begin(), block.words.end(), [&](const GcodeWord& word) {
+    return word.letter == 'M' && ends.count(word.value) != 0;
+  });
 }
 
 class Reader {
@@ -79,7 +89,8 @@ class Reader {
     }
     add(move, block);
     text_.steps.back().pose = text_.poses.size();
-    if (action.via) text_.steps.back().arc = ArcText{gcode_range(block), {}, {}, {}, {}};
+    if (action.via && !has_end(block))
+      text_.steps.back().arc = ArcText{gcode_range(block), {}, {}, {}, {}};
     text_.poses.push_back({move.pose, {0, block.line}, block.words.front().offset});
     before_ = move.pose;
   }

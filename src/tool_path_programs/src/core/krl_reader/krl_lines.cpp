@@ -1,9 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <cctype>
 
 #include "krl_reader/krl_reader.h"
 #include "krl_values/krl_values.h"
+#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "text/arc_statement.h"
 #include "text/number_text.h"
@@ -20,14 +23,48 @@ std::string krl_literal(const Eigen::Isometry3d& pose) {
   return literal + "}";
 }
 
-/// A pose that leaves out some of its six numbers means what the motion before it leaves.
-bool is_whole(const ProgramText& text, const PoseText& pose) {
+KrlAggregate aggregate_at(const ProgramText& text, const PoseText& pose) {
   const std::string& file = text.files[pose.place.file].text;
   const std::size_t end = std::min(file.find('\n', pose.offset), file.size());
   const SourceFile line{"", file.substr(pose.offset, end - pose.offset)};
   const auto tokens = tokens_of(line, {{";"}, "\"'", "$#"});
   TokenReader reader(line, 0, tokens);
-  return read_aggregate(reader).whole();
+  return read_aggregate(reader);
+}
+
+[[noreturn]] void refuse_arc(const ProgramText& text, std::size_t step, const std::string& value,
+                             const std::string& cure) {
+  throw scan_cell_common::UnusableInput(to_string(text.steps[step].place, text.files), value, cure);
+}
+
+/// What stands in braces, with those of the six numbers that it leaves out: it meant what the
+/// motion before it left.
+std::string completed(const ProgramText& text, std::size_t step, const std::string& literal,
+                      const KrlAggregate& target, const Eigen::Isometry3d& pose) {
+  if (literal.empty() || literal.back() != '}')
+    refuse_arc(text, step, "an arc to a pose that lacks some of X, Y, Z, A, B, C", "give all six");
+  const KrlNumbers numbers = krl_numbers(pose);
+  std::string missing;
+  for (std::size_t field = 0; field < numbers.size(); ++field)
+    if (!target.number(scan_cell_common::lower_case(kKrlFields[field])))
+      missing +=
+          std::string(",") + kKrlFields[field] + " " + fixed(numbers[field], krl_digits(field));
+  return literal.substr(0, literal.size() - 1) + missing + "}";
+}
+
+/// External axes would go all their way in the last line.
+void check_external_axes(const ProgramText& text, std::size_t step, const KrlAggregate& target) {
+  std::size_t before = step;
+  while (before-- > 0 && !text.steps[before].pose) {
+  }
+  const KrlAggregate start = aggregate_at(text, text.poses[*text.steps[before].pose]);
+  for (char axis = '1'; axis <= '6'; ++axis) {
+    const auto there = target.number({'e', axis});
+    const auto here = start.number({'e', axis});
+    if (there && (!here || *here != *there))
+      refuse_arc(text, step, fmt::format("an arc along which external axis E{} may move", axis),
+                 "write it as lines");
+  }
 }
 
 bool flies_by(const std::string& behind) {
@@ -38,6 +75,9 @@ bool flies_by(const std::string& behind) {
 }
 
 std::vector<std::string> krl_statements(const ProgramText& text, const ArcLines& arc) {
+  const PoseText& to = text.poses.at(*text.steps[arc.step].pose);
+  const KrlAggregate target = aggregate_at(text, to);
+  check_external_axes(text, arc.step, target);
   ArcStatement end(text, arc.step);
   const ArcText& pieces = end.pieces();
   const bool is_spline = std::tolower(end.piece(pieces.word).front()) == 's';
@@ -49,8 +89,8 @@ std::vector<std::string> krl_statements(const ProgramText& text, const ArcLines&
     line.put(pieces.target, krl_literal(pose));
     statements.push_back(line.text() + (flies ? "" : " C_DIS"));
   }
-  const PoseText& target = text.poses.at(*text.steps[arc.step].pose);
-  if (!is_whole(text, target)) end.put(pieces.target, krl_literal(target.pose));
+  if (!target.whole())
+    end.put(pieces.target, completed(text, arc.step, end.piece(pieces.target), target, to.pose));
   statements.push_back(end.text());
   return statements;
 }

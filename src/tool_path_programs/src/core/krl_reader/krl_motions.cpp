@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "krl_reader/krl_motions.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 
@@ -34,6 +37,15 @@ JointMove joints_of(const KrlAggregate& axes) {
   return move;
 }
 
+/// Whether the program says that the tool turns along arcs, or along all ways, in a way of its own.
+bool turns_otherwise(const std::vector<SourceFile>& files) {
+  return std::any_of(files.begin(), files.end(), [](const SourceFile& file) {
+    const std::string text = lower_case(file.text);
+    return text.find("$circ_type") != std::string::npos ||
+           text.find("$ori_type") != std::string::npos;
+  });
+}
+
 /// $CONFIG.DAT, which is of the robot and not of the program, says where they are.
 bool is_home(const std::string& name) {
   return name.rfind("xhome", 0) == 0 || name == "$h_pos";
@@ -64,7 +76,8 @@ void KrlMotions::move(const std::string& word, const Place& place, TokenReader& 
   if (!end.stays && !end.pose && kind != MotionKind::kJoint)
     reader.fail("a line or arc to angles of the axes", "give a pose there, or PTP");
   if (end.pose) add_pose_move(kind, via, *end.pose, flies, place);
-  if (end.pose && via) text_.steps.back().arc = arc;
+  const bool plain = !std::exchange(triggered_, false) && !turns_otherwise(text_.files);
+  if (end.pose && via && plain) text_.steps.back().arc = arc;
   if (end.joints) add_axes_move(*end.joints, place);
   add_waiting_outputs();
   setter_.settings = before;

@@ -21,6 +21,9 @@ class KrlMotions {
 
   void set_output(const SetOutput& output, const Place& place);
 
+  /// A TRIGGER, whatever it does, counts from the ends of the next motion.
+  void trigger_at_next() { triggered_ = true; }
+
   /// An output that a TRIGGER sets at the end of the next motion.
   void set_output_behind_next(const SetOutput& output, const Place& place);
 
@@ -50,6 +53,7 @@ class KrlMotions {
   std::vector<std::pair<SetOutput, Place>> waiting_;
   std::optional<std::size_t> last_pose_;  // where the last motion ended; none: only axes are known
   std::size_t last_frames_ = 0;
+  bool triggered_ = false;  // the next motion triggers something
 };
 
 }  // namespace tool_path_programs

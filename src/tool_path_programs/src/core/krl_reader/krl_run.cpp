@@ -240,6 +240,7 @@ void KrlRun::output() {
 /// ends; WHEN PATH counts from its end.
 void KrlRun::trigger() {
   const Place place = reader().place();
+  motions_.trigger_at_next();
   bool at_begin = false;
   while (!reader().at_line_end() && !reader().at_name("do")) {
     const bool distance = reader().at_name("distance");

@@ -23,6 +23,24 @@ std::string key_of(const Frame& frame) {
 
 }  // namespace
 
+/// Not one that ends by a condition, switches something on its way, moves other axes, or turns the
+/// tool in its own way.
+bool Pdl2Run::is_plain_arc(const ArcText& arc) {
+  const std::string& file = text_.files.at(reader().place().file).text;
+  const auto lower = [&file](std::size_t begin, std::size_t end) {
+    return lower_case(file.substr(begin, end - begin));
+  };
+  const std::string statement = lower(arc.statement.begin, arc.statement.end);
+  for (const char* word : {"til", "condition", "xtndpos", "syncmove"})
+    if (statement.find(word) != std::string::npos) return false;
+  for (const SourceFile& each : text_.files) {
+    const std::string all = lower_case(each.text);
+    if (all.find("$ornt_type") != std::string::npos || all.find("xtndpos") != std::string::npos)
+      return false;
+  }
+  return true;
+}
+
 /// From behind MOVE or MOVEFLY.
 void Pdl2Run::move(bool flies) {
   const Place place = reader().place();
@@ -47,7 +65,7 @@ void Pdl2Run::move(bool flies) {
   clauses();
   arc.statement.end = reader().end_of_last();
   add(how, via, end, flies, place);
-  if (via && end.pose) text_.steps.back().arc = arc;
+  if (via && end.pose && is_plain_arc(arc)) text_.steps.back().arc = arc;
   settings_ = before;
 }
 

@@ -37,6 +37,7 @@ class Pdl2Run {
   void check_calls_of_line();
   void skip_statement();
 
+  bool is_plain_arc(const ArcText& arc);
   void move(bool flies);
   MotionKind kind();
   Target target();

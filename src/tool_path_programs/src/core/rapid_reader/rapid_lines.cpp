@@ -4,14 +4,12 @@
 #include "rapid_reader/rapid_places.h"
 #include "rapid_reader/rapid_reader.h"
 #include "rapid_reader/rapid_statement.h"
-#include "scan_cell_common/errors/text.h"
+#include "scan_cell_common/errors/errors.h"
 #include "text/arc_statement.h"
 #include "text/number_text.h"
 
 namespace tool_path_programs {
 namespace {
-
-using scan_cell_common::lower_case;
 
 class RapidLines {
  public:
@@ -22,6 +20,7 @@ class RapidLines {
     const ArcText& pieces = end.pieces();
     const std::string name = end.piece(pieces.word);
     const PoseText& target = text_.poses.at(*text_.steps[arc.step].pose);
+    check_external_axes(arc.step);
     std::vector<std::string> statements;
     end.put(pieces.via, "");
     for (const Eigen::Isometry3d& pose : arc.poses) {
@@ -29,7 +28,7 @@ class RapidLines {
       const std::size_t behind = rapid_motion(name)->behind;
       line.put(pieces.word, behind > 0 ? "MoveL" : rapid_line_in_place_of(name));
       line.put(pieces.target, literal(target, pose));
-      if (lower_case(line.piece(pieces.zone)) == "fine") line.put(pieces.zone, "z0");
+      if (std::get<Move>(text_.program.steps[arc.step]).zone == 0) line.put(pieces.zone, "z0");
       leave_out(behind, arc.step, line);
       statements.push_back(line.text());
     }
@@ -39,6 +38,33 @@ class RapidLines {
   }
 
  private:
+  /// They would go all their way in the first line.
+  void check_external_axes(std::size_t step) const {
+    std::size_t before = step;
+    while (before-- > 0 && !text_.steps[before].pose) {
+    }
+    const auto to = external_axes(text_.poses.at(*text_.steps[step].pose));
+    if (to == external_axes(text_.poses.at(*text_.steps[before].pose))) return;
+    throw scan_cell_common::UnusableInput(to_string(text_.steps[step].place, text_.files),
+                                          "an arc along which external axes move",
+                                          "write it as lines");
+  }
+
+  /// The last bracket of a robtarget.
+  std::vector<double> external_axes(const PoseText& target) const {
+    TokenReader reader = places_.reader(target.place.file, target.offset);
+    read_rapid_pose(reader);
+    reader.expect(',');
+    pass_over_brackets(reader);
+    reader.expect(',');
+    std::vector<double> axes;
+    do {
+      reader.next();  // the bracket, or a comma
+      axes.push_back(reader.number().value);
+    } while (reader.at_symbol(','));
+    return axes;
+  }
+
   /// As the robtarget where the arc leads to, with another pose.
   std::string literal(const PoseText& target, const Eigen::Isometry3d& pose) const {
     TokenReader reader = places_.reader(target.place.file, target.offset);

@@ -92,6 +92,7 @@ class Reading {
     const std::string key = lower_case(call.name);
     if (key == "setdo" || key == "set" || key == "reset")
       return set_output(call, key, routine, where);
+    if (key == "cirpathmode") turns_otherwise_ = true;
     if (key == "velset") return set_speeds(call, routine, where);
     if (const RapidRoutine* called = source_.routine(call.name, routine))
       return follow(*called, where);
@@ -148,7 +149,7 @@ class Reading {
     move.kind = motion.kind;
     if (vias == 1) {
       move.via = pose_at(arguments[0], routine, step.via);
-      if (rapid_line_in_place_of(call.name) != nullptr) step.arc = arc_text(call, tool, where);
+      if (is_plain_arc(call)) step.arc = arc_text(call, tool, where);
     }
     move.pose = pose_at(arguments[vias], routine, step.pose);
     set_speed(move, speed_of(call, arguments[vias + 1], routine, where), where);
@@ -159,6 +160,15 @@ class Reading {
     if (motion.sets_output)
       add_output(arguments[tool + 1], data_.output_of(arguments[tool + 2], routine), routine,
                  call.place);
+  }
+
+  /// Not one that begins or ends a process, says its own time, or turns the tool in its own way.
+  bool is_plain_arc(const RapidCall& call) const {
+    static const std::set<std::string> plain = {"wobj", "v", "z"};
+    const bool options =
+        std::all_of(call.options.begin(), call.options.end(),
+                    [](const auto& option) { return plain.count(option.first) > 0; });
+    return options && !turns_otherwise_ && rapid_line_in_place_of(call.name) != nullptr;
   }
 
   /// @param tool which of the arguments
@@ -264,6 +274,7 @@ class Reading {
   double override_ = 1;
   double most_ = kFullSpeed * 2;  // [mm/s] no robot is as fast
   bool finished_ = false;
+  bool turns_otherwise_ = false;  // along arcs: CirPathMode
 };
 
 }  // namespace

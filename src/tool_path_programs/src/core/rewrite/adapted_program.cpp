@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "rewrite/circle.h"
 #include "rewrite/path_frame.h"
 #include "scan_cell_common/errors/errors.h"
 #include "tool_path_programs/read_back.h"
@@ -17,7 +18,8 @@ namespace {
 
 using scan_cell_common::UnusableInput;
 
-constexpr double kSame = 1e-9;  // [m], and of the parts of a rotation
+constexpr double kSame = 1e-9;       // [m], and of the parts of a rotation
+constexpr double kSamePlace = 1e-6;  // [m] of lines: the turn of a via depends on its neighbours
 
 bool is_same(const Eigen::Isometry3d& one, const Eigen::Isometry3d& other) {
   return (one.matrix() - other.matrix()).cwiseAbs().maxCoeff() <= kSame;
@@ -90,7 +92,10 @@ class Straightening {
             : "an arc that moves";
     if (!source.arc)
       throw UnusableInput(where, why, "allow it by an arc tolerance, or write the arc as lines");
-    ArcLines arc{step, vertices(step)};
+    if (turns_over_half_a_circle(step))
+      throw UnusableInput(where, why + "; along more than half a circle the tool turns",
+                          "which way round is open: write the arc as lines");
+    ArcLines arc{step, start_of(step), vertices(step)};
     const auto [first, is_new] =
         statements_.insert({{source.place.file, source.arc->statement.begin}, arcs_.size()});
     if (is_new) {
@@ -103,9 +108,25 @@ class Straightening {
     straight_[step] = first->second;
   }
 
+  bool turns_over_half_a_circle(std::size_t step) const {
+    const auto before = step_before(step);
+    const Move& move = std::get<Move>(text_.program.steps[step]);
+    const Eigen::Isometry3d start = frame_(step).inverse() * frame_(*before) *
+                                    std::get<Move>(text_.program.steps[*before]).pose;
+    const auto circle =
+        Circle::through(start.translation(), move.via->translation(), move.pose.translation());
+    const double turn =
+        Eigen::Quaterniond(start.linear()).angularDistance(Eigen::Quaterniond(move.pose.linear()));
+    constexpr double kTurns = 0.01;  // [rad] below it either way is the same; chosen
+    return circle && circle->sweep() > M_PI && turn > kTurns;
+  }
+
   static bool are_same(const std::vector<Eigen::Isometry3d>& one,
                        const std::vector<Eigen::Isometry3d>& other) {
-    return std::equal(one.begin(), one.end(), other.begin(), other.end(), is_same);
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](const auto& a, const auto& b) {
+                        return (a.translation() - b.translation()).norm() <= kSamePlace;
+                      });
   }
 
   struct Vertex {
@@ -126,13 +147,16 @@ class Straightening {
     return vertices;
   }
 
+  /// Where an arc begins, in its user frame.
+  Eigen::Isometry3d start_of(std::size_t step) const {
+    const std::size_t before = step_before(step).value();
+    return frame_(step).inverse() * frame_(before) * poses_[*text_.steps[before].pose];
+  }
+
   /// The controller does not look at how a via is turned: between its neighbours.
   Eigen::Matrix3d turn_between(std::size_t step, const std::vector<Eigen::Isometry3d>& vertices,
                                std::size_t i) const {
-    const auto before = step_before(step);
-    Eigen::Isometry3d from = poses_[*text_.steps[before.value()].pose];
-    from = frame_(step).inverse() * frame_(*before) * from;
-    if (i > 0) from = vertices[i - 1];
+    const Eigen::Isometry3d from = i > 0 ? vertices[i - 1] : start_of(step);
     const Eigen::Isometry3d& to =
         i + 1 < vertices.size() ? vertices[i + 1] : poses_[*text_.steps[step].pose];
     return Eigen::Quaterniond(from.linear())

@@ -1,5 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 #include <map>
 
 #include "scan_cell_common/errors/errors.h"
@@ -12,7 +16,8 @@
 namespace tool_path_programs {
 namespace {
 
-constexpr const char* kBlend = "0.0005";  // [m] past a pose between; chosen: far below a chord
+constexpr double kBlend = 0.0005;      // [m] past a pose between; chosen: far below a chord
+constexpr double kMostOfALine = 0.45;  // where two blends meet, the controller leaves out a move
 
 /// The arguments of movec by their names, as they are written.
 std::map<std::string, std::string> arguments_of(const std::string& call) {
@@ -63,6 +68,34 @@ std::string script_literal(const ProgramText& text, std::size_t step, const Eige
   return literal;
 }
 
+/// [m] the shortest of the lines.
+double shortest_line(const ArcLines& arc, const Eigen::Isometry3d& end) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i <= arc.poses.size(); ++i) {
+    const Eigen::Isometry3d& from = i > 0 ? arc.poses[i - 1] : arc.start;
+    const Eigen::Isometry3d& to = i < arc.poses.size() ? arc.poses[i] : end;
+    shortest = std::min(shortest, (to.translation() - from.translation()).norm());
+  }
+  return shortest;
+}
+
+/// The blend of the move before, and of the arc's end, must end within the first and last line.
+void check_blends(const ProgramText& text, std::size_t step, double line) {
+  std::size_t before = step;
+  while (before-- > 0 && !text.steps[before].pose) {
+  }
+  for (const std::size_t each : {before, step}) {
+    const double zone = std::get<Move>(text.program.steps[each]).zone;
+    if (zone <= kMostOfALine * line) continue;
+    throw scan_cell_common::UnusableInput(
+        to_string(text.steps[step].place, text.files),
+        fmt::format("an arc that would become lines of {:.3g} mm, with a blend of {:.3g} mm at its "
+                    "{}",
+                    1e3 * line, 1e3 * zone, each == step ? "end" : "start"),
+        "take that blend away (r=0), or write the arc as lines");
+  }
+}
+
 std::vector<std::string> script_statements(const ProgramText& text, const ArcLines& arc) {
   const ArcStatement old(text, arc.step);
   const auto arguments = arguments_of(old.piece(old.pieces().statement));
@@ -72,13 +105,15 @@ std::vector<std::string> script_statements(const ProgramText& text, const ArcLin
       speeds += std::string(", ") + name + "=" + found->second;
   const auto blend = arguments.find("r");
   const std::string zone = blend == arguments.end() ? "" : ", r=" + blend->second;
-  const bool stops = std::get<Move>(text.program.steps[arc.step]).zone == 0;
+  const double line = shortest_line(arc, text.poses.at(*text.steps[arc.step].pose).pose);
+  check_blends(text, arc.step, line);
+  const std::string between = ", r=" + fixed(std::min(kBlend, kMostOfALine * line), kScriptDigits);
   const Eigen::Vector3d near =
       rotation_vector(text.poses.at(*text.steps[arc.step].pose).pose.linear());
   std::vector<std::string> statements;
   for (const Eigen::Isometry3d& pose : arc.poses)
-    statements.push_back("movel(" + script_literal(text, arc.step, pose, near) + speeds +
-                         (stops ? std::string(", r=") + kBlend : zone) + ")");
+    statements.push_back("movel(" + script_literal(text, arc.step, pose, near) + speeds + between +
+                         ")");
   statements.push_back("movel(" + arguments.at("pose_to") + speeds + zone + ")");
   return statements;
 }

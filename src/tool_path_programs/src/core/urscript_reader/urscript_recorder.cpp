@@ -90,7 +90,9 @@ void ScriptRecorder::arc(const ScriptArguments& arguments) {
   set_speed(move, arguments, 3);
   set_zone(move, arguments, 4);
   add(move, *target, via);
-  text_.steps.back().arc = ArcText{call_, {}, {}, {}, {}};
+  const ScriptValue* const mode = arguments.find("mode", 5);  // 1: turns with the arc
+  const bool plain = mode == nullptr || (mode->is(Kind::kNumber) && mode->number == 0);
+  if (plain) text_.steps.back().arc = ArcText{call_, {}, {}, {}, {}};
 }
 
 void ScriptRecorder::set_speed(Move& move, const ScriptArguments& arguments,
