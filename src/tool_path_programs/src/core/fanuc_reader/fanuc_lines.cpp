@@ -20,7 +20,10 @@ constexpr int kMostPositions = 32766;  // numbers of positions that controllers 
 /// Puts lines into programs, and their positions behind those that are there.
 class FanucLines {
  public:
-  explicit FanucLines(const ProgramText& text) : text_(text), source_(text.files) {}
+  explicit FanucLines(const ProgramText& text) : text_(text), source_(text.files) {
+    for (const SourceFile& file : text.files)
+      tokens_.push_back(fanuc_tokens(file));
+  }
 
   void add(const ArcLines& arc) {
     file_ = text_.steps[arc.step].place.file;
@@ -86,7 +89,7 @@ class FanucLines {
   /// A position, and its bytes.
   std::pair<FanucPosition, std::string> position_at(const PoseText& pose) const {
     const SourceFile& file = text_.files[pose.place.file];
-    const auto tokens = fanuc_tokens(file);
+    const std::vector<Token>& tokens = tokens_[pose.place.file];
     TokenReader reader(file, pose.place.file, tokens);
     const auto first =
         std::lower_bound(tokens.begin(), tokens.end(), pose.offset,
@@ -128,6 +131,7 @@ class FanucLines {
 
   const ProgramText& text_;
   const FanucSource source_;
+  std::vector<std::vector<Token>> tokens_;
   std::size_t file_ = 0;
   std::map<std::size_t, int> last_;               // number of a position, of each file
   std::map<std::size_t, std::string> positions_;  // that are new, of each file

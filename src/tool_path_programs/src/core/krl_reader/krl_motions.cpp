@@ -76,8 +76,11 @@ void KrlMotions::move(const std::string& word, const Place& place, TokenReader& 
   if (!end.stays && !end.pose && kind != MotionKind::kJoint)
     reader.fail("a line or arc to angles of the axes", "give a pose there, or PTP");
   if (end.pose) add_pose_move(kind, via, *end.pose, flies, place);
-  const bool plain = !std::exchange(triggered_, false) && !turns_otherwise(text_.files);
-  if (end.pose && via && plain) text_.steps.back().arc = arc;
+  const bool triggers = std::exchange(triggered_, false);
+  if (end.pose && via && !triggers) {
+    if (!turns_otherwise_) turns_otherwise_ = turns_otherwise(text_.files);
+    if (!*turns_otherwise_) text_.steps.back().arc = arc;
+  }
   if (end.joints) add_axes_move(*end.joints, place);
   add_waiting_outputs();
   setter_.settings = before;

@@ -53,7 +53,8 @@ class KrlMotions {
   std::vector<std::pair<SetOutput, Place>> waiting_;
   std::optional<std::size_t> last_pose_;  // where the last motion ended; none: only axes are known
   std::size_t last_frames_ = 0;
-  bool triggered_ = false;  // the next motion triggers something
+  bool triggered_ = false;               // the next motion triggers something
+  std::optional<bool> turns_otherwise_;  // the tool along arcs; none: not looked at yet
 };
 
 }  // namespace tool_path_programs

@@ -33,12 +33,15 @@ bool Pdl2Run::is_plain_arc(const ArcText& arc) {
   const std::string statement = lower(arc.statement.begin, arc.statement.end);
   for (const char* word : {"til", "condition", "xtndpos", "syncmove"})
     if (statement.find(word) != std::string::npos) return false;
-  for (const SourceFile& each : text_.files) {
-    const std::string all = lower_case(each.text);
-    if (all.find("$ornt_type") != std::string::npos || all.find("xtndpos") != std::string::npos)
-      return false;
+  if (!arcs_are_plain_) {
+    arcs_are_plain_ = true;
+    for (const SourceFile& each : text_.files) {
+      const std::string all = lower_case(each.text);
+      for (const char* word : {"$ornt_type", "xtndpos"})
+        if (all.find(word) != std::string::npos) arcs_are_plain_ = false;
+    }
   }
-  return true;
+  return *arcs_are_plain_;
 }
 
 /// From behind MOVE or MOVEFLY.

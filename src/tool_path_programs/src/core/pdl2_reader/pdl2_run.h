@@ -62,6 +62,7 @@ class Pdl2Run {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> poses_;  // by file and offset
   std::map<std::string, std::size_t> frames_;
   std::size_t statements_ = 0;
+  std::optional<bool> arcs_are_plain_;  // as far as the whole text says; none: not looked at yet
 };
 
 }  // namespace tool_path_programs
