@@ -42,12 +42,9 @@ class Edits {
 
  private:
   TokenReader at(const PoseText& pose) const {
-    const auto& tokens = tokens_.at(pose.place.file);
-    const auto found =
-        std::lower_bound(tokens.begin(), tokens.end(), pose.offset,
-                         [](const Token& token, std::size_t byte) { return token.offset < byte; });
-    TokenReader reader(text_.files[pose.place.file], pose.place.file, tokens);
-    reader.go_to(static_cast<std::size_t>(found - tokens.begin()));
+    const std::size_t file = pose.place.file;
+    TokenReader reader(text_.files[file], file, tokens_.at(file));
+    reader.go_to_byte(pose.offset);
     return reader;
   }
 

@@ -20,10 +20,7 @@ constexpr int kMostPositions = 32766;  // numbers of positions that controllers 
 /// Puts lines into programs, and their positions behind those that are there.
 class FanucLines {
  public:
-  explicit FanucLines(const ProgramText& text) : text_(text), source_(text.files) {
-    for (const SourceFile& file : text.files)
-      tokens_.push_back(fanuc_tokens(file));
-  }
+  explicit FanucLines(const ProgramText& text) : text_(text), source_(text.files) {}
 
   void add(const ArcLines& arc) {
     file_ = text_.steps[arc.step].place.file;
@@ -68,9 +65,7 @@ class FanucLines {
     std::string options;
     for (std::string word; words >> word;) {
       const std::string lower = scan_cell_common::lower_case(word);
-      if (lower == "coord" || lower == "rtcp")
-        throw scan_cell_common::UnusableInput(to_string(text_.steps[step].place, text_.files),
-                                              "an arc with " + word, "write it as lines");
+      if (lower == "coord" || lower == "rtcp") refuse_arc(text_, step, "an arc with " + word);
       if (lower.rfind("acc", 0) == 0 || lower == "wjnt" || lower == "pth") options += " " + word;
     }
     return options;
@@ -80,23 +75,17 @@ class FanucLines {
   void check_groups(std::size_t step, const std::string& position) const {
     for (const char* other : {"GP2", "E1=", "E1 ="})
       if (position.find(other) != std::string::npos)
-        throw scan_cell_common::UnusableInput(
-            to_string(text_.steps[step].place, text_.files),
-            "an arc along which other axes may move (" + std::string(other) + ")",
-            "write it as lines");
+        refuse_arc(text_, step,
+                   "an arc along which other axes may move (" + std::string(other) + ")");
   }
 
   /// A position, and its bytes.
   std::pair<FanucPosition, std::string> position_at(const PoseText& pose) const {
-    const SourceFile& file = text_.files[pose.place.file];
-    const std::vector<Token>& tokens = tokens_[pose.place.file];
-    TokenReader reader(file, pose.place.file, tokens);
-    const auto first =
-        std::lower_bound(tokens.begin(), tokens.end(), pose.offset,
-                         [](const Token& token, std::size_t byte) { return token.offset < byte; });
-    reader.go_to(static_cast<std::size_t>(first - tokens.begin()));
+    TokenReader reader = source_.reader(pose.place.file, 0);
+    reader.go_to_byte(pose.offset);
     const FanucPosition position = read_fanuc_position(reader);
-    return {position, file.text.substr(pose.offset, reader.end_of_last() - pose.offset)};
+    return {position, text_.files[pose.place.file].text.substr(pose.offset,
+                                                               reader.end_of_last() - pose.offset)};
   }
 
   /// As the position where the arc leads to, with other numbers.
@@ -131,7 +120,6 @@ class FanucLines {
 
   const ProgramText& text_;
   const FanucSource source_;
-  std::vector<std::vector<Token>> tokens_;
   std::size_t file_ = 0;
   std::map<std::size_t, int> last_;               // number of a position, of each file
   std::map<std::size_t, std::string> positions_;  // that are new, of each file

@@ -6,7 +6,6 @@
 
 #include "krl_reader/krl_reader.h"
 #include "krl_values/krl_values.h"
-#include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 #include "text/arc_statement.h"
 #include "text/number_text.h"
@@ -14,12 +13,16 @@
 namespace tool_path_programs {
 namespace {
 
+/// X 12.3456
+std::string field_text(const KrlNumbers& numbers, std::size_t field) {
+  return std::string(kKrlFields[field]) + " " + fixed(numbers[field], krl_digits(field));
+}
+
 std::string krl_literal(const Eigen::Isometry3d& pose) {
   const KrlNumbers numbers = krl_numbers(pose);
   std::string literal;
   for (std::size_t field = 0; field < numbers.size(); ++field)
-    literal += std::string(field == 0 ? "{" : ",") + kKrlFields[field] + " " +
-               fixed(numbers[field], krl_digits(field));
+    literal += (field == 0 ? "{" : ",") + field_text(numbers, field);
   return literal + "}";
 }
 
@@ -32,11 +35,6 @@ KrlAggregate aggregate_at(const ProgramText& text, const PoseText& pose) {
   return read_aggregate(reader);
 }
 
-[[noreturn]] void refuse_arc(const ProgramText& text, std::size_t step, const std::string& value,
-                             const std::string& cure) {
-  throw scan_cell_common::UnusableInput(to_string(text.steps[step].place, text.files), value, cure);
-}
-
 /// What stands in braces, with those of the six numbers that it leaves out: it meant what the
 /// motion before it left.
 std::string completed(const ProgramText& text, std::size_t step, const std::string& literal,
@@ -47,23 +45,19 @@ std::string completed(const ProgramText& text, std::size_t step, const std::stri
   std::string missing;
   for (std::size_t field = 0; field < numbers.size(); ++field)
     if (!target.number(scan_cell_common::lower_case(kKrlFields[field])))
-      missing +=
-          std::string(",") + kKrlFields[field] + " " + fixed(numbers[field], krl_digits(field));
+      missing += "," + field_text(numbers, field);
   return literal.substr(0, literal.size() - 1) + missing + "}";
 }
 
 /// External axes would go all their way in the last line.
 void check_external_axes(const ProgramText& text, std::size_t step, const KrlAggregate& target) {
-  std::size_t before = step;
-  while (before-- > 0 && !text.steps[before].pose) {
-  }
+  const std::size_t before = move_before(text, step).value();
   const KrlAggregate start = aggregate_at(text, text.poses[*text.steps[before].pose]);
   for (char axis = '1'; axis <= '6'; ++axis) {
     const auto there = target.number({'e', axis});
     const auto here = start.number({'e', axis});
     if (there && (!here || *here != *there))
-      refuse_arc(text, step, fmt::format("an arc along which external axis E{} may move", axis),
-                 "write it as lines");
+      refuse_arc(text, step, fmt::format("an arc along which external axis E{} may move", axis));
   }
 }
 
@@ -98,10 +92,7 @@ std::vector<std::string> krl_statements(const ProgramText& text, const ArcLines&
 }  // namespace
 
 std::vector<TextEdit> krl_lines(const ProgramText& text, const std::vector<ArcLines>& arcs) {
-  std::vector<TextEdit> edits;
-  for (const ArcLines& arc : arcs)
-    edits.push_back(in_place_of_arc(text, arc.step, krl_statements(text, arc)));
-  return edits;
+  return in_place_of_arcs(text, arcs, krl_statements);
 }
 
 }  // namespace tool_path_programs

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "krl_reader/krl_motions.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
+#include "text/arc_statement.h"
 
 namespace tool_path_programs {
 namespace {
@@ -35,15 +35,6 @@ JointMove joints_of(const KrlAggregate& axes) {
     for (char axis = '1'; axis <= '6'; ++axis)
       if (const auto angle = axes.number({group, axis})) move.joints.push_back(*angle);
   return move;
-}
-
-/// Whether the program says that the tool turns along arcs, or along all ways, in a way of its own.
-bool turns_otherwise(const std::vector<SourceFile>& files) {
-  return std::any_of(files.begin(), files.end(), [](const SourceFile& file) {
-    const std::string text = lower_case(file.text);
-    return text.find("$circ_type") != std::string::npos ||
-           text.find("$ori_type") != std::string::npos;
-  });
 }
 
 /// $CONFIG.DAT, which is of the robot and not of the program, says where they are.
@@ -78,7 +69,7 @@ void KrlMotions::move(const std::string& word, const Place& place, TokenReader& 
   if (end.pose) add_pose_move(kind, via, *end.pose, flies, place);
   const bool triggers = std::exchange(triggered_, false);
   if (end.pose && via && !triggers) {
-    if (!turns_otherwise_) turns_otherwise_ = turns_otherwise(text_.files);
+    if (!turns_otherwise_) turns_otherwise_ = mentions(text_.files, {"$circ_type", "$ori_type"});
     if (!*turns_otherwise_) text_.steps.back().arc = arc;
   }
   if (end.joints) add_axes_move(*end.joints, place);

@@ -51,10 +51,7 @@ std::vector<std::string> pdl2_statements(const ProgramText& text, const ArcLines
 }  // namespace
 
 std::vector<TextEdit> pdl2_lines(const ProgramText& text, const std::vector<ArcLines>& arcs) {
-  std::vector<TextEdit> edits;
-  for (const ArcLines& arc : arcs)
-    edits.push_back(in_place_of_arc(text, arc.step, pdl2_statements(text, arc)));
-  return edits;
+  return in_place_of_arcs(text, arcs, pdl2_statements);
 }
 
 }  // namespace tool_path_programs

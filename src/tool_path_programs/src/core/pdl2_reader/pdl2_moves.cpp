@@ -5,6 +5,7 @@
 #include "pdl2_reader/pdl2_run.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
+#include "text/arc_statement.h"
 
 namespace tool_path_programs {
 namespace {
@@ -27,20 +28,11 @@ std::string key_of(const Frame& frame) {
 /// tool in its own way.
 bool Pdl2Run::is_plain_arc(const ArcText& arc) {
   const std::string& file = text_.files.at(reader().place().file).text;
-  const auto lower = [&file](std::size_t begin, std::size_t end) {
-    return lower_case(file.substr(begin, end - begin));
-  };
-  const std::string statement = lower(arc.statement.begin, arc.statement.end);
+  const std::string statement =
+      lower_case(file.substr(arc.statement.begin, arc.statement.end - arc.statement.begin));
   for (const char* word : {"til", "condition", "xtndpos", "syncmove"})
     if (statement.find(word) != std::string::npos) return false;
-  if (!arcs_are_plain_) {
-    arcs_are_plain_ = true;
-    for (const SourceFile& each : text_.files) {
-      const std::string all = lower_case(each.text);
-      for (const char* word : {"$ornt_type", "xtndpos"})
-        if (all.find(word) != std::string::npos) arcs_are_plain_ = false;
-    }
-  }
+  if (!arcs_are_plain_) arcs_are_plain_ = !mentions(text_.files, {"$ornt_type", "xtndpos"});
   return *arcs_are_plain_;
 }
 

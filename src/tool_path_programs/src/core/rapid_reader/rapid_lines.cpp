@@ -4,7 +4,6 @@
 #include "rapid_reader/rapid_places.h"
 #include "rapid_reader/rapid_reader.h"
 #include "rapid_reader/rapid_statement.h"
-#include "scan_cell_common/errors/errors.h"
 #include "text/arc_statement.h"
 #include "text/number_text.h"
 
@@ -40,14 +39,10 @@ class RapidLines {
  private:
   /// They would go all their way in the first line.
   void check_external_axes(std::size_t step) const {
-    std::size_t before = step;
-    while (before-- > 0 && !text_.steps[before].pose) {
-    }
+    const std::size_t before = move_before(text_, step).value();
     const auto to = external_axes(text_.poses.at(*text_.steps[step].pose));
     if (to == external_axes(text_.poses.at(*text_.steps[before].pose))) return;
-    throw scan_cell_common::UnusableInput(to_string(text_.steps[step].place, text_.files),
-                                          "an arc along which external axes move",
-                                          "write it as lines");
+    refuse_arc(text_, step, "an arc along which external axes move");
   }
 
   /// The last bracket of a robtarget.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rapid_reader/rapid_places.h"
 
-#include <algorithm>
-
 namespace tool_path_programs {
 
 RapidPlaces::RapidPlaces(const std::vector<SourceFile>& files) : files_(files) {
@@ -12,12 +10,8 @@ RapidPlaces::RapidPlaces(const std::vector<SourceFile>& files) : files_(files) {
 }
 
 TokenReader RapidPlaces::reader(std::size_t file, std::size_t offset) const {
-  const auto& tokens = tokens_.at(file);
-  const auto found =
-      std::lower_bound(tokens.begin(), tokens.end(), offset,
-                       [](const Token& token, std::size_t byte) { return token.offset < byte; });
-  TokenReader reader(files_[file], file, tokens);
-  reader.go_to(static_cast<std::size_t>(found - tokens.begin()));
+  TokenReader reader(files_[file], file, tokens_.at(file));
+  reader.go_to_byte(offset);
   return reader;
 }
 

@@ -11,6 +11,7 @@
 #include "rewrite/circle.h"
 #include "rewrite/path_frame.h"
 #include "scan_cell_common/errors/errors.h"
+#include "text/arc_statement.h"
 #include "tool_path_programs/read_back.h"
 
 namespace tool_path_programs {
@@ -72,15 +73,8 @@ class Straightening {
     const auto moved = [this](std::size_t pose) {
       return !is_same(poses_[pose], text_.poses[pose].pose);
     };
-    const auto start = step_before(step);
+    const auto start = move_before(text_, step);
     return moved(*text_.steps[step].pose) || (start && moved(*text_.steps[*start].pose));
-  }
-
-  /// The move before, which an arc begins at.
-  std::optional<std::size_t> step_before(std::size_t step) const {
-    while (step-- > 0)
-      if (text_.steps[step].pose) return step;
-    return std::nullopt;
   }
 
   void straighten(std::size_t step, double error) {
@@ -109,7 +103,7 @@ class Straightening {
   }
 
   bool turns_over_half_a_circle(std::size_t step) const {
-    const auto before = step_before(step);
+    const auto before = move_before(text_, step);
     const Move& move = std::get<Move>(text_.program.steps[step]);
     const Eigen::Isometry3d start = frame_(step).inverse() * frame_(*before) *
                                     std::get<Move>(text_.program.steps[*before]).pose;
@@ -149,7 +143,7 @@ class Straightening {
 
   /// Where an arc begins, in its user frame.
   Eigen::Isometry3d start_of(std::size_t step) const {
-    const std::size_t before = step_before(step).value();
+    const std::size_t before = move_before(text_, step).value();
     return frame_(step).inverse() * frame_(before) * poses_[*text_.steps[before].pose];
   }
 

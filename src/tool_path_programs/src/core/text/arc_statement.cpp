@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
+
 namespace tool_path_programs {
 namespace {
 
@@ -53,6 +56,25 @@ TextEdit in_place_of_arc(const ProgramText& text, std::size_t step,
   for (const std::string& statement : statements)
     edit.text += (edit.text.empty() ? "" : between) + statement;
   return edit;
+}
+
+std::optional<std::size_t> move_before(const ProgramText& text, std::size_t step) {
+  while (step-- > 0)
+    if (text.steps[step].pose) return step;
+  return std::nullopt;
+}
+
+void refuse_arc(const ProgramText& text, std::size_t step, const std::string& value,
+                const std::string& cure) {
+  throw scan_cell_common::UnusableInput(to_string(text.steps[step].place, text.files), value, cure);
+}
+
+bool mentions(const std::vector<SourceFile>& files, std::initializer_list<const char*> words) {
+  return std::any_of(files.begin(), files.end(), [&](const SourceFile& file) {
+    const std::string text = scan_cell_common::lower_case(file.text);
+    return std::any_of(words.begin(), words.end(),
+                       [&](const char* word) { return text.find(word) != std::string::npos; });
+  });
 }
 
 }  // namespace tool_path_programs

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,5 +33,25 @@ class ArcStatement {
 TextEdit in_place_of_arc(const ProgramText& text, std::size_t step,
                          const std::vector<std::string>& statements,
                          const std::optional<std::string>& line_begin = std::nullopt);
+
+/// What to change in the text where each arc becomes statements in its place.
+template <class Statements>
+std::vector<TextEdit> in_place_of_arcs(const ProgramText& text, const std::vector<ArcLines>& arcs,
+                                       const Statements& statements) {
+  std::vector<TextEdit> edits;
+  for (const ArcLines& arc : arcs)
+    edits.push_back(in_place_of_arc(text, arc.step, statements(text, arc)));
+  return edits;
+}
+
+/// The last step before this one that leads to a pose: where an arc begins.
+std::optional<std::size_t> move_before(const ProgramText& text, std::size_t step);
+
+/// @throw scan_cell_common::UnusableInput always, with file and line of an arc
+[[noreturn]] void refuse_arc(const ProgramText& text, std::size_t step, const std::string& value,
+                             const std::string& cure = "write it as lines");
+
+/// Whether any of the words stands anywhere in the files, in either case.
+bool mentions(const std::vector<SourceFile>& files, std::initializer_list<const char*> words);
 
 }  // namespace tool_path_programs

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text/token_reader.h"
 
+#include <algorithm>
+
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 
@@ -38,6 +40,13 @@ const Token& TokenReader::next() {
 void TokenReader::go_to(std::size_t position) {
   at_ = position;
   pass_comments();
+}
+
+void TokenReader::go_to_byte(std::size_t offset) {
+  const auto found =
+      std::lower_bound(tokens_.begin(), tokens_.end(), offset,
+                       [](const Token& token, std::size_t byte) { return token.offset < byte; });
+  go_to(static_cast<std::size_t>(found - tokens_.begin()));
 }
 
 bool TokenReader::at_symbol(char symbol) const {

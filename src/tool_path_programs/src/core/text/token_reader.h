@@ -30,6 +30,7 @@ class TokenReader {
 
   std::size_t position() const { return at_; }  //!< of peek() among the tokens
   void go_to(std::size_t position);             //!< to what was a position(), or beyond comments
+  void go_to_byte(std::size_t offset);          //!< to the first token that begins there or behind
 
   bool at_end() const { return peek().kind == TokenKind::kEnd; }
   bool at_line_end() const { return at_end() || peek().kind == TokenKind::kLineEnd; }

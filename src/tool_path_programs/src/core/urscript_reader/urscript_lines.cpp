@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "scan_cell_common/errors/errors.h"
 #include "text/arc_statement.h"
 #include "text/number_text.h"
 #include "text/token_reader.h"
@@ -62,9 +61,7 @@ std::string script_literal(const ProgramText& text, std::size_t step, const Eige
     literal += fixed(turn[i], kScriptDigits) + (i < 2 ? ", " : "]");
   if (!user.name.empty()) return "pose_trans(" + user.name + ", " + literal + ")";
   if (user.pose && !user.pose->isApprox(Eigen::Isometry3d::Identity()))
-    throw scan_cell_common::UnusableInput(to_string(text.steps[step].place, text.files),
-                                          "an arc in a frame without a name",
-                                          "let the frame be a variable");
+    refuse_arc(text, step, "an arc in a frame without a name", "let the frame be a variable");
   return literal;
 }
 
@@ -81,14 +78,12 @@ double shortest_line(const ArcLines& arc, const Eigen::Isometry3d& end) {
 
 /// The blend of the move before, and of the arc's end, must end within the first and last line.
 void check_blends(const ProgramText& text, std::size_t step, double line) {
-  std::size_t before = step;
-  while (before-- > 0 && !text.steps[before].pose) {
-  }
+  const std::size_t before = move_before(text, step).value();
   for (const std::size_t each : {before, step}) {
     const double zone = std::get<Move>(text.program.steps[each]).zone;
     if (zone <= kMostOfALine * line) continue;
-    throw scan_cell_common::UnusableInput(
-        to_string(text.steps[step].place, text.files),
+    refuse_arc(
+        text, step,
         fmt::format("an arc that would become lines of {:.3g} mm, with a blend of {:.3g} mm at its "
                     "{}",
                     1e3 * line, 1e3 * zone, each == step ? "end" : "start"),
@@ -122,10 +117,7 @@ std::vector<std::string> script_statements(const ProgramText& text, const ArcLin
 
 std::vector<TextEdit> lines_of_urscript(const ProgramText& text,
                                         const std::vector<ArcLines>& arcs) {
-  std::vector<TextEdit> edits;
-  for (const ArcLines& arc : arcs)
-    edits.push_back(in_place_of_arc(text, arc.step, script_statements(text, arc)));
-  return edits;
+  return in_place_of_arcs(text, arcs, script_statements);
 }
 
 }  // namespace tool_path_programs

@@ -1,6 +1,5 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -22,10 +21,7 @@ class PoseNumbers {
         reader_(file, file_index, tokens_) {}
 
   std::array<NumberText, 6> at(std::size_t offset) {
-    const auto token =
-        std::lower_bound(tokens_.begin(), tokens_.end(), offset,
-                         [](const Token& one, std::size_t at) { return one.offset < at; });
-    reader_.go_to(static_cast<std::size_t>(token - tokens_.begin()));
+    reader_.go_to_byte(offset);
     reader_.expect("p");
     std::array<NumberText, 6> numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
