@@ -92,7 +92,8 @@ void scan(const Options& options) {
   ros::NodeHandle node;
   scan_cell::CellClient client(node, names);
   check_calibration(options, client.calibration_files());
-  scan_cell::CleanCloudWatch watch(node, names.clean_cloud, names.report);
+  std::optional<scan_cell::CleanCloudWatch> watch;
+  if (!options.clean.empty()) watch.emplace(node, names.clean_cloud, names.report);
   std::optional<scan_cell::BagRecording> recording;
   if (!options.bag.empty()) recording.emplace(node, options.bag, options.timeout);
   scan_cell_msgs::ScanResult result;
@@ -105,10 +106,10 @@ void scan(const Options& options) {
   if (!options.report.empty())
     scan_cell::save_scan_record(options.report, result, client.calibration_files());
   tell(options, result);
-  if (options.clean.empty()) return;
+  if (!watch) return;
   scan_cell::check_published(result.cloud_file);
   constexpr double kCleaningTimeout = 60;  // [s] chosen
-  save(options.clean, watch.wait(result.cloud.header.stamp, kCleaningTimeout), options.units);
+  save(options.clean, watch->wait(result.cloud.header.stamp, kCleaningTimeout), options.units);
 }
 
 }  // namespace

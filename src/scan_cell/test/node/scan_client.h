@@ -101,9 +101,9 @@ class ScanClient : public testing::Test {
 
   ros::NodeHandle node_;
   Client client_{"/scan_cell/scan", false};
-  ros::Subscriber log_subscriber_;
   std::mutex mutex_;
   std::vector<std::string> log_;
+  ros::Subscriber log_subscriber_;  // last: its callback uses the log
 };
 
 }  // namespace scan_test

@@ -164,8 +164,6 @@ class Calibration : public testing::Test {
   ros::NodeHandle node_;
   Client client_{"/scan_cell/calibrate", false};
   std::vector<double> before_;
-  ros::Subscriber trigger_;
-  ros::Subscriber status_;
   std::mutex mutex_;
   std::condition_variable news_;
   int lasers_ = 0;
@@ -173,6 +171,9 @@ class Calibration : public testing::Test {
   bool connected_ = false;
   bool moving_ = false;
   std::vector<int> lit_;  // masks, whenever a laser was on
+  // last: their callbacks use all of the above
+  ros::Subscriber trigger_;
+  ros::Subscriber status_;
 };
 
 /// Where the ray of a pixel meets the plane of light, in tool0 [m].

@@ -37,12 +37,13 @@ class CleanCloudWatch {
   void on_report(const scan_cell_msgs::PreprocessReport& report);
 
   std::string clean_cloud_;
-  ros::Subscriber cloud_subscriber_;
-  ros::Subscriber report_subscriber_;
   std::mutex mutex_;
   std::condition_variable news_;
   std::map<ros::Time, sensor_msgs::PointCloud2ConstPtr> clouds_;
   std::map<ros::Time, scan_cell_msgs::PreprocessReport> failures_;
+  // last: their callbacks use all the rest, also while this is destroyed
+  ros::Subscriber cloud_subscriber_;
+  ros::Subscriber report_subscriber_;
 };
 
 }  // namespace scan_cell
