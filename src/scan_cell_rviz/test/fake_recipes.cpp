@@ -18,12 +18,13 @@ using scan_cell_msgs::RunSummary;
 
 namespace {
 
-/// A lattice of ten by ten by ten points, 1 mm apart.
-sensor_msgs::PointCloud2 lattice() {
+/// A lattice of as many points a side, 1 mm apart.
+sensor_msgs::PointCloud2 lattice(int side) {
   scan_cell_common::Cloud cloud;
-  for (int i = 0; i < 1000; ++i)
-    cloud.push_back({static_cast<float>(i % 10) * 1e-3F, static_cast<float>(i / 10 % 10) * 1e-3F,
-                     static_cast<float>(i / 100) * 1e-3F});
+  for (int i = 0; i < side * side * side; ++i)
+    cloud.push_back({static_cast<float>(i % side) * 1e-3F,
+                     static_cast<float>(i / side % side) * 1e-3F,
+                     static_cast<float>(i / (side * side)) * 1e-3F});
   std_msgs::Header header;
   header.frame_id = "world";
   return scan_cell_common::to_message(cloud, header);
@@ -111,6 +112,11 @@ void FakeRecipes::hold_list(std::shared_future<void> until) {
   list_until_ = std::move(until);
 }
 
+void FakeRecipes::give_each_run_a_scan(int side) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  side_ = side;
+}
+
 void FakeRecipes::execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -195,7 +201,16 @@ bool FakeRecipes::describe(scan_cell_msgs::DescribeRun::Request&,
   response.success = 1;
   response.run = summary();
   response.recipe = "frame";
-  if (!std::exchange(shown_, true)) raw_.publish(lattice());
+  response.cleaning =
+      "floor: {automatic: false, z_min: 0.0005}\noutliers: {neighbours: 5}\n"
+      "edits:\n  - delete: {plane: {point: [0, 0, 0.0085], normal: [0, 0, 1]}}\n";
+  int side = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    constexpr int kSide = 10;
+    side = side_ > 0 ? side_ : std::exchange(shown_, true) ? 0 : kSide;
+  }
+  if (side > 0) raw_.publish(lattice(side));
   response.figure_names = {"scale", "rms"};
   response.figure_values = {"1.000012", "0.0213 mm"};
   if (response.run.state != RunSummary::REFUSED) return true;

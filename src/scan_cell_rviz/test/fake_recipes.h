@@ -34,6 +34,9 @@ class FakeRecipes {
   scan_cell_msgs::PreviewRunRequest last_preview() const;
   bool was_cancelled() const;
 
+  /// From now on each run that is described has a scan of its own, a cube of `side` points a side.
+  void give_each_run_a_scan(int side);
+
   /// From now on ~list answers when the promise is kept.
   void hold_list(std::shared_future<void> until);
 
@@ -58,6 +61,7 @@ class FakeRecipes {
   std::uint8_t decided_ = scan_cell_msgs::RunSummary::OPEN;
   bool cancelled_ = false;
   bool shown_ = false;  // the run
+  int side_ = 0;        // of a scan of each run; 0: one scan for all
   std::shared_future<void> list_until_;
 
   ros::NodeHandle node_{"/part_recipes"};

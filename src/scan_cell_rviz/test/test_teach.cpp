@@ -15,7 +15,7 @@
 #include <mutex>
 #include <vector>
 
-#include "seat/teach_page.h"
+#include "pages/teach_page.h"
 
 namespace scan_cell_rviz {
 namespace {

@@ -156,7 +156,7 @@ TEST_F(Tools, APolygonIsBegunAnewByEscape) {
 
 TEST_F(Tools, APlaneKeepsTheSideOfTheViewer) {
   EditSettings settings;
-  settings.keep = true;
+  settings.act = EditAct::kKeepOnly;
   session().set_settings(settings);
   rviz::Tool* const tool = use("scan_cell_rviz/Plane");
   click(tool, {-0.05, -0.05, kUpper});
@@ -185,6 +185,27 @@ TEST_F(Tools, AClusterTakesAllThatHangsTogether) {
   click(tool, {0, 0, kUpper});
   ASSERT_TRUE(took(kLayer)) << session().view()->last.size();
   EXPECT_EQ(session().view()->kept.size(), kLayer);
+}
+
+TEST_F(Tools, AHiddenClusterIsOutOfTheWayAndNotEdited) {
+  EditSettings settings;
+  settings.gap = 1.2 * kStep;
+  settings.act = EditAct::kHide;
+  session().set_settings(settings);
+  rviz::Tool* const tool = use("scan_cell_rviz/Cluster");
+  click(tool, {0, 0, kUpper});
+  ASSERT_TRUE(comes([] { return session().view()->shown.size() == kLayer; }));
+  EXPECT_EQ(session().view()->kept.size(), 2 * kLayer);
+  EXPECT_TRUE(session().view()->edits.isEmpty());
+  settings.act = EditAct::kDelete;
+  session().set_settings(settings);
+  click(tool, {0, 0, 0});  // the upper layer is above it
+  ASSERT_TRUE(took(kLayer)) << session().view()->last.size();
+  const EditedViewPtr view = session().view();
+  for (const std::uint32_t i : view->kept)
+    ASSERT_GT((*view->source)[i].z, kUpper / 2);
+  session().show_all();
+  EXPECT_TRUE(comes([] { return session().view()->shown.size() == kLayer; }));
 }
 
 }  // namespace

@@ -33,12 +33,16 @@ void describe(scan_cell_common::ParameterTable& table, CleanParameters& paramete
 
 /// Reads them from YAML: maps `floor`, `outliers`, `isolate` and `grid` with the parameters of the
 /// nodelets of these names; `grid: false` leaves the grid out; `edits` is a list as read_edits()
-/// takes it. What is not given keeps its default.
+/// takes it. What is not given keeps its default, also where nothing is.
 /// @throw scan_cell_common::FileError, UnusableInput or InvalidParameter, naming the entry
 CleanParameters load_clean_parameters(const std::string& path);
 /// As load_clean_parameters().
 CleanParameters read_clean_parameters(
     const scan_cell_common::YamlEntry& root);  //!< as load_clean_parameters()
+
+/// The maps `floor`, `outliers` and `isolate`, as read_clean_parameters() takes them, each with
+/// what is not as it is by default.
+std::string stages_yaml(const CleanParameters& parameters);
 
 /// Runs edits (if there are any), floor, outliers, isolation and grid, one after the other.
 /// @param reports one a stage, also of the stage that throws

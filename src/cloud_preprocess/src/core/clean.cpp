@@ -3,49 +3,12 @@
 #include "cloud_preprocess/clean.h"
 
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/parameters/parameter_table.h"
 
 namespace cloud_preprocess {
 namespace {
-
-using scan_cell_common::ParameterValue;
-using scan_cell_common::YamlEntry;
-
-/// Reads one section of a YAML file.
-class YamlSection final : public scan_cell_common::ParameterTable {
- public:
-  YamlSection(const YamlEntry& root, const std::string& section)
-      : entry_(root[section]), section_(section) {}
-
-  void refuse_unknown() const { entry_.refuse_unknown(names_); }
-
- private:
-  void visit(const scan_cell_common::Parameter& parameter, ParameterValue& value) override {
-    names_.insert(parameter.name);
-    if (!entry_.has(parameter.name)) return;
-    std::visit([entry = entry_[parameter.name]](
-                   auto& as) { as = entry.template as<std::decay_t<decltype(as)>>(); },
-               value);
-  }
-  bool is_given(const std::string& old, const std::string&) override { return entry_.has(old); }
-  std::string named(const std::string& name) const override { return section_ + "." + name; }
-
-  YamlEntry entry_;
-  std::string section_;
-  std::set<std::string> names_;
-};
-
-template <class Parameters>
-void read_section(const YamlEntry& root, const std::string& section, Parameters& parameters) {
-  if (!root.has(section)) return;
-  YamlSection table(root, section);
-  describe(table, parameters);
-  table.refuse_unknown();
-}
 
 class Chain {
  public:
@@ -88,25 +51,6 @@ void describe(scan_cell_common::ParameterTable& table, CleanParameters& paramete
   table.group("outliers", parameters.outliers);
   table.group("isolate", parameters.isolate);
   if (parameters.grid) table.group("grid", *parameters.grid);
-}
-
-CleanParameters read_clean_parameters(const YamlEntry& root) {
-  root.refuse_unknown({"edits", "floor", "outliers", "isolate", "grid"});
-  CleanParameters parameters;
-  if (root.has("edits")) parameters.edits = read_edits(root["edits"]);
-  read_section(root, "floor", parameters.floor);
-  read_section(root, "outliers", parameters.outliers);
-  read_section(root, "isolate", parameters.isolate);
-  if (root.has("grid") && !root["grid"].is_map() && !root["grid"].as<bool>()) {
-    parameters.grid.reset();
-  } else {
-    read_section(root, "grid", *parameters.grid);
-  }
-  return parameters;
-}
-
-CleanParameters load_clean_parameters(const std::string& path) {
-  return read_clean_parameters(YamlEntry::load(path));
 }
 
 Cloud clean(Cloud cloud, const CleanParameters& parameters, std::vector<StageReport>& reports) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recipe_services.h"
 
+#include <fmt/format.h>
 #include <tf2_eigen/tf2_eigen.h>
 
 #include <algorithm>
@@ -64,6 +65,15 @@ RunSummary summary_of(const fs::path& folder, const RunRecord& record) {
   return summary;
 }
 
+/// Empty also where the recipe is no longer there: its run can be looked at.
+std::string cleaning_settings(const fs::path& recipes, const std::string& name) {
+  try {
+    return cleaning_of(load_recipe(find_recipe(recipes, name)));
+  } catch (const scan_cell_common::Error&) {
+    return "";
+  }
+}
+
 /// Fills an answer, or tells why it cannot.
 template <class Response, class Fill>
 bool answer(Response& response, const Fill& fill) {
@@ -103,15 +113,20 @@ bool RecipeServices::list(scan_cell_msgs::ListRecipes::Request&,
       response.recipes.push_back(state_of(parameters_.recipes, name));
     return true;
   } catch (const scan_cell_common::Error& error) {
-    ROS_ERROR("%s", error.what());
+    ROS_ERROR_THROTTLE(10, "%s", error.what());  // seats ask again and again
     return false;
   }
 }
 
 bool RecipeServices::edit(scan_cell_msgs::EditRecipe::Request& request,
                           scan_cell_msgs::EditRecipe::Response& response) {
+  using Request = scan_cell_msgs::EditRecipe::Request;
   return answer(response, [&] {
-    set_edits(load_recipe(find_recipe(parameters_.recipes, request.recipe)), request.edits);
+    const Recipe recipe = load_recipe(find_recipe(parameters_.recipes, request.recipe));
+    if (request.what == Request::EDITS) return set_edits(recipe, request.edits);
+    if (request.what == Request::STAGES) return set_stages(recipe, request.stages);
+    throw scan_cell_common::InvalidParameter("what", fmt::format("{}", request.what),
+                                             "give EDITS or STAGES");
   });
 }
 
@@ -135,6 +150,7 @@ bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
     response.run = summary_of(folder, record);
     response.folder = folder.string();
     response.recipe = fs::path(record.recipe_folder).filename().string();
+    response.cleaning = cleaning_settings(parameters_.recipes, response.recipe);
     if (fs::exists(folder / kReportPage)) response.report = (folder / kReportPage).string();
     for (const auto& [name, value] : texts_of(record.figures)) {
       response.figure_names.push_back(name);

@@ -66,6 +66,62 @@ TEST_F(RecipeEdits, AreRefusedByLineAndLeaveTheRecipeAsItIs) {
   EXPECT_EQ(read_file((recipe.folder / recipe.cleaning).string()), before);
 }
 
+TEST_F(RecipeEdits, MayBeAllThatThereWas) {
+  made_.cleaning.clear();
+  const Recipe recipe = make();
+  set_edits(recipe, kBox);
+  const Recipe now = load_recipe(recipe.folder);
+  set_edits(now, "");
+  EXPECT_EQ(edits_of(now), 0u);
+}
+
+TEST_F(RecipeEdits, AreApartFromTheStages) {
+  const Recipe recipe = make();
+  const std::string path = (recipe.folder / recipe.cleaning).string();
+  scan_cell_common::save_text(path,
+                              "# of the press shop\ngrid: {leaf: [0.001, 0.001, 0.001]}\nfloor:\n"
+                              "  margin: 0.003  # it is rough\n# and not level:\n  tilt: 0.1\n"
+                              "\n# two clamps\noutliers: {neighbours: 20}\n");
+  save_proof(recipe, {true, "", "", hashes_of(recipe), load_proof(recipe).calibration});
+  set_edits(recipe, kBox);
+  set_stages(recipe, "{floor: {margin: 0.0041}, outliers: {neighbours: 20}}");
+  const std::string after = scan_cell_common::read_file(path);
+  const auto now = cloud_preprocess::load_clean_parameters(path);
+  EXPECT_EQ(now.floor.margin, 0.0041);
+  EXPECT_EQ(now.floor.tilt, cloud_preprocess::FloorParameters().tilt);
+  EXPECT_EQ(now.outliers.neighbours, 20);
+  EXPECT_EQ(now.grid->leaf.x(), 0.001);
+  EXPECT_EQ(edits_of(recipe), 1u);
+  EXPECT_NE(after.find("# of the press shop\n"), std::string::npos) << after;
+  EXPECT_NE(after.find("# two clamps\noutliers: {neighbours: 20}\n"), std::string::npos) << after;
+  EXPECT_FALSE(load_proof(recipe).proven);
+}
+
+TEST_F(RecipeEdits, AreRefusedWhereTheTextCannotBeChanged) {
+  const Recipe recipe = make();
+  const std::string path = (recipe.folder / recipe.cleaning).string();
+  const std::string before =
+      "\"edits\":\n  - delete: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}\n"
+      "\"floor\": {margin: 0.003}\n";
+  scan_cell_common::save_text(path, before);
+  save_proof(recipe, {true, "", "", hashes_of(recipe), load_proof(recipe).calibration});
+  EXPECT_THROW(set_edits(recipe, kBox), scan_cell_common::UnusableInput);
+  EXPECT_THROW(set_stages(recipe, "{floor: {margin: 0.1}}"), scan_cell_common::UnusableInput);
+  EXPECT_EQ(read_file(path), before);
+  set_stages(recipe, "{floor: {margin: 0.003}}");
+  EXPECT_TRUE(load_proof(recipe).proven) << "nothing was changed";
+}
+
+TEST_F(RecipeEdits, OfStagesAreRefusedWhereTheyMakeNoSense) {
+  const Recipe recipe = make();
+  const std::string path = (recipe.folder / recipe.cleaning).string();
+  const std::string before = read_file(path);
+  EXPECT_THROW(set_stages(recipe, "{floor: {margin: -1}}"), scan_cell_common::InvalidParameter);
+  EXPECT_THROW(set_stages(recipe, "{grid: off}"), scan_cell_common::UnusableInput);
+  EXPECT_THROW(set_stages(recipe, ""), scan_cell_common::UnusableInput);
+  EXPECT_EQ(read_file(path), before);
+}
+
 TEST_F(RecipeEdits, DoNotHideThatAnotherFileWasChanged) {
   const Recipe recipe = make();
   scan_cell_common::save_text((recipe.folder / recipe.path.file).string(), "x,y,z\n1,2,3\n");

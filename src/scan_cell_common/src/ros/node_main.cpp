@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_cell_common/ros/node_main.h"
 
-#include <fmt/format.h>
 #include <ros/ros.h>
 
 #include <CLI/CLI.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/node_process.h"
 #include "scan_cell_common/ros/shutdown_request.h"
 
 namespace scan_cell_common {
@@ -29,20 +27,11 @@ int plain_main(const std::string& name, CLI::App& options, int argc, char** argv
                    refused, outputs);
 }
 
-/// Whether somebody listens where the ROS master shall be.
-bool is_master_there() {
-  constexpr std::chrono::seconds kPatience(1);  // chosen: an answer takes milliseconds
-  boost::asio::ip::tcp::iostream master;
-  master.expires_after(kPatience);
-  master.connect(ros::master::getHost(), fmt::format("{}", ros::master::getPort()));
-  return static_cast<bool>(master);
-}
-
 /// Without this a tool would wait for it for ever, whatever its timeout is.
 void wait_for_master() {
   constexpr double kPatience = 10;  // [s] it may be starting; chosen as the tools' own timeout
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kPatience);
-  while (!is_master_there()) {
+  while (!listens(ros::master::getHost(), ros::master::getPort())) {
     if (ros::WallTime::now() > end)
       throw ConnectionError("ROS master", ros::master::getURI() + " does not answer",
                             "start the cell (roslaunch), or set ROS_MASTER_URI");

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "running_cell/nodes.h"
 
-#include <ros/master.h>
-#include <ros/network.h>
-#include <ros/this_node.h>
 #include <ros/time.h>
-#include <xmlrpcpp/XmlRpc.h>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/node_process.h"
 
 namespace scan_cell_demo {
 
 using scan_cell_common::ConnectionError;
+using scan_cell_common::process_of;
 
 void wait_until(const std::string& what, const std::function<bool()>& met) {
   constexpr double kPatience = 60, kPeriod = 0.01;  // [s]
@@ -23,23 +21,6 @@ void wait_until(const std::string& what, const std::function<bool()>& met) {
                                       "see the cell's log; end other simulators and programs");
     ros::WallDuration(kPeriod).sleep();
   }
-}
-
-std::optional<pid_t> process_of(const std::string& node) {
-  XmlRpc::XmlRpcValue request, response, uri;
-  request[0] = ros::this_node::getName();
-  request[1] = node;
-  if (!ros::master::execute("lookupNode", request, response, uri, false)) return std::nullopt;
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::network::splitURI(uri, host, port)) return std::nullopt;
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpc::XmlRpcValue name, answer;
-  name[0] = ros::this_node::getName();
-  constexpr int kProcess = 2;  // of [code, message, process]
-  if (!client.execute("getPid", name, answer) || client.isFault() || answer.size() <= kProcess)
-    return std::nullopt;
-  return static_cast<int>(answer[kProcess]);
 }
 
 pid_t checked_process_of(const std::string& node) {

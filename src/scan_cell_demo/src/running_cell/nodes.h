@@ -5,7 +5,6 @@
 #include <sys/types.h>
 
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace scan_cell_demo {
@@ -14,9 +13,7 @@ namespace scan_cell_demo {
 /// @throw scan_cell_common::Refused after a minute
 void wait_until(const std::string& what, const std::function<bool()>& met);
 
-/// Process of a ROS node on this machine, as the node reports it; none if it does not answer.
-std::optional<pid_t> process_of(const std::string& node);
-
+/// Process of a ROS node on this machine, as the node reports it.
 /// @throw scan_cell_common::ConnectionError if it does not answer
 pid_t checked_process_of(const std::string& node);
 

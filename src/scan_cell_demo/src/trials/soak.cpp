@@ -13,6 +13,7 @@
 #include "running_cell/running_cell.h"
 #include "running_cell/started_cell.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/node_process.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "trials/growth.h"
 
@@ -92,7 +93,7 @@ class Soak {
     ros::master::getNodes(nodes);
     for (const std::string& node : nodes) {
       if (node == ros::this_node::getName()) continue;
-      const auto process = process_of(node);
+      const auto process = scan_cell_common::process_of(node);
       if (process) samples_[node].push_back(holdings_of(*process));
     }
   }

@@ -10,26 +10,42 @@
 #include <optional>
 
 #include "cloud_preprocess/edited_cloud.h"
+#include "cloud_preprocess/stage_trial.h"
 #include "edit/picking.h"
 #include "link/worker.h"
 
 namespace scan_cell_rviz {
 
+/// What is done with the points in a shape. The first two are edits; the others only change what is
+/// in view.
+enum class EditAct { kDelete, kKeepOnly, kHide, kShowOnly };
+
+using EditShape = decltype(cloud_preprocess::CloudEdit::shape);
+
 /// How the next edit is made.
 struct EditSettings {
-  bool keep = false;     //!< what is in the shape, alone; false: it is deleted
+  EditAct act = EditAct::kDelete;
   double depth = 0.05;   //!< [m] before and behind, of a polygon
   double radius = 0.01;  //!< [m] of the brush
   double gap = 0.005;    //!< [m] that a cluster may have
+};
+
+/// What an automatic stage would take of what the edits leave.
+struct StageView {
+  QString name;                                   //!< floor, outliers or isolate
+  cloud_preprocess::EditedCloud::Indices points;  //!< of the source
+  QString words;                                  //!< how many, and what was found, or why not
 };
 
 /// A cloud under edit, as it stands.
 struct EditedView {
   std::shared_ptr<const cloud_preprocess::Cloud> source;  //!< [m]
   cloud_preprocess::EditedCloud::Indices kept;            //!< points of it
-  cloud_preprocess::EditedCloud::Indices last;            //!< that the last edit took
-  QStringList edits;                                      //!< in force, in words
-  QString yaml;                                           //!< the same, as settings have them
+  cloud_preprocess::EditedCloud::Indices shown;           //!< those of them that are not hidden
+  cloud_preprocess::EditedCloud::Indices last;  //!< that the last edit took, those in view
+  QStringList edits;                            //!< in force, in words
+  QString yaml;                                 //!< the same, as settings have them
+  std::vector<StageView> stages;                //!< none: they are not tried
   bool can_redo = false;
   std::string frame;
 };
@@ -46,7 +62,17 @@ class EditSession : public QObject {
 
   /// Another cloud, without edits.
   void open(std::shared_ptr<const cloud_preprocess::Cloud> cloud, const std::string& frame);
+  /// Does with the shape what the settings say.
+  void apply(const EditShape& shape);
+  /// An edit takes hidden points, too: it does the same headless, where nothing is hidden.
   void add(const cloud_preprocess::CloudEdit& edit);
+  /// Takes out of view what the edit would take of what is in view. No edit, and not saved.
+  void hide(const cloud_preprocess::CloudEdit& edit);
+  void show_all();
+  /// Shows from here on what the stages would take. Of calls that come faster than it can be
+  /// computed only the last one counts.
+  /// @param parameters none: they are no longer tried
+  void try_stages(const std::optional<cloud_preprocess::CleanParameters>& parameters);
   void undo();
   void redo();
   void drop_all();
@@ -56,7 +82,7 @@ class EditSession : public QObject {
   EditSettings settings() const;
   void set_settings(const EditSettings& settings);
 
-  /// The point of what is kept that a person sees there, in the cloud's frame.
+  /// The point that a person sees there, in the cloud's frame.
   std::optional<Eigen::Vector3d> pick(const Ray& ray) const;
 
  Q_SIGNALS:
@@ -67,14 +93,29 @@ class EditSession : public QObject {
   template <class Change>
   void change(Change change);
   void show();
+  void publish();
+  void queue_trial();
+  void try_now();
+  cloud_preprocess::EditedCloud::Indices in_view(
+      cloud_preprocess::EditedCloud::Indices points) const;
+  cloud_preprocess::Cloud of_source(const cloud_preprocess::EditedCloud::Indices& points) const;
+  bool any_hidden() const;
+  bool hide_now(const cloud_preprocess::CloudEdit& edit);
 
-  cloud_preprocess::EditedCloud edited_;  // of the worker
+  // Of the worker, up to the frame.
+  cloud_preprocess::EditedCloud edited_;
+  std::vector<bool> hidden_;                                 // by point of the source
+  std::optional<cloud_preprocess::CleanParameters> stages_;  // that are tried
+  std::unique_ptr<cloud_preprocess::StageTrial> trial_;      // null: not of the present edits
+  cloud_preprocess::EditedCloud::Indices trial_points_;      // its points, of the source
+  std::vector<StageView> tried_;                             // by the last trial that was done
+  int asked_ = 0;                                            // trials that were to be done
   std::shared_ptr<const cloud_preprocess::Cloud> source_;
   std::string frame_;
   mutable std::mutex mutex_;  // of what follows
   EditedViewPtr view_;
   EditSettings settings_;
-  std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();
+  Worker worker_;  // last: it uses all of the above
 };
 
 /// The one that the seat and the tools of rviz share.

@@ -4,13 +4,14 @@
 
 #include <fmt/format.h>
 #include <scan_cell_msgs/ApproveRun.h>
-#include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/PreviewRun.h>
 
 #include <QMetaType>
+#include <utility>
 
 #include "link/signs.h"
 #include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/ros/node_process.h"
 
 namespace scan_cell_rviz {
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr double kLook = 0.25;          // [s] between two looks at what is there; chosen
 constexpr int kLooksAList = 4;          // while there is none: every second; chosen
+constexpr int kLooksAPresence = 4;      // that is every second; chosen
 constexpr int kLooksACalibration = 40;  // that is every 10 s; chosen
 constexpr double kCallTimeout = 5;      // [s] for an answer; chosen
 constexpr double kPreviewTimeout = 20;  // [s] a tool is started, and it waits for the cell; chosen
@@ -62,13 +64,13 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
   client_ = std::make_unique<Client>(node_, names_.recipes + "/run");
   robot_ = node_.subscribe<scan_cell_msgs::RobotStatus>(
       names_.robot + "/status", 10,
-      [this](const auto& robot) { show(Device::kRobot, sign_of(*robot)); });
+      [this](const auto& robot) { hear(Device::kRobot, sign_of(*robot)); });
   trigger_ = node_.subscribe<scan_cell_msgs::TriggerState>(
       names_.trigger + "/state", 10,
-      [this](const auto& trigger) { show(Device::kLaser, sign_of(*trigger)); });
+      [this](const auto& trigger) { hear(Device::kLaser, sign_of(*trigger)); });
   cell_ = node_.subscribe<scan_cell_msgs::CellState>(
       names_.cell + "/state", 10,
-      [this](const auto& cell) { show(Device::kCell, sign_of(*cell)); });
+      [this](const auto& cell) { hear(Device::kCell, sign_of(*cell)); });
   diagnostics_ = node_.subscribe("/diagnostics", 10, &CellLink::on_diagnostics, this);
   status_ = node_.subscribe(names_.recipes + "/run/status", 10, &CellLink::on_status, this);
   raw_ = node_.subscribe<sensor_msgs::PointCloud2>(
@@ -97,6 +99,7 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
 
 CellLink::~CellLink() {
   spinner_.stop();
+  presence_worker_.reset();
   preview_worker_.reset();
   worker_.reset();  // while there still is somebody whose signals it emits
 }
@@ -168,10 +171,22 @@ void CellLink::decide(const QString& run, bool approved, const QString& name, co
 }
 
 void CellLink::edit(const QString& recipe, const QString& edits) {
-  ask(*worker_, [=] {
-    scan_cell_msgs::EditRecipe::Request request;
-    request.recipe = recipe.toStdString();
-    request.edits = edits.toStdString();
+  scan_cell_msgs::EditRecipeRequest request;
+  request.what = scan_cell_msgs::EditRecipeRequest::EDITS;
+  request.edits = edits.toStdString();
+  change(recipe, request);
+}
+
+void CellLink::set_stages(const QString& recipe, const QString& stages) {
+  scan_cell_msgs::EditRecipeRequest request;
+  request.what = scan_cell_msgs::EditRecipeRequest::STAGES;
+  request.stages = stages.toStdString();
+  change(recipe, request);
+}
+
+void CellLink::change(const QString& recipe, scan_cell_msgs::EditRecipeRequest request) {
+  request.recipe = recipe.toStdString();
+  ask(*worker_, [this, recipe, request] {
     scan_cell::call<scan_cell_msgs::EditRecipe>(names_.recipes + "/edit", request, kCallTimeout);
     Q_EMIT edited(recipe);
   });
@@ -282,24 +297,62 @@ void CellLink::show(Device device, const Sign& sign) {
   Q_EMIT signChanged(device, sign);
 }
 
-void CellLink::show_unless_gone(Device device, const ros::Subscriber& subscriber) {
-  if (subscriber.getNumPublishers() == 0)
-    show(device, {Level::kGone, subscriber.getTopic() + ": its node is not running"});
+void CellLink::hear(Device device, const Sign& sign) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    heard_.at(static_cast<std::size_t>(device)) = sign;
+  }
+  show(device, sign);
+}
+
+/// What it said last, unless it is gone.
+void CellLink::show_presence(Device device, const ros::Subscriber& subscriber) {
+  std::optional<Sign> sign;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    sign = missed_.count(subscriber.getTopic()) > 0
+               ? Sign{Level::kGone, subscriber.getTopic() + ": its node is not running"}
+               : heard_.at(static_cast<std::size_t>(device));
+  }
+  if (sign) show(device, *sign);
+}
+
+/// By a worker of its own: a computer that is gone takes a second each.
+void CellLink::look_for_nodes() {
+  if (looking_.exchange(true)) return;
+  presence_worker_->add([this] {
+    for (const ros::Subscriber* const subscriber : {&robot_, &trigger_, &cell_, &status_}) {
+      const std::string topic = subscriber->getTopic();
+      const std::optional<bool> there = scan_cell_common::is_published(topic);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (there && *there) missed_.erase(topic);
+      if (there && !*there) missed_.insert(topic);
+    }
+    looking_ = false;
+  });
+}
+
+bool CellLink::is_missed(const ros::Subscriber& subscriber) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return missed_.count(subscriber.getTopic()) > 0;
 }
 
 void CellLink::look() {
-  show_unless_gone(Device::kRobot, robot_);
-  show_unless_gone(Device::kLaser, trigger_);
-  show_unless_gone(Device::kCell, cell_);
+  if (looks_ % kLooksAPresence == 0) look_for_nodes();
+  show_presence(Device::kRobot, robot_);
+  show_presence(Device::kLaser, trigger_);
+  show_presence(Device::kCell, cell_);
   if ((ros::WallTime::now() - camera_seen_).toSec() > kCameraSilent)
     show(Device::kCamera, {Level::kGone, names_.camera + " tells nothing on /diagnostics"});
-  if (status_.getNumPublishers() == 0) {
+  if (is_missed(status_)) {
     on_status({});
-    if (listed_.exchange(false) || looks_ == 0)
+    listed_ = false;
+    if (!std::exchange(recipes_missed_, true))
       Q_EMIT recipesMissed(tr("%1 is not running: start the cell with recipes:=FOLDER")
                                .arg(QString::fromStdString(names_.recipes)));
-  } else if (!listed_ && looks_ % kLooksAList == 0) {
-    list_recipes();
+  } else {
+    recipes_missed_ = false;
+    if (!listed_ && looks_ % kLooksAList == 0) list_recipes();
   }
   if (looks_++ % kLooksACalibration == 0) worker_->add([this] { look_at_calibration(); });
   look_at_run();

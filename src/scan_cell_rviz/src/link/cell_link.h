@@ -8,6 +8,7 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/CellState.h>
 #include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
 #include <scan_cell_msgs/RobotStatus.h>
@@ -24,6 +25,9 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "link/node_names.h"
@@ -63,6 +67,10 @@ class CellLink : public QObject {
   /// @param edits in YAML
   void edit(const QString& recipe, const QString& edits);
 
+  /// Puts the settings of the cleaning stages into a recipe. Answers by edited, or failed.
+  /// @param stages in YAML
+  void set_stages(const QString& recipe, const QString& stages);
+
   /// Scans and adapts a part. Ends with runEnded.
   void run(const QString& recipe, const QString& note);
 
@@ -93,13 +101,17 @@ class CellLink : public QObject {
  private:
   using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
 
+  void change(const QString& recipe, scan_cell_msgs::EditRecipeRequest request);
   void send(const scan_cell_msgs::RunRecipeGoal& goal);
   void end(const scan_cell_msgs::RunRecipeResult& result);
   void look();
   void look_at_run();
   void look_at_calibration();
   void show(Device device, const Sign& sign);
-  void show_unless_gone(Device device, const ros::Subscriber& subscriber);
+  void hear(Device device, const Sign& sign);
+  void show_presence(Device device, const ros::Subscriber& subscriber);
+  void look_for_nodes();
+  bool is_missed(const ros::Subscriber& subscriber) const;
   void on_status(const actionlib_msgs::GoalStatusArray& status);
   void on_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics);
   template <class Task>
@@ -115,16 +127,21 @@ class CellLink : public QObject {
 
   mutable std::mutex mutex_;
   std::array<Sign, kDevices> signs_;
-  bool ours_ = false;    // a goal of this seat is under way
-  bool others_ = false;  // one of another's is
+  std::array<std::optional<Sign>, kDevices> heard_;  // what each said last
+  std::set<std::string> missed_;                     // topics that nobody publishes
+  bool ours_ = false;                                // a goal of this seat is under way
+  bool others_ = false;                              // one of another's is
   bool is_work_ = false;
   int goal_ = 0;                 // counts, so that a late end of an old one is told apart
   ros::WallTime sent_, unseen_;  // unseen: since when the server is gone; zero: it is there
   ros::WallTime camera_seen_;
 
   int looks_ = 0;
+  bool recipes_missed_ = false;      // and that was said
   std::atomic<bool> listed_{false};  // the recipes of the node that is there
   std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();
+  std::atomic<bool> looking_{false};  // for nodes
+  std::unique_ptr<Worker> presence_worker_ = std::make_unique<Worker>();
   std::unique_ptr<Worker> preview_worker_ = std::make_unique<Worker>();  // others need not wait
   ros::AsyncSpinner spinner_;
 };

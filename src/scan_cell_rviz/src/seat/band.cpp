@@ -4,7 +4,7 @@
 
 #include <QGridLayout>
 
-#include "seat/widgets.h"
+#include "widgets/labels_and_buttons.h"
 
 namespace scan_cell_rviz {
 namespace {

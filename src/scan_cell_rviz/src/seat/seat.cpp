@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "scan_cell_common/ros/cloud_messages.h"
-#include "seat/widgets.h"
+#include "widgets/labels_and_buttons.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -134,13 +134,15 @@ void Seat::connect_clean() {
                    raw->header.frame_id);
       },
       Qt::DirectConnection);
-  connect(&link_, &CellLink::described, this,
-          [this](const auto& run) { clean_->set_recipe(QString::fromStdString(run.recipe)); });
+  connect(&link_, &CellLink::described, this, [this](const auto& run) {
+    clean_->set_recipe(QString::fromStdString(run.recipe), QString::fromStdString(run.cleaning));
+  });
   connect(&link_, &CellLink::edited, this, [this](const QString& recipe) {
     clean_->show_end(tr("Saved into %1: scan a part again, or prove the recipe.").arg(recipe));
     link_.list_recipes();
   });
   connect(clean_, &CleanPage::saveWanted, &link_, &CellLink::edit);
+  connect(clean_, &CleanPage::stagesSaveWanted, &link_, &CellLink::set_stages);
   connect(clean_, &CleanPage::toolWanted, this, &Seat::toolWanted);
   connect(clean_, &CleanPage::boxWanted, this, &Seat::boxWanted);
 }

@@ -10,13 +10,13 @@
 
 #include "edit/edit_session.h"
 #include "link/cell_link.h"
+#include "pages/clean_page.h"
+#include "pages/fit_page.h"
+#include "pages/history_page.h"
+#include "pages/part_page.h"
+#include "pages/teach_page.h"
+#include "pages/work_page.h"
 #include "seat/band.h"
-#include "seat/clean_page.h"
-#include "seat/fit_page.h"
-#include "seat/history_page.h"
-#include "seat/part_page.h"
-#include "seat/teach_page.h"
-#include "seat/work_page.h"
 
 namespace scan_cell_rviz {
 

@@ -106,7 +106,7 @@ void BoxHandles::show() {
   const EditedViewPtr view = session_.view();
   if (!view || shown()) return;
   frame_ = view->frame;
-  box_ = box_within(*view->source, view->kept);
+  box_ = box_within(*view->source, view->shown);
   draw();
 }
 
@@ -117,7 +117,7 @@ void BoxHandles::hide() {
 }
 
 void BoxHandles::apply() {
-  if (shown()) session_.add({session_.settings().keep, box_});
+  if (shown()) session_.apply(box_);
 }
 
 void BoxHandles::draw() {

@@ -5,8 +5,10 @@
 #include <OgreSceneNode.h>
 #include <rviz/properties/float_property.h>
 
+#include <algorithm>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "edit/stage_colours.h"
 #include "view/cloud_frame.h"
 
 namespace scan_cell_rviz {
@@ -16,13 +18,29 @@ constexpr float kPixels = 3;  // of a point; chosen
 const Ogre::ColourValue kKept(0.85F, 0.85F, 0.85F);
 const Ogre::ColourValue kTaken(0.90F, 0.45F, 0.05F);  // orange: told from grey by all eyes
 
+/// Of each point of the source that stays, as long as no later edit takes it.
+std::vector<Ogre::ColourValue> colours_of(const EditedView& view) {
+  std::vector<Ogre::ColourValue> colours(view.source->size(), kKept);
+  for (const StageView& stage : view.stages) {
+    const auto* const colour =
+        std::find_if(kStageColours.begin(), kStageColours.end(),
+                     [&](const StageColour& known) { return stage.name == known.stage; });
+    if (colour == kStageColours.end()) continue;
+    for (const std::uint32_t i : stage.points)
+      colours[i] = Ogre::ColourValue(colour->red, colour->green, colour->blue);
+  }
+  return colours;
+}
+
+/// @param colour_of a point of the source
+template <class ColourOf>
 void fill(rviz::PointCloud& shown, const EditedView& view,
-          const cloud_preprocess::EditedCloud::Indices& points, const Ogre::ColourValue& colour) {
+          const cloud_preprocess::EditedCloud::Indices& points, const ColourOf& colour_of) {
   std::vector<rviz::PointCloud::Point> drawn;
   drawn.reserve(points.size());
   for (const std::uint32_t i : points) {
     const auto& point = (*view.source)[i];
-    drawn.push_back({Ogre::Vector3(point.x, point.y, point.z), colour});
+    drawn.push_back({Ogre::Vector3(point.x, point.y, point.z), colour_of(i)});
   }
   shown.clear();
   if (!drawn.empty()) shown.addPoints(drawn.data(), static_cast<std::uint32_t>(drawn.size()));
@@ -57,8 +75,9 @@ void EditDisplay::show() {
   for (auto* const cloud : {kept_.get(), taken_.get()})
     cloud->setDimensions(size_->getFloat(), size_->getFloat(), size_->getFloat());
   if (view_) {
-    fill(*kept_, *view_, view_->kept, kKept);
-    fill(*taken_, *view_, view_->last, kTaken);
+    const std::vector<Ogre::ColourValue> colours = colours_of(*view_);
+    fill(*kept_, *view_, view_->shown, [&](std::uint32_t i) { return colours[i]; });
+    fill(*taken_, *view_, view_->last, [](std::uint32_t) { return kTaken; });
   }
   context_->queueRender();
 }

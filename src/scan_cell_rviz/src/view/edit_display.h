@@ -15,7 +15,8 @@ class FloatProperty;
 
 namespace scan_cell_rviz {
 
-/// The cloud that is cleaned by hand: what stays, and in another colour what the last edit took.
+/// The cloud that is cleaned by hand: what stays, and each in a colour of its own what the
+/// automatic stages would take and what the last edit took.
 class EditDisplay : public rviz::Display {
   Q_OBJECT
 

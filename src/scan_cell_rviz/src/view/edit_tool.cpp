@@ -116,9 +116,8 @@ void EditTool::draw(const std::vector<Vector3d>& places, bool closed) {
   if (closed) line_->addPoint(to_ogre(places.front()));
 }
 
-void EditTool::edit(const decltype(cloud_preprocess::CloudEdit::shape)& shape) {
-  EditSession& session = shared_edit_session();
-  session.add({session.settings().keep, shape});
+void EditTool::edit(const EditShape& shape) {
+  shared_edit_session().apply(shape);
   begin_anew();
   draw({}, false);
 }

@@ -36,8 +36,8 @@ class EditTool : public rviz::Tool {
 
   /// Draws lines between places in the cloud's frame.
   void draw(const std::vector<Eigen::Vector3d>& places, bool closed);
-  /// As the page says, deleted or kept.
-  void edit(const decltype(cloud_preprocess::CloudEdit::shape)& shape);
+  /// As the page says: deleted, kept, hidden ...
+  void edit(const EditShape& shape);
 
  private:
   template <class Act>

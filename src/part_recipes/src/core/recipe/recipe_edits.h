@@ -16,4 +16,15 @@ namespace part_recipes {
 /// @throw scan_cell_common::FileError
 void set_edits(const Recipe& recipe, const std::string& edits);
 
+/// Likewise the settings of the stages. A map that says what is there already stays as it is
+/// written.
+/// @param stages the maps `floor`, `outliers` and `isolate` in YAML (docs/cloud_preprocess.md),
+/// each whole: what is not given is as by default; a map that is missing stays
+/// @throw as set_edits()
+void set_stages(const Recipe& recipe, const std::string& stages);
+
+/// A recipe's cleaning settings, in YAML; empty: it has none.
+/// @throw scan_cell_common::FileError
+std::string cleaning_of(const Recipe& recipe);
+
 }  // namespace part_recipes

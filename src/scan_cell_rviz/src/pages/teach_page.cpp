@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seat/teach_page.h"
+#include "pages/teach_page.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "scan_cell_common/pose/units.h"
-#include "seat/widgets.h"
+#include "widgets/labels_and_buttons.h"
 
 namespace scan_cell_rviz {
 namespace {

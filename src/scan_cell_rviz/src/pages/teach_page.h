@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "link/teach_link.h"
-#include "seat/hold_button.h"
+#include "widgets/hold_button.h"
 
 namespace scan_cell_rviz {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seat/fit_page.h"
+#include "pages/fit_page.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "scan_cell_common/pose/units.h"
-#include "seat/widgets.h"
+#include "widgets/labels_and_buttons.h"
 
 namespace scan_cell_rviz {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seat/history_page.h"
+#include "pages/history_page.h"
 
 #include <QHeaderView>
 #include <QPushButton>

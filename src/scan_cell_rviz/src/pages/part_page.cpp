@@ -1,12 +1,12 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seat/part_page.h"
+#include "pages/part_page.h"
 
 #include <QFormLayout>
 #include <QIcon>
 #include <QVBoxLayout>
 
-#include "seat/widgets.h"
+#include "widgets/labels_and_buttons.h"
 
 namespace scan_cell_rviz {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seat/hold_button.h"
+#include "widgets/hold_button.h"
 
 #include <QEvent>
 #include <QKeyEvent>

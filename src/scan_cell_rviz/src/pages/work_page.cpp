@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seat/work_page.h"
+#include "pages/work_page.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "preview/preview_view.h"
-#include "seat/widgets.h"
+#include "widgets/labels_and_buttons.h"
 
 namespace scan_cell_rviz {
 

@@ -1,0 +1,121 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes of the simulated cell are killed under a seat that is open, in every page of it.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+#include <QTimer>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <random>
+
+#include "scan_cell_common/ros/node_process.h"
+#include "seat/seat.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+using scan_cell_common::process_of;
+
+constexpr int kPatience = 60000;  // [ms] a node is started again after some seconds
+constexpr unsigned kSeed = 20261126;
+constexpr qint64 kMostHeldUp =
+    1000;  // [ms] a person waits; on a machine that does all else besides
+
+/// A node, the label that tells of it, and what that says when it is gone.
+struct Victim {
+  const char* node;
+  const char* label;
+  const char* gone;
+};
+constexpr Victim kVictims[] = {{"/c4g_driver", "sign_robot", "not running"},
+                               {"/laser_trigger", "sign_laser", "not running"},
+                               {"/camera", "sign_camera", "tells nothing"},
+                               {"/scan_cell", "sign_cell", "not running"},
+                               {"/part_recipes", "missed", "not running"}};
+
+class ASeatInTheCell : public testing::Test {
+ protected:
+  ASeatInTheCell() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_) {
+    link_.start();
+    teach_.start();
+    seat_.show();
+    beat_.setInterval(5);
+    QObject::connect(&beat_, &QTimer::timeout, [this] {
+      held_up_ = std::max(held_up_, since_beat_.isValid() ? since_beat_.elapsed() : 0);
+      since_beat_.restart();
+    });
+    beat_.start();
+  }
+
+  static bool comes(const std::function<bool()>& condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+
+  std::string text(const char* label) const {
+    return seat_.findChild<QLabel*>(label)->text().toStdString();
+  }
+  bool is_gone(const Victim& victim) const {
+    const auto* const label = seat_.findChild<QLabel*>(victim.label);
+    return !label->isHidden() && label->text().contains(victim.gone);
+  }
+  bool all_are_there() const {
+    return std::none_of(std::begin(kVictims), std::end(kVictims),
+                        [this](const Victim& victim) { return is_gone(victim); });
+  }
+
+  void kill_one(const Victim& victim) {
+    const auto process = process_of(victim.node);
+    ASSERT_TRUE(process) << victim.node;
+    ASSERT_EQ(kill(*process, SIGKILL), 0);
+    ASSERT_TRUE(comes([&] { return is_gone(victim); }))
+        << victim.node << ": " << text(victim.label);
+    ASSERT_TRUE(comes([&] { return process_of(victim.node).value_or(*process) != *process; }))
+        << victim.node << " was not started again";
+    ASSERT_TRUE(comes([this] { return all_are_there(); }))
+        << victim.node << ": " << text(victim.label);
+  }
+
+  CellLink link_;
+  TeachLink teach_;
+  EditSession edits_;
+  Seat seat_;
+  QTimer beat_;
+  QElapsedTimer since_beat_;
+  qint64 held_up_ = 0;  // [ms] longest time that the window did nothing
+};
+
+TEST_F(ASeatInTheCell, LivesWhicheverNodeIsKilledInWhicheverPageAndSaysSo) {
+  const int kills = ros::param::param("~kills", 5);
+  std::filesystem::create_directories(ros::param::param<std::string>("/part_recipes/recipes", ""));
+  auto* const pages = seat_.findChild<QTabWidget*>("pages");
+  ASSERT_TRUE(comes([this] { return all_are_there() && link_.busy() == Busy::kFree; }));
+  std::mt19937 random(kSeed);
+  for (int i = 0; i < kills; ++i) {
+    const Victim& victim = kVictims[static_cast<std::size_t>(i) % std::size(kVictims)];
+    const int page = static_cast<int>(random() % static_cast<unsigned>(pages->count()));
+    pages->setCurrentIndex(page);
+    held_up_ = 0;
+    kill_one(victim);
+    if (HasFatalFailure()) return;
+    EXPECT_LT(held_up_, kMostHeldUp) << victim.node << ", page " << page;
+    std::printf("%d of %d: %s killed, page %d: the window was held up for %lld ms at most\n", i + 1,
+                kills, victim.node, page + 1, static_cast<long long>(held_up_));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace scan_cell_rviz
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  ros::init(argc, argv, "test_kills");
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
