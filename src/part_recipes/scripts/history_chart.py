@@ -10,8 +10,6 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
-from chart.drawing import png  # noqa: E402 (found on the path above)
-from chart.page import page  # noqa: E402
 from scan_cell_common.command_line import add_version  # noqa: E402
 
 
@@ -21,6 +19,8 @@ def main():
     parser.add_argument('data', help='JSON from history chart-data')
     parser.add_argument('--output', required=True, help='.html or .png')
     names = parser.parse_args()
+    from chart.drawing import png  # after --help: they take half a second to load
+    from chart.page import page
     makers = {'.html': page, '.png': png}
     maker = makers.get(os.path.splitext(names.output)[1].lower())
     if maker is None:

@@ -4,11 +4,8 @@
 
 Blue, white and orange differ for people with any usual colour blindness. In greys both ends look alike, so
 marks tell the sign: plus, minus, a dot within the tolerance, a cross where nothing is known."""
-import matplotlib
 import numpy
-
-matplotlib.use('Agg')
-from matplotlib.colors import LinearSegmentedColormap  # noqa: E402 (the backend first: there may be no display)
+from matplotlib.colors import LinearSegmentedColormap
 
 SPAN = 2.0  # tolerances to each end of the scale
 MAP = LinearSegmentedColormap.from_list(

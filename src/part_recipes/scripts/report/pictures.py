@@ -6,13 +6,13 @@ import base64
 import io
 
 import numpy
+from matplotlib import rc_context
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from PIL import Image
 
 from . import colours
 from .scene import thin
-
-import matplotlib.pyplot as plt  # noqa: E402 (colours.py chose the backend)
-from matplotlib.colors import Normalize  # noqa: E402
-from PIL import Image  # noqa: E402
 
 MOST = 60000  # points of a cloud in a picture
 DPI = 130  # dots per inch on paper
@@ -48,19 +48,22 @@ def png(figure):
     """A data URL, with 128 colours: a third of the size."""
     raw = io.BytesIO()
     figure.savefig(raw, dpi=DPI, format='png')
-    plt.close(figure)
     small = io.BytesIO()
     Image.open(raw).convert('RGB').quantize(128).save(small, format='png', optimize=True)
     return 'data:image/png;base64,' + base64.b64encode(small.getvalue()).decode('ascii')
 
 
-def empty_axes(figure, place):
-    axes = figure.add_subplot(place)
+def empty_axes(width, height, right=0.1):
+    """Of a figure of this size, with this margin on the right [in]. The layout is given: to find one, matplotlib
+    draws all texts twice more."""
+    left, bottom, top = 0.45, 0.4, 0.1
+    figure = Figure(figsize=(width, height))
+    axes = figure.add_axes((left / width, bottom / height, 1 - (left + right) / width, 1 - (bottom + top) / height))
     axes.set_facecolor(GROUND)
     axes.set_aspect('equal')
     axes.tick_params(labelsize=7)
     axes.set_xlabel('mm', fontsize=7)
-    return axes
+    return figure, axes
 
 
 def scatter(axes, view, points, size, **look):
@@ -81,8 +84,7 @@ def of_deviations(run, scene):
     chosen = thin(len(scene.object_points), MOST)
     points, values = scene.object_points[chosen], scene.deviations[chosen]
     known = numpy.isfinite(values)
-    figure = plt.figure(figsize=(7.4, 4.1), layout='constrained')
-    axes = empty_axes(figure, 111)
+    figure, axes = empty_axes(7.4, 4.1, right=0.95)
     if scene.mapped and (scene.scanned == 0).any():
         scatter(axes, view, scene.reference_points[scene.scanned == 0], 2, c=GREY)
     scatter(axes, view, points[~known], 1.2, c=colours.UNKNOWN)
@@ -92,7 +94,8 @@ def of_deviations(run, scene):
     for kind, glyph in GLYPHS.items():
         x, y, _ = view(scene.object_points[indices[kinds == kind]])
         axes.scatter(x, y, s=7 if glyph == '.' else 22, marker=glyph, c=INK, linewidths=0.8 if glyph != '.' else 0)
-    bar = figure.colorbar(dots, ax=axes, shrink=0.9, extend='both', ticks=numpy.linspace(-span, span, 5))
+    bar = figure.colorbar(dots, cax=figure.add_axes((0.9, 0.15, 0.02, 0.75)), extend='both',
+                          ticks=numpy.linspace(-span, span, 5))
     bar.set_label('deviation [mm]: + material added', fontsize=7)
     bar.ax.tick_params(labelsize=7)
     return png(figure)
@@ -116,8 +119,7 @@ def of_paths(scene, concerned):
     if not clouds and path is None:
         return None
     view = View(numpy.concatenate([cloud[thin(len(cloud), 5000)] for cloud in clouds] or [path]), elevation=48)
-    figure = plt.figure(figsize=(7.4, 3.7), layout='constrained')
-    axes = empty_axes(figure, 111)
+    figure, axes = empty_axes(7.4, 3.7)
     if scene.reference_points is not None:
         scatter(axes, view, scene.reference_points[thin(len(scene.reference_points), 20000)] + shift, 1, c='#9aa1aa')
     if scene.object_points is not None:
@@ -153,9 +155,9 @@ def histogram(run, scene):
     step = edges[1] - edges[0]
     counts = numpy.concatenate([[(values < -span).sum()], counts, [(values > span).sum()]]) / len(values) * 100
     middles = numpy.concatenate([[edges[0] - 1.5 * step], (edges[:-1] + edges[1:]) / 2, [edges[-1] + 1.5 * step]])
-    with plt.rc_context({'svg.fonttype': 'none', 'font.family': 'sans-serif', 'svg.hashsalt': 'report'}):
-        figure = plt.figure(figsize=(7.4, 2.1), layout='constrained')
-        axes = figure.add_subplot(111)
+    with rc_context({'svg.fonttype': 'none', 'font.family': 'sans-serif', 'svg.hashsalt': 'report'}):
+        figure = Figure(figsize=(7.4, 2.1))
+        axes = figure.add_axes((0.08, 0.24, 0.91, 0.72))
         axes.bar(middles, counts, step, color=colours.MAP(Normalize(-span, span)(middles)), edgecolor=INK, linewidth=0.4)
         for limit in (-tolerance, tolerance):
             axes.axvline(limit, color=INK, lw=1.1, ls='--')
@@ -164,5 +166,4 @@ def histogram(run, scene):
         axes.tick_params(labelsize=8)
         text = io.StringIO()
         figure.savefig(text, format='svg', metadata={'Date': None, 'Creator': None})
-        plt.close(figure)
     return text.getvalue()[text.getvalue().index('<svg'):]

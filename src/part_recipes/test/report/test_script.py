@@ -64,6 +64,7 @@ class Script(unittest.TestCase):
         run = maker().copy(run_of('accepted'), 'no_three')
         self.assertEqual(draw(run, '--three', '/none/three.min.js')[0], 0)
         browser().open(os.path.join(run, 'report.html'))
+        browser().until("return !document.getElementById('view-missing').hidden")
         self.assertIn('three.js', browser().find('#view-missing').text)
         self.assertIn('libjs-three', page_of(run))
 

@@ -80,6 +80,7 @@ class View(InBrowser):
         try:
             page.open(os.path.join(run_of('accepted'), 'report.html'))
             page.until('return document.readyState === "complete"')
+            page.until("return !document.getElementById('view-missing').hidden")
             self.assertIn('no WebGL', page.find('#view-missing').text)
             sizes = page.run('return [...document.querySelectorAll(".pictures img")].map((e) => e.naturalWidth)')
             self.assertEqual(len(sizes), 2)

@@ -167,8 +167,7 @@ void CleanPage::show_view() {
   save_->setEnabled(view && !recipe_.isEmpty());
   const bool can_take_over = view && edits.isEmpty() && !given_.edits.empty();
   take_over_->setVisible(can_take_over);
-  take_over_->setText(
-      tr("Ta&ke over the %n edit(s) of the recipe", "", static_cast<int>(given_.edits.size())));
+  take_over_->setText(tr("Ta&ke over the recipe's edits (%1)").arg(given_.edits.size()));
   stages_->show_stages(view ? view->stages : std::vector<StageView>());
   stages_->set_savable(save_->isEnabled());
 }

@@ -20,9 +20,12 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <vector>
 
+#include "seat/translation.h"
+
 namespace scan_cell_rviz {
 
 SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
+  install_translation();  // before there is any text
   auto* const layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
 }

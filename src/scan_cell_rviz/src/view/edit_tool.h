@@ -40,7 +40,7 @@ class EditTool : public rviz::Tool {
   void edit(const EditShape& shape);
 
  private:
-  template <class Act>
+  template <typename Act>  // lupdate would take `class Act` for a class
   void attempt(const Act& act);
   std::optional<Ray> ray_of(const rviz::ViewportMouseEvent& event);
 
@@ -59,6 +59,8 @@ class PolygonTool : public EditTool {
   void press(const Ray& ray) override;
   void finish() override;
   void begin_anew() override;
+
+  static constexpr std::size_t kLeastCorners = 3;
 
   std::vector<Ray> corners_;
   std::optional<Eigen::Vector3d> place_;  // that gives the depth

@@ -6,12 +6,6 @@
 
 namespace scan_cell_rviz {
 
-namespace {
-
-constexpr std::size_t kLeastCorners = 3;
-
-}  // namespace
-
 QString PolygonTool::help() const {
   return tr(
       "Polygon: click its corners, the first on the cloud; Return or a double click closes "

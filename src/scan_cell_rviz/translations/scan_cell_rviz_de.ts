@@ -1,0 +1,769 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>all outputs off</source>
+        <translation>alle Ausgänge aus</translation>
+    </message>
+    <message>
+        <source>output %1 on</source>
+        <translation>Ausgang %1 an</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm/s, %3</source>
+        <translation>%1: %2 mm/s, %3</translation>
+    </message>
+    <message>
+        <source>on the way to or from the path</source>
+        <translation>auf dem Weg zur Bahn oder von ihr weg</translation>
+    </message>
+    <message>
+        <source>waypoint %1</source>
+        <translation>Bahnpunkt %1</translation>
+    </message>
+    <message>
+        <source>
+The robot does not get there.</source>
+        <translation>
+Der Roboter kommt nicht dorthin.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source> degrees</source>
+        <translation> Grad</translation>
+    </message>
+    <message>
+        <source>%1 poses%2; %3 (dark) to %4 mm/s (yellow), to the path and away grey</source>
+        <translation>%1 Posen%2; %3 (dunkel) bis %4 mm/s (gelb), zur Bahn und zurück grau</translation>
+    </message>
+    <message>
+        <source> of the dry run</source>
+        <translation> des Trockenlaufs</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::Band</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Lasers</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::BrushTool</name>
+    <message>
+        <source>Brush: hold the left button and go over the points.</source>
+        <translation>Pinsel: linke Taste halten und über die Punkte fahren.</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::CellLink</name>
+    <message>
+        <source>%1, %2 frames, %3 points</source>
+        <translation>%1, %2 Bilder, %3 Punkte</translation>
+    </message>
+    <message>
+        <source>%1, %2 waypoints</source>
+        <translation>%1, %2 Bahnpunkte</translation>
+    </message>
+    <message>
+        <source>The cell is busy: wait until it is free.</source>
+        <translation>Die Zelle ist belegt: warten, bis sie frei ist.</translation>
+    </message>
+    <message>
+        <source>%1 is not running: start the cell with recipes:=FOLDER.</source>
+        <translation>%1 läuft nicht: die Zelle mit recipes:=ORDNER starten.</translation>
+    </message>
+    <message>
+        <source>%1 is not running: start the cell with recipes:=FOLDER</source>
+        <translation>%1 läuft nicht: die Zelle mit recipes:=ORDNER starten</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::CleanPage</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Dr&amp;op all</source>
+        <translation>Alle ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w hidden</source>
+        <translation>Verborgenes &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Save into the &amp;recipe</source>
+        <translation>Ins Re&amp;zept sichern</translation>
+    </message>
+    <message>
+        <source>Delete what is in the shape</source>
+        <translation>Löschen, was in der Form liegt</translation>
+    </message>
+    <message>
+        <source>Keep only what is in the shape</source>
+        <translation>Nur behalten, was in der Form liegt</translation>
+    </message>
+    <message>
+        <source>Hide what is in the shape</source>
+        <translation>Verbergen, was in der Form liegt</translation>
+    </message>
+    <message>
+        <source>Show only what is in the shape</source>
+        <translation>Nur zeigen, was in der Form liegt</translation>
+    </message>
+    <message>
+        <source>Hidden points are out of view, and out of the way of brush, clicks and clusters. They are still part of the scan: an edit whose shape they are in takes them, too</source>
+        <translation>Verborgene Punkte sind nicht zu sehen und stehen Pinsel, Klicks und Haufen nicht im Weg. Sie gehören weiter zum Scan: eine Änderung, in deren Form sie liegen, nimmt auch sie</translation>
+    </message>
+    <message>
+        <source>How far a polygon goes before and behind the first place (0.1 to 10000 mm)</source>
+        <translation>Wie weit ein Polygon vor und hinter die erste Stelle reicht (0,1 bis 10000 mm)</translation>
+    </message>
+    <message>
+        <source>Of the brush (0.1 to 10000 mm)</source>
+        <translation>Des Pinsels (0,1 bis 10000 mm)</translation>
+    </message>
+    <message>
+        <source>Points farther apart are two clusters (0.1 to 10000 mm)</source>
+        <translation>Punkte mit größerem Abstand sind zwei Haufen (0,1 bis 10000 mm)</translation>
+    </message>
+    <message>
+        <source>Edits in force</source>
+        <translation>Geltende Änderungen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Bo&amp;x</source>
+        <translation>&amp;Quader</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>&amp;Polygon</translation>
+    </message>
+    <message>
+        <source>P&amp;lane</source>
+        <translation>&amp;Ebene</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>P&amp;insel</translation>
+    </message>
+    <message>
+        <source>Clus&amp;ter</source>
+        <translation>&amp;Haufen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Apply the box</source>
+        <translation>Quader an&amp;wenden</translation>
+    </message>
+    <message>
+        <source>Drag its arrows, rings and faces in the view before</source>
+        <translation>Vorher in der Ansicht an seinen Pfeilen, Ringen und Flächen ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>Br&amp;ush radius</source>
+        <translation>Pinselradi&amp;us</translation>
+    </message>
+    <message>
+        <source>Cluster &amp;gap</source>
+        <translation>Haufena&amp;bstand</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points stay.</source>
+        <translation>%1 von %2 Punkten bleiben.</translation>
+    </message>
+    <message>
+        <source> %1 of them are hidden.</source>
+        <translation> %1 davon sind verborgen.</translation>
+    </message>
+    <message>
+        <source>No scan is in view: scan a part, or choose a run.</source>
+        <translation>Kein Scan zu sehen: ein Teil scannen oder einen Lauf wählen.</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke over the recipe's edits (%1)</source>
+        <translation>Än&amp;derungen des Rezepts übernehmen (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::ClusterTool</name>
+    <message>
+        <source>Cluster: click a point; all that hangs together with it is deleted, or alone kept.</source>
+        <translation>Haufen: einen Punkt anklicken; alles, was mit ihm zusammenhängt, wird gelöscht oder allein behalten.</translation>
+    </message>
+    <message>
+        <source>No point is there. </source>
+        <translation>Dort ist kein Punkt. </translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::EditDisplay</name>
+    <message>
+        <source>%1 points stay</source>
+        <translation>%1 Punkte bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::EditSession</name>
+    <message>
+        <source>keep only %1: %2 points went</source>
+        <translation>nur behalten, %1: %2 Punkte weg</translation>
+    </message>
+    <message>
+        <source>delete %1: %2 points went</source>
+        <translation>löschen, %1: %2 Punkte weg</translation>
+    </message>
+    <message>
+        <source>, %1 of them hidden</source>
+        <translation>, %1 davon verborgen</translation>
+    </message>
+    <message>
+        <source>%1: %2 points would go; %3</source>
+        <translation>%1: %2 Punkte gingen weg; %3</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::EditTool</name>
+    <message>
+        <source>The frame of the scan is not known to rviz.</source>
+        <translation>rviz kennt das Koordinatensystem des Scans nicht.</translation>
+    </message>
+    <message>
+        <source>No scan is in view: scan a part, or choose a run.</source>
+        <translation>Kein Scan zu sehen: ein Teil scannen oder einen Lauf wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::FitPage</name>
+    <message>
+        <source>✔ Accepted</source>
+        <translation>✔ Angenommen</translation>
+    </message>
+    <message>
+        <source>✖ Refused: %1</source>
+        <translation>✖ Abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>! Unusable: %1</source>
+        <translation>! Unbrauchbar: %1</translation>
+    </message>
+    <message>
+        <source>Nobody has decided yet.</source>
+        <translation>Noch hat niemand entschieden.</translation>
+    </message>
+    <message>
+        <source>Approved by %1</source>
+        <translation>Freigegeben von %1</translation>
+    </message>
+    <message>
+        <source>Refused by %1</source>
+        <translation>Abgelehnt von %1</translation>
+    </message>
+    <message>
+        <source>&amp;Approve</source>
+        <translation>&amp;Freigeben</translation>
+    </message>
+    <message>
+        <source>Re&amp;fuse</source>
+        <translation>Ab&amp;lehnen</translation>
+    </message>
+    <message>
+        <source>Open re&amp;port</source>
+        <translation>&amp;Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Waypoints that the verdict is about</source>
+        <translation>Bahnpunkte, um die es im Urteil geht</translation>
+    </message>
+    <message>
+        <source>What the verdict is about; the view turns to the chosen one</source>
+        <translation>Worum es im Urteil geht; die Ansicht wendet sich dem gewählten zu</translation>
+    </message>
+    <message>
+        <source>Who decides; kept with the run</source>
+        <translation>Wer entscheidet; bleibt beim Lauf</translation>
+    </message>
+    <message>
+        <source>Why; kept with the run</source>
+        <translation>Warum; bleibt beim Lauf</translation>
+    </message>
+    <message>
+        <source>Your &amp;name</source>
+        <translation>Ihr &amp;Name</translation>
+    </message>
+    <message>
+        <source>N&amp;ote</source>
+        <translation>N&amp;otiz</translation>
+    </message>
+    <message>
+        <source>No part was scanned yet.</source>
+        <translation>Es wurde noch kein Teil gescannt.</translation>
+    </message>
+    <message>
+        <source>waypoint %1 at %2, %3, %4 mm</source>
+        <translation>Bahnpunkt %1 bei %2, %3, %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::HistoryPage</name>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>unusable: %1</source>
+        <translation>unbrauchbar: %1</translation>
+    </message>
+    <message>
+        <source>Started (UTC)</source>
+        <translation>Beginn (UTC)</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>Ne&amp;u laden</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PartPage</name>
+    <message>
+        <source>proven %1</source>
+        <translation>bewährt %1</translation>
+    </message>
+    <message>
+        <source>never proven</source>
+        <translation>nie bewährt</translation>
+    </message>
+    <message>
+        <source>out of date: %1</source>
+        <translation>veraltet: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Scan and fit</source>
+        <translation>&amp;Scannen und anpassen</translation>
+    </message>
+    <message>
+        <source>Part types</source>
+        <translation>Teilearten</translation>
+    </message>
+    <message>
+        <source>Kept with the run, such as the part's serial number</source>
+        <translation>Bleibt beim Lauf, etwa die Seriennummer des Teils</translation>
+    </message>
+    <message>
+        <source>Moves the robot: scans the part, fits the path of its type to it and writes the report</source>
+        <translation>Bewegt den Roboter: scannt das Teil, passt ihm die Bahn seiner Art an und schreibt den Bericht</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>Ne&amp;u laden</translation>
+    </message>
+    <message>
+        <source>&amp;Note</source>
+        <translation>&amp;Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PlaneTool</name>
+    <message>
+        <source>Plane: click three points. The side of the viewer is deleted, or alone kept.</source>
+        <translation>Ebene: drei Punkte anklicken. Die Seite des Betrachters wird gelöscht oder allein behalten.</translation>
+    </message>
+    <message>
+        <source>No point is there. </source>
+        <translation>Dort ist kein Punkt. </translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PolygonTool</name>
+    <message>
+        <source>Polygon: click its corners, the first on the cloud; Return or a double click closes it, Escape begins anew.</source>
+        <translation>Polygon: Ecken anklicken, die erste auf der Wolke; Eingabe oder Doppelklick schließt es, Esc beginnt neu.</translation>
+    </message>
+    <message>
+        <source>No point is there. </source>
+        <translation>Dort ist kein Punkt. </translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::Seat</name>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>&amp;1 Part</source>
+        <translation>&amp;1 Teil</translation>
+    </message>
+    <message>
+        <source>&amp;2 Clean</source>
+        <translation>&amp;2 Säubern</translation>
+    </message>
+    <message>
+        <source>&amp;3 Fit</source>
+        <translation>&amp;3 Anpassung</translation>
+    </message>
+    <message>
+        <source>&amp;4 Work</source>
+        <translation>&amp;4 Arbeit</translation>
+    </message>
+    <message>
+        <source>&amp;5 History</source>
+        <translation>&amp;5 Verlauf</translation>
+    </message>
+    <message>
+        <source>&amp;6 Teach</source>
+        <translation>&amp;6 Teachen</translation>
+    </message>
+    <message>
+        <source>Stops the robot and ends what is under way. It is no emergency stop.</source>
+        <translation>Hält den Roboter an und beendet, was läuft. Es ist kein Not-Halt.</translation>
+    </message>
+    <message>
+        <source>No program here opens %1</source>
+        <translation>Hier öffnet kein Programm %1</translation>
+    </message>
+    <message>
+        <source>Saved into %1: scan a part again, or prove the recipe.</source>
+        <translation>In %1 gesichert: ein Teil neu scannen oder das Rezept bewähren.</translation>
+    </message>
+    <message>
+        <source>Nothing is under way.</source>
+        <translation>Nichts läuft.</translation>
+    </message>
+    <message>
+        <source>Another seat or program has the cell.</source>
+        <translation>Ein anderer Platz oder ein Programm hat die Zelle.</translation>
+    </message>
+    <message>
+        <source>Not worked: %1</source>
+        <translation>Nicht gearbeitet: %1</translation>
+    </message>
+    <message>
+        <source>Done. %1</source>
+        <translation>Fertig. %1</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::SeatPanel</name>
+    <message>
+        <source>box of the seat</source>
+        <translation>Quader des Platzes</translation>
+    </message>
+    <message>
+        <source>what the robot would do</source>
+        <translation>was der Roboter täte</translation>
+    </message>
+    <message>
+        <source>The cell is at work</source>
+        <translation>Die Zelle arbeitet</translation>
+    </message>
+    <message>
+        <source>What this seat began is still under way.</source>
+        <translation>Was dieser Platz begonnen hat, läuft noch.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it and close</source>
+        <translation>&amp;Anhalten und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Leave it running and close</source>
+        <translation>&amp;Laufen lassen und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Do not close</source>
+        <translation>&amp;Nicht schließen</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::StagesBox</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> deg</source>
+        <translation> Grad</translation>
+    </message>
+    <message>
+        <source>Automatic stages</source>
+        <translation>Automatische Stufen</translation>
+    </message>
+    <message>
+        <source>Save the &amp;stages into the recipe</source>
+        <translation>&amp;Stufen ins Rezept sichern</translation>
+    </message>
+    <message>
+        <source>Shows what each stage would take of what the edits leave</source>
+        <translation>Zeigt, was jede Stufe von dem nähme, was die Änderungen lassen</translation>
+    </message>
+    <message>
+        <source>; usually %1</source>
+        <translation>; üblich %1</translation>
+    </message>
+    <message>
+        <source>%1: not tried</source>
+        <translation>%1: nicht versucht</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::TeachLink</name>
+    <message>
+        <source>Pose %1 of %2: %3, %4, %5 mm in %6</source>
+        <translation>Pose %1 von %2: %3, %4, %5 mm in %6</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::TeachPage</name>
+    <message>
+        <source>&amp;Take the pose</source>
+        <translation>Pose über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>What a button moves: one joint, or the flange along the axes of the robot's base or its own</source>
+        <translation>Was eine Taste bewegt: eine Achse, oder den Flansch entlang der Achsen der Roboterbasis oder seiner eigenen</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Axes of the base</source>
+        <translation>Richtungen der Basis</translation>
+    </message>
+    <message>
+        <source>Axes of the flange</source>
+        <translation>Richtungen des Flansches</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the programmed speed (1 to 100 %); the driver refuses more than its max_jog_override</source>
+        <translation>Der programmierten Geschwindigkeit (1 bis 100 %); der Treiber verweigert mehr als sein max_jog_override</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Bewegen</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>&amp;Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>File of taught poses (CSV) on the cell's computer: made where there is none. Calibration, tool and world read such files.</source>
+        <translation>Datei geteachter Posen (CSV) auf dem Rechner der Zelle: wird angelegt, wo keine ist. Kalibrierung, Werkzeug und Welt lesen solche Dateien.</translation>
+    </message>
+    <message>
+        <source>Appends the flange's pose to the file. The robot must stand still.</source>
+        <translation>Hängt die Pose des Flansches an die Datei an. Der Roboter muss stehen.</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose...</source>
+        <translation>&amp;Wählen ...</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>about X</source>
+        <translation>um X</translation>
+    </message>
+    <message>
+        <source>about Y</source>
+        <translation>um Y</translation>
+    </message>
+    <message>
+        <source>about Z</source>
+        <translation>um Z</translation>
+    </message>
+    <message>
+        <source>J%1</source>
+        <translation>J%1</translation>
+    </message>
+    <message>
+        <source>The robot moves while it is held, by the mouse or the space bar</source>
+        <translation>Der Roboter bewegt sich, solange sie gehalten wird, mit der Maus oder der Leertaste</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>The robot moves.</source>
+        <translation>Der Roboter bewegt sich.</translation>
+    </message>
+    <message>
+        <source>The robot's driver is not running.</source>
+        <translation>Der Treiber des Roboters läuft nicht.</translation>
+    </message>
+    <message>
+        <source>This window did not answer for a moment: press the button again.</source>
+        <translation>Dieses Fenster antwortete kurz nicht: die Taste noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>File of taught poses</source>
+        <translation>Datei geteachter Posen</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::WorkPage</name>
+    <message>
+        <source>Pre&amp;view</source>
+        <translation>&amp;Vorschau</translation>
+    </message>
+    <message>
+        <source>Preview the dr&amp;y run</source>
+        <translation>V&amp;orschau des Trockenlaufs</translation>
+    </message>
+    <message>
+        <source>&amp;Dry run</source>
+        <translation>&amp;Trockenlauf</translation>
+    </message>
+    <message>
+        <source>&amp;Work</source>
+        <translation>&amp;Arbeiten</translation>
+    </message>
+    <message>
+        <source>Moves the robot along the path: lifted, slow, with the tool off</source>
+        <translation>Bewegt den Roboter die Bahn entlang: angehoben, langsam, mit dem Werkzeug aus</translation>
+    </message>
+    <message>
+        <source>Moves the robot along the path with the tool on. The cell refuses it until the path was run dry once.</source>
+        <translation>Bewegt den Roboter die Bahn entlang, mit dem Werkzeug an. Die Zelle verweigert es, bis die Bahn einmal trocken gefahren wurde.</translation>
+    </message>
+    <message>
+        <source>Moves nothing: shows the way, the robot at each of its poses, and where it cannot follow</source>
+        <translation>Bewegt nichts: zeigt den Weg, den Roboter an jeder seiner Posen, und wo er nicht folgen kann</translation>
+    </message>
+    <message>
+        <source>The same of the dry run</source>
+        <translation>Dasselbe für den Trockenlauf</translation>
+    </message>
+    <message>
+        <source>Pose of the preview</source>
+        <translation>Pose der Vorschau</translation>
+    </message>
+    <message>
+        <source>Pose of the tool's tip at which the robot's ghost stands</source>
+        <translation>Pose der Werkzeugspitze, an der der durchscheinende Roboter steht</translation>
+    </message>
+    <message>
+        <source>What the robot cannot do</source>
+        <translation>Was der Roboter nicht kann</translation>
+    </message>
+    <message>
+        <source>Where the robot cannot follow: the view turns there</source>
+        <translation>Wo der Roboter nicht folgen kann: die Ansicht wendet sich dorthin</translation>
+    </message>
+    <message>
+        <source>The robot can follow the whole way.</source>
+        <translation>Der Roboter kann dem ganzen Weg folgen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The robot cannot follow it: %n fault(s).</source>
+        <translation>
+            <numerusform>Der Roboter kann ihm nicht folgen: %n Fehler.</numerusform>
+            <numerusform>Der Roboter kann ihm nicht folgen: %n Fehler.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dry run. </source>
+        <translation>Trockenlauf. </translation>
+    </message>
+    <message>
+        <source>Work. </source>
+        <translation>Arbeit. </translation>
+    </message>
+    <message>
+        <source>Scan a part first.</source>
+        <translation>Zuerst ein Teil scannen.</translation>
+    </message>
+    <message>
+        <source>%1: approved by %2</source>
+        <translation>%1: freigegeben von %2</translation>
+    </message>
+    <message>
+        <source>%1: approve it first</source>
+        <translation>%1: erst freigeben</translation>
+    </message>
+</context>
+</TS>
