@@ -79,8 +79,9 @@ void change_cleaning(const Recipe& recipe, const Change& change) {
   check_unchanged(recipe, proof, hashes_of(recipe));
   const std::string file = recipe.cleaning.empty() ? kCleaningFile : recipe.cleaning;
   const std::string path = (recipe.folder / file).string();
-  const std::string after = change(cleaning_of(recipe));
-  if (!recipe.cleaning.empty() && after == cleaning_of(recipe)) return;
+  const std::string before = cleaning_of(recipe);
+  const std::string after = change(before);
+  if (!recipe.cleaning.empty() && after == before) return;
   scan_cell_common::save_text(path, after);
   if (recipe.cleaning.empty()) {
     const std::string all = (recipe.folder / kRecipeFile).string();
