@@ -21,7 +21,9 @@ void describe(scan_cell_common::ParameterTable& table, OutlierParameters& parame
 /// Statistical outlier removal (Rusu et al. 2008, as in PCL): a point goes if the mean distance to
 /// its nearest neighbours is more than so many standard deviations above the mean over the cloud.
 /// Unlike PCL's, a mean distance counts as at most ten times the median in these statistics: one
-/// point metres away would otherwise hide all others.
+/// point metres away would otherwise hide all others. And a point stays, up to three times that
+/// limit, if half of its neighbours are about as far from theirs: a scan is several times sparser
+/// on a flank in grazing light than on a face that two passes saw, and the flank is no outlier.
 class OutlierRemoval final : public Stage {
  public:
   using Parameters = OutlierParameters;  //!< of this stage

@@ -14,38 +14,69 @@
 namespace cloud_preprocess {
 namespace {
 
-/// Mean distance [m] of each point to its nearest neighbours.
-std::vector<double> mean_distances(const Cloud& cloud, int neighbours) {
-  const KdTree tree(cloud);
-  std::vector<KdTree::Index> indices(static_cast<std::size_t>(neighbours) + 1);  // and itself
-  std::vector<float> squared(indices.size());
-  std::vector<double> means(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::size_t found =
-        tree.nearest(cloud[i].data, indices.size(), indices.data(), squared.data());
+/// How far the points are from their neighbours.
+class Spacing {
+ public:
+  Spacing(const Cloud& cloud, int neighbours)
+      : cloud_(cloud),
+        tree_(cloud),
+        indices_(static_cast<std::size_t>(neighbours) + 1),  // and itself
+        squared_(indices_.size()) {
+    means_.reserve(cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      means_.push_back(mean_distance(i));
+  }
+
+  /// Mean plus so many standard deviations [m] of the mean distances, the far tail cut to ten
+  /// medians.
+  double threshold(double deviations) const {
+    constexpr double kMaxMedians = 10;  // chosen
+    std::vector<double> sorted = means_;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double most = kMaxMedians * *middle;
+    double sum = 0, squares = 0;
+    for (const double distance : means_) {
+      sum += std::min(distance, most);
+      squares += std::min(distance, most) * std::min(distance, most);
+    }
+    const auto count = static_cast<double>(means_.size());
+    const double variance = (squares - sum * sum / count) / std::max(count - 1, 1.0);
+    return sum / count + deviations * std::sqrt(std::max(variance, 0.0));
+  }
+
+  double mean(std::size_t i) const { return means_[i]; }
+
+  /// Whether a point belongs to a part of the cloud that is as sparse as itself, as a flank in
+  /// grazing light, rather than lying beside one that is denser.
+  bool has_company(std::size_t i) {
+    constexpr double kAlike = 1.5;  // between spacings in one part of a surface; chosen
+    const std::size_t found = nearest(i);
+    std::size_t alike = 0;
+    for (std::size_t k = 1; k < found; ++k)
+      alike += kAlike * means_[indices_[k]] >= means_[i];
+    return 2 * alike >= found - 1;
+  }
+
+ private:
+  std::size_t nearest(std::size_t i) {
+    return tree_.nearest(cloud_[i].data, indices_.size(), indices_.data(), squared_.data());
+  }
+
+  double mean_distance(std::size_t i) {
+    const std::size_t found = nearest(i);
     double sum = 0;
     for (std::size_t k = 1; k < found; ++k)
-      sum += std::sqrt(static_cast<double>(squared[k]));
-    means[i] = found > 1 ? sum / static_cast<double>(found - 1) : 0;
+      sum += std::sqrt(static_cast<double>(squared_[k]));
+    return found > 1 ? sum / static_cast<double>(found - 1) : 0;
   }
-  return means;
-}
 
-/// Mean plus so many standard deviations of the distances, the far tail cut to ten medians.
-double threshold(std::vector<double> distances, double deviations) {
-  constexpr double kMaxMedians = 10;  // chosen
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  const double most = kMaxMedians * *middle;
-  double sum = 0, squares = 0;
-  for (const double distance : distances) {
-    sum += std::min(distance, most);
-    squares += std::min(distance, most) * std::min(distance, most);
-  }
-  const auto count = static_cast<double>(distances.size());
-  const double variance = (squares - sum * sum / count) / std::max(count - 1, 1.0);
-  return sum / count + deviations * std::sqrt(std::max(variance, 0.0));
-}
+  const Cloud& cloud_;
+  const KdTree tree_;
+  std::vector<KdTree::Index> indices_;
+  std::vector<float> squared_;
+  std::vector<double> means_;  // [m] of each point
+};
 
 }  // namespace
 
@@ -66,9 +97,14 @@ std::string OutlierRemoval::apply(TracedCloud& cloud) const {
   const std::string message = cut(cloud, parameters_.limits);
   if (!parameters_.automatic) return message + "not looked for others";
 
-  const std::vector<double> distances = mean_distances(cloud.cloud(), parameters_.neighbours);
-  const double most = threshold(distances, parameters_.deviations);
-  const std::size_t removed = cloud.keep_if([&](std::size_t i) { return distances[i] <= most; });
+  Spacing spacing(cloud.cloud(), parameters_.neighbours);
+  const double most = spacing.threshold(parameters_.deviations);
+  constexpr double kSparsest = 3;  // thresholds: light 73 degrees off the normal, at most; chosen
+  std::vector<bool> keep(cloud.cloud().size());
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    keep[i] =
+        spacing.mean(i) <= most || (spacing.mean(i) <= kSparsest * most && spacing.has_company(i));
+  const std::size_t removed = cloud.keep_if([&](std::size_t i) { return keep[i]; });
   return fmt::format("{}{} more than {:.2f} mm from their neighbours", message, removed,
                      most * 1e3);
 }
