@@ -66,6 +66,7 @@ struct Surface {
   Points others;                        //!< [m] of the same scan, taken for other things
   std::shared_ptr<const KdTree> whole;  //!< of all points of the surface that this is a part of;
                                         //!< none: it is no part
+  Points whole_normals;                 //!< unit length, at those
 };
 
 /// A surface from a cloud: its points are reduced on the grid, or a coarser one that leaves at most

@@ -152,9 +152,23 @@ LocalSurface LocalSurfaceFitter::far_from(const Eigen::Vector3d& point) const {
   return local;
 }
 
+/// Where the reference is what can be seen of one: whether `point` lies beside what cannot, and on
+/// which place of it.
+bool LocalSurfaceFitter::lies_on_hidden(const Eigen::Vector3d& point, LocalSurface& local) const {
+  constexpr double kBeside = 2;  // spacings, as in distances_of()
+  if (!reference_.whole) return false;
+  const KdTree::Neighbour nearest = reference_.whole->nearest(point);
+  const double least = std::sqrt(nearest.squared_distance);
+  if ((point - local.base).norm() <= least + kBeside * reference_.spacing) return false;
+  local.base = reference_.whole->points()[nearest.index];
+  local.normal = reference_.whole_normals[nearest.index];
+  return true;
+}
+
 LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
                                      const Eigen::Matrix3d& shift_covariance) const {
   LocalSurface local = far_from(point);
+  if (lies_on_hidden(point, local)) return local;
   const Eigen::Vector3d tangent = local.normal.unitOrthogonal();
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
   std::vector<KdTree::Neighbour> neighbours;

@@ -45,6 +45,8 @@ class LocalSurfaceFitter {
   LocalSurface far_from(const Eigen::Vector3d& point) const;
 
  private:
+  bool lies_on_hidden(const Eigen::Vector3d& point, LocalSurface& local) const;
+
   struct Height {
     Eigen::Vector2d at;    // [m, object] in the tangent plane, from the base
     double height;         // [m, object]

@@ -91,6 +91,7 @@ Surface seeable_part(const Surface& surface, const Points& directions) {
   Surface part;
   part.oriented = surface.oriented;
   part.whole = surface.tree;
+  part.whole_normals = surface.normals;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!seen[i]) continue;
     part.points.push_back(surface.points[i]);

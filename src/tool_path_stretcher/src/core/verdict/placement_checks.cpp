@@ -114,14 +114,18 @@ namespace {
 /// What lies over a hole is inferred from its neighbours: a path of which most does is not. What is
 /// in the air needs no scan.
 void check_measured(const std::vector<WaypointQuality>& quality) {
-  const auto is_measured = [](const WaypointQuality& each) { return each.measured; };
-  const auto is_on = [](const WaypointQuality& each) { return !each.in_air; };
-  const auto measured = std::count_if(quality.begin(), quality.end(), is_measured);
-  const auto on = std::count_if(quality.begin(), quality.end(), is_on);
-  if (measured > 0 && 2 * measured >= on) return;
+  std::size_t on = 0;
+  std::vector<std::size_t> inferred;
+  for (std::size_t i = 0; i < quality.size(); ++i) {
+    if (quality[i].in_air) continue;
+    ++on;
+    if (!quality[i].measured) inferred.push_back(i);
+  }
+  if (inferred.size() < on && 2 * inferred.size() <= on) return;
   refuse(Reason::kPathNotScanned, "object",
-         fmt::format("of {} waypoints only {} lie on a surface that was scanned", on, measured),
-         "scan the part along the path, more densely or from another side");
+         fmt::format("of {} waypoints only {} lie on a surface that was scanned", on,
+                     on - inferred.size()),
+         "scan the part along the path, more densely or from another side", inferred);
 }
 
 /// The largest beside any of the waypoints.

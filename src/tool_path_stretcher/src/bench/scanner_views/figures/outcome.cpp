@@ -42,6 +42,8 @@ void count(const WaypointQuality& quality, const Off& is, Expectations& expectat
   const double angle = expected_angle(quality, 0);
   expectations.with_angle += std::isfinite(angle);
   expectations.angle += is.angle <= kDeviations * angle;
+  expectations.largest_along =
+      std::max(expectations.largest_along, quality.expected_error_tangential);
   if (is.along >= kLittle) return;
   ++expectations.truly_along;
   expectations.known_along += quality.expected_error_tangential < kUseful;
@@ -71,6 +73,7 @@ Expectations& Expectations::operator+=(const Expectations& other) {
   angle += other.angle;
   truly_along += other.truly_along;
   known_along += other.known_along;
+  largest_along = std::max(largest_along, other.largest_along);
   return *this;
 }
 

@@ -30,6 +30,7 @@ struct Expectations {
   std::size_t angle = 0;        //!< of these
   std::size_t truly_along = 0;  //!< less than 0.5 mm off along the surface
   std::size_t known_along = 0;  //!< of these: expected to be less than 2 mm off
+  double largest_along = 0;     //!< [m] expected error along the surface
 
   Expectations& operator+=(const Expectations& other);
 };

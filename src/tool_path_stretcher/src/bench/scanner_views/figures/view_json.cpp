@@ -33,6 +33,7 @@ nlohmann::ordered_json json_of(const Outcome& outcome) {
   json["angle_as_expected"] = as.angle;
   json["truly_within_half_a_millimetre_along"] = as.truly_along;
   json["of_these_expected_within_two_millimetres"] = as.known_along;
+  json["largest_expected_along_m"] = as.largest_along;
   return json;
 }
 
