@@ -16,7 +16,8 @@ target_link_libraries(${PROJECT_NAME}_core
 # What is shown of a run
 add_library(${PROJECT_NAME}_view src/core/view/run_view.cpp)
 target_link_libraries(${PROJECT_NAME}_view
-  PUBLIC ${PROJECT_NAME}_core ${PROJECT_NAME}_deviation PRIVATE CLI11::CLI11)
+  PUBLIC ${PROJECT_NAME}_core ${PROJECT_NAME}_deviation
+  PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 install(TARGETS ${PROJECT_NAME}_core ${PROJECT_NAME}_view
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
@@ -40,11 +41,14 @@ if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(test_${PROJECT_NAME}_run
     test/made_up_part.cpp test/run/test_place_check.cpp test/run/test_recipe_edits.cpp
     test/run/test_run.cpp
-    test/run/test_run_folder.cpp test/temporary_folder.cpp test/view/test_run_view.cpp)
+    test/run/test_run_folder.cpp test/run/test_sight.cpp test/temporary_folder.cpp
+    test/view/test_run_view.cpp)
   target_link_libraries(test_${PROJECT_NAME}_run
     ${PROJECT_NAME}_view scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_clouds
-    gtest_main)
-  add_dependencies(test_${PROJECT_NAME}_run clean_cloud export_path stretch)
+    scan_cell::scan_cell_core nlohmann_json::nlohmann_json gtest_main)
+  target_compile_definitions(test_${PROJECT_NAME}_run PRIVATE
+    SCANNER_FILE="${CMAKE_CURRENT_SOURCE_DIR}/../scan_cell_sim/config/scanner.yaml")
+  add_dependencies(test_${PROJECT_NAME}_run clean_cloud export_path seen_waypoints stretch)
   catkin_add_gtest(test_${PROJECT_NAME}_replay
     test/made_up_part.cpp test/replay/test_job_folder.cpp test/replay/test_replay.cpp
     test/temporary_folder.cpp)

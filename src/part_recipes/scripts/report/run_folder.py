@@ -16,8 +16,8 @@ PATH_OPTIONS = ('--euler', '--process-values', '--rotation-vector', '--degrees',
 # What must be of which kind where it is there; numbers and texts may be anything, and are shown as such
 SHAPES = {'run.json': {'outcome': dict, 'recipe': dict, 'stages': list, 'files': dict, 'calibration': dict},
           'report.json': {'quality': list, 'files': dict, 'waypoints_concerned': list, 'candidates': list, 'passes': dict},
-          'deviation.json': {'places': list}, 'scan.json': {'binding': dict, 'passes': dict}}
-LISTS_OF_RECORDS = ('stages', 'quality', 'places')
+          'deviation.json': {'places': list}, 'scan.json': {'binding': dict, 'passes': dict}, 'sight.json': {'best': list}}
+LISTS_OF_RECORDS = ('stages', 'quality', 'places', 'best')
 
 
 class UnusableRun(Exception):
@@ -60,6 +60,7 @@ class RunFolder:
         self.report = self._json('report.json')
         self.deviation = self._json('deviation.json')
         self.scan = self._json('scan.json')
+        self.sight = self._json('sight.json')
 
     def path(self, *names):
         return os.path.join(self.folder, *names)

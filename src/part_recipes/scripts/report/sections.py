@@ -106,6 +106,14 @@ def binding(run):
         ('Longest time to a pose', 'worst_time_to_pose_ms', ' ms'))]
 
 
+def sight(run):
+    """In words, what the scan could see; None where nobody looked."""
+    if run.sight is None:
+        return None
+    said = run.log('sight') or []
+    return words.plain(said[-1] if said else '%s of %s waypoints seen' % (run.sight.get('seen'), run.sight.get('waypoints')))
+
+
 def passes(run):
     """Where passes overlap, and by how much they disagree."""
     told = (run.report or {}).get('passes') or (run.scan or {}).get('passes')

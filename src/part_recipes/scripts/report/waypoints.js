@@ -40,11 +40,11 @@
     row.dataset.number = values[NUMBER];
     if (values[NAMED]) row.className = 'named';
     const texts = [values[NUMBER], values[SEGMENT], values[STATE], values[NAMED] ? '✖ named' : ''];
-    values.slice(FIRST_VALUE).forEach((value, i) => texts.push(written(value, i)));
+    values.slice(FIRST_VALUE).forEach((value, i) => texts.push(typeof value === 'string' ? value : written(value, i)));
     texts.forEach((text, i) => {
       const cell = row.insertCell();
       cell.textContent = text;
-      if (i === NUMBER || i >= FIRST_VALUE) cell.className = 'number';
+      if (i === NUMBER || (i >= FIRST_VALUE && i < FIRST_VALUE + WRITTEN.length)) cell.className = 'number';
     });
     return row;
   }

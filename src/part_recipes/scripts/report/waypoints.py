@@ -21,14 +21,28 @@ def number(value):
     return float('%.7g' % value) if words.is_number(value) else None
 
 
+def seen(sighting):
+    """Whether the scan could see the waypoint's place, and what hindered it."""
+    sight, fault, obstacle = (sighting.get(key) for key in ('sight', 'fault', 'obstacle'))
+    if not isinstance(sight, str):
+        return ''
+    text = sight.replace('_', ' ')
+    if isinstance(fault, str) and fault != 'none':
+        text += ': ' + fault.replace('_', ' ')
+    if isinstance(obstacle, list) and len(obstacle) == 3 and all(words.is_number(each) for each in obstacle):
+        text += ', by %.3f %.3f %.3f m' % tuple(obstacle)
+    return text
+
+
 def table(run, scene):
-    """Rows of all waypoints: number, segment, state, concerned, then COLUMNS [m, rad, or None]."""
+    """Rows of all waypoints: number, segment, state, concerned, seen, then COLUMNS [m, rad, or None]."""
     report = run.report or {}
     qualities = report.get('quality') or []
     concerned = set(run.concerned())
     paths = scene.paths or {}
     segment_of, segments = paths.get('segment_of') or [], paths.get('segments') or []
     turns = paths.get('turns') or []
+    sightings = (run.sight or {}).get('best') or []
     judged = bool(qualities or concerned)  # a path of which the report says nothing makes no table
     count = max(len(qualities), len(segment_of) * judged, max(concerned, default=-1) + 1)
     rows = []
@@ -39,6 +53,7 @@ def table(run, scene):
         values = dict(quality or {}, turn=turns[i] if i < len(turns) else None)
         rows.append({'number': i, 'segment': words.plain(name or segment), 'concerned': i in concerned,
                      'state': state_of(quality) if quality else NOT_JUDGED,
+                     'seen': seen(sightings[i]) if i < len(sightings) else '',
                      'values': [number(values.get(key)) for key in COLUMNS]})
     return rows
 
@@ -52,7 +67,7 @@ def urgency(row):
 def on_paper(rows):
     chosen = sorted(rows, key=urgency)[:ON_PAPER]
     return [{'number': row['number'], 'segment': row['segment'], 'state': row['state'],
-             'concerned': row['concerned'], 'values': cells(row['values'])} for row in chosen]
+             'concerned': row['concerned'], 'seen': row['seen'].split(',')[0], 'values': cells(row['values'])} for row in chosen]
 
 
 def cells(values):

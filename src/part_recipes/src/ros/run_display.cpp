@@ -5,7 +5,7 @@
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_eigen/tf2_eigen.h>
-#include <visualization_msgs/Marker.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/clouds/fielded_cloud.h"
@@ -42,22 +42,56 @@ sensor_msgs::PointCloud2 scan_of(const fs::path& run, const std_msgs::Header& he
   return scan_cell_common::to_message(shown, header);
 }
 
-visualization_msgs::Marker spheres(const tool_paths::Points& positions,
-                                   const std_msgs::Header& header) {
+using visualization_msgs::Marker;
+
+/// Without points it takes the marker of that name away.
+/// @param size [m]
+Marker marker_of(const std::string& name, int type, const tool_paths::Points& points, double size,
+                 const std_msgs::Header& header) {
+  Marker marker;
+  marker.header = header;
+  marker.ns = name;
+  marker.type = type;
+  marker.action = points.empty() ? Marker::DELETE : Marker::ADD;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = marker.scale.y = marker.scale.z = size;
+  marker.color.a = 1;
+  for (const Eigen::Vector3d& point : points)
+    marker.points.push_back(tf2::toMsg(point));
+  return marker;
+}
+
+Marker spheres(const tool_paths::Points& positions, const std_msgs::Header& header) {
   constexpr double kDiameter =
       0.004;  // [m] seen beside a path, and not over its neighbours; chosen
-  visualization_msgs::Marker marker;
-  marker.header = header;
-  marker.ns = "concerned";
-  marker.type = visualization_msgs::Marker::SPHERE_LIST;
-  marker.action =
-      positions.empty() ? visualization_msgs::Marker::DELETEALL : visualization_msgs::Marker::ADD;
-  marker.pose.orientation.w = 1;
-  marker.scale.x = marker.scale.y = marker.scale.z = kDiameter;
-  marker.color.r = marker.color.a = 1;
-  for (const Eigen::Vector3d& position : positions)
-    marker.points.push_back(tf2::toMsg(position));
+  Marker marker = marker_of("concerned", Marker::SPHERE_LIST, positions, kDiameter, header);
+  marker.color.r = 1;
   return marker;
+}
+
+/// Told apart by shape, not by colour alone: cubes are in a shadow, with a line to what makes it;
+/// balls are at too grazing an angle; large cubes are out of range.
+visualization_msgs::MarkerArray markers_of(const std::vector<UnseenWaypoint>& unseen,
+                                           const std_msgs::Header& header) {
+  constexpr double kSmall = 0.003, kLarge = 0.006, kLine = 0.0005;  // [m] chosen
+  tool_paths::Points shadowed, grazing, outside, lines;
+  for (const UnseenWaypoint& each : unseen) {
+    (each.sight == "shadowed"  ? shadowed
+     : each.sight == "grazing" ? grazing
+                               : outside)
+        .push_back(each.position);
+    if (each.obstacle) lines.insert(lines.end(), {each.position, *each.obstacle});
+  }
+  visualization_msgs::MarkerArray all;
+  all.markers = {marker_of("shadowed", Marker::CUBE_LIST, shadowed, kSmall, header),
+                 marker_of("obstacles", Marker::LINE_LIST, lines, kLine, header),
+                 marker_of("grazing", Marker::SPHERE_LIST, grazing, kSmall, header),
+                 marker_of("out_of_range", Marker::CUBE_LIST, outside, kLarge, header)};
+  for (Marker& marker : all.markers)
+    marker.color.r = marker.color.g = marker.color.b = 0.1F;
+  all.markers[2].color.r = 0.9F;
+  all.markers[2].color.g = 0.6F;
+  return all;
 }
 
 }  // namespace
@@ -67,7 +101,8 @@ RunDisplay::RunDisplay(ros::NodeHandle node)
       deviation_(node.advertise<sensor_msgs::PointCloud2>("deviation", 1, true)),
       path_(node.advertise<nav_msgs::Path>("path", 1, true)),
       adapted_(node.advertise<nav_msgs::Path>("adapted_path", 1, true)),
-      concerned_(node.advertise<visualization_msgs::Marker>("concerned", 1, true)) {}
+      concerned_(node.advertise<Marker>("concerned", 1, true)),
+      unseen_(node.advertise<visualization_msgs::MarkerArray>("unseen", 1, true)) {}
 
 void RunDisplay::show(const fs::path& run, const RunView& view) {
   if (run == shown_) return;
@@ -79,6 +114,7 @@ void RunDisplay::show(const fs::path& run, const RunView& view) {
   path_.publish(tool_path_stretcher::to_path_message(view.path, header));
   adapted_.publish(tool_path_stretcher::to_path_message(view.adapted, header));
   concerned_.publish(spheres(view.positions, header));
+  unseen_.publish(markers_of(view.unseen, header));
   shown_ = run;
 }
 

@@ -13,8 +13,8 @@ namespace part_recipes {
 /// Shows one run in rviz, on latched topics: ~raw (the scan as it came; of a large one every so
 /// many points), ~deviation (the scanned object; its points carry the field deviation [m] where it
 /// is known), ~path (the proven path, where the part lies),
-/// ~adapted_path and ~concerned (waypoints that the verdict is about). What a run does not have is
-/// shown empty.
+/// ~adapted_path, ~concerned (waypoints that the verdict is about) and ~unseen (those that the scan
+/// could not see, and what stood in the way). What a run does not have is shown empty.
 class RunDisplay {
  public:
   explicit RunDisplay(ros::NodeHandle node);
@@ -25,7 +25,7 @@ class RunDisplay {
 
  private:
   std::filesystem::path shown_;  // empty: none
-  ros::Publisher raw_, deviation_, path_, adapted_, concerned_;
+  ros::Publisher raw_, deviation_, path_, adapted_, concerned_, unseen_;
 };
 
 }  // namespace part_recipes

@@ -127,7 +127,7 @@ class Sections(unittest.TestCase):
 
 class Waypoints(unittest.TestCase):
     def rows(self, count, named):
-        return [{'number': i, 'segment': '0', 'concerned': i in named, 'state': 'measured', 'values': [None, None, 1e-3 * i, None, None, None, None]}
+        return [{'number': i, 'segment': '0', 'concerned': i in named, 'state': 'measured', 'seen': '', 'values': [None, None, 1e-3 * i, None, None, None, None]}
                 for i in range(count)]
 
     def test_of_a_long_path_those_that_the_verdict_names_stay(self):
@@ -141,6 +141,11 @@ class Waypoints(unittest.TestCase):
         paper = waypoints.on_paper(self.rows(500, {4}))
         self.assertEqual([row['number'] for row in paper[:3]], [4, 499, 498])
         self.assertEqual(len(paper), waypoints.ON_PAPER)
+
+    def test_say_what_hindered_the_scan(self):
+        self.assertEqual(waypoints.seen({'sight': 'seen', 'fault': 'none', 'obstacle': None}), 'seen')
+        self.assertEqual(waypoints.seen({'sight': 'out_of_range', 'fault': 'not_passed', 'obstacle': None}), 'out of range: not passed')
+        self.assertEqual(waypoints.seen({'sight': 3}), '')
 
 
 if __name__ == '__main__':

@@ -50,6 +50,23 @@ class Table(InBrowser):
         page.find('#filter-shift').send_keys('%.4f' % limit)
         self.assertAlmostEqual(len(self.shown(0)), len(quality) / 2, delta=3)
 
+    def test_says_what_the_scan_could_see(self):
+        run = maker().copy(run_of('accepted'), 'with_sight')
+        count = len(json_of(run, 'report.json')['quality'])
+        best = [{'sight': 'seen', 'fault': 'none', 'obstacle': None} for _ in range(count)]
+        best[1] = {'sight': 'shadowed', 'fault': 'light', 'obstacle': [0.1, -0.2, 0.3]}
+        with open(os.path.join(run, 'sight.json'), 'w', encoding='utf-8') as file:
+            json.dump({'waypoints': count, 'seen': count - 1, 'best': best}, file)
+        code, said = draw(run)
+        self.assertEqual(code, 0, said)
+        page = self.open(run)
+        last = len(page.texts('#waypoints thead th')) - 1
+        self.assertEqual(self.shown(last)[:3], ['seen', 'shadowed: light, by 0.100 -0.200 0.300 m', 'seen'])
+        self.assertIn('%d of %d waypoints seen' % (count - 1, count), page.run('return document.querySelector("main").innerText'))
+        page.find('#waypoints button[data-column="%d"]' % last).click()
+        self.assertEqual(self.shown(0)[0], '1')
+        self.assertIn(pages_of(page.pdf()), (1, 2, 3, 4))
+
     def test_goes_from_row_to_row_by_keys_and_shows_the_waypoint(self):
         page = self.drawn(run_of('accepted'))
         page.run('document.querySelector("#waypoints tbody tr").focus()')

@@ -92,6 +92,7 @@ void scan(const Options& options) {
   ros::NodeHandle node;
   scan_cell::CellClient client(node, names);
   check_calibration(options, client.calibration_files());
+  const std::optional<scan_cell::CameraRegion> region = client.camera_region();
   std::optional<scan_cell::CleanCloudWatch> watch;
   if (!options.clean.empty()) watch.emplace(node, names.clean_cloud, names.report);
   std::optional<scan_cell::BagRecording> recording;
@@ -104,7 +105,7 @@ void scan(const Options& options) {
   }
   if (recording) recording->finish(result.scan_id);
   if (!options.report.empty())
-    scan_cell::save_scan_record(options.report, result, client.calibration_files());
+    scan_cell::save_scan_record(options.report, result, client.calibration_files(), region);
   tell(options, result);
   if (!watch) return;
   scan_cell::check_published(result.cloud_file);

@@ -168,9 +168,23 @@ class Recipes(unittest.TestCase):
         self.assertEqual(states[-2:], [CellState.SCANNING, CellState.FINISHED])
         with open(os.path.join(result.folder, 'scan.json')) as file:
             self.assertGreaterEqual(profiles, json.load(file)['binding']['bound'])
+        self.check_sight(result.folder)
         result = self.run_recipe(recipe='frame', work=7)
         self.assertEqual(result.outcome, RunRecipeResult.NONE)
         self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)
+
+    def check_sight(self, folder):
+        """What a run says that its scan could see is there."""
+        said = []
+        for name in ('scan.json', 'sight.json', 'report.json'):
+            with open(os.path.join(folder, name)) as file:
+                said.append(json.load(file))
+        self.assertEqual(said[0]['camera_region'], {'x': 336, 'y': 599, 'width': 1024, 'height': 512})
+        seen = [i for i, each in enumerate(said[1]['best']) if each['sight'] == 'seen']
+        measured = [i for i in seen if said[2]['quality'][i]['measured']]
+        print('%d waypoints, %d said to be seen, %d of these measured' % (said[1]['waypoints'], len(seen), len(measured)))
+        self.assertGreater(len(seen), 100)
+        self.assertGreaterEqual(len(measured), 0.95 * len(seen))
 
     def test_a_recipe_that_is_not_there_is_named(self):
         result = self.run_recipe(recipe='../frame')

@@ -214,7 +214,8 @@ TEST_P(AnArc, ThatStaysACircleStaysAnArc) {
   const AdaptedProgram result = adapted(text, [](const Eigen::Vector3d& place) {
     return Eigen::Vector3d(1.01 * place + Eigen::Vector3d(0.01, 0.02, 0.003));
   });
-  const auto moves = moves_of(read(result.files[0].text).program);
+  const ProgramText again = read(result.files[0].text);
+  const auto moves = moves_of(again.program);
   if (language().moves_arcs()) {
     EXPECT_EQ(moves.size(), 3u);
     EXPECT_EQ(moves[1]->kind, MotionKind::kCircular);

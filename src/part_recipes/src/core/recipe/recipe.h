@@ -62,6 +62,9 @@ struct Recipe {
   std::vector<std::string> files() const;
 };
 
+/// Whether a path is a robot program, with frames of its own, rather than a table of waypoints.
+bool is_robot_program(const RecipeFile& path);
+
 /// Reads a recipe that lies in no folder.
 /// @param name of the text in complaints
 /// @throw as load_recipe()

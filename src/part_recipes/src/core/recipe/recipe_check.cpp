@@ -53,18 +53,13 @@ void check_stretch(const Recipe& recipe) {
                         "see docs/tool_path_stretcher.md");
 }
 
-bool is_program(const std::string& path) {
-  const std::string ending = scan_cell_common::extension_of(path);
-  return ending != ".csv" && ending != ".yaml" && ending != ".yml";
-}
-
 /// A path of another part lies anywhere but on this one.
 void check_path(const Recipe& recipe) {
   const StretchParameters parameters;
   const auto file = (recipe.folder / recipe.reference.file).string();
   const auto surface = tool_path_stretcher::load_surface(
       file, parameters.leaf, scan_cell_common::metres_per(recipe.reference.units));
-  if (is_program(recipe.path.file)) return;  // stretch reads it, with its frames
+  if (is_robot_program(recipe.path)) return;  // stretch reads it, with its frames
   tool_paths::PathConventions conventions;
   conventions.units = recipe.path.units;
   const auto path =

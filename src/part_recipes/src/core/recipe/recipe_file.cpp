@@ -130,6 +130,11 @@ Recipe parse_recipe(const YamlEntry& root) {
 
 }  // namespace
 
+bool is_robot_program(const RecipeFile& path) {
+  const std::string ending = scan_cell_common::extension_of(path.file);
+  return ending != ".csv" && ending != ".yaml" && ending != ".yml";
+}
+
 Recipe parse_recipe(const std::string& text, const std::string& name) {
   return parse_recipe(YamlEntry::parse(text, name));
 }

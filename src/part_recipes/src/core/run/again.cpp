@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "run/calls/stage_calls.h"
 #include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
 
@@ -34,6 +35,8 @@ RunRequest request_of(const fs::path& folder, const fs::path& runs, const Stop& 
   request.scan = scan_in(folder / "inputs");
   request.scan_units = before.scan_units;
   if (fs::exists(folder / "scan.json")) request.scan_record = folder / "scan.json";
+  if (fs::exists(folder / "inputs" / kScannerModel))
+    request.scanner = folder / "inputs" / kScannerModel;
   request.prove = true;  // what was run once may be looked at again
   request.again_of = before.id;
   request.note = before.note;

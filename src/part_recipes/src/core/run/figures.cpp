@@ -81,4 +81,20 @@ void read_scan(const std::filesystem::path& scan, RunRecord& record) {
   });
 }
 
+ScannedWith read_scanned_with(const std::filesystem::path& scan) {
+  ScannedWith with;
+  read(scan, [&with](const Json& all) {
+    const Json& scanner = all.at("calibration").at("scanner");
+    with.scanner = scanner.at("name").get<std::string>();
+    if (!scanner.at("sha256").is_null()) with.sha256 = scanner.at("sha256").get<std::string>();
+    const auto region = all.find("camera_region");
+    if (region == all.end() || region->is_null()) return;
+    for (const auto& [side, pixels] : region->items()) {
+      with.region.push_back("--region-" + side);
+      with.region.push_back(std::to_string(pixels.get<unsigned>()));
+    }
+  });
+  return with;
+}
+
 }  // namespace part_recipes

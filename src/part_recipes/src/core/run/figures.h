@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "record/run_record.h"
 
@@ -25,5 +27,15 @@ void read_deviations(const std::filesystem::path& summary, RunRecord& record);
 /// Takes the hashes of the cell's calibration from what the cell said of a scan.
 /// @throw scan_cell_common::UnusableInput if it cannot be read
 void read_scan(const std::filesystem::path& scan, RunRecord& record);
+
+/// What a scan was made with, as far as the cell told.
+struct ScannedWith {
+  std::string scanner;              //!< file of the scanner model; empty: not known
+  std::string sha256;               //!< of that; empty: it was on another machine
+  std::vector<std::string> region;  //!< of the camera, as options of seen_waypoints
+};
+
+/// @throw scan_cell_common::UnusableInput if it cannot be read
+ScannedWith read_scanned_with(const std::filesystem::path& scan);
 
 }  // namespace part_recipes

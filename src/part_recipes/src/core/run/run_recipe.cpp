@@ -13,6 +13,7 @@
 #include "run/figures.h"
 #include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/sha256.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_common/tools/version.h"
 
@@ -20,6 +21,8 @@ namespace part_recipes {
 namespace {
 
 namespace fs = std::filesystem;
+
+const std::string kScannerInput = std::string("inputs/") + kScannerModel;
 
 using scan_cell_common::kRefused;
 using scan_cell_common::Refused;
@@ -71,6 +74,7 @@ class Run {
     if (request_.scan) folder_.add(*request_.scan, "inputs/" + scan_name());
     if (request_.scan_record) folder_.add(*request_.scan_record, "scan.json");
     if (request_.scan_bag) folder_.add(*request_.scan_bag, "scan.bag");
+    if (request_.scanner) folder_.add(*request_.scanner, kScannerInput);
   }
 
   /// In inputs; a given cloud keeps its format.
@@ -87,7 +91,10 @@ class Run {
     if (!scan()) return RunState::kUnusable;
     if (!clean()) return RunState::kUnusable;
     const RunState state = stretch();
-    if (record_.figures.scale) measure();
+    if (record_.figures.scale) {
+      look();
+      measure();
+    }
     if (state == RunState::kAccepted && !write_programs()) return RunState::kRefused;
     return state;
   }
@@ -150,6 +157,35 @@ class Run {
     settle_report(report, scan_record(), record_);
     if (code == 0) return RunState::kAccepted;
     return code == kRefused ? RunState::kRefused : RunState::kUnusable;
+  }
+
+  /// Which waypoints the scan could see, and why not the others. A run without it is a run.
+  void look() {
+    const auto told = scan_record();
+    if (!told || recipe_.program.empty()) return;  // a cloud from elsewhere
+    if (is_robot_program(recipe_.path)) return;    // seen_waypoints reads none
+    const ScannedWith with = read_scanned_with(*told);
+    if (!keep_scanner_model(with)) {
+      ended_.warn("not known what the scan could see: no scanner model " + with.scanner +
+                  " as it was at the scan");
+      return;
+    }
+    const int code = call(sight_call(recipe_, with.region));
+    if (code != 0 && code != kRefused)
+      ended_.warn("not known what the scan could see: " + last_line(log_of("sight")));
+  }
+
+  /// Among the inputs, unless it is there; only as it was at the scan.
+  bool keep_scanner_model(const ScannedWith& with) const {
+    if (fs::exists(folder_.path() / kScannerInput)) return true;
+    try {
+      if (with.sha256.empty() || scan_cell_common::sha256_of_file(with.scanner) != with.sha256)
+        return false;
+      folder_.add(with.scanner, kScannerInput);
+      return true;
+    } catch (const scan_cell_common::FileError&) {
+      return false;
+    }
   }
 
   void measure() {

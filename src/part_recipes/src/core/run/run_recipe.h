@@ -28,6 +28,7 @@ struct RunRequest {
   std::optional<std::filesystem::path>
       scan_record;                                //!< what the cell said of that cloud: scan.json
   std::optional<std::filesystem::path> scan_bag;  //!< of that scan: scan.bag
+  std::optional<std::filesystem::path> scanner;   //!< scanner model of that scan
   double timeout = 10;                            //!< [s] to wait for the cell
   bool bag = false;                               //!< whether to keep a bag of the scan
   Work work = Work::kNone;                        //!< what follows an accepted run

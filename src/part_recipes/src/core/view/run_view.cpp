@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "deviation/adapted_part.h"
 #include "deviation/scene/path_reading.h"
@@ -12,6 +13,7 @@
 #include "run/calls/stage_calls.h"
 #include "run/waypoints_concerned.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 
 namespace part_recipes {
 namespace {
@@ -47,6 +49,29 @@ tool_paths::ToolPath placed(tool_paths::ToolPath path, const AdaptedPart& part) 
   return path;
 }
 
+Eigen::Vector3d point_of(const nlohmann::json& list) {
+  return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
+}
+
+std::vector<UnseenWaypoint> unseen_of(const fs::path& sight) {
+  if (!fs::exists(sight)) return {};
+  const std::string text = scan_cell_common::read_file(sight.string());
+  try {
+    std::vector<UnseenWaypoint> unseen;
+    const auto all = nlohmann::json::parse(text);
+    for (const auto& best : all.at("best")) {
+      UnseenWaypoint waypoint = {best.at("sight").get<std::string>(), point_of(best.at("position")),
+                                 std::nullopt};
+      if (waypoint.sight == "seen") continue;
+      if (!best.at("obstacle").is_null()) waypoint.obstacle = point_of(best.at("obstacle"));
+      unseen.push_back(waypoint);
+    }
+    return unseen;
+  } catch (const nlohmann::json::exception& error) {
+    throw scan_cell_common::UnusableInput(sight.string(), error.what(), "run the part again");
+  }
+}
+
 }  // namespace
 
 RunView view_of(const fs::path& run) {
@@ -62,6 +87,7 @@ RunView view_of(const fs::path& run) {
                      load_adapted_part({"", "", "", report.string()}));
   if (load_run(run).state == RunState::kAccepted)
     view.adapted = load_path((run / path_name(recipe)).string(), reading).path;
+  view.unseen = unseen_of(run / "sight.json");
   view.concerned = waypoints_concerned(run);
   const tool_paths::Points all =
       positions_of(view.adapted.segments.empty() ? view.path : view.adapted);

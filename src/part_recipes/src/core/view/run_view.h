@@ -4,12 +4,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tool_paths/tool_path.h"
 
 namespace part_recipes {
+
+/// A waypoint that the scan could not see.
+struct UnseenWaypoint {
+  std::string sight;                        //!< shadowed, grazing or out_of_range
+  Eigen::Vector3d position;                 //!< [m] of its place on the surface
+  std::optional<Eigen::Vector3d> obstacle;  //!< [m] what stands in the way of light or sight
+};
 
 /// What can be shown of a run beside its cloud.
 struct RunView {
@@ -18,6 +26,7 @@ struct RunView {
   tool_paths::ToolPath adapted;          //!< [m]; without segments where the run was not accepted
   std::vector<std::uint32_t> concerned;  //!< waypoints that the verdict is about
   tool_paths::Points positions;          //!< of these [m]
+  std::vector<UnseenWaypoint> unseen;    //!< none where nobody looked
 };
 
 /// Of a run's folder. A run that ended before there was a report has none of it.

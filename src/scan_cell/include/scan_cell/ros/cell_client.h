@@ -10,6 +10,7 @@
 #include <scan_cell_msgs/WorkAction.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "scan_cell/ros/cell_watcher.h"
@@ -40,6 +41,7 @@ class CellClient {
     std::string clean_cloud = "/preprocess/clean_cloud";   //!< topic, end of the preprocessing
     std::string report = "/preprocess/report";             //!< topic, reports of its stages
     std::string frames = "/calibrated_frames";             //!< node with the calibration's files
+    std::string camera = "/camera";                        //!< node
   };
 
   /// @param what what is going on @param progress 0 .. 1
@@ -80,6 +82,9 @@ class CellClient {
                                               double timeout) const;
 
   CalibrationFiles calibration_files() const;  //!< of the running cell
+
+  /// Of the camera between scans, as its node has it; none: there is no such node.
+  std::optional<CameraRegion> camera_region() const;
 
  private:
   ros::NodeHandle node_;

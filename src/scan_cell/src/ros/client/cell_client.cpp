@@ -177,4 +177,16 @@ CalibrationFiles CellClient::calibration_files() const {
   return files;
 }
 
+std::optional<CameraRegion> CellClient::camera_region() const {
+  CameraRegion region;
+  const std::pair<const char*, std::uint32_t*> sides[] = {
+      {"x", &region.x}, {"y", &region.y}, {"width", &region.width}, {"height", &region.height}};
+  for (const auto& [name, side] : sides) {
+    int pixels = -1;
+    if (!node_.getParam(names_.camera + "/region_" + name, pixels) || pixels < 0) return {};
+    *side = static_cast<std::uint32_t>(pixels);
+  }
+  return region;
+}
+
 }  // namespace scan_cell

@@ -69,14 +69,20 @@ Json to_json(const CalibrationFiles& calibration) {
 }
 
 void save_scan_record(const std::string& file, const scan_cell_msgs::ScanResult& scan,
-                      const CalibrationFiles& calibration) {
+                      const CalibrationFiles& calibration,
+                      const std::optional<CameraRegion>& region) {
   Json all = {{"scan_id", scan.scan_id},
               {"message", scan.message},
               {"warnings", scan.warnings},
               {"scanned", scan.cloud.header.stamp.toSec()},
               {"seconds", scan.seconds},
               {"binding", binding_of(scan.audit)},
-              {"calibration", to_json(calibration)}};
+              {"calibration", to_json(calibration)},
+              {"camera_region", nullptr}};
+  if (region) {
+    all["camera_region"] = {
+        {"x", region->x}, {"y", region->y}, {"width", region->width}, {"height", region->height}};
+  }
   add_passes(all, scan.statistics);
   save_json(file, all);
 }

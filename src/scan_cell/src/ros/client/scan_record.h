@@ -6,6 +6,7 @@
 #include <scan_cell_msgs/ScanResult.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "scan_cell/ros/cell_client.h"
@@ -21,10 +22,12 @@ void add_passes(Json& all, const scan_cell_msgs::CloudStatistics& scan);
 Json to_json(const CalibrationFiles& calibration);
 
 /// Writes what the cell said of a scan: when it was, how its frames were bound, how its passes
-/// agree, and what the cell was calibrated with.
+/// agree, what the cell was calibrated with, and the camera's region.
+/// @param region of passes that name none; none: not known, which is written as null
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_scan_record(const std::string& file, const scan_cell_msgs::ScanResult& scan,
-                      const CalibrationFiles& calibration);
+                      const CalibrationFiles& calibration,
+                      const std::optional<CameraRegion>& region);
 
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_json(const std::string& file, const Json& all);

@@ -56,6 +56,17 @@ ToolCall stretch_call(const Recipe& recipe) {
   return call;
 }
 
+ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region) {
+  ToolCall call{
+      "sight",
+      "pass_planner",
+      {"seen_waypoints", "--reference", recipe.reference.file, "--units", recipe.reference.units,
+       "--path", recipe.path.file, "--path-units", recipe.path.units, "--report", "../report.json",
+       "--program", recipe.program, "--scanner", kScannerModel, "--output", "../sight.json"}};
+  call.command.insert(call.command.end(), region.begin(), region.end());
+  return call;
+}
+
 ToolCall recheck_call(const Recipe& recipe, const fs::path& run) {
   ToolCall call{"stretch",
                 "tool_path_stretcher",

@@ -4,12 +4,16 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "recipe/proof.h"
 #include "recipe/recipe.h"
 #include "run/calls/tool_call.h"
 
 namespace part_recipes {
+
+/// In inputs: what the scan was made with.
+constexpr const char* kScannerModel = "scanner_model.yaml";
 
 /// The tools that a run calls, in their order. They work in its folder inputs; what they write lies
 /// one folder up, so that the names in reports and logs hold wherever the run is copied to.
@@ -26,6 +30,10 @@ ToolCall clean_call(const Recipe& recipe, const std::string& scan, const std::st
 
 /// report.json, and the adapted path where it is accepted.
 ToolCall stretch_call(const Recipe& recipe);
+
+/// sight.json: which waypoints the scan could see, and why not the others.
+/// @param region options of the camera's region
+ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region);
 
 /// report.json of an accepted run's path, from the scan of then to another one: object.ply.
 /// @param run its folder
