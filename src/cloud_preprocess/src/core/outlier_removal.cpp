@@ -100,6 +100,7 @@ std::string OutlierRemoval::apply(TracedCloud& cloud) const {
   Spacing spacing(cloud.cloud(), parameters_.neighbours);
   const double most = spacing.threshold(parameters_.deviations);
   constexpr double kSparsest = 3;  // thresholds: light 73 degrees off the normal, at most; chosen
+  // All before the first goes: the tree looks at the cloud's own points.
   std::vector<bool> keep(cloud.cloud().size());
   for (std::size_t i = 0; i < keep.size(); ++i)
     keep[i] =

@@ -114,13 +114,11 @@ namespace {
 /// What lies over a hole is inferred from its neighbours: a path of which most does is not. What is
 /// in the air needs no scan.
 void check_measured(const std::vector<WaypointQuality>& quality) {
-  std::size_t on = 0;
-  std::vector<std::size_t> inferred;
-  for (std::size_t i = 0; i < quality.size(); ++i) {
-    if (quality[i].in_air) continue;
-    ++on;
-    if (!quality[i].measured) inferred.push_back(i);
-  }
+  const auto is_on = [](const WaypointQuality& each) { return !each.in_air; };
+  const auto on = static_cast<std::size_t>(std::count_if(quality.begin(), quality.end(), is_on));
+  const std::vector<std::size_t> inferred = Found(quality, 0, [](const WaypointQuality& q) {
+                                              return q.in_air || q.measured ? 0.0 : 1.0;
+                                            }).waypoints;
   if (inferred.size() < on && 2 * inferred.size() <= on) return;
   refuse(Reason::kPathNotScanned, "object",
          fmt::format("of {} waypoints only {} lie on a surface that was scanned", on,
