@@ -6,7 +6,7 @@ foreach(tool recipe run)
 endforeach()
 
 add_executable(${PROJECT_NAME}_node src/ros/part_recipes_node.cpp src/ros/recipe_services.cpp src/ros/run_display.cpp
-  src/ros/run_server.cpp)
+  src/ros/run_markers.cpp src/ros/run_server.cpp)
 target_include_directories(${PROJECT_NAME}_node PRIVATE src/ros)
 target_link_libraries(${PROJECT_NAME}_node
   ${PROJECT_NAME}_history ${PROJECT_NAME}_view ${catkin_LIBRARIES})

@@ -21,6 +21,8 @@ CURES = {
     'scale_at_bound': 'Check the units; widen min_scale and max_scale if the size is right.',
     'path_not_scanned': 'Scan the region of the marked waypoints, or split the path.',
     'tolerance_exceeded': 'Use the general method, which follows a bend; check the part at the marked waypoints.',
+    'position_uncertain': 'Scan edges or features that show where the part lies along itself; give scale or initial pose more '
+                          'closely; raise max_position_error if the process does not mind.',
     'orientation_uncertain': 'Scan the surface beside the marked waypoints more densely, to both sides of them; raise '
                              'max_orientation_error if the process does not mind.',
     'fold_over': 'Check part and scan, or lower deformation_level.',

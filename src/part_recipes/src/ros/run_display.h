@@ -12,9 +12,11 @@ namespace part_recipes {
 
 /// Shows one run in rviz, on latched topics: ~raw (the scan as it came; of a large one every so
 /// many points), ~deviation (the scanned object; its points carry the field deviation [m] where it
-/// is known), ~path (the proven path, where the part lies),
-/// ~adapted_path, ~concerned (waypoints that the verdict is about) and ~unseen (those that the scan
-/// could not see, and what stood in the way). What a run does not have is shown empty.
+/// is known, and its colour), ~path (the proven path, where the part lies), ~adapted_path,
+/// ~concerned (waypoints that the verdict is about), ~unseen (those that the scan could not see,
+/// and what stood in the way), ~expected (how far off the adapted path may be, and the tool's axes)
+/// and ~signs (the verdict in words, the scale of the colours, plus and minus). What a run does not
+/// have is shown empty.
 class RunDisplay {
  public:
   explicit RunDisplay(ros::NodeHandle node);
@@ -25,7 +27,7 @@ class RunDisplay {
 
  private:
   std::filesystem::path shown_;  // empty: none
-  ros::Publisher raw_, deviation_, path_, adapted_, concerned_, unseen_;
+  ros::Publisher raw_, deviation_, path_, adapted_, concerned_, unseen_, expected_, signs_;
 };
 
 }  // namespace part_recipes

@@ -3,6 +3,7 @@
 """What the page packs and colours, against closed forms; without a browser."""
 import base64
 import os
+import re
 import sys
 import types
 import unittest
@@ -43,6 +44,15 @@ class Colours(unittest.TestCase):
     def test_get_darker_to_both_ends_so_that_greys_show_how_much(self):
         light = numpy.array([lab(linear(each))[0] for each in colours.table()])
         self.assertTrue((numpy.diff(light[:128:8]) > 0).all() and (numpy.diff(light[128::8]) < 0).all())
+
+    def test_are_those_of_rviz(self):
+        file = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../../scan_cell_common/src/core/colours/colour_scale.cpp')
+        with open(file, encoding='utf-8') as text:
+            stops = re.findall(r'0x([0-9a-f]{6})', text.read())
+        page = [[255 * part for part in colours.MAP(i / (len(stops) - 1))[:3]] for i in range(len(stops))]
+        rviz = [[int(stop[i:i + 2], 16) for i in (0, 2, 4)] for stop in stops]
+        self.assertEqual(len(rviz), 7)
+        self.assertLess(numpy.abs(numpy.array(rviz) - page).max(), 2)  # the map has 256 steps
 
     def test_marks_tell_the_median_of_each_cell(self):
         x, y = (each.ravel() for each in numpy.meshgrid(numpy.arange(40) * 0.001, numpy.arange(40) * 0.001))
@@ -101,7 +111,8 @@ class Words(unittest.TestCase):
 
     def test_each_reason_has_a_cure(self):
         for reason in ('accepted', 'unusable_input', 'too_few_points', 'path_off_reference', 'wrong_part', 'ambiguous', 'scale_at_bound',
-                       'path_not_scanned', 'tolerance_exceeded', 'cancelled', 'fold_over', 'mirrored_part', 'orientation_uncertain'):
+                       'path_not_scanned', 'tolerance_exceeded', 'cancelled', 'fold_over', 'mirrored_part', 'orientation_uncertain',
+                       'position_uncertain'):
             self.assertNotEqual(words.cure_of(reason), 'See the message.')
         self.assertIn('stages/clean.log', words.cure_of('clean_failed'))
 

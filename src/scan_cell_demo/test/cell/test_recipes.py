@@ -14,7 +14,8 @@ import rosbag
 import rospy
 import rostest
 from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
-from scan_cell_msgs.srv import ApproveRun, ListRecipes
+from scan_cell_msgs.srv import ApproveRun, DescribeRun, ListRecipes
+from visualization_msgs.msg import MarkerArray
 
 PATIENCE = 240  # [s] a scan takes 10 to 20 s, as does the work
 
@@ -169,9 +170,24 @@ class Recipes(unittest.TestCase):
         with open(os.path.join(result.folder, 'scan.json')) as file:
             self.assertGreaterEqual(profiles, json.load(file)['binding']['bound'])
         self.check_sight(result.folder)
+        self.check_signs(os.path.basename(result.folder))
         result = self.run_recipe(recipe='frame', work=7)
         self.assertEqual(result.outcome, RunRecipeResult.NONE)
         self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)
+
+    def check_signs(self, run):
+        """What rviz says of a run in words: its verdict, and the ends of the scale of the deviations."""
+        signs = []
+        rospy.Subscriber('/part_recipes/signs', MarkerArray, signs.append)
+        rospy.wait_for_service('/part_recipes/describe', PATIENCE)
+        self.assertTrue(rospy.ServiceProxy('/part_recipes/describe', DescribeRun)(run=run).success)
+        end = rospy.Time.now() + rospy.Duration(PATIENCE)
+        while not any(marker.text.startswith('accepted') for array in signs for marker in array.markers):
+            self.assertLess(rospy.Time.now(), end)
+            rospy.sleep(0.02)
+        texts = [marker.text for marker in signs[-1].markers]
+        self.assertIn('-1 mm', texts)
+        self.assertIn('+1 mm', texts)
 
     def check_sight(self, folder):
         """What a run says that its scan could see is there."""

@@ -73,21 +73,9 @@ SpeedRange speeds_of(const WorkPreview& preview) {
   return range;
 }
 
-std::array<float, 3> colour_of(double speed, const SpeedRange& range) {
-  constexpr std::array<std::array<float, 3>, 5> kStops = {{{0.27F, 0.00F, 0.33F},
-                                                           {0.23F, 0.32F, 0.55F},
-                                                           {0.13F, 0.57F, 0.55F},
-                                                           {0.37F, 0.79F, 0.38F},
-                                                           {0.99F, 0.91F, 0.14F}}};
+scan_cell_common::Rgb colour_of(double speed, const SpeedRange& range) {
   const double width = range.most - range.least;
-  const double share = width > 0 ? std::clamp((speed - range.least) / width, 0.0, 1.0) : 1;
-  const double place = share * static_cast<double>(kStops.size() - 1);
-  const auto lower = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
-  const auto part = static_cast<float>(place - static_cast<double>(lower));
-  std::array<float, 3> colour{};
-  for (std::size_t i = 0; i < 3; ++i)
-    colour[i] = (1 - part) * kStops[lower][i] + part * kStops[lower + 1][i];
-  return colour;
+  return scan_cell_common::brightening(width > 0 ? (speed - range.least) / width : 1);
 }
 
 }  // namespace scan_cell_rviz

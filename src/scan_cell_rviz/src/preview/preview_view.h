@@ -5,10 +5,11 @@
 #include <scan_cell_msgs/WorkPreview.h>
 
 #include <QString>
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "scan_cell_common/colours/colour_scale.h"
 
 /// What a preview of the work shows of one of its poses.
 namespace scan_cell_rviz {
@@ -31,9 +32,7 @@ struct SpeedRange {
 
 SpeedRange speeds_of(const scan_cell_msgs::WorkPreview& preview);
 
-/// Red, green, blue, 0 .. 1, of a speed: from dark blue for the least to yellow for the most, in
-/// steps that also grow lighter for eyes that do not tell colours (after viridis, Smith and van der
-/// Walt 2015).
-std::array<float, 3> colour_of(double speed, const SpeedRange& range);
+/// Of a speed: from dark blue for the least to yellow for the most.
+scan_cell_common::Rgb colour_of(double speed, const SpeedRange& range);
 
 }  // namespace scan_cell_rviz

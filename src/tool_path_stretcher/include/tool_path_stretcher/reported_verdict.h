@@ -37,6 +37,8 @@ struct ReportedVerdict {
   std::size_t object_points = 0;        //!< the same
   std::size_t waypoints_given = 0;      //!< of the path on the reference; 0: not known
   std::vector<double> displacements;    //!< [m] a waypoint; empty where it did not come to that
+  std::vector<double> expected_errors;  //!< [m] a waypoint: of its place, along the normal and the
+                                        //!< surface together; NaN: not known
   std::vector<std::size_t> in_air;      //!< waypoints, counted over all segments
 };
 

@@ -55,6 +55,7 @@ struct StretchParameters {
   int min_support = 6;                //!< points; with fewer a waypoint is inferred
   double max_hole_distance = 0.01;    //!< [m] from the scan, up to which a waypoint may be inferred
   double tolerance = 0.002;           //!< [m] of an adapted waypoint from the scanned surface
+  double max_position_error = 0.005;  //!< [m] expected along the surface, one deviation
   double max_orientation_error = 0.087;  //!< [rad] expected of a waypoint, one deviation (5 deg)
   /// Of 95 % of the surface, as a share of the part's length (12 mm of 400 mm), or it is the wrong
   /// part.

@@ -25,6 +25,7 @@ enum class Reason {
   kFoldOver = 11,
   kMirroredPart = 12,
   kOrientationUncertain = 13,
+  kPositionUncertain = 14,
 };
 
 /// In lower case with underscores, as in reports.

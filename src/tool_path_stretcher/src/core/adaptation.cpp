@@ -231,7 +231,9 @@ void Adaptation::adapt(const Mapping& mapping, StretchResult& result) const {
   if (nearest_points) expect_sampling_errors(surfaces_.object.spacing, placement);
   result.quality = placement.quality;
   check_fold_over(path_, placement.path, surfaces_, mapping);
-  check_placement(placement, {spacing, mapping.similarity.scale * length_of(surfaces_.reference)},
+  check_placement(placement,
+                  {spacing, mapping.similarity.scale * length_of(surfaces_.reference),
+                   surfaces_.reference.oriented},
                   parameters_);
   result.verdict.message += in_air_message(placement.quality);
   stages_.report("done", 1);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/errors/errors.h"
+#include "tool_path_stretcher/waypoint_quality.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -37,6 +38,12 @@ std::size_t count_of(const json& count) {
   return count.is_null() ? 0 : count.get<std::size_t>();
 }
 
+/// NaN where it is not known.
+double figure_of(const json& quality, const char* name) {
+  const auto figure = quality.find(name);
+  return figure == quality.end() || figure->is_null() ? kUnknown : figure->get<double>();
+}
+
 ReportedVerdict verdict_of(const json& report) {
   ReportedVerdict verdict;
   verdict.accepted = report.at("verdict").get<std::string>() == "accepted";
@@ -61,6 +68,8 @@ ReportedVerdict verdict_of(const json& report) {
   for (const json& quality : report.at("quality")) {
     if (quality.value("in_air", false)) verdict.in_air.push_back(verdict.displacements.size());
     verdict.displacements.push_back(quality.at("displacement").get<double>());
+    verdict.expected_errors.push_back(std::hypot(figure_of(quality, "expected_error_normal"),
+                                                 figure_of(quality, "expected_error_tangential")));
   }
   return verdict;
 }

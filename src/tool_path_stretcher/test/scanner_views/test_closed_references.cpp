@@ -27,7 +27,8 @@ Surface surface_of(const Mesh& mesh) {
 }
 
 /// Of 100 mm.
-Mesh ball() {
+/// @param cracked its first line and its last one are not the same to the last bit
+Mesh ball(bool cracked = false) {
   constexpr int kSteps = 32;
   const auto at = [](int i, int k) {
     const double polar = M_PI * i / kSteps;
@@ -38,9 +39,21 @@ Mesh ball() {
   MeshBuilder builder;
   for (int i = 0; i < kSteps; ++i) {
     for (int k = 0; k < kSteps; ++k) {
-      const int next = (k + 1) % kSteps;
+      const int next = cracked ? k + 1 : (k + 1) % kSteps;
       builder.quad(at(i, k), at(i + 1, k), at(i + 1, next), at(i, next));
     }
+  }
+  return builder.take();
+}
+
+/// An open one of 200 mm x 100 mm in small cells: one edge in a hundred has no neighbour.
+Mesh fine_sheet() {
+  constexpr int kColumns = 400, kRows = 200;
+  const auto at = [](int column, int row) { return Vector3d(0.0005 * column, 0.0005 * row, 0); };
+  MeshBuilder builder;
+  for (int c = 0; c < kColumns; ++c) {
+    for (int r = 0; r < kRows; ++r)
+      builder.quad(at(c, r), at(c + 1, r), at(c + 1, r + 1), at(c, r + 1));
   }
   return builder.take();
 }
@@ -125,6 +138,17 @@ TEST(ClosedMesh, IsNoneWhereAFaceIsOpen) {
   EXPECT_FALSE(surface_of(mesh).closed);
 }
 
+TEST(ClosedMesh, IsNoneHoweverFinelyAnOpenSheetIsTriangulated) {
+  EXPECT_FALSE(surface_of(fine_sheet()).closed);
+}
+
+TEST(ClosedMesh, MayHaveASmallHoleAndACrack) {
+  Mesh holed = ball();
+  holed.triangles.resize(holed.triangles.size() - 1);
+  EXPECT_TRUE(surface_of(holed).closed);
+  EXPECT_TRUE(surface_of(ball(true)).closed);
+}
+
 TEST(SeeablePart, IsAllButTheUndersideFromAbove) {
   const Surface whole = surface_of(step());
   const Surface part = seeable_part(whole, {kAbove});
@@ -161,6 +185,17 @@ TEST(SeeablePart, EndsAtEdgesOfABlockAndAtTheHorizonOfABall) {
   EXPECT_LT(on_horizon(cuboid), 5);
   EXPECT_GT(round.rim.points.size(), 20U);
   EXPECT_EQ(static_cast<std::size_t>(on_horizon(round)), round.rim.points.size());
+}
+
+TEST(SeeablePart, EndsAtARimWhereTheSurfaceItselfEnds) {
+  const Rim rim = seeable_part(surface_of(fine_sheet()), {kAbove}).rim;
+  EXPECT_GT(rim.points.size(), 100U);
+  EXPECT_EQ(std::count(rim.horizon.begin(), rim.horizon.end(), true), 0);
+}
+
+TEST(OpenReferences, AreHeldByTheirRimsHoweverFinelyTheyAreTriangulated) {
+  expect_right("own path: sanded sheet, moved, whole path");
+  expect_right("own path: sanded sheet, bent, whole path");
 }
 
 TEST(ClosedReferences, AreLaidOnTheFaceThatWasSeen) {

@@ -14,6 +14,7 @@
 #include "run/waypoints_concerned.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
+#include "tool_path_stretcher/reported_verdict.h"
 
 namespace part_recipes {
 namespace {
@@ -77,7 +78,10 @@ std::vector<UnseenWaypoint> unseen_of(const fs::path& sight) {
 RunView view_of(const fs::path& run) {
   const fs::path inputs = run / "inputs";
   const Recipe recipe = load_recipe(inputs);
+  const RunRecord record = load_run(run);
   RunView view;
+  view.verdict = to_string(record.state) + ": " + record.message;
+  view.tolerance = record.tolerance;
   const auto frame = recipe.work.find("frame");
   view.frame = frame == recipe.work.end() ? "world" : frame->second;
   const fs::path report = run / "report.json";
@@ -85,8 +89,10 @@ RunView view_of(const fs::path& run) {
   const PathReading reading = reading_of(recipe.path);
   view.path = placed(load_path((inputs / recipe.path.file).string(), reading).path,
                      load_adapted_part({"", "", "", report.string()}));
-  if (load_run(run).state == RunState::kAccepted)
+  if (record.state == RunState::kAccepted) {
     view.adapted = load_path((run / path_name(recipe)).string(), reading).path;
+    view.expected = tool_path_stretcher::load_report(report.string()).expected_errors;
+  }
   view.unseen = unseen_of(run / "sight.json");
   view.concerned = waypoints_concerned(run);
   const tool_paths::Points all =

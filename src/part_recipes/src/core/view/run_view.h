@@ -26,7 +26,12 @@ struct RunView {
   tool_paths::ToolPath adapted;          //!< [m]; without segments where the run was not accepted
   std::vector<std::uint32_t> concerned;  //!< waypoints that the verdict is about
   tool_paths::Points positions;          //!< of these [m]
-  std::vector<UnseenWaypoint> unseen;    //!< none where nobody looked
+  std::string verdict;                   //!< for a person: its word, and why
+  double tolerance = 0;                  //!< [m] of the recipe's deviations
+  /// [m] of where each waypoint of `adapted` is, along the normal and the surface, one standard
+  /// deviation; NaN: not known. None where nothing was adapted.
+  std::vector<double> expected;
+  std::vector<UnseenWaypoint> unseen;  //!< none where nobody looked
 };
 
 /// Of a run's folder. A run that ended before there was a report has none of it.

@@ -98,6 +98,10 @@ void describe_deformation(ParameterTable& table, StretchParameters& p) {
   table.add("tolerance", p.tolerance, {1e-6, 1, "m"},
             "of an adapted waypoint from the scanned surface (at least a fifth of the spacings of "
             "both surfaces, summed)");
+  table.add("max_position_error", p.max_position_error, {1e-6, 10, "m"},
+            "a mesh as the reference: expected error of a waypoint along the surface, one standard "
+            "deviation (at least a fifth of the spacings of both surfaces, summed, and "
+            "initial_pose_distance)");
   table.add("max_orientation_error", p.max_orientation_error, {1e-6, M_PI, "rad"},
             "expected error of a waypoint's orientation, one standard deviation");
   table.add("max_deformation_ratio", p.max_deformation_ratio, {1e-6, 1},

@@ -66,7 +66,14 @@ void mark_horizon(const Surface& surface, Rim& rim) {
   constexpr double kReach = 2;   // spacings: samples lie so far beside their edge; chosen
   constexpr double kBent = 0.8;  // cosine: an edge bends by more than 37 degrees; chosen
   std::vector<KdTree::Neighbour> neighbours;
+  const auto ends_at = [&](const Eigen::Vector3d& point) {
+    if (!surface.rim.tree) return false;
+    surface.rim.tree->within(point, kReach * surface.spacing, neighbours);
+    return std::any_of(neighbours.begin(), neighbours.end(),
+                       [&](const auto& each) { return surface.rim.open[each.index]; });
+  };
   for (std::size_t i = 0; i < rim.points.size(); ++i) {
+    if (ends_at(rim.points[i])) continue;
     const Eigen::Vector3d& normal = surface.normals[surface.tree->nearest(rim.points[i]).index];
     surface.tree->within(rim.points[i], kReach * surface.spacing, neighbours);
     rim.horizon[i] = std::all_of(neighbours.begin(), neighbours.end(), [&](const auto& each) {

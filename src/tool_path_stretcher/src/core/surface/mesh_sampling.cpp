@@ -4,13 +4,12 @@
 #include <pcl/conversions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
 #include "surface/complete_surface.h"
+#include "surface/mesh_topology.h"
 #include "tool_path_stretcher/surface.h"
 
 namespace tool_path_stretcher {
@@ -20,8 +19,6 @@ using scan_cell_common::UnusableInput;
 
 constexpr double kFewestSamples = 20000;  // chosen: as many as are compared, see Samples::most
 constexpr double kMaxSamples = 100000;    // chosen
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// Fans of triangles; vertices in the same place become one, as STL repeats them.
 std::vector<Triangle> triangles_of(const pcl::PolygonMesh& mesh, const Points& vertices,
@@ -53,45 +50,6 @@ std::vector<Triangle> triangles_of(const pcl::PolygonMesh& mesh, const Points& v
     }
   }
   return triangles;
-}
-
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-/// The directed edges of all triangles, sorted.
-std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
-  std::vector<Edge> edges;
-  edges.reserve(triangles.size() * 3);
-  for (const Triangle& triangle : triangles) {
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.emplace_back(triangle[i], triangle[(i + 1) % 3]);
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-/// True where the triangles agree on which side is out: no directed edge occurs twice.
-bool consistently_wound(const std::vector<Edge>& edges) {
-  return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
-}
-
-/// True where nearly every triangle has a neighbour at each side: the mesh encloses the part but
-/// for small holes.
-/// @param edges consistently wound
-bool is_closed(const std::vector<Edge>& edges) {
-  constexpr double kNearly = 0.98;  // of the edges; chosen
-  const auto paired = std::count_if(edges.begin(), edges.end(), [&edges](const Edge& edge) {
-    return std::binary_search(edges.begin(), edges.end(), Edge(edge.second, edge.first));
-  });
-  return static_cast<double>(paired) >= kNearly * static_cast<double>(edges.size());
-}
-
-/// [m^3] six times what the triangles enclose; below 0 where they are wound the wrong way round.
-double enclosed(const Points& vertices, const std::vector<Triangle>& triangles) {
-  const Eigen::Vector3d& origin = vertices[triangles.front()[0]];
-  double sum = 0;
-  for (const auto& [a, b, c] : triangles)
-    sum += (vertices[a] - origin).dot((vertices[b] - origin).cross(vertices[c] - origin));
-  return sum;
 }
 
 /// The i-th point of the R2 low-discrepancy sequence (Roberts 2018) folded into a triangle.
@@ -148,10 +106,10 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
   const auto count = static_cast<std::size_t>(std::clamp(wanted, kFewestSamples, kMaxSamples));
   Surface surface;
   sample(vertices, triangles, area, count, surface);
-  const std::vector<Edge> edges = edges_of(triangles);
-  surface.oriented = consistently_wound(edges);
-  surface.closed = surface.oriented && is_closed(edges);
-  if (surface.closed && enclosed(vertices, triangles) < 0) {
+  const MeshTopology topology = topology_of(vertices, triangles);
+  surface.oriented = topology.oriented;
+  surface.closed = topology.closed;
+  if (topology.inside_out) {
     for (Eigen::Vector3d& normal : surface.normals)
       normal = -normal;
   }

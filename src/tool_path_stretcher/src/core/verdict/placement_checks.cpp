@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scan_cell_common/pose/units.h"
 
@@ -152,6 +153,12 @@ void check_strangers(const Placement& placement, double spacing,
          found.waypoints);
 }
 
+/// [m] Who gives an initial pose has said how well the place is known.
+double max_position_error(const StretchParameters& parameters, double least) {
+  const std::optional<PosePrior>& pose = parameters.prior.pose;
+  return std::max({parameters.max_position_error, least, pose ? pose->distance : 0});
+}
+
 }  // namespace
 
 double max_stranger(const StretchParameters& parameters, double spacing) {
@@ -186,6 +193,18 @@ void check_placement(const Placement& placement, const PlacementLimits& limits,
                      fmt::format("check the part, or raise max_displacement_ratio ({:.4g} % of "
                                  "the part's length, {:.4g} mm)",
                                  100 * parameters.max_displacement_ratio, max_displacement * 1e3));
+  const double max_error = limits.edges_are_known
+                               ? max_position_error(parameters, kTolerance * spacing)
+                               : std::numeric_limits<double>::infinity();
+  Found(quality, max_error,
+        [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_tangential; })
+      .refuse_if_any(
+          Reason::kPositionUncertain, "adapted path",
+          "may be off by {:.3g} mm along the surface (one standard deviation)",
+          fmt::format("scan edges or features that show where the part lies along itself, give "
+                      "the scale or the initial pose more closely, or raise max_position_error "
+                      "({:.4g} mm)",
+                      max_error * 1e3));
   using scan_cell_common::kDegree;
   Found(quality, parameters.max_orientation_error,
         [](const WaypointQuality& q) { return q.in_air ? 0 : q.expected_error_orientation; })

@@ -24,11 +24,14 @@ double max_stranger(const StretchParameters& parameters, double spacing);
 struct PlacementLimits {
   double spacing;  //!< [m, object] of the reference's points and of the object's, summed
   double length;   //!< [m, object] of the part, as length_of() has it
+  /// Whether edges of the reference are told from where a scan of it ended. Otherwise the expected
+  /// error along the surface may be far too large, and refuses nothing.
+  bool edges_are_known;
 };
 
-/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART, ORIENTATION_UNCERTAIN. Where the surfaces are
-/// sparser than the parameters ask for, as much is allowed as they can show. Of waypoints in the
-/// air nothing is asked.
+/// PATH_NOT_SCANNED, TOLERANCE_EXCEEDED, WRONG_PART, POSITION_UNCERTAIN, ORIENTATION_UNCERTAIN.
+/// Where the surfaces are sparser than the parameters ask for, as much is allowed as they can show.
+/// Of waypoints in the air nothing is asked.
 void check_placement(const Placement& placement, const PlacementLimits& limits,
                      const StretchParameters& parameters);
 

@@ -32,6 +32,8 @@ std::string to_string(Reason reason) {
       return "mirrored_part";
     case Reason::kOrientationUncertain:
       return "orientation_uncertain";
+    case Reason::kPositionUncertain:
+      return "position_uncertain";
   }
   return "unknown";
 }
