@@ -152,7 +152,7 @@ MarkerArray expected_markers(const RunView& view, const std_msgs::Header& header
 
 MarkerArray sign_markers(const RunView& view, const std::vector<DeviationMark>& marks,
                          const Eigen::AlignedBox3d& object, const std_msgs::Header& header) {
-  constexpr double kLetters = 0.03;  // of the object's diagonal; chosen
+  constexpr double kLetters = 0.04;  // of the object's diagonal; chosen
   MarkerArray all;
   all.markers = {none_of("verdict", header)};
   if (object.isEmpty()) return all;
