@@ -14,7 +14,7 @@ import rosbag
 import rospy
 import rostest
 from scan_cell_common.ply import read_vertices
-from scan_cell_msgs.msg import BoundProfile
+from scan_cell_msgs.msg import BoundProfile, ScanRun
 from scan_cell_msgs.srv import FinishCloud, StartRun, StartRunRequest, StartScan
 from sensor_msgs.msg import PointCloud2
 
@@ -170,10 +170,10 @@ class LaserTriangulationNode(unittest.TestCase):
 
     def test_refuses_a_run_with_a_laser_that_is_not_calibrated(self):
         check = rospy.ServiceProxy('/triangulation/check_run', StartRun)
-        self.assertTrue(check(StartRunRequest(lasers=1)).success)
-        self.assertTrue(check(StartRunRequest(lasers=0)).success, 'pulses in the dark')
+        self.assertTrue(check(StartRunRequest(run=ScanRun(lasers=1))).success)
+        self.assertTrue(check(StartRunRequest(run=ScanRun(lasers=0))).success, 'pulses in the dark')
         for lasers in (2, 3):
-            answer = check(StartRunRequest(lasers=lasers))
+            answer = check(StartRunRequest(run=ScanRun(lasers=lasers)))
             self.assertFalse(answer.success)
             self.assertIn('laser_1: not calibrated', answer.message)
 

@@ -6,6 +6,7 @@
 #include <rosbag/bag.h>
 #include <scan_cell_msgs/CellState.h>
 #include <scan_cell_msgs/PeakProfile.h>
+#include <scan_cell_msgs/ScanRun.h>
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -51,6 +52,14 @@ class Recorder {
     message.state = state;
     message.scan_id = scan_id;
     write("/scan_cell/state", time, message);
+  }
+
+  /// The trigger's only arming belongs to the fourth pass.
+  void write_run(double time, const std::string& scan_id) {
+    scan_cell_msgs::ScanRun message;
+    message.scan_id = scan_id;
+    message.pass_index = 3;
+    write("/scan_cell/runs", time, message);
   }
 
   void write_pose(double time) {
@@ -131,6 +140,7 @@ void record_scan(const std::string& bag, const std::string& scan_id, const std::
   Recorder recorder(bag, world, start);
   const auto poses = static_cast<int>(recorder.duration() / kPosePeriod);
   const auto pulses = static_cast<int>((recorder.duration() - 2 * kMargin) / kPulsePeriod);
+  recorder.write_run(0, scan_id);
   recorder.write_state(0, scan_cell_msgs::CellState::SCANNING, scan_id);
   for (int i = 0; i < poses; ++i)
     recorder.write_pose(i * kPosePeriod);

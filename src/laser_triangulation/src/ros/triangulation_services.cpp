@@ -108,8 +108,8 @@ bool TriangulationServices::start(StartScan::Request& request, StartScan::Respon
 
 bool TriangulationServices::check_run(StartRun::Request& request, StartRun::Response& response) {
   return scan_cell_common::answer(response, [&] {
-    for (std::size_t laser = 0; request.lasers >> laser != 0; ++laser) {
-      if ((request.lasers >> laser) % 2 == 0 || model_.has_laser(laser)) continue;
+    for (std::size_t laser = 0; request.run.lasers >> laser != 0; ++laser) {
+      if ((request.run.lasers >> laser) % 2 == 0 || model_.has_laser(laser)) continue;
       throw scan_cell_common::Refused(
           scan_cell_common::laser_name(laser), "not calibrated",
           "calibrate it, or scan with a laser that the scanner model has");

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "arrivals.h"
+#include "laser_triangulation/triangulator.h"
 #include "started_chain.h"
 
 namespace pose_frame_binder {
@@ -26,7 +27,7 @@ namespace {
 
 constexpr double kMilliseconds = 1e3;  // [ms] in a second
 constexpr double kPercent = 100;
-constexpr double kPointSize = 24e-6;  // [MB] of a ScanPoint
+constexpr double kPointSize = sizeof(laser_triangulation::ScanPoint) / 1e6;  // [MB]
 
 /// Usage of the processes, and the part of it that sends and counts.
 struct Sample {

@@ -72,9 +72,8 @@ void ProfileFeeder::feed() {
   std::uint64_t pulse = 0, frame = 0;
   const std::uint64_t frames = pace_.frames();
   while (!stop_) {
-    const double next_pulse = pulse < frames ? static_cast<double>(pulse) / pace_.rate : HUGE_VAL;
-    const double next_frame =
-        frame < frames ? static_cast<double>(frame) / pace_.rate + kLatency : HUGE_VAL;
+    const double next_pulse = pulse < frames ? time_of(pulse) : HUGE_VAL;
+    const double next_frame = frame < frames ? time_of(frame) + kLatency : HUGE_VAL;
     const double next = std::min({pose, next_pulse, next_frame});
     std::this_thread::sleep_until(begin + nanoseconds(next));
     if (next == pose) {
@@ -93,6 +92,13 @@ void ProfileFeeder::feed() {
   }
 }
 
+/// [s] after the begin: the first intervals are twice as long, as the trigger does where lasers
+/// take turns.
+double ProfileFeeder::time_of(std::uint64_t pulse) const {
+  constexpr std::uint64_t kLong = 4;  // intervals; docs/laser_trigger.md
+  return static_cast<double>(pulse + std::min(pulse, kLong)) / pace_.rate;
+}
+
 void ProfileFeeder::send_pose(double time) {
   constexpr double kSpeed = 0.1;  // [m/s] chosen
   const auto message = boost::make_shared<tf2_msgs::TFMessage>();
@@ -108,18 +114,18 @@ void ProfileFeeder::send_pose(double time) {
 
 void ProfileFeeder::send_event(std::uint64_t number) {
   const auto message = boost::make_shared<scan_cell_msgs::TriggerEvent>();
-  message->header.stamp = begin_ + ros::Duration(static_cast<double>(number) / pace_.rate);
+  message->header.stamp = begin_ + ros::Duration(time_of(number));
   message->arming = 1;
   message->count = number + 1;
-  message->lasers = scan_cell_msgs::TriggerEvent::LASER_0;
+  message->lasers = number % 2 == 0 ? scan_cell_msgs::TriggerEvent::LASER_0
+                                    : scan_cell_msgs::TriggerEvent::LASER_1;
   events_.publish(message);
 }
 
 void ProfileFeeder::send_profile(std::uint64_t number) {
   constexpr float kWidth = 5, kIntensity = 100;  // [px], [grey value] chosen
   const auto message = boost::make_shared<scan_cell_msgs::PeakProfile>();
-  message->header.stamp =
-      begin_ + ros::Duration(static_cast<double>(number) / pace_.rate + kLatency);
+  message->header.stamp = begin_ + ros::Duration(time_of(number) + kLatency);
   message->acquisition = 1;
   message->frame_counter = number;
   message->laser = scan_cell_msgs::PeakProfile::LASER_UNKNOWN;

@@ -43,6 +43,7 @@ class ProfileFeeder {
 
  private:
   void feed();
+  double time_of(std::uint64_t pulse) const;
   void send_pose(double time);
   void send_event(std::uint64_t number);
   void send_profile(std::uint64_t number);

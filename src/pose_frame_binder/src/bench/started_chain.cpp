@@ -25,11 +25,13 @@ scan_cell_common::ScannerModel scanner() {
   model.camera.cx = 851.2;
   model.camera.cy = 852.7;
   model.camera.distortion << -0.081, 0.052, 0.0006, -0.0004, 0.0;
-  scan_cell_common::LaserPlane laser;
-  laser.origin << -0.25, 0, 0.012;
-  laser.normal = Eigen::Vector3d(0.89, -0.001, -0.456).normalized();
-  laser.distance = laser.normal.dot(laser.origin);
-  model.lasers.push_back(laser);
+  for (const double side : {1, -1}) {
+    scan_cell_common::LaserPlane laser;
+    laser.origin << -0.25 * side, 0, 0.012;
+    laser.normal = Eigen::Vector3d(0.89 * side, -0.001, -0.456).normalized();
+    laser.distance = laser.normal.dot(laser.origin);
+    model.lasers.push_back(laser);
+  }
   return model;
 }
 

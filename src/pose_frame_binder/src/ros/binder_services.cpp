@@ -96,7 +96,7 @@ bool BinderServices::start(StartScan::Request& request, StartScan::Response& res
 bool BinderServices::check_run(StartRun::Request& request, StartRun::Response& response) {
   return scan_cell_common::answer(response, [&] {
     const auto anywhere = Eigen::Isometry3d::Identity();  // the same is good wherever the base is
-    check(run_from(request, parameters_.frames, anywhere), parameters_.settings);
+    check(run_from(request.run, parameters_.frames, anywhere), parameters_.settings);
   });
 }
 
@@ -105,7 +105,7 @@ bool BinderServices::start_run(StartRun::Request& request, StartRun::Response& r
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!scan_)
       throw scan_cell_common::Refused("run", "no scan is under way", "call ~start before");
-    scan_->start_run(request);
+    scan_->start_run(request.run);
   });
 }
 

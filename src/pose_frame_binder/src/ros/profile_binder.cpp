@@ -127,7 +127,7 @@ Eigen::Isometry3d pose_from(const std::string& name, const std::vector<double>& 
   return pose;
 }
 
-Run run_from(const scan_cell_msgs::StartRun::Request& run, const Frames& frames,
+Run run_from(const scan_cell_msgs::ScanRun& run, const Frames& frames,
              const Eigen::Isometry3d& fixed_to_base) {
   if (!run.straight) return {run.pass_index, std::nullopt};
   ConstantSpeed motion;
@@ -138,7 +138,7 @@ Run run_from(const scan_cell_msgs::StartRun::Request& run, const Frames& frames,
   return {run.pass_index, motion};
 }
 
-void ProfileBinder::start_run(const scan_cell_msgs::StartRun::Request& run) {
+void ProfileBinder::start_run(const scan_cell_msgs::ScanRun& run) {
   binder_.start_run(run_from(run, frames_, fixed_to_base_));
 }
 

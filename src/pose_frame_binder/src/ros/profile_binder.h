@@ -4,7 +4,7 @@
 
 #include <scan_cell_msgs/BindingAudit.h>
 #include <scan_cell_msgs/BoundProfile.h>
-#include <scan_cell_msgs/StartRun.h>
+#include <scan_cell_msgs/ScanRun.h>
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -37,7 +37,7 @@ class ProfileBinder {
 
   /// Tells of the next arming, as Binder::start_run().
   /// @throw as run_from() and Binder::start_run()
-  void start_run(const scan_cell_msgs::StartRun::Request& run);
+  void start_run(const scan_cell_msgs::ScanRun& run);
 
   /// Takes the transforms from base to flange among these.
   /// @throw scan_cell_common::Refused if the memory allowed is full
@@ -62,7 +62,7 @@ class ProfileBinder {
 /// What is told of the next arming.
 /// @param fixed_to_base pose of the base in the fixed frame
 /// @throw scan_cell_common::Refused if its poses are in another frame, or are none
-Run run_from(const scan_cell_msgs::StartRun::Request& run, const Frames& frames,
+Run run_from(const scan_cell_msgs::ScanRun& run, const Frames& frames,
              const Eigen::Isometry3d& fixed_to_base);
 
 /// With range, unit and meaning of each. Poses are taken as pose_from() takes them.

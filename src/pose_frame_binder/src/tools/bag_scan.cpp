@@ -17,9 +17,12 @@ void open(rosbag::Bag& bag, const std::string& path, rosbag::bagmode::BagMode mo
 void feed(const rosbag::Bag& bag, const BagTopics& topics, ProfileBinder& scan,
           const std::function<void()>& after_each) {
   name_bag_in_errors(bag.getFileName(), [&] {
-    rosbag::View view(bag, rosbag::TopicQuery({topics.events, topics.profiles, topics.poses}));
+    rosbag::View view(
+        bag, rosbag::TopicQuery({topics.runs, topics.events, topics.profiles, topics.poses}));
     for (const rosbag::MessageInstance& message : view) {
-      if (const auto event = message.instantiate<scan_cell_msgs::TriggerEvent>()) {
+      if (const auto run = message.instantiate<scan_cell_msgs::ScanRun>()) {
+        scan.start_run(*run);
+      } else if (const auto event = message.instantiate<scan_cell_msgs::TriggerEvent>()) {
         scan.add(*event);
       } else if (const auto profile = message.instantiate<scan_cell_msgs::PeakProfile>()) {
         scan.add(profile);

@@ -12,6 +12,7 @@
 namespace pose_frame_binder {
 
 struct BagTopics {
+  std::string runs = "/scan_cell/runs";
   std::string events = "/laser_trigger/events";
   std::string profiles = "/camera/profiles";
   std::string poses = "/tf";

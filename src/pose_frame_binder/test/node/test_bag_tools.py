@@ -12,7 +12,7 @@ import unittest
 
 import rosbag
 import rostest
-from scan_cell_msgs.msg import BindingAudit, PeakProfile, PoseMatch, TriggerEvent
+from scan_cell_msgs.msg import BindingAudit, PeakProfile, PoseMatch, ScanRun, TriggerEvent
 from tf2_msgs.msg import TFMessage
 
 from scan_messages import LATENCY, PERIOD, SPEED, events, poses, profiles, stamp, transform
@@ -99,6 +99,24 @@ class BagTools(unittest.TestCase):
                                  stderr=subprocess.PIPE, timeout=60)
             self.assertEqual(run.returncode, 1)
             self.assertIn('--camera-latency', run.stderr.decode())
+
+    def test_knows_the_pass_that_the_bag_tells(self):
+        count = 10
+        for told in (7, None):
+            with tempfile.TemporaryDirectory() as folder:
+                with rosbag.Bag(folder + '/scan.bag', 'w') as bag:
+                    bag.write('/tf_static', transform('world', 'base_link', 0, (0, 0, 0), (0, 0, 0, 1)), stamp(0))
+                    if told:
+                        bag.write('/scan_cell/runs', ScanRun(pass_index=told), stamp(0))
+                    for topic, messages in (('/laser_trigger/events', events(count)), ('/camera/profiles', profiles(count)),
+                                            ('/tf', poses(count))):
+                        for message in messages:
+                            bag.write(topic, message, stamp(1))
+                subprocess.run(['rosrun', 'pose_frame_binder', 'bind_bag', '--bag', folder + '/scan.bag', '--output',
+                                folder + '/bound.bag'], check=True, timeout=60)
+                with rosbag.Bag(folder + '/bound.bag') as bag:
+                    bound = [m for _, m, _ in bag.read_messages('/pose_frame_binder/bound_profiles')]
+                self.assertEqual([b.pass_index for b in bound], count * [told or 0])
 
     def test_names_a_bag_that_is_damaged(self):
         whole = io.BytesIO()

@@ -1,6 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
+#include <scan_cell_msgs/StartRun.h>
 
 #include <cstdio>
 
@@ -10,6 +11,7 @@
 #include "devices/ros_stages.h"
 #include "replay_parameters.h"
 #include "scan_cell/progress_bar.h"
+#include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/ros/load_parameters.h"
 #include "scan_cell_common/ros/node_main.h"
@@ -42,6 +44,12 @@ void replay(const Parameters& parameters) {
 
   wait_for_services(parameters);
   stages.start(bag.scan().scan_id);
+  for (const scan_cell_msgs::ScanRun& run : bag.scan().runs) {
+    scan_cell_msgs::StartRun::Request request;
+    request.run = run;
+    scan_cell::call<scan_cell_msgs::StartRun>(parameters.binder + "/start_run", request,
+                                              parameters.timeout);
+  }
   bag.play(node, parameters.speed, parameters.timeout,
            [&bar](double share) { bar.show("play", 0.5 * share); });
   bar.show("bind and triangulate", 0.5);

@@ -78,7 +78,7 @@ class FakeCell:
         rospy.Service('/laser_triangulation/finish', srv.FinishCloud, self.on_finish_cloud)
 
     def on_check_run(self, request):
-        unfit = request.lasers & fake('uncalibrated', 0)
+        unfit = request.run.lasers & fake('uncalibrated', 0)
         return {'success': unfit == 0, 'message': 'laser mask %d is not calibrated' % unfit}
 
     def silent(self, device):

@@ -170,15 +170,18 @@ class Recipes(unittest.TestCase):
         with open(os.path.join(result.folder, 'scan.json')) as file:
             self.assertGreaterEqual(profiles, json.load(file)['binding']['bound'])
         self.check_sight(result.folder)
-        self.check_signs(os.path.basename(result.folder))
+        with open(os.path.join(result.folder, 'report.json')) as file:
+            self.check_signs(os.path.basename(result.folder), len(json.load(file)['quality']))
         result = self.run_recipe(recipe='frame', work=7)
         self.assertEqual(result.outcome, RunRecipeResult.NONE)
         self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)
 
-    def check_signs(self, run):
-        """What rviz says of a run in words: its verdict, and the ends of the scale of the deviations."""
-        signs = []
+    def check_signs(self, run, waypoints):
+        """What rviz shows of a run beside its clouds: its verdict in words, the ends of the scale of the deviations, and each
+        waypoint with a colour."""
+        signs, expected = [], []
         rospy.Subscriber('/part_recipes/signs', MarkerArray, signs.append)
+        rospy.Subscriber('/part_recipes/expected', MarkerArray, expected.append)
         rospy.wait_for_service('/part_recipes/describe', PATIENCE)
         self.assertTrue(rospy.ServiceProxy('/part_recipes/describe', DescribeRun)(run=run).success)
         end = rospy.Time.now() + rospy.Duration(PATIENCE)
@@ -188,6 +191,9 @@ class Recipes(unittest.TestCase):
         texts = [marker.text for marker in signs[-1].markers]
         self.assertIn('-1 mm', texts)
         self.assertIn('+1 mm', texts)
+        while not any(len(marker.colors) == waypoints for array in expected for marker in array.markers):
+            self.assertLess(rospy.Time.now(), end)
+            rospy.sleep(0.02)
 
     def check_sight(self, folder):
         """What a run says that its scan could see is there."""

@@ -203,7 +203,7 @@ class LaunchFiles(unittest.TestCase):
 
     def test_records_what_replay_plays(self):
         recorded = self.nodes(sim='true', record='/tmp/a.bag')['record'].args.split()
-        for topic in ('/tf', '/laser_trigger/events', '/camera/profiles', '/scan_cell/state'):
+        for topic in ('/tf', '/laser_trigger/events', '/camera/profiles', '/scan_cell/state', '/scan_cell/runs'):
             self.assertIn(topic, recorded)
 
     def test_reaches_the_hardware_only_without_the_simulator(self):

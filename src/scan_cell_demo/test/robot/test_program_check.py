@@ -66,7 +66,7 @@ class ProgramCheck(unittest.TestCase):
         # Binder and triangulation, of which nothing else is needed before anything moves: of laser_0 alone.
         rospy.Service('/pose_frame_binder/check_run', srv.StartRun, lambda _: {'success': True})
         rospy.Service('/laser_triangulation/check_run', srv.StartRun,
-                      lambda run: {'success': run.lasers == 1, 'message': 'laser_1: not calibrated'})
+                      lambda request: {'success': request.run.lasers == 1, 'message': 'laser_1: not calibrated'})
         cls.scan = actionlib.SimpleActionClient('/scan_cell/scan', msg.ScanAction)
         assert cls.scan.wait_for_server(rospy.Duration(TIMEOUT))
         deadline = rospy.get_time() + TIMEOUT

@@ -34,8 +34,8 @@ BagRecording::BagRecording(ros::NodeHandle node, std::string file, double timeou
     bag_.open(file_, rosbag::bagmode::Write);
     bag_.setCompression(rosbag::compression::LZ4);
   });
-  for (const std::string& topic :
-       {topics.state, topics.events, topics.profiles, topics.poses, std::string("/tf_static")}) {
+  for (const std::string& topic : {topics.state, topics.runs, topics.events, topics.profiles,
+                                   topics.poses, std::string("/tf_static")}) {
     const boost::function<void(const Message&)> take = [this, topic](const Message& message) {
       add(topic, message);
     };

@@ -8,6 +8,8 @@
 #include <scan_cell_msgs/TriggerEvent.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "scan_cell_common/errors/errors.h"
@@ -32,6 +34,14 @@ void wait_for_subscriber(const ros::Publisher& publisher, double timeout) {
     }
     ros::WallDuration(0.02).sleep();
   }
+}
+
+std::vector<scan_cell_msgs::ScanRun> runs_of(const std::vector<scan_cell_msgs::ScanRun>& runs,
+                                             const std::string& scan_id) {
+  std::vector<scan_cell_msgs::ScanRun> result;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(result),
+               [&](const auto& run) { return run.scan_id == scan_id; });
+  return result;
 }
 
 }  // namespace
@@ -60,18 +70,22 @@ void BagReplay::choose(const std::string& scan_id) {
 
 std::vector<RecordedScan> BagReplay::find_scans() const {
   std::vector<RecordedScan> scans;
-  rosbag::View view(bag_, rosbag::TopicQuery(topics_.state));
+  rosbag::View view(bag_, rosbag::TopicQuery({topics_.state, topics_.runs}));
   RecordedScan open;
+  std::vector<scan_cell_msgs::ScanRun> runs;  // since the scan before ended
   for (const rosbag::MessageInstance& message : view) {
+    if (const auto run = message.instantiate<scan_cell_msgs::ScanRun>()) runs.push_back(*run);
     const auto state = message.instantiate<CellState>();
     if (!state) continue;
     if (state->state == CellState::SCANNING) {
-      open = {state->scan_id, message.getTime(), ros::Time(), false};
+      open = {state->scan_id, message.getTime(), ros::Time(), false, {}};
     } else if (!open.scan_id.empty() && state->scan_id == open.scan_id) {
       open.end = message.getTime();
       open.whole = state->state == CellState::FINISHED;
+      open.runs = runs_of(runs, open.scan_id);
       scans.push_back(open);
       open = RecordedScan();
+      runs.clear();
     }
   }
   return scans;

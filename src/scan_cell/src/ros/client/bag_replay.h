@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 #include <rosbag/bag.h>
+#include <scan_cell_msgs/ScanRun.h>
 
 #include <cstdint>
 #include <functional>
@@ -18,6 +19,8 @@ struct RecordedScan {
   ros::Time start;
   ros::Time end;
   bool whole = false;  //!< it did not end early
+  /// Of each arming, in their order; empty where the bag does not hold them: each is a pass then.
+  std::vector<scan_cell_msgs::ScanRun> runs;
 };
 
 /// Plays one scan of a bag to the binder, as fast as wanted and without losing a message.
@@ -26,6 +29,7 @@ class BagReplay {
   /// Topics, in the bag and to publish on.
   struct Topics {
     std::string state = "/scan_cell/state";
+    std::string runs = "/scan_cell/runs";
     std::string events = "/laser_trigger/events";
     std::string profiles = "/camera/profiles";
     std::string poses = "/tf";

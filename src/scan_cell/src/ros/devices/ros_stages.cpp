@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <scan_cell_msgs/FinishBinding.h>
 #include <scan_cell_msgs/FinishCloud.h>
+#include <scan_cell_msgs/StartRun.h>
 #include <scan_cell_msgs/StartScan.h>
 
 #include <map>
@@ -28,7 +29,10 @@ RosStages::RosStages(const std::string& binder, const std::string& triangulation
     : binder_(binder),
       triangulation_(triangulation),
       call_timeout_(call_timeout),
-      base_frame_(base_frame) {}
+      base_frame_(base_frame) {
+  constexpr unsigned kQueue = 1000;  // runs; a program has few
+  told_ = ros::NodeHandle("~").advertise<scan_cell_msgs::ScanRun>("runs", kQueue);
+}
 
 double RosStages::longest(double patience) const {
   constexpr double kRounds = 4;  // chosen; patience begins anew while late data keeps coming
@@ -57,6 +61,7 @@ std::string RosStages::trouble() const {
 
 void RosStages::start(const std::string& scan_id) {
   clear();
+  scan_id_ = scan_id;
   StartScan::Request request;
   request.scan_id = scan_id;
   call<StartScan>(triangulation_ + "/start", request, call_timeout_);
@@ -68,30 +73,37 @@ void RosStages::start(const std::string& scan_id) {
   under_way_ = true;
 }
 
-StartRun::Request RosStages::request_for(const ScanRun& run) const {
-  StartRun::Request request;
-  request.pass_index = static_cast<std::uint32_t>(run.pass);
-  request.straight = run.moves.size() == 1 && !run.moves.front().via;
-  request.start.header.frame_id = request.end.header.frame_id = base_frame_;
-  request.start.pose = scan_cell_common::to_ros_pose(run.start);
-  request.end.pose = scan_cell_common::to_ros_pose(run.moves.back().flange);
-  request.speed = run.speed;
-  request.rate = run.rate;
-  request.lasers = run.lighting.lasers;
-  return request;
+scan_cell_msgs::ScanRun RosStages::message_of(const ScanRun& run) const {
+  scan_cell_msgs::ScanRun message;
+  message.header.stamp = ros::Time::now();
+  message.scan_id = scan_id_;
+  message.pass_index = static_cast<std::uint32_t>(run.pass);
+  message.straight = run.moves.size() == 1 && !run.moves.front().via;
+  message.start.header.frame_id = message.end.header.frame_id = base_frame_;
+  message.start.pose = scan_cell_common::to_ros_pose(run.start);
+  message.end.pose = scan_cell_common::to_ros_pose(run.moves.back().flange);
+  message.speed = run.speed;
+  message.rate = run.rate;
+  message.lasers = run.lighting.lasers;
+  return message;
 }
 
 void RosStages::check_run(const ScanRun& run) {
+  StartRun::Request request;
+  request.run = message_of(run);
   for (const std::string& node : {binder_, triangulation_}) {
-    const auto answer = ask<StartRun>(node + "/check_run", request_for(run), call_timeout_);
+    const auto answer = ask<StartRun>(node + "/check_run", request, call_timeout_);
     if (answer.success != 0) continue;
     throw scan_cell_common::Refused(run.name, "refused by " + node, answer.message);
   }
 }
 
 void RosStages::start_run(const ScanRun& run) {
-  call<StartRun>(binder_ + "/start_run", request_for(run), call_timeout_);
+  StartRun::Request request;
+  request.run = message_of(run);
+  call<StartRun>(binder_ + "/start_run", request, call_timeout_);
   runs_.push_back(run.name);
+  told_.publish(request.run);
 }
 
 std::vector<std::uint64_t> RosStages::bind(const std::vector<ArmingPulses>& armings,

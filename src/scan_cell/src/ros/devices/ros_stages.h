@@ -5,7 +5,7 @@
 #include <ros/service_client.h>
 #include <scan_cell_msgs/BindingAudit.h>
 #include <scan_cell_msgs/CloudStatistics.h>
-#include <scan_cell_msgs/StartRun.h>
+#include <scan_cell_msgs/ScanRun.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <string>
@@ -50,7 +50,7 @@ class RosStages : public Stages {
 
  private:
   void check_each_bound(const std::vector<ArmingPulses>& armings) const;
-  scan_cell_msgs::StartRun::Request request_for(const ScanRun& run) const;
+  scan_cell_msgs::ScanRun message_of(const ScanRun& run) const;
   double longest(double patience) const;  // [s] that a call may take
   std::string finish_binding() const { return binder_ + "/finish"; }
   std::string finish_cloud() const { return triangulation_ + "/finish"; }
@@ -59,6 +59,8 @@ class RosStages : public Stages {
   const std::string triangulation_;
   const double call_timeout_;
   const std::string base_frame_;
+  ros::Publisher told_;             // ~runs, what the binder was told of them
+  std::string scan_id_;             // since start()
   std::vector<std::string> runs_;   // their names, since start()
   bool under_way_ = false;          // from start() to bind()
   ros::ServiceClient binder_line_;  // held from start() on: it breaks where the node dies
