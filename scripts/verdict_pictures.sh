@@ -80,6 +80,8 @@ show path_not_scanned 'frame, three quarters scanned'
 show wrong_part 'wrong part: other moulding'
 show scale_at_bound 'frame, x 0.38'
 show tolerance_exceeded 'frame, bent 5 mm' --method affine
+"$programs/bench_scanner_views" --cases 'bent: blade' --write "$work"
+draw position_uncertain --max-position-error 0.002
 leaf=(--leaf 0.02 0.02 0.02)
 show too_few_points 'frame, as it is'
 leaf=()
