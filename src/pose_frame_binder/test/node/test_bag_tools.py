@@ -100,23 +100,27 @@ class BagTools(unittest.TestCase):
             self.assertEqual(run.returncode, 1)
             self.assertIn('--camera-latency', run.stderr.decode())
 
-    def test_knows_the_pass_that_the_bag_tells(self):
-        count = 10
-        for told in (7, None):
+    def test_knows_the_passes_that_the_bag_tells_and_else_counts_armings(self):
+        half = 10
+        for told, expected in (((7, 7), (7, 7)), ((), (0, 1))):
+            pulses = events(2 * half)
+            for event in pulses[half:]:
+                event.arming, event.count = 2, event.count - half
             with tempfile.TemporaryDirectory() as folder:
                 with rosbag.Bag(folder + '/scan.bag', 'w') as bag:
                     bag.write('/tf_static', transform('world', 'base_link', 0, (0, 0, 0), (0, 0, 0, 1)), stamp(0))
-                    if told:
-                        bag.write('/scan_cell/runs', ScanRun(pass_index=told), stamp(0))
-                    for topic, messages in (('/laser_trigger/events', events(count)), ('/camera/profiles', profiles(count)),
-                                            ('/tf', poses(count))):
+                    for index in told:
+                        bag.write('/scan_cell/runs', ScanRun(pass_index=index), stamp(0))
+                    for topic, messages in (('/laser_trigger/events', pulses), ('/camera/profiles', profiles(2 * half)),
+                                            ('/tf', poses(2 * half))):
                         for message in messages:
                             bag.write(topic, message, stamp(1))
                 subprocess.run(['rosrun', 'pose_frame_binder', 'bind_bag', '--bag', folder + '/scan.bag', '--output',
                                 folder + '/bound.bag'], check=True, timeout=60)
                 with rosbag.Bag(folder + '/bound.bag') as bag:
                     bound = [m for _, m, _ in bag.read_messages('/pose_frame_binder/bound_profiles')]
-                self.assertEqual([b.pass_index for b in bound], count * [told or 0])
+                self.assertEqual([(b.match.arming, b.pass_index) for b in bound],
+                                 [(1, expected[0])] * half + [(2, expected[1])] * half)
 
     def test_names_a_bag_that_is_damaged(self):
         whole = io.BytesIO()
