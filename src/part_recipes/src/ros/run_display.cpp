@@ -44,14 +44,6 @@ sensor_msgs::PointCloud2 scan_of(const fs::path& run, const std_msgs::Header& he
   return scan_cell_common::to_message(shown, header);
 }
 
-Eigen::AlignedBox3d box_of(const FieldedCloud& cloud) {
-  Eigen::AlignedBox3d box;
-  if (cloud.size() == 0) return box;
-  for (const auto& point : scan_cell_common::places_of(cloud.view()))
-    box.extend(point.getVector3fMap().cast<double>());
-  return box;
-}
-
 }  // namespace
 
 RunDisplay::RunDisplay(ros::NodeHandle node)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/deviation_colours.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +14,6 @@
 namespace part_recipes {
 namespace {
 
-using scan_cell_common::CloudField;
 using scan_cell_common::FieldedCloud;
 using scan_cell_common::FieldType;
 using scan_cell_common::Rgb;
@@ -55,6 +53,13 @@ double median_of(std::vector<double> deviations) {
   return *middle;
 }
 
+Eigen::AlignedBox3d box_of(const scan_cell_common::Cloud& places) {
+  Eigen::AlignedBox3d box;
+  for (const auto& point : places)
+    box.extend(point.getVector3fMap().cast<double>());
+  return box;
+}
+
 struct Cell {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   std::vector<double> deviations;
@@ -82,14 +87,16 @@ FieldedCloud coloured(const FieldedCloud& cloud, double tolerance) {
   return result;
 }
 
+Eigen::AlignedBox3d box_of(const FieldedCloud& cloud) {
+  return cloud.size() == 0 ? Eigen::AlignedBox3d() : box_of(places_of(cloud.view()));
+}
+
 std::vector<DeviationMark> deviation_marks(const FieldedCloud& cloud, double tolerance) {
   constexpr double kAcross = 16;  // cells along the longest side; chosen
   const std::vector<double> deviations = deviations_of(cloud);
   if (deviations.empty()) return {};
   const scan_cell_common::Cloud places = scan_cell_common::places_of(cloud.view());
-  Eigen::AlignedBox3d box;
-  for (const auto& point : places)
-    box.extend(point.getVector3fMap().cast<double>());
+  const Eigen::AlignedBox3d box = box_of(places);
   const double side = box.sizes().maxCoeff() / kAcross;
   if (!(side > 0)) return {};
   std::map<std::array<long, 3>, Cell> cells;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "scan_cell_common/clouds/fielded_cloud.h"
@@ -17,6 +17,10 @@ constexpr double kColourSpan = 2;
 /// @throw scan_cell_common::UnusableInput as places_of() of the cloud
 scan_cell_common::FieldedCloud coloured(const scan_cell_common::FieldedCloud& cloud,
                                         double tolerance);
+
+/// [m] Around all points; empty of none.
+/// @throw scan_cell_common::UnusableInput as places_of() of the cloud
+Eigen::AlignedBox3d box_of(const scan_cell_common::FieldedCloud& cloud);
 
 /// Where the object is beyond the tolerance: for eyes that do not tell the colours.
 struct DeviationMark {

@@ -106,7 +106,7 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
   const auto count = static_cast<std::size_t>(std::clamp(wanted, kFewestSamples, kMaxSamples));
   Surface surface;
   sample(vertices, triangles, area, count, surface);
-  const MeshTopology topology = topology_of(vertices, triangles);
+  const MeshTopology topology = topology_of(vertices, triangles, area);
   surface.oriented = topology.oriented;
   surface.closed = topology.closed;
   if (topology.inside_out) {

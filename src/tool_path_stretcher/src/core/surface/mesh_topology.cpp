@@ -48,13 +48,6 @@ double twice_open_area(const Points& vertices, const std::vector<Edge>& edges) {
   return sum;
 }
 
-double twice_area(const Points& vertices, const std::vector<Triangle>& triangles) {
-  double sum = 0;
-  for (const auto& [a, b, c] : triangles)
-    sum += (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).norm();
-  return sum;
-}
-
 /// [m^3] six times what the triangles enclose; below 0 where they are wound the wrong way round.
 double enclosed(const Points& vertices, const std::vector<Triangle>& triangles) {
   const Eigen::Vector3d& origin = vertices[triangles.front()[0]];
@@ -66,13 +59,14 @@ double enclosed(const Points& vertices, const std::vector<Triangle>& triangles) 
 
 }  // namespace
 
-MeshTopology topology_of(const Points& vertices, const std::vector<Triangle>& triangles) {
+MeshTopology topology_of(const Points& vertices, const std::vector<Triangle>& triangles,
+                         double area) {
   constexpr double kOpen = 0.02;  // of the area, in holes; chosen
   const std::vector<Edge> edges = edges_of(triangles);
   MeshTopology topology;
   topology.oriented = std::adjacent_find(edges.begin(), edges.end()) == edges.end();
   if (!topology.oriented) return topology;
-  topology.closed = twice_open_area(vertices, edges) <= kOpen * twice_area(vertices, triangles);
+  topology.closed = twice_open_area(vertices, edges) <= 2 * kOpen * area;
   topology.inside_out = topology.closed && enclosed(vertices, triangles) < 0;
   return topology;
 }

@@ -22,6 +22,8 @@ struct MeshTopology {
 
 /// @param vertices [m] no two in the same place
 /// @param triangles at least one
-MeshTopology topology_of(const Points& vertices, const std::vector<Triangle>& triangles);
+/// @param area [m^2] of all of them
+MeshTopology topology_of(const Points& vertices, const std::vector<Triangle>& triangles,
+                         double area);
 
 }  // namespace tool_path_stretcher
