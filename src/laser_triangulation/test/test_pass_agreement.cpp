@@ -23,11 +23,12 @@ class Table {
   static constexpr double kHalfLength = 0.03;
   static constexpr double kHalfWidth = 0.02;
 
-  double block_at = 0;  // [m] along x
+  double block_at = 0;   // [m] along x
+  double lifted_by = 0;  // [m] the block
 
   double height(double x, double y) const {
     const double out = std::max(std::abs(x - block_at) - kHalfLength, std::abs(y) - kHalfWidth);
-    return std::clamp(kHeight - out, 0., kHeight);
+    return std::clamp(kHeight + lifted_by - out, 0., kHeight + lifted_by);
   }
 };
 
@@ -186,6 +187,23 @@ TEST(PassAgreement, EndsWhereAPartMovedOnATableThatDidNot) {
     const PassAgreement result = passes.mend();
     EXPECT_EQ(result.agreement, Agreement::kDisagree) << by << ": " << result.message;
     EXPECT_NE(result.message.find("a part moved"), std::string::npos) << result.message;
+  }
+}
+
+TEST(PassAgreement, EndsWhereAPartMovedByLessThanAMillimetreOnATableThatDidNot) {
+  for (const Table& moved : {Table{0, 0.5e-3}, Table{0.7e-3, 0}}) {
+    for (const double deviation : {0.02e-3, 0.2e-3}) {
+      Passes passes;
+      passes.scan(0, Table());
+      passes.scan(1, moved);
+      const PassAgreement result = bring_together(passes.cloud, {deviation});
+      EXPECT_EQ(result.agreement, Agreement::kDisagree)
+          << moved.block_at << " m aside, " << moved.lifted_by << " m up, " << deviation
+          << " m: " << result.message;
+      EXPECT_NE(result.message.find("a part moved"), std::string::npos) << result.message;
+      ASSERT_EQ(result.overlaps.size(), 1U);
+      EXPECT_LT(result.overlaps[0].median, 0.1e-3) << "most of it is the table";
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/scanner/scanner_model.h"
@@ -19,9 +20,6 @@ constexpr std::size_t kMaxMended = 64;  // sweeps; chosen: a system of 384 unkno
 // chosen: half of it at the usual distance
 constexpr double kLever = 0.1;
 constexpr double kMaxDeviations = 3;  // of a motion along each axis; chosen, as 99.7 %
-// [m] median of a pair. Chosen: twice the goal of 0.1 mm and a robot's repeatability of 0.05 mm, as
-// both passes have them. The calibration's uncertainty knows nothing of the robot.
-constexpr double kMinToEnd = 2 * (0.1e-3 + 0.05e-3);
 
 /// Why the sweeps cannot be mended, for a person; empty: they can.
 std::string why_not_mended(const std::vector<Sweep>& sweeps,
@@ -84,6 +82,9 @@ std::string figures(const PassOverlap& overlap) {
   std::string text = fmt::format("{} and {} lie {:.3f} mm apart, 95 % within {:.3f} mm",
                                  name_of(overlap.one), name_of(overlap.other),
                                  kMillimetres * overlap.median, kMillimetres * overlap.most);
+  if (overlap.shifted > 0)
+    text += fmt::format(", {} of {} places on patches that are {:g} mm off", overlap.shifted,
+                        overlap.points, kMillimetres * kShifted);
   if (overlap.apart > 0)
     text += fmt::format(", {} of {} places more than {:g} mm", overlap.apart, overlap.points,
                         kMillimetres * kApart);
@@ -93,7 +94,7 @@ std::string figures(const PassOverlap& overlap) {
 /// The pair that disagrees the most.
 const PassOverlap& worst_of(const std::vector<PassOverlap>& overlaps) {
   return *std::max_element(overlaps.begin(), overlaps.end(), [](const auto& a, const auto& b) {
-    return a.apart != b.apart ? a.apart < b.apart : a.median < b.median;
+    return std::tie(a.apart, a.shifted, a.median) < std::tie(b.apart, b.shifted, b.median);
   });
 }
 
@@ -101,9 +102,8 @@ bool any_disagree(const std::vector<PassOverlap>& overlaps) {
   return std::any_of(overlaps.begin(), overlaps.end(), disagree);
 }
 
-bool far_enough_to_end(const std::vector<PassOverlap>& overlaps) {
-  return std::any_of(overlaps.begin(), overlaps.end(),
-                     [](const PassOverlap& overlap) { return overlap.median > kMinToEnd; });
+bool any_shifted(const std::vector<PassOverlap>& overlaps) {
+  return std::any_of(overlaps.begin(), overlaps.end(), is_shifted);
 }
 
 std::string alone_text(const std::vector<Sweep>& alone) {
@@ -130,7 +130,7 @@ bool mend(const SharedPlaces& shared, const std::vector<double>& deviations, Sca
   const Eigen::MatrixXd covariance = covariance_of(shared.sweeps, deviations);
   const PassCorrection correction = find_correction(shared, result.overlaps, covariance);
   if (const std::optional<std::size_t> too_far = beyond(correction, covariance)) {
-    if (far_enough_to_end(result.overlaps)) result.agreement = Agreement::kDisagree;
+    if (any_shifted(result.overlaps)) result.agreement = Agreement::kDisagree;
     result.message += fmt::format(
         "; not corrected: {} would have to move further than the calibration's uncertainty "
         "explains",
@@ -139,6 +139,11 @@ bool mend(const SharedPlaces& shared, const std::vector<double>& deviations, Sca
   }
   std::vector<PassOverlap> after = compare_sweeps(moved(shared, correction));
   if (any_disagree(after)) return false;
+  if (any_shifted(after)) {
+    result.agreement = Agreement::kDisagree;
+    result.message += "; not corrected: no small motion of the passes would bring them together";
+    return true;
+  }
   apply(correction, shared.sweeps, cloud);
   result.agreement = Agreement::kMended;
   result.overlaps = std::move(after);

@@ -3,7 +3,9 @@
 #include "pass_overlap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,8 +17,11 @@ constexpr std::size_t kMinCompared = 100;  // fewer say nothing; chosen
 constexpr std::size_t kMaxPartners = 8;    // of a sweep, at one place; chosen
 constexpr std::size_t kMaxRays = 20'000;   // from surfaces to the camera; chosen
 constexpr double kBeside = 0.7e-3;         // [m] of a point that lies above or below; chosen
+constexpr double kPatch = 15e-3;           // [m] of the surface that may have moved alone; chosen
+constexpr std::size_t kMinOnPatch = 4;     // points of which half is not chance; chosen
 constexpr std::size_t kMinApart = 20;      // points; chosen: a patch of several mm
 constexpr double kMinShareApart = 0.02;    // of the points of a pair; chosen
+constexpr double kMinShareShifted = 0.01;  // the same; a small part on a large table; chosen
 
 /// [m] of two sweeps at a place; none where they cannot be compared there.
 std::optional<double> distance(const SweepPatch& one, const SweepPatch& other) {
@@ -41,13 +46,34 @@ double quantile(std::vector<double>& values, double share) {
   return *place;
 }
 
-using Distances = std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>;
+/// Distances [m] of two sweeps.
+struct PairDistances {
+  using Patch = std::array<std::int64_t, 3>;
+
+  void add(double distance, const Eigen::Vector3d& at) {
+    const auto number = [&](int axis) { return std::llround(std::floor(at[axis] / kPatch)); };
+    all.push_back(distance);
+    on_patches[{number(0), number(1), number(2)}].push_back(distance);
+  }
+
+  std::size_t shifted() {
+    std::size_t count = 0;
+    for (auto& [patch, values] : on_patches)
+      if (values.size() >= kMinOnPatch && quantile(values, 0.5) > kShifted) count += values.size();
+    return count;
+  }
+
+  std::vector<double> all;
+  std::map<Patch, std::vector<double>> on_patches;
+};
+
+using Distances = std::map<std::pair<std::size_t, std::size_t>, PairDistances>;
 
 /// @param place number of the place
 void compare_at(const std::vector<SweepPatch>& patches, std::size_t place, Distances& distances) {
   const auto compare = [&](const SweepPatch& one, const SweepPatch& other) {
     const auto found = distance(one, other);
-    if (found) distances[{one.sweep, other.sweep}].push_back(*found);
+    if (found) distances[{one.sweep, other.sweep}].add(*found, one.nearest);
   };
   const std::size_t count = patches.size();
   const std::size_t half = count / 2;
@@ -85,7 +111,7 @@ void look_through(const SharedPlaces& shared, const PlaceGrid& grid, const Sweep
         const bool beside = (seen.nearest + depth * towards - patch.mean).norm() > kMiddle;
         // Of the steps along the ray, the one that is nearest to the crossing.
         if (beside || depth < kBegin || std::abs(depth - at) > SharedPlaces::kSearch / 2) continue;
-        distances[std::minmax(patch.sweep, seen.sweep)].push_back(depth);
+        distances[std::minmax(patch.sweep, seen.sweep)].add(depth, seen.nearest);
       }
     }
   }
@@ -108,13 +134,14 @@ std::vector<PassOverlap> compare_sweeps(const SharedPlaces& shared) {
       if (number++ % step == 0 && seen.whole) look_through(shared, grid, seen, distances);
   }
   std::vector<PassOverlap> overlaps;
-  for (auto& [pair, values] : distances) {
+  for (auto& [pair, found] : distances) {
+    std::vector<double>& values = found.all;
     if (values.size() < kMinCompared) continue;
     const auto apart = std::count_if(values.begin(), values.end(),
                                      [](double distance) { return distance > kApart; });
     overlaps.push_back({shared.sweeps[pair.first], shared.sweeps[pair.second], values.size(),
                         quantile(values, 0.5), quantile(values, 0.95),
-                        static_cast<std::size_t>(apart)});
+                        static_cast<std::size_t>(apart), found.shifted()});
   }
   return overlaps;
 }
@@ -134,9 +161,23 @@ std::vector<Sweep> sweeps_alone(const SharedPlaces& shared,
   return alone;
 }
 
+namespace {
+
+/// @param points of those of the pair
+/// @param share that is no chance
+bool is_more_than(double share, std::size_t points, const PassOverlap& overlap) {
+  return points >= kMinApart &&
+         static_cast<double>(points) >= share * static_cast<double>(overlap.points);
+}
+
+}  // namespace
+
 bool disagree(const PassOverlap& overlap) {
-  return overlap.apart >= kMinApart &&
-         static_cast<double>(overlap.apart) >= kMinShareApart * static_cast<double>(overlap.points);
+  return is_more_than(kMinShareApart, overlap.apart, overlap);
+}
+
+bool is_shifted(const PassOverlap& overlap) {
+  return overlap.median > kShifted || is_more_than(kMinShareShifted, overlap.shifted, overlap);
 }
 
 }  // namespace laser_triangulation

@@ -17,7 +17,17 @@ using Eigen::Vector3d;
 
 constexpr double kNear = 1e-3;  // [m] of a scanned point from a waypoint that was measured
 
-/// [m] from each place to the nearest scanned point.
+SightParameters as_in_the_cell() {
+  SightParameters parameters;
+  parameters.region_x = kRegionX;
+  parameters.region_y = kRegionY;
+  parameters.region_width = kRegionWidth;
+  parameters.region_height = kRegionHeight;
+  return parameters;
+}
+
+}  // namespace
+
 std::vector<double> distances(const std::vector<Vector3d>& places,
                               const std::vector<Vector3d>& scan) {
   std::vector<double> result(places.size(), std::numeric_limits<double>::infinity());
@@ -32,16 +42,11 @@ std::vector<double> distances(const std::vector<Vector3d>& places,
   return result;
 }
 
-SightParameters as_in_the_cell() {
-  SightParameters parameters;
-  parameters.region_x = kRegionX;
-  parameters.region_y = kRegionY;
-  parameters.region_width = kRegionWidth;
-  parameters.region_height = kRegionHeight;
+SightParameters any_angle_in_the_cell() {
+  SightParameters parameters = as_in_the_cell();
+  parameters.max_light_angle = parameters.max_sight_angle = 1.57;
   return parameters;
 }
-
-}  // namespace
 
 Agreement measure_agreement(const std::string& scanner, std::uint64_t first_seed, int parts) {
   const auto model = scan_cell_common::load_scanner_model(scanner);
@@ -133,9 +138,7 @@ FaceAtAngle measure_face(const std::string& scanner, double lean, double roll) {
   const scan_cell_sim::Scene scene({std::nullopt, std::nullopt, {box}});
   const Sweep sweep = sweep_over();
   const Surface surface(shape_of(box.mesh(1e-5)));
-  SightParameters parameters = as_in_the_cell();
-  parameters.max_light_angle = parameters.max_sight_angle = 1.57;
-  const SightCheck check(model, surface, parameters);
+  const SightCheck check(model, surface, any_angle_in_the_cell());
   const Sighting middle =
       check.along(sweep, {surface.nearest(box.pose * Vector3d(0, 0, kThickness))}).front();
 

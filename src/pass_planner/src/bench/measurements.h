@@ -2,12 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "pass_planner/sight.h"
+
 namespace pass_planner {
+
+/// [m] from each place to the nearest scanned point; infinite if there is none.
+std::vector<double> distances(const std::vector<Eigen::Vector3d>& places,
+                              const std::vector<Eigen::Vector3d>& scan);
+
+/// The simulated cell's image, and no angle that is too grazing.
+SightParameters any_angle_in_the_cell();
 
 /// What was said of waypoints, and what the simulated scan then gave.
 struct Agreement {

@@ -38,7 +38,7 @@ std::vector<Eigen::Vector3d> simulated_scan(const scan_cell_sim::Scene& scene,
   const scan_cell_sim::LaserLineRenderer renderer(scanner, {});
   const scan_cell_sim::Region region{kRegionX, kRegionY, kRegionWidth, kRegionHeight};
   tecnogamma_camera::DetectorSettings settings;
-  settings.trigger_level = 60;  // tecnogamma_camera/config
+  settings.trigger_level = 25;  // launch/devices.launch
   const auto detector = tecnogamma_camera::make_detector("fir_derivative", settings);
   laser_triangulation::Triangulator triangulator(scanner, {});
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(region.width * region.height));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scan_cell_common/clouds/cloud_files.h"
+#include "scan_cell_sim/ground_truth.h"
 #include "tool_path_stretcher/tool_path.h"
 
 namespace scan_cell_demo {
@@ -46,8 +47,10 @@ tool_path_stretcher::ToolPath true_path(const tool_path_stretcher::ToolPath& pat
 /// A path that is right on the part of that world: scan_cell_sim::taught_path().
 tool_path_stretcher::ToolPath proven_path(const std::string& world, const std::string& part);
 
-/// Root mean square distance [m] of a cloud in `world` from the true surfaces.
-double cloud_rms(const scan_cell_common::Cloud& cloud, const std::string& world);
+/// How far a cloud in `world` is from the true surfaces of a world file.
+/// @throw scan_cell_common::UnusableInput if it has no point, or one that is not finite
+scan_cell_sim::CloudError cloud_error(const scan_cell_common::Cloud& cloud,
+                                      const std::string& world);
 
 /// How much larger the part truly is in the object's world than in the reference's.
 double true_scale(const std::string& reference, const std::string& object, const std::string& part);

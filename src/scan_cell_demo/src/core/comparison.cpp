@@ -144,13 +144,14 @@ ToolPath proven_path(const std::string& world, const std::string& part) {
   return path;
 }
 
-double cloud_rms(const scan_cell_common::Cloud& cloud, const std::string& world) {
+scan_cell_sim::CloudError cloud_error(const scan_cell_common::Cloud& cloud,
+                                      const std::string& world) {
   const scan_cell_sim::Scene truth(scan_cell_sim::load_world(world));
   std::vector<Eigen::Vector3d> points;
   points.reserve(cloud.size());
   for (const pcl::PointXYZ& point : cloud)
     points.emplace_back(point.x, point.y, point.z);
-  return scan_cell_sim::compare(truth, points).rms;
+  return scan_cell_sim::compare(truth, points);
 }
 
 double true_scale(const std::string& reference, const std::string& object,

@@ -221,8 +221,9 @@ class Demo {
   /// @return the greater error of the two clouds [m]: both carry the path
   double add_cloud_errors(nlohmann::ordered_json& json, const Scanned& reference,
                           const Scanned& object) const {
-    const double of_reference = scan_cell_demo::cloud_rms(reference.clean, options_.reference);
-    const double of_object = scan_cell_demo::cloud_rms(object.clean, options_.object);
+    const double of_reference =
+        scan_cell_demo::cloud_error(reference.clean, options_.reference).rms;
+    const double of_object = scan_cell_demo::cloud_error(object.clean, options_.object).rms;
     json["cloud_rms_mm"] = std::max(of_reference, of_object) * kMillimetres;
     json["cloud_rms_reference_mm"] = of_reference * kMillimetres;
     json["cloud_rms_object_mm"] = of_object * kMillimetres;

@@ -8,14 +8,18 @@
 #include <scan_cell_msgs/LoadWorld.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
 #include "scan_cell/ros/cell_client.h"
 #include "scan_cell/ros/service_call.h"
+#include "scan_cell_common/files/files.h"
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "scan_cell_demo/comparison.h"
 
+using scan_cell_msgs::CloudStatistics;
 using scan_cell_msgs::ScanResult;
 
 namespace {
@@ -28,22 +32,65 @@ std::string world(const std::string& name) {
 
 class Passes : public testing::Test {
  protected:
+  void SetUp() override { put_frame(world("reference_frame.yaml")); }
+
   /// Tries again while the nodes come up.
-  ScanResult scan(const std::string& program) {
-    scan_cell_msgs::LoadWorld::Request request;
-    request.path = world("reference_frame.yaml");
-    EXPECT_TRUE(ros::service::waitForService("/scan_cell_sim/load_world", ros::Duration(kTimeout)));
-    scan_cell::call<scan_cell_msgs::LoadWorld>("/scan_cell_sim/load_world", request, kTimeout);
-    const auto passes =
-        scan_cell::load_scan_program(ros::package::getPath("scan_cell") + "/config/" + program);
+  ScanResult run(const scan_cell::ScanProgram& program, const std::string& name,
+                 const scan_cell::CellClient::Progress& progress) {
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kTimeout);
     ScanResult result;
     do {
-      result = cell_.scan(passes, program, kTimeout, [](const std::string&, double) {});
+      result = cell_.scan(program, name, kTimeout, progress);
     } while (result.outcome == ScanResult::ROBOT_LOST && result.passes_finished == 0 &&
              ros::WallTime::now() < deadline);
-    EXPECT_EQ(result.outcome, ScanResult::FINISHED) << result.message;
     return result;
+  }
+
+  ScanResult scan(const std::string& program) {
+    return run(load_program(program), program, [](const std::string&, double) {});
+  }
+
+  /// Twice over the frame, which is lifted in between, while the robot scans the floor beside it.
+  /// @param height [m]
+  ScanResult scan_while_the_frame_is_lifted(double height) {
+    std::string text = scan_cell_common::read_file(world("reference_frame.yaml"));
+    const std::string origin = "translation: [0.0, 0.0, 0.0]";
+    text.replace(text.find(origin), origin.size(),
+                 "translation: [0.0, 0.0, " + std::to_string(height) + "]");
+    const std::string file = std::filesystem::temp_directory_path() / "lifted_frame.yaml";
+    scan_cell_common::save_text(file, text);
+    bool lifted = false;
+    const ScanResult result =
+        run(twice_over_the_frame(), "lifted", [&](const std::string& what, double) {
+          if (lifted || what.find("pass 2 of 3") != 0) return;
+          put_frame(file);
+          lifted = true;
+        });
+    EXPECT_TRUE(lifted) << "nobody said that the second pass begins";
+    return result;
+  }
+
+  static scan_cell::ScanProgram twice_over_the_frame() {
+    scan_cell::ScanProgram program = load_program("three_passes.yaml");
+    scan_cell::ScanPass over = program.passes.front();
+    over.lasers = scan_cell::PassLasers::kLaser0;
+    scan_cell::ScanPass beside = over;
+    beside.poses[0].translation().x() = -0.36;
+    beside.poses[1].translation().x() = -0.30;
+    beside.speed = 0.01;  // longer than a world takes to load
+    program.passes = {over, beside, over};
+    return program;
+  }
+
+  static scan_cell::ScanProgram load_program(const std::string& name) {
+    return scan_cell::load_scan_program(ros::package::getPath("scan_cell") + "/config/" + name);
+  }
+
+  static void put_frame(const std::string& file) {
+    scan_cell_msgs::LoadWorld::Request request;
+    request.path = file;
+    ASSERT_TRUE(ros::service::waitForService("/scan_cell_sim/load_world", ros::Duration(kTimeout)));
+    scan_cell::call<scan_cell_msgs::LoadWorld>("/scan_cell_sim/load_world", request, kTimeout);
   }
 
   /// Points of each pass and laser.
@@ -56,12 +103,15 @@ class Passes : public testing::Test {
     return points;
   }
 
-  static double error(const ScanResult& result) {
-    return scan_cell_demo::cloud_rms(scan_cell_common::from_message(result.cloud),
-                                     world("reference_frame.yaml"));
+  static void expect_near_the_truth(const ScanResult& result) {
+    const scan_cell_sim::CloudError error = scan_cell_demo::cloud_error(
+        scan_cell_common::from_message(result.cloud), world("reference_frame.yaml"));
+    EXPECT_LE(error.rms, 0.08e-3);
+    EXPECT_LE(error.max, 1e-3) << "a point from the wrong plane is centimetres off";
   }
 
   static void expect_passes_agree(const ScanResult& result, std::size_t pairs) {
+    EXPECT_EQ(result.outcome, ScanResult::FINISHED) << result.message;
     EXPECT_EQ(result.statistics.overlaps.size(), pairs);
     for (const scan_cell_msgs::PassOverlap& overlap : result.statistics.overlaps)
       EXPECT_LE(overlap.median, 0.1e-3) << int{overlap.pass_one} << ", " << int{overlap.pass_other};
@@ -79,7 +129,7 @@ TEST_F(Passes, WithAlternatingLasersSeeBothFlanksInOneSweep) {
   ASSERT_EQ(points.size(), 2U);
   EXPECT_GT(points.at({0, 0}), 100000U);
   EXPECT_GT(points.at({0, 1}), 100000U);
-  EXPECT_LE(error(result), 0.2e-3) << "a point from the wrong plane is centimetres off";
+  expect_near_the_truth(result);
   expect_passes_agree(result, 1);
 }
 
@@ -91,8 +141,41 @@ TEST_F(Passes, OfAProgramComeIntoOneCloudThatKeepsThemApart) {
   for (const auto& [sweep, count] : points)
     EXPECT_GT(count, 20000U) << sweep.first << ", " << sweep.second;
   EXPECT_EQ(points.count({2, 0}), 0U);
-  EXPECT_LE(error(result), 0.2e-3);
+  expect_near_the_truth(result);
   expect_passes_agree(result, 10);
+}
+
+TEST_F(Passes, AreBroughtTogetherAsFarAsTheCalibrationAllows) {
+  const ScanResult result = scan("crossing_sweeps.yaml");
+  EXPECT_EQ(result.statistics.agreement, CloudStatistics::MENDED)
+      << result.statistics.agreement_message;
+  ASSERT_EQ(result.statistics.corrections.size(), 4U);
+  double largest = 0;
+  for (const scan_cell_msgs::PassCorrection& correction : result.statistics.corrections) {
+    const geometry_msgs::Vector3& shift = correction.shift;
+    largest = std::max(largest, Eigen::Vector3d(shift.x, shift.y, shift.z).norm());
+  }
+  EXPECT_GT(largest, 0);
+  EXPECT_LE(largest, 0.1e-3) << "the scanner was calibrated to 0.02 mm a point";
+  expect_near_the_truth(result);
+}
+
+TEST_F(Passes, EndInDisagreementIfThePartMovesBetweenThem) {
+  const ScanResult result = scan_while_the_frame_is_lifted(0.003);
+  EXPECT_EQ(result.outcome, ScanResult::PASSES_DISAGREE) << result.message;
+  EXPECT_NE(result.message.find("pass 3"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("a part moved"), std::string::npos) << result.message;
+  EXPECT_EQ(result.passes_finished, 3U);
+  EXPECT_GT(result.cloud.width, 0U) << "what was captured is kept";
+  EXPECT_TRUE(result.statistics.corrections.empty());
+}
+
+TEST_F(Passes, EndInDisagreementIfTheyAreFurtherApartThanTheCalibrationExplains) {
+  const ScanResult result = scan_while_the_frame_is_lifted(0.0006);
+  EXPECT_EQ(result.outcome, ScanResult::PASSES_DISAGREE) << result.message;
+  EXPECT_NE(result.message.find("further than the calibration's uncertainty explains"),
+            std::string::npos)
+      << result.message;
 }
 
 int main(int argc, char** argv) {

@@ -255,11 +255,13 @@ TEST_F(WholeCell, AdaptsAPathToAScaledAndTurnedPartAsTheTruthSays) {
     expect_every_frame_accounted_for(result.audit);
     EXPECT_GT(result.audit.frames_bound, 0.95 * static_cast<double>(result.audit.triggers));
   }
-  EXPECT_LE(scan_cell_demo::cloud_rms(scan_cell_common::from_message(reference),
-                                      config("reference_frame.yaml")),
+  EXPECT_LE(scan_cell_demo::cloud_error(scan_cell_common::from_message(reference),
+                                        config("reference_frame.yaml"))
+                .rms,
             0.3e-3);
-  EXPECT_LE(scan_cell_demo::cloud_rms(scan_cell_common::from_message(object),
-                                      config("scaled_frame.yaml")),
+  EXPECT_LE(scan_cell_demo::cloud_error(scan_cell_common::from_message(object),
+                                        config("scaled_frame.yaml"))
+                .rms,
             0.3e-3);
 
   const auto path = scan_cell_demo::proven_path(config("reference_frame.yaml"), "frame");
@@ -289,8 +291,9 @@ TEST_F(WholeCell, AccountsForLostFramesAndBadPoses) {
   const auto cloud = scan_world("reference_frame.yaml", result);
   expect_every_frame_accounted_for(result.audit);
   EXPECT_GT(result.audit.frames_never_arrived, 5U);
-  EXPECT_LE(scan_cell_demo::cloud_rms(scan_cell_common::from_message(cloud),
-                                      config("reference_frame.yaml")),
+  EXPECT_LE(scan_cell_demo::cloud_error(scan_cell_common::from_message(cloud),
+                                        config("reference_frame.yaml"))
+                .rms,
             0.3e-3)
       << "a wrong pairing would smear the cloud";
 }
