@@ -77,9 +77,12 @@ class Readme(unittest.TestCase):
         self.assertGreater(cloud['points'], 10000)
         self.assertLess(cloud['rms_mm'], MAX_CLOUD_RMS)
 
-    def test_adapt_leaves_a_true_path(self):
+    def test_adapt_brings_two_passes_together_and_leaves_a_true_path(self):
         self.expect_well('adapt')
-        self.assertEqual(json.loads(self.user.text('out/adapted/report.json'))['verdict'], 'accepted')
+        report = json.loads(self.user.text('out/adapted/report.json'))
+        self.assertEqual(report['verdict'], 'accepted')
+        self.assertIn([1, 2], [pair['passes'] for pair in report['passes']['overlaps']], 'it is a scan of two passes')
+        self.assertEqual(report['passes']['agreement'], 'mended')
         self.expect_true_path('out', 'adapted', 'adapted_path.csv')
 
     def test_recipe_makes_a_run_with_a_true_path_and_a_report(self):

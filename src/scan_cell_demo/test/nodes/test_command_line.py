@@ -9,6 +9,7 @@ rostest scan_cell_demo command_line.test
 import io
 import os
 import subprocess
+import tempfile
 import threading
 import time
 import unittest
@@ -20,6 +21,7 @@ import rospkg
 import rospy
 import rosservice
 import rostest
+from scan_cell_msgs.srv import GetStaticPose
 
 TIMEOUT = 60  # [s] for what must come
 ACTIONS = ('/c4g_driver/move', '/scan_cell/scan', '/scan_cell/calibrate', '/tool_path_stretcher/stretch')
@@ -120,6 +122,27 @@ class CommandLine(unittest.TestCase):
             done = command('rosservice', 'call', service, *arguments)
             self.assertEqual(done.returncode, 0, service + ': ' + done.stdout)
             self.assertNotIn('success: False', done.stdout, service)
+
+    def test_record_pose_appends_the_pose_in_which_the_robot_stands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            poses = os.path.join(folder, 'poses.csv')
+            done = command('rosrun', 'scan_cell', 'record_pose', '--poses', poses)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertIn('%s: pose 1: ' % poses, done.stdout)
+            done = command('rosrun', 'scan_cell', 'record_pose', '--poses', poses)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn('teach another pose', done.stdout)
+            stands = rospy.ServiceProxy('/c4g_driver/get_static_pose', GetStaticPose)().pose.pose.position
+            with open(poses) as file:
+                rows = [row for row in file.read().splitlines() if not row.startswith('#')]
+            self.assertEqual(rows[0], 'x,y,z,qx,qy,qz,qw')
+            self.assertEqual(len(rows), 2)
+            for value, of_robot in zip(rows[1].split(','), (stands.x, stands.y, stands.z)):
+                self.assertAlmostEqual(float(value), of_robot, delta=1e-5)
+            with open(poses, 'w') as file:
+                file.write('these are no poses\n')
+            done = command('rosrun', 'scan_cell', 'record_pose', '--poses', poses)
+            self.assertEqual(done.returncode, 2, done.stdout)
 
     def test_no_node_of_the_suite_can_be_asked_for_its_loggers(self):
         """Debian's rosconsole crashes any node of roscpp that answers it, the robot's driver too."""

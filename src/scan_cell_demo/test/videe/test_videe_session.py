@@ -16,6 +16,7 @@ import rospkg
 import rospy
 import rostest
 from geometry_msgs.msg import Point, Pose, Quaternion
+from scan_cell_common.ply import read_vertices
 from scan_cell_msgs.msg import CellState, ScanAction, ScanActionFeedback, ScanGoal, ScanPass, ScanResult, TriggerState
 from scan_cell_msgs.srv import GrabImage, LoadWorld
 
@@ -91,7 +92,7 @@ class Videe(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node('test_videe_session')
         cls.news = threading.Condition()
-        cls.states, cls.lasers, cls.points = [], None, 0
+        cls.states, cls.lasers, cls.points, cls.passes = [], None, 0, 0
         rospy.Subscriber('/scan_cell/state', CellState, cls.on_state)
         rospy.Subscriber('/laser_trigger/state', TriggerState, cls.on_trigger)
         rospy.Subscriber('/scan_cell/scan/feedback', ScanActionFeedback, cls.on_feedback)
@@ -130,7 +131,7 @@ class Videe(unittest.TestCase):
     @classmethod
     def on_feedback(cls, feedback):
         with cls.news:
-            cls.points = feedback.feedback.points
+            cls.points, cls.passes = feedback.feedback.points, feedback.feedback.passes
             cls.news.notify_all()
 
     def wait_for(self, condition, what):
@@ -249,6 +250,23 @@ class Videe(unittest.TestCase):
             answer = client.ask('STOP_SCAN')
             self.assertIn(' ended=whole ', answer)
             os.remove(re.search(r'cloud=(\S+)', answer).group(1))
+
+    def test_each_pair_of_positions_is_a_pass_of_one_cloud(self):
+        with Client() as client:
+            first, second = '-180,-10,595,180,0,0 180,-10,595,180,0,0', '180,10,595,180,0,0 0,10,595,180,0,0'
+            self.assertEqual(client.ask('SET_POSITION %s %s' % (first, second)), 'OK')
+            self.start(client)
+            self.assertEqual(client.ask('WAIT_SCAN'), 'OK')
+            answer = client.ask('STOP_SCAN')
+            self.assertIn(' ended=whole ', answer)
+            self.assertEqual(self.passes, 2)
+            cloud = re.search(r'cloud=(\S+)', answer).group(1)
+            points = read_vertices(cloud)
+            os.remove(cloud)
+            for number, ends in enumerate(((-0.18, 0.18), (0, 0.18))):
+                x = points['x'][points['pass'] == number]
+                self.assertGreater(len(x), 10000)
+                self.assertAlmostEqual(x.max() - x.min(), ends[1] - ends[0], delta=0.05)
 
     def test_stop_scan_says_where_nothing_was_captured_yet(self):
         with self.prepared() as client:
