@@ -126,8 +126,17 @@ TEST_P(CountingCamera, KeepsItsCountThroughManySingleGarbledNumbers) {
 }
 
 TEST_F(SynchronisedCamera, IsRefusedWhereItsClockIsNotTheHosts) {
-  EXPECT_THROW(receive(1100 * kMillisecond), scan_cell_common::UnusableInput);
+  EXPECT_THROW(receive(10100 * kMillisecond), scan_cell_common::UnusableInput);
   EXPECT_THROW(receive(-1100 * kMillisecond), scan_cell_common::UnusableInput);
+}
+
+TEST_F(SynchronisedCamera, IsBelievedWhereABusyHostReceivesItsFirstFramesLateButNotForLong) {
+  for (int frame = 0; frame < 20; ++frame)
+    EXPECT_EQ(receive(1100 * kMillisecond).time, exposed_);
+  FrameNumbering caught_up = numbering_;
+  EXPECT_THROW(receive(1100 * kMillisecond), scan_cell_common::UnusableInput);
+  numbering_ = caught_up;
+  EXPECT_EQ(receive(2 * kMillisecond).time, exposed_);
 }
 
 TEST_F(SynchronisedCamera, IsStillBelievedWhereABusyHostReceivesItsFramesLate) {

@@ -80,12 +80,15 @@ Nanoseconds FrameNumbering::time_of(const Frame& frame, bool late) {
     if (!late || clock_.empty()) clock_.add(frame.device_time, frame.host_time);
     return clock_.to_host(frame.device_time);
   }
-  constexpr double kMost = 1;     // [s] between clocks that are one; chosen
-  constexpr int kMaxLate = 1000;  // frames: by then a busy host has caught up; chosen
+  constexpr double kMost = 1;      // [s] between clocks that are one; chosen
+  constexpr double kMaxLate = 10;  // [s] of a frame on a busy host; chosen
+  // Frames in a row; chosen: by then a busy host has caught up, with the first ones sooner.
+  constexpr int kMaxLateInARow = 1000, kMaxLateAtFirst = 20;
   const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
   late_in_a_row_ = off > kMost ? late_in_a_row_ + 1 : 0;
   clock_agreed_ = clock_agreed_ || std::abs(off) <= kMost;
-  if (off < -kMost || late_in_a_row_ > (clock_agreed_ ? kMaxLate : 0)) {
+  const bool is_another = off < -kMost || (!clock_agreed_ && off > kMaxLate);
+  if (is_another || late_in_a_row_ > (clock_agreed_ ? kMaxLateInARow : kMaxLateAtFirst)) {
     throw scan_cell_common::UnusableInput(
         "device_clock", fmt::format("the camera's clock is {:.6g} s off the host's", off),
         "synchronise it (PTP), or set device_clock to mapped");
