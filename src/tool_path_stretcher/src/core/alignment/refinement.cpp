@@ -9,10 +9,12 @@
 #include <optional>
 
 #include "cores/by_index.h"
+#include "geometry/facing.h"
 #include "geometry/nearest_cache.h"
 #include "geometry/points.h"
 #include "geometry/robust.h"
 #include "mapping/residuals.h"
+#include "surface/edges.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -54,10 +56,9 @@ class Pairing {
         reference_sample_(reference_.samples.of(density)),
         in_reference_(*reference_.tree, object_sample_.size(), reference_.spacing),
         in_object_(*object_.tree, reference_sample_.size(), object_.spacing) {
-    if (!reference_.rim.tree) return;
-    constexpr std::size_t kRimShare = 3;  // one part of the sample; chosen
-    rim_sample_ = spread_evenly(object_.rim.points, object_sample_.size() / kRimShare);
-    in_rim_.emplace(*reference_.rim.tree, rim_sample_.size(), reference_.spacing);
+    if (!reference_.edges.tree) return;
+    constexpr std::size_t kEdgeShare = 3;  // one part of the sample; chosen
+    edge_sample_ = spread_evenly(object_.edges.points, object_sample_.size() / kEdgeShare);
   }
 
   Constraints object_to_reference(const Similarity& similarity) {
@@ -80,21 +81,22 @@ class Pairing {
     });
   }
 
-  /// The object's rim should lie on the reference's, but may slide along it.
-  Constraints rim_to_rim(const Similarity& similarity) {
+  /// The object's edges should lie on the reference's, but may slide along them.
+  Constraints edge_to_edge(const Similarity& similarity) const {
     constexpr double kReach = 0.08;  // of the object's size; chosen
-    Constraints constraints;
-    const Rim& rim = reference_.rim;
-    for (std::size_t k = 0; k < rim_sample_.size(); ++k) {
-      const Eigen::Vector3d& point = object_.rim.points[rim_sample_[k]];
-      const std::size_t nearest = in_rim_->nearest(k, similarity.inverse(point));
-      if (rim.horizon[nearest]) continue;
-      const Eigen::Vector3d mapped = similarity * rim.points[nearest];
-      if ((point - mapped).norm() > kReach * object_.size) continue;
-      const Eigen::Vector3d outward = similarity.rotation * rim.outward[nearest];
-      constraints.push_back({mapped, outward, outward.dot(point - mapped)});
-    }
-    return constraints;
+    const Rim& edges = reference_.edges;
+    return all_of<Constraint>(
+        edge_sample_.size(), kHundreds, [&](std::size_t k) -> std::optional<Constraint> {
+          const std::size_t i = edge_sample_[k];
+          const Eigen::Vector3d& point = object_.edges.points[i];
+          const Eigen::Vector3d facing = similarity.rotation.transpose() * object_.edges.outward[i];
+          const auto nearest = edge_facing(edges, similarity.inverse(point), facing);
+          if (!nearest || edges.horizon[*nearest]) return {};
+          const Eigen::Vector3d mapped = similarity * edges.points[*nearest];
+          if ((point - mapped).norm() > kReach * object_.size) return {};
+          const Eigen::Vector3d outward = similarity.rotation * edges.outward[*nearest];
+          return Constraint{mapped, outward, outward.dot(point - mapped)};
+        });
   }
 
  private:
@@ -102,10 +104,9 @@ class Pairing {
   const Surface& object_;
   const std::vector<std::size_t>& object_sample_;
   const std::vector<std::size_t>& reference_sample_;
-  std::vector<std::size_t> rim_sample_;  // of the object's rim; empty where the reference has none
+  std::vector<std::size_t> edge_sample_;  // of the object; empty where the reference has no edge
   NearestCache in_reference_;
   NearestCache in_object_;
-  std::optional<NearestCache> in_rim_;
 };
 
 double deviation_of(const Constraints& constraints, double least) {
@@ -211,15 +212,20 @@ Similarity refine(const SurfacePair& surfaces, Similarity start, const ScalePrio
   // those must not be taken for outliers, for they may be all that shows a turn.
   const double least = resolution(surfaces, start.scale);
   Pairing pairing(surfaces, density);
+  const Eigen::Matrix3d axes = principal_frame(select(object.points, object.samples.few)).axes;
+  const auto way_of = [](const Constraint& edge) -> const Eigen::Vector3d& {
+    return edge.direction;
+  };
   for (int i = 0; i < iterations; ++i) {
     const Constraints forth = pairing.object_to_reference(start);
     const Constraints back = pairing.reference_to_object(start);
-    const Constraints rim = pairing.rim_to_rim(start);
+    const Constraints edges = pairing.edge_to_edge(start);
     Equations equations(centre);
     const double deviation = deviation_of(forth, least);
     equations.add(forth, deviation);
     equations.add(back, deviation_of(back, least));
-    equations.add(rim, deviation_of(rim, kRimDeviation * object.spacing));
+    for (const Constraints& facing : by_facing(edges, axes, way_of))
+      equations.add(facing, deviation_of(facing, kRimDeviation * object.spacing));
     equations.add_prior(scale, start.scale);
     const Vector7d step = equations.solve();
     start = moved(start, centre, step);

@@ -5,12 +5,14 @@
 #include <optional>
 
 #include "cores/by_index.h"
+#include "geometry/facing.h"
 #include "geometry/kd_tree.h"
 #include "geometry/nearest_cache.h"
 #include "geometry/points.h"
 #include "geometry/robust.h"
 #include "mapping/graph_equations.h"
 #include "mapping/trial.h"
+#include "surface/edges.h"
 
 namespace tool_path_stretcher {
 namespace {
@@ -52,7 +54,7 @@ Anchors surface_anchors(const Surface& reference, const DeformationGraph& graph,
 }
 
 Anchors rim_anchors(const Surface& reference, const DeformationGraph& graph) {
-  const Rim& rim = reference.rim;
+  const Rim& rim = reference.edges;
   return all_of<GraphAnchor>(rim.points.size(), kHundreds,
                              [&](std::size_t i) -> std::optional<GraphAnchor> {
                                if (rim.horizon[i]) return {};
@@ -90,19 +92,20 @@ Constraints along_normals(const Anchors& anchors, const Surface& object, const T
   return all_of<GraphConstraint>(anchors.size(), kHundreds, of_anchor);
 }
 
-/// From the reference's rim to the object's, across it.
+/// From the reference's edges to the object's, across them.
 Constraints along_rims(const Anchors& anchors, const Surface& object, const Mapping& mapping) {
   constexpr double kReach = 0.05;  // of the object's size; chosen
-  if (!object.rim.tree) return {};
+  if (!object.edges.tree) return {};
   const auto of_anchor = [&](std::size_t i) -> std::optional<GraphConstraint> {
     const GraphAnchor& anchor = anchors[i];
     const Eigen::Vector3d mapped =
         mapping.similarity * mapping.graph.moved(anchor.at, anchor.influences);
-    const auto nearest = object.rim.tree->nearest(mapped);
-    if (nearest.squared_distance > std::pow(kReach * object.size, 2)) return {};
-    const Eigen::Vector3d& outward = object.rim.outward[nearest.index];
-    if (outward.dot(mapping.similarity.rotation * anchor.along) < kFacesAlike) return {};
-    const double along = outward.dot(object.rim.points[nearest.index] - mapped);
+    const auto nearest =
+        edge_facing(object.edges, mapped, mapping.similarity.rotation * anchor.along);
+    if (!nearest || (object.edges.points[*nearest] - mapped).norm() > kReach * object.size)
+      return {};
+    const Eigen::Vector3d& outward = object.edges.outward[*nearest];
+    const double along = outward.dot(object.edges.points[*nearest] - mapped);
     return constraint_of(anchor, mapped, outward, along, mapping.similarity);
   };
   return all_of<GraphConstraint>(anchors.size(), kHundreds, of_anchor);
@@ -137,6 +140,11 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
   const Anchors surface = surface_anchors(reference, mapping.graph, density);
   const Anchors rim = rim_anchors(reference, mapping.graph);
   NearestCache in_target(*target.tree, surface.size(), object.spacing);
+  const Eigen::Matrix3d axes =
+      principal_frame(select(reference.points, reference.samples.few)).axes;
+  const auto way_of = [](const GraphConstraint& rim) -> const Eigen::Vector3d& {
+    return rim.direction;
+  };
   double widest = kWidest * reference.size;  // a bulge is no outlier before it was followed
   for (int i = 0; i < kIterations; ++i) {
     const Constraints normals = along_normals(surface, object, target, mapping, in_target);
@@ -144,7 +152,9 @@ Mapping fit(const SurfacePair& surfaces, const Target& target, const ScalePrior&
     const double deviation = std::max(deviation_of(normals), kExact * reference.size);
     GraphEquations equations(mapping.graph, centre);
     equations.add(normals, std::max(deviation, widest));
-    equations.add(rims, std::max({deviation_of(rims), kRimDeviation * reference.spacing, widest}));
+    for (const Constraints& facing : by_facing(rims, axes, way_of))
+      equations.add(facing,
+                    std::max({deviation_of(facing), kRimDeviation * reference.spacing, widest}));
     equations.add_rigidity(kind.along, kind.across);
     equations.add_prior(scale, mapping.similarity.scale);
     const GraphEquations::Step step = equations.solve();

@@ -107,6 +107,7 @@ Surface seeable_part(const Surface& surface, const Points& directions) {
   if (part.points.empty()) return part;
   complete(part);
   mark_horizon(surface, part.rim);
+  std::copy(part.rim.horizon.begin(), part.rim.horizon.end(), part.edges.horizon.begin());
   return part;
 }
 

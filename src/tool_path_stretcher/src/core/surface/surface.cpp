@@ -17,6 +17,7 @@
 #include "scan_cell_common/clouds/fielded_cloud.h"
 #include "scan_cell_common/errors/errors.h"
 #include "surface/complete_surface.h"
+#include "surface/edges.h"
 #include "tool_path_stretcher/seen_from.h"
 
 namespace tool_path_stretcher {
@@ -216,6 +217,7 @@ void complete(Surface& surface) {
   if (!surface.rim.points.empty()) {
     surface.rim.tree = std::make_shared<const KdTree>(surface.rim.points);
   }
+  surface.edges = edges_of(surface);
   for (double& blur : surface.blur)
     blur = std::min(blur, surface.spacing / 2);
   surface.samples = samples_of(surface.points, spacings, surface.spacing);

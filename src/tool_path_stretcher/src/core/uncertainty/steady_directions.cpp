@@ -46,12 +46,12 @@ std::vector<double> steady_rims(const Surface& object, const Mapping& mapping,
   std::vector<KdTree::Neighbour> neighbours;
   std::vector<double> deviations;
   for (GraphConstraint& constraint : constraints) {
-    object.rim.tree->within(outer * constraint.target, kReach * object.spacing, neighbours);
+    object.edges.tree->within(outer * constraint.target, kReach * object.spacing, neighbours);
     const Eigen::Vector3d outward = outer.rotation * constraint.direction;
     Eigen::Vector3d sum = outward;
     double count = 1;
     for (const KdTree::Neighbour& neighbour : neighbours) {
-      const Eigen::Vector3d& other = object.rim.outward[neighbour.index];
+      const Eigen::Vector3d& other = object.edges.outward[neighbour.index];
       if (other.dot(outward) <= 0) continue;
       sum += other;
       count += 1;

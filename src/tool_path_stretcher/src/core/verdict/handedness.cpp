@@ -65,11 +65,13 @@ Surface mirrored(const Surface& surface) {
   Surface result = surface;
   mirror(result.points);
   mirror(result.normals);
-  mirror(result.rim.points);
-  mirror(result.rim.outward);
+  for (Rim* rim : {&result.rim, &result.edges}) {
+    mirror(rim->points);
+    mirror(rim->outward);
+    if (rim->tree) rim->tree = std::make_shared<const KdTree>(rim->points);
+  }
   result.centroid = result.centroid.cwiseProduct(kMirror);
   result.tree = std::make_shared<const KdTree>(result.points);
-  if (result.rim.tree) result.rim.tree = std::make_shared<const KdTree>(result.rim.points);
   return result;
 }
 
