@@ -13,15 +13,15 @@
 namespace laser_triangulation {
 namespace {
 
-constexpr std::size_t kMinCompared = 100;  // fewer say nothing; chosen
-constexpr std::size_t kMaxPartners = 8;    // of a sweep, at one place; chosen
-constexpr std::size_t kMaxRays = 20'000;   // from surfaces to the camera; chosen
-constexpr double kBeside = 0.7e-3;         // [m] of a point that lies above or below; chosen
-constexpr double kPatch = 15e-3;           // [m] of the surface that may have moved alone; chosen
-constexpr std::size_t kMinOnPatch = 4;     // points of which half is not chance; chosen
-constexpr std::size_t kMinApart = 20;      // points; chosen: a patch of several mm
-constexpr double kMinShareApart = 0.02;    // of the points of a pair; chosen
-constexpr double kMinShareShifted = 0.01;  // the same; a small part on a large table; chosen
+constexpr std::size_t kMinCompared = 100;   // fewer say nothing; chosen
+constexpr std::size_t kMaxPartners = 8;     // of a sweep, at one place; chosen
+constexpr std::size_t kMaxRays = 20'000;    // from surfaces to the camera; chosen
+constexpr double kBeside = 0.7e-3;          // [m] of a point that lies above or below; chosen
+constexpr double kPatch = 15e-3;            // [m] of the surface that may have moved alone; chosen
+constexpr std::size_t kMinOnPatch = 4;      // points of which half is not chance; chosen
+constexpr std::size_t kMinApart = 20;       // points; chosen: a patch of several mm
+constexpr double kMinShareApart = 0.02;     // of the points of a pair; chosen
+constexpr double kMinShareShifted = 0.005;  // the same; a small part on a large table; chosen
 
 /// [m] of two sweeps at a place; none where they cannot be compared there.
 std::optional<double> distance(const SweepPatch& one, const SweepPatch& other) {
