@@ -38,13 +38,7 @@ class CoverageOfAFrame : public testing::Test {
   }
 
   std::vector<Eigen::Vector3d> scanned() const {
-    const scan_cell_sim::Scene scene(world_);
-    std::vector<Eigen::Vector3d> cloud;
-    for (const Sweep& sweep : sweeps_of(passes_)) {
-      const auto points = simulated_scan(scene, scanner_, sweep);
-      cloud.insert(cloud.end(), points.begin(), points.end());
-    }
-    return cloud;
+    return simulated_scan(scan_cell_sim::Scene(world_), scanner_, sweeps_of(passes_));
   }
 
  private:

@@ -19,18 +19,6 @@ std::vector<Eigen::Vector3d> read_points(const std::string& file) {
   return points;
 }
 
-std::vector<Eigen::Vector3d> scan_without_cell(const scan_cell_sim::World& world,
-                                               const std::vector<scan_cell::ScanPass>& passes,
-                                               const scan_cell_common::ScannerModel& scanner) {
-  const scan_cell_sim::Scene scene(world);
-  std::vector<Eigen::Vector3d> points;
-  for (const pass_planner::Sweep& sweep : pass_planner::sweeps_of(passes)) {
-    const auto found = pass_planner::simulated_scan(scene, scanner, sweep);
-    points.insert(points.end(), found.begin(), found.end());
-  }
-  return points;
-}
-
 void print(const pass_planner::Coverage& coverage) {
   const scan_cell_sim::CloudError& error = coverage.error;
   std::printf("%zu points; from the true surfaces: RMS %.3f mm, farthest %.3f mm\n", error.points,
@@ -63,7 +51,9 @@ int main(int argc, char** argv) {
     const auto scene = scan_cell_sim::load_world(world);
     print(pass_planner::measure_coverage(
         scene, passes, scanner,
-        cloud.empty() ? scan_without_cell(scene, passes, scanner) : read_points(cloud)));
+        cloud.empty()
+            ? simulated_scan(scan_cell_sim::Scene(scene), scanner, pass_planner::sweeps_of(passes))
+            : read_points(cloud)));
     return 0;
   });
 }

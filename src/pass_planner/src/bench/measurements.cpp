@@ -60,11 +60,7 @@ Agreement measure_agreement(const std::string& scanner, std::uint64_t first_seed
     const SightCheck check(model, surface, as_in_the_cell());
     const PathSight sight = look_along(check, sweeps_of({draw_line(seed)}), places);
     const scan_cell_sim::Scene scene(drawn.world);
-    std::vector<Vector3d> scan;
-    for (const Sweep& sweep : sight.sweeps) {
-      const auto points = simulated_scan(scene, model, sweep);
-      scan.insert(scan.end(), points.begin(), points.end());
-    }
+    const std::vector<Vector3d> scan = simulated_scan(scene, model, sight.sweeps);
     const auto off = distances(positions_of(drawn.true_path), scan);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const bool there = off[i] <= kNear;

@@ -64,4 +64,15 @@ std::vector<Eigen::Vector3d> simulated_scan(const scan_cell_sim::Scene& scene,
   return places;
 }
 
+std::vector<Eigen::Vector3d> simulated_scan(const scan_cell_sim::Scene& scene,
+                                            const scan_cell_common::ScannerModel& scanner,
+                                            const std::vector<Sweep>& sweeps) {
+  std::vector<Eigen::Vector3d> scan;
+  for (const Sweep& sweep : sweeps) {
+    const auto points = simulated_scan(scene, scanner, sweep);
+    scan.insert(scan.end(), points.begin(), points.end());
+  }
+  return scan;
+}
+
 }  // namespace pass_planner

@@ -22,4 +22,9 @@ std::vector<Eigen::Vector3d> simulated_scan(const scan_cell_sim::Scene& scene,
                                             const scan_cell_common::ScannerModel& scanner,
                                             const Sweep& sweep);
 
+/// The same of several sweeps, one after the other.
+std::vector<Eigen::Vector3d> simulated_scan(const scan_cell_sim::Scene& scene,
+                                            const scan_cell_common::ScannerModel& scanner,
+                                            const std::vector<Sweep>& sweeps);
+
 }  // namespace pass_planner
