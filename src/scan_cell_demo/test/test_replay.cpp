@@ -1,6 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <XmlRpcValue.h>
 #include <gtest/gtest.h>
+#include <ros/master.h>
 #include <ros/package.h>
 #include <ros/ros.h>
 #include <rosbag/bag.h>
@@ -129,6 +131,33 @@ TEST_F(Replay, EndsWithAnErrorWhereTheBagHoldsNoScan) {
   EXPECT_NE(complaint("missing.bag").find("missing.bag"), std::string::npos);
   EXPECT_NE(complaint("empty.bag").find("empty.bag: no whole scan"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("out/adapted_path.csv")));
+}
+
+TEST_F(Replay, PlaysNothingBeforeAllWhoSubscribedAreConnected) {
+  scan_cell_demo::record_scan(path("scan.bag"), "late", config("reference_frame.yaml"),
+                              1.7e9 + 3000);
+  save_sampled_reference();
+  // A node that has subscribed to the pulses and cannot be reached.
+  XmlRpc::XmlRpcValue late, answer, payload;
+  late[0] = "/late";
+  late[1] = "/laser_trigger/events";
+  late[2] = "scan_cell_msgs/TriggerEvent";
+  late[3] = "http://localhost:9/";
+  ASSERT_TRUE(ros::master::execute("registerSubscriber", late, answer, payload, false));
+  const auto try_it = [this] {
+    return replay(path("scan.bag"), path("sampled.ply"), path("out"),
+                  " _timeout:=3 2> " + path("stderr"));
+  };
+  EXPECT_EQ(try_it(), 1);
+  const std::string complaint = bytes_of(path("stderr"));
+  EXPECT_NE(complaint.find("/laser_trigger/events: 2 of 3 subscribers connect"), std::string::npos)
+      << complaint;
+  XmlRpc::XmlRpcValue unregister;
+  unregister[0] = late[0];
+  unregister[1] = late[1];
+  unregister[2] = late[3];
+  ASSERT_TRUE(ros::master::execute("unregisterSubscriber", unregister, answer, payload, false));
+  EXPECT_EQ(try_it(), 0) << bytes_of(path("stderr"));
 }
 
 int main(int argc, char** argv) {

@@ -82,7 +82,8 @@ void describe_acquisition(ParameterTable& table, AcquisitionParameters& acquisit
   std::string clock = acquisition.clock.device_is_host ? "host" : "mapped";
   table.choice("device_clock", clock, {"mapped", "host"},
                "host: the camera's clock is the host's (PTP, a camera on this computer) and is "
-               "taken as it is; more than 1 s between them is an error");
+               "taken as it is; more than 1 s between them is an error, where a "
+               "busy host does not explain it");
   acquisition.clock.device_is_host = clock == "host";
   table.add("clock_window", acquisition.clock.window, {0.1, 3600, "s"},
             "over which the least delay is sought");

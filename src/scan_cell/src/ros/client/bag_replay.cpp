@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "client/bag_replay.h"
 
+#include <XmlRpcValue.h>
+#include <fmt/format.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
 #include <rosbag/view.h>
 #include <scan_cell_msgs/CellState.h>
 #include <scan_cell_msgs/PeakProfile.h>
@@ -25,12 +29,33 @@ using scan_cell_msgs::CellState;
 /// subscriber.
 constexpr std::uint32_t kUnboundedQueue = 0;
 
-void wait_for_subscriber(const ros::Publisher& publisher, double timeout) {
+/// How many nodes have subscribed to a topic, connected or not.
+std::size_t registered_subscribers(const std::string& topic) {
+  XmlRpc::XmlRpcValue request(ros::this_node::getName()), answer, state;
+  if (!ros::master::execute("getSystemState", request, answer, state, false)) {
+    throw scan_cell_common::ConnectionError("ROS master", "it does not tell who subscribes",
+                                            "is roscore running?");
+  }
+  XmlRpc::XmlRpcValue& subscriptions = state[1];
+  for (int i = 0; i < subscriptions.size(); ++i) {
+    if (std::string(subscriptions[i][0]) == topic)
+      return static_cast<std::size_t>(subscriptions[i][1].size());
+  }
+  return 0;
+}
+
+/// Other nodes may connect before the binder: until all have, what is published is lost to it.
+void wait_for_subscribers(const ros::Publisher& publisher, double timeout) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
-  while (publisher.getNumSubscribers() == 0) {
+  for (;;) {
+    const std::size_t registered = registered_subscribers(publisher.getTopic());
+    const std::size_t connected = publisher.getNumSubscribers();
+    if (connected > 0 && connected >= registered) return;
     if (!ros::ok() || ros::WallTime::now() > deadline) {
-      throw scan_cell_common::ConnectionError(publisher.getTopic(), "nobody subscribes",
-                                              "is pose_frame_binder running?");
+      throw scan_cell_common::ConnectionError(
+          publisher.getTopic(), fmt::format("{} of {} subscribers connect", connected, registered),
+          registered == 0 ? "is pose_frame_binder running?"
+                          : "if one of them has died: rosnode cleanup");
     }
     ros::WallDuration(0.02).sleep();
   }
@@ -114,7 +139,7 @@ void BagReplay::play(ros::NodeHandle node, double speed, double timeout,
        node.advertise<scan_cell_msgs::PeakProfile>(topics_.profiles, kUnboundedQueue)},
       {topics_.poses, node.advertise<tf2_msgs::TFMessage>(topics_.poses, kUnboundedQueue)}};
   for (const auto& [topic, publisher] : publishers)
-    wait_for_subscriber(publisher, timeout);
+    wait_for_subscribers(publisher, timeout);
 
   const ros::WallTime begin = ros::WallTime::now();
   const double duration = (scan_.end - scan_.start).toSec();

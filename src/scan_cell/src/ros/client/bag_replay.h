@@ -45,8 +45,8 @@ class BagReplay {
 
   /// Publishes the scan's messages in the order they were recorded.
   /// @param speed times real time
-  /// @param timeout [s] to wait for subscribers
-  /// @throw ConnectionError if nobody subscribes
+  /// @param timeout [s] to wait until all who subscribe are connected
+  /// @throw ConnectionError if they are not, or nobody subscribes
   void play(ros::NodeHandle node, double speed, double timeout,
             const std::function<void(double)>& progress);
 
