@@ -28,7 +28,7 @@ struct StretchResult {
   double rms = 0;                     //!< [m] object to aligned reference
   double inlier_ratio = 0;            //!< share of object points that the reference explains
   double overlap = 0;  //!< share of the reference's points that the object covers: of a closed
-                       //!< one, of those that can be seen
+                       //!< one, or where that is too little, of those that can be seen
   double seconds = 0;  //!< of stretch() alone
   std::size_t reference_points = 0;  //!< after reduction
   std::size_t object_points = 0;     //!< after reduction

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "alignment/refinement.h"
+#include "alignment/seeable_overlap.h"
 #include "cores/by_index.h"
 #include "geometry/points.h"
 #include "placement/air.h"
@@ -83,10 +84,13 @@ Adaptation::Adaptation(const SurfacePair& surfaces, const ToolPath& path,
       centroid_(surfaces.reference.centroid),
       partial_(surfaces, parameters.prior) {}
 
-void Adaptation::run(StretchResult& result, std::vector<Fitted>& chosen_from) {
-  std::vector<Fitted> fitted = choose();
+void Adaptation::run(Attempt& attempt) {
+  StretchResult& result = attempt.result;
+  attempt.candidates = search();
+  std::vector<Fitted> fitted = choose(attempt.candidates);
   if (is_thesis(parameters_.method)) put_registration_first(fitted);
-  chosen_from = fitted;
+  count_what_could_be_seen(fitted.front());
+  attempt.fitted = fitted;
   tell(surfaces_.reference, fitted.front(), result);
   bool partial_reference = false;
   if (!is_thesis(parameters_.method) &&
@@ -109,13 +113,20 @@ void Adaptation::run(StretchResult& result, std::vector<Fitted>& chosen_from) {
   adapt(mapping, result);
 }
 
+void Adaptation::count_what_could_be_seen(Fitted& fitted) const {
+  const bool is_tried_from_each_side = surfaces_.reference.closed || surfaces_.reference.whole;
+  double& overlap = fitted.explanation.overlap;
+  if (is_tried_from_each_side || overlap >= parameters_.min_overlap) return;
+  overlap = seeable_overlap(surfaces_, fitted.mapping, parameters_.inlier_distance);
+}
+
 Fitted Adaptation::explained(const Mapping& mapping) const {
   return fitted(surfaces_, mapping, parameters_.inlier_distance);
 }
 
-std::vector<Fitted> Adaptation::choose() {
+std::vector<Candidate> Adaptation::search() {
   const Prior& prior = parameters_.prior;
-  const std::vector<Candidate> candidates =
+  std::vector<Candidate> candidates =
       find_candidates(surfaces_, prior, partial_, stages_.within("align", 0.05, 0.5));
   if (candidates.empty()) {
     refuse_wrong_part(prior.pose || prior.scale.is_known()
@@ -123,6 +134,11 @@ std::vector<Fitted> Adaptation::choose() {
                             "pose given, as far as they may be off"
                           : "no pose of the reference fits the object at all");
   }
+  return candidates;
+}
+
+std::vector<Fitted> Adaptation::choose(const std::vector<Candidate>& candidates) const {
+  const Prior& prior = parameters_.prior;
   std::vector<Fitted> fitted = sketched(candidates);
   drop_doubles(surfaces_.reference, fitted);
   keep_few(path_, parameters_.ambiguity_distance, fitted);

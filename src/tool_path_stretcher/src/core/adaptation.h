@@ -9,6 +9,7 @@
 #include "search/partial_search.h"
 #include "stages.h"
 #include "tool_path_stretcher/stretcher.h"
+#include "views/views.h"
 
 namespace tool_path_stretcher {
 
@@ -20,9 +21,9 @@ class Adaptation {
   Adaptation(const SurfacePair& surfaces, const ToolPath& path, const StretchParameters& parameters,
              const Stages& stages);
 
-  /// Fills in the result, and the mappings it chose from, as far as the work comes.
+  /// Fills in the attempt as far as the work comes.
   /// @throw Refusal
-  void run(StretchResult& result, std::vector<Fitted>& chosen_from);
+  void run(Attempt& attempt);
 
  private:
   /// There is no path: poses differ in nothing that matters.
@@ -30,9 +31,15 @@ class Adaptation {
 
   Fitted explained(const Mapping& mapping) const;
 
-  /// All mappings that may explain the object, best first.
+  /// Where the object covers too little of an open reference: of what a scan from there can show.
+  void count_what_could_be_seen(Fitted& fitted) const;
+
+  /// All poses that may explain the object, best first.
   /// @throw Refusal if there is none
-  std::vector<Fitted> choose();
+  std::vector<Candidate> search();
+
+  /// The mappings that they become, best first.
+  std::vector<Fitted> choose(const std::vector<Candidate>& candidates) const;
 
   /// What the thesis' registration finds, judged beside what the search found.
   /// @throw Refusal

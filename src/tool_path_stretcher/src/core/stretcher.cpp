@@ -30,7 +30,7 @@ StretchResult begun(const Surface& reference, const Surface& object,
 Attempt attempt(const SurfacePair& surfaces, const ToolPath& path,
                 const StretchParameters& parameters, const Stages& stages) {
   const bool is_whole = !parameters.prior.view;
-  Attempt attempt{is_whole, begun(surfaces.reference, surfaces.object, parameters), {}};
+  Attempt attempt{is_whole, begun(surfaces.reference, surfaces.object, parameters)};
   try {
     stages.report("check", 0);
     check_surfaces(surfaces, parameters);
@@ -39,7 +39,7 @@ Attempt attempt(const SurfacePair& surfaces, const ToolPath& path,
     if (has_path && !is_whole) check_seeable(path, surfaces.reference, parameters);
     Adaptation adaptation(surfaces, path, parameters, stages);
     stages.report("align", 0.05);
-    adaptation.run(attempt.result, attempt.fitted);
+    adaptation.run(attempt);
   } catch (const Refusal& refusal) {
     attempt.result.verdict = refusal.verdict;
   }
@@ -52,7 +52,7 @@ StretchResult stretch_closed(const SurfacePair& surfaces, const ToolPath& path,
   constexpr double kFirst = 0.3;  // of the work; a guess for the bar
   std::vector<Attempt> attempts = {
       attempt(surfaces, path, parameters, Stages(progress, 0, kFirst))};
-  const std::vector<ViewPrior> views = possible_views(surfaces, attempts.front().fitted);
+  const std::vector<ViewPrior> views = possible_views(surfaces, attempts.front());
   const double each = (1 - kFirst) / std::max(1.0, static_cast<double>(views.size()));
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (attempts.back().result.verdict.reason == Reason::kCancelled) return attempts.back().result;

@@ -80,7 +80,7 @@ void describe_input(ParameterTable& table, StretchParameters& p) {
             "of the object's points; where the reference shows only a part of it, 95 % of those "
             "that it reaches");
   table.add("min_overlap", p.min_overlap, {0, 1},
-            "of the reference's points; a scan shows one side of a closed part");
+            "of the reference's points, or of those of them that a scan from there can show");
   table.add("ambiguity_distance", p.ambiguity_distance, {1e-6, 10, "m"},
             "two poses differ if they put a waypoint this far apart");
 }

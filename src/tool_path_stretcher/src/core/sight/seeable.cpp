@@ -90,9 +90,12 @@ Surface seeable_part(const Surface& surface, const Points& directions) {
   for (const Eigen::Vector3d& direction : directions) {
     const DepthImage image(surface, direction);
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (seen[i] || surface.normals[i].dot(direction) < kGrazing - kBeside) continue;
+      const double facing = surface.normals[i].dot(direction);
+      const double side = !surface.closed && facing < 0 ? -1 : 1;
+      if (seen[i] || side * facing < kGrazing - kBeside) continue;
       // From off the surface: a wall does not lie under its own upper edge.
-      seen[i] = !image.hides(surface.points[i] + kOff * surface.spacing * surface.normals[i]);
+      seen[i] =
+          !image.hides(surface.points[i] + side * kOff * surface.spacing * surface.normals[i]);
     }
   }
   Surface part;

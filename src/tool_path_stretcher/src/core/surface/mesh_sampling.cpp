@@ -9,6 +9,7 @@
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
 #include "surface/complete_surface.h"
+#include "surface/mesh_repair.h"
 #include "surface/mesh_topology.h"
 #include "tool_path_stretcher/surface.h"
 
@@ -94,7 +95,7 @@ Surface surface_from_mesh(const pcl::PolygonMesh& mesh, const Eigen::Vector3d& l
     if (vertex.allFinite()) continue;
     throw UnusableInput(name, "a vertex is not finite", "export the part again");
   }
-  const std::vector<Triangle> triangles = triangles_of(mesh, vertices, name);
+  const std::vector<Triangle> triangles = repaired(vertices, triangles_of(mesh, vertices, name));
   double area = 0;
   for (const auto& [a, b, c] : triangles) {
     area += (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).norm() / 2;

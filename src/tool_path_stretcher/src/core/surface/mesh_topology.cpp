@@ -24,24 +24,40 @@ std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
   return edges;
 }
 
-/// [m^2] twice the area that spans each line of edges without a neighbour: nothing for a crack,
-/// whose sides run there and back.
-/// @param edges consistently wound: so many of these begin at each vertex as end there
-double twice_open_area(const Points& vertices, const std::vector<Edge>& edges) {
-  std::multimap<std::uint32_t, std::uint32_t> border;
-  for (const Edge& edge : edges) {
-    if (!std::binary_search(edges.begin(), edges.end(), Edge(edge.second, edge.first)))
-      border.insert(edge);
+/// Where more triangles run along an edge one way than the other: there the mesh ends, or its
+/// triangles do not agree.
+struct MeshBorder {
+  std::multimap<std::uint32_t, std::uint32_t> edges;  // so many begin at each vertex as end there
+  bool alike = true;                                  // the mesh ends wherever they are
+};
+
+MeshBorder border_of(const std::vector<Edge>& edges) {
+  MeshBorder border;
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto end = std::upper_bound(edge, edges.end(), *edge);
+    const auto [back, back_end] =
+        std::equal_range(edges.begin(), edges.end(), Edge(edge->second, edge->first));
+    const auto over = (end - edge) - (back_end - back);
+    for (auto i = over; i > 0; --i)
+      border.edges.insert(*edge);
+    border.alike = border.alike && over < 2;
+    edge = end;
   }
+  return border;
+}
+
+/// [m^2] twice the area that spans each line of a border: nothing for a crack, whose sides run
+/// there and back.
+double twice_open_area(const Points& vertices, MeshBorder border) {
   double sum = 0;
-  while (!border.empty()) {
-    const Eigen::Vector3d& origin = vertices[border.begin()->first];
+  while (!border.edges.empty()) {
+    const Eigen::Vector3d& origin = vertices[border.edges.begin()->first];
     Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    for (auto edge = border.begin(); edge != border.end();) {
+    for (auto edge = border.edges.begin(); edge != border.edges.end();) {
       const std::uint32_t to = edge->second;
       area += (vertices[edge->first] - origin).cross(vertices[to] - origin);
-      border.erase(edge);
-      edge = border.find(to);
+      border.edges.erase(edge);
+      edge = border.edges.find(to);
     }
     sum += area.norm();
   }
@@ -62,11 +78,10 @@ double enclosed(const Points& vertices, const std::vector<Triangle>& triangles) 
 MeshTopology topology_of(const Points& vertices, const std::vector<Triangle>& triangles,
                          double area) {
   constexpr double kOpen = 0.02;  // of the area, in holes; chosen
-  const std::vector<Edge> edges = edges_of(triangles);
+  const MeshBorder border = border_of(edges_of(triangles));
   MeshTopology topology;
-  topology.oriented = std::adjacent_find(edges.begin(), edges.end()) == edges.end();
-  if (!topology.oriented) return topology;
-  topology.closed = twice_open_area(vertices, edges) <= 2 * kOpen * area;
+  topology.closed = twice_open_area(vertices, border) <= 2 * kOpen * area;
+  topology.oriented = topology.closed || border.alike;
   topology.inside_out = topology.closed && enclosed(vertices, triangles) < 0;
   return topology;
 }

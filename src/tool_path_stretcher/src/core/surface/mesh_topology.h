@@ -15,7 +15,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// What the triangles of a mesh say of its sides.
 struct MeshTopology {
-  bool oriented = false;    //!< they agree on which side is out
+  bool oriented = false;    //!< they agree on which side is out, but for few where it is closed
   bool closed = false;      //!< oriented, and they enclose the part but for small holes
   bool inside_out = false;  //!< closed, and wound so that the inside is out
 };

@@ -34,10 +34,24 @@ Eigen::Vector3d side_of(const SurfacePair& surfaces, const Mapping& mapping) {
   return sum.isZero() ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : sum.normalized();
 }
 
+/// Those that may be right, the likeliest first.
+std::vector<Mapping> likely(const Attempt& whole) {
+  constexpr double kNear = 1.5;  // times the least cost; chosen
+  std::vector<Mapping> result;
+  for (const Fitted& each : whole.fitted)
+    result.push_back(each.mapping);
+  const auto second = result.begin() + (result.empty() ? 0 : 1);
+  std::vector<Mapping> rigid;
+  for (const Candidate& each : whole.candidates) {
+    if (each.cost < kNear * whole.candidates.front().cost) rigid.push_back({each.similarity, {}});
+  }
+  result.insert(second, rigid.begin(), rigid.end());
+  return result;
+}
+
 }  // namespace
 
-std::vector<ViewPrior> possible_views(const SurfacePair& surfaces,
-                                      const std::vector<Fitted>& fitted) {
+std::vector<ViewPrior> possible_views(const SurfacePair& surfaces, const Attempt& whole) {
   constexpr double kAlike = 20 * M_PI / 180;  // [rad] chosen: what is hidden changes little within
   constexpr std::size_t kMost = 4;            // each is a whole try; chosen
   std::vector<ViewPrior> views;
@@ -49,14 +63,14 @@ std::vector<ViewPrior> possible_views(const SurfacePair& surfaces,
     if (!is_known && views.size() < kMost) views.push_back(view);
   };
   const Points& seen_from = surfaces.object.seen_from;
-  for (const Fitted& each : fitted) {
-    const Eigen::Matrix3d& rotation = each.mapping.similarity.rotation;
+  for (const Mapping& each : likely(whole)) {
+    const Eigen::Matrix3d& rotation = each.similarity.rotation;
     if (!seen_from.empty()) {  // as it lies, or turned over: the other face of a sheet
       add({turned(seen_from, rotation.transpose()), seen_from});
       add({turned(seen_from, -rotation.transpose()), seen_from});
       continue;
     }
-    const Points side = {side_of(surfaces, each.mapping)};
+    const Points side = {side_of(surfaces, each)};
     add({side, turned(side, rotation)});
     add({turned(side, -Eigen::Matrix3d::Identity()), turned(side, -rotation)});
   }

@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "alignment/seeable_overlap.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "sight/seeable.h"
+
+namespace tool_path_stretcher {
+namespace {
+
+/// The direction that the normals, whatever their signs, have in common. Unit length.
+Eigen::Vector3d mean_normal(const Surface& surface) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const std::size_t i : surface.samples.few)
+    sum += surface.normals[i] * surface.normals[i].transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(2);
+}
+
+/// Each from where the object may have been seen, in its frame.
+std::vector<Points> possible_viewers(const Surface& object) {
+  if (!object.seen_from.empty()) return {object.seen_from};
+  const Eigen::Vector3d along = mean_normal(object);
+  return {{along}, {-along}};
+}
+
+}  // namespace
+
+double seeable_overlap(const SurfacePair& surfaces, const Mapping& mapping,
+                       double inlier_distance) {
+  double most = 0;
+  for (Points viewers : possible_viewers(surfaces.object)) {
+    for (Eigen::Vector3d& direction : viewers)
+      direction = mapping.similarity.rotation.transpose() * direction;
+    const Surface seeable = seeable_part(surfaces.reference, viewers);
+    if (seeable.points.empty()) continue;
+    most = std::max(most, explain({seeable, surfaces.object}, mapping, inlier_distance).overlap);
+  }
+  return most;
+}
+
+}  // namespace tool_path_stretcher

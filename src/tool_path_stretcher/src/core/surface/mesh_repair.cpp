@@ -1,0 +1,132 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface/mesh_repair.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace tool_path_stretcher {
+namespace {
+
+/// A side of a triangle.
+struct Side {
+  std::uint32_t low, high;  // vertices
+  std::size_t triangle;
+  bool forward;  // it runs from the lower vertex to the higher one
+};
+
+struct BesideIt {
+  std::size_t triangle;
+  bool alike;  // both run along their common edge in opposite directions
+};
+
+using Neighbours = std::vector<std::vector<BesideIt>>;
+
+/// Without triangles of two equal corners, and with one of each three corners.
+std::vector<Triangle> distinct(const std::vector<Triangle>& triangles) {
+  std::set<Triangle> known;
+  std::vector<Triangle> kept;
+  for (const Triangle& triangle : triangles) {
+    Triangle corners = triangle;
+    std::sort(corners.begin(), corners.end());
+    if (corners[0] == corners[1] || corners[1] == corners[2]) continue;
+    if (known.insert(corners).second) kept.push_back(triangle);
+  }
+  return kept;
+}
+
+std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(triangles[i][k], triangles[i][(k + 1) % 3]);
+      sides.push_back({low, high, i, triangles[i][k] == low});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return sides;
+}
+
+/// Across edges where two triangles meet.
+Neighbours neighbours_of(const std::vector<Triangle>& triangles) {
+  const std::vector<Side> sides = sides_of(triangles);
+  Neighbours neighbours(triangles.size());
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last = std::find_if(first, sides.end(), [&](const Side& each) {
+      return each.low != first->low || each.high != first->high;
+    });
+    if (last - first == 2) {
+      const Side& one = *first;
+      const Side& other = *(first + 1);
+      const bool alike = one.forward != other.forward;
+      neighbours[one.triangle].push_back({other.triangle, alike});
+      neighbours[other.triangle].push_back({one.triangle, alike});
+    }
+    first = last;
+  }
+  return neighbours;
+}
+
+/// Triangles that hang together, and which of them are wound the other way round than the first.
+struct Piece {
+  std::vector<std::size_t> triangles;
+  std::vector<bool> turned;  // of each of those
+  bool closed = true;        // each has three neighbours
+};
+
+Piece piece_from(std::size_t first, const Neighbours& neighbours, std::vector<bool>& taken) {
+  Piece piece{{first}, {false}};
+  taken[first] = true;
+  for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+    const auto& beside = neighbours[piece.triangles[i]];
+    piece.closed = piece.closed && beside.size() == 3;
+    for (const BesideIt& neighbour : beside) {
+      if (taken[neighbour.triangle]) continue;
+      taken[neighbour.triangle] = true;
+      piece.triangles.push_back(neighbour.triangle);
+      piece.turned.push_back(piece.turned[i] == neighbour.alike);
+    }
+  }
+  return piece;
+}
+
+/// Below 0 where the piece, wound as its first triangle, should be turned over: [m^3] what it
+/// encloses where it is closed, else [m^2] how much more of its area is wound so than otherwise.
+double rightness(const Points& vertices, const std::vector<Triangle>& triangles,
+                 const Piece& piece) {
+  const Eigen::Vector3d& origin = vertices[triangles[piece.triangles.front()][0]];
+  double sum = 0;
+  for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+    const auto& [a, b, c] = triangles[piece.triangles[i]];
+    const Eigen::Vector3d area = (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
+    const double each = piece.closed ? (vertices[a] - origin).dot(area) : area.norm();
+    sum += piece.turned[i] ? -each : each;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Triangle> repaired(const Points& vertices, const std::vector<Triangle>& triangles) {
+  std::vector<Triangle> result = distinct(triangles);
+  const Neighbours neighbours = neighbours_of(result);
+  std::vector<bool> taken(result.size(), false);
+  for (std::size_t first = 0; first < taken.size(); ++first) {
+    if (taken[first]) continue;
+    const Piece piece = piece_from(first, neighbours, taken);
+    const bool over = rightness(vertices, result, piece) < 0;
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+      Triangle& triangle = result[piece.triangles[i]];
+      if (piece.turned[i] != over) std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return result;
+}
+
+}  // namespace tool_path_stretcher
