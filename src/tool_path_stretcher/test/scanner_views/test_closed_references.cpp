@@ -209,6 +209,10 @@ TEST(ClosedReferences, NeedNotBeSeenFromAllSides) {
   expect_right("moved: ribbed bracket, moved");
 }
 
+TEST(ScannedReferences, TiltNoToolWhereAnEdgeIsOnlyRoundedOff) {
+  expect_right("scaled, scan as reference: stepped block, scaled, scan as reference");
+}
+
 TEST(ClosedReferences, OfAGearAreNotLaidOnTheWrongTeeth) {
   const View view = view_of_case("dented: gear plate, dented");
   const Answer answer = run_ours(view);

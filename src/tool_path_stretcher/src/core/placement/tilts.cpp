@@ -68,6 +68,7 @@ struct Slope {
   double variance;    // of each component
   double signal;      // of each component, of the waypoints around: as in a dent
   bool corroborated;  // by neighbours: one waypoint alone sees an edge rather than a dent
+  bool moved;         // the surface is not only tilted there but moved, as by a dent or a file
 };
 
 /// Of each component of the slopes that most of the waypoints around have, beyond their errors.
@@ -81,6 +82,15 @@ double signal_around(const std::vector<Seen>& near) {
     variances.push_back(each.surface.slope_variance);
   }
   return variance_beyond(squares, variances, kMedianOfTwo, kErrors);
+}
+
+/// Whether the heights around are what such a slope makes of a surface: where an edge is rounded
+/// off by sampling and mixed points, they are far less.
+bool moved_by(const Eigen::Vector3d& slope, const std::vector<Seen>& near, double width) {
+  constexpr double kShare = 0.6;  // of the rise over a width; chosen
+  const double least = kShare * slope.norm() * width;
+  return std::any_of(near.begin(), near.end(),
+                     [least](const Seen& each) { return std::abs(each.surface.height) >= least; });
 }
 
 Slope common_slope(const Track& track, std::size_t at, double width) {
@@ -101,17 +111,22 @@ Slope common_slope(const Track& track, std::size_t at, double width) {
   // Less is trusted where they disagree (Birge 1932).
   const double scatter = weights > 0 ? std::max(1.0, misfit / weights) : 1;
   return {trend.here, scatter * trend.variance * track.stations[at].surface.slope_variance,
-          signal_around(near), near.size() >= kLeast};
+          signal_around(near), near.size() >= kLeast, moved_by(trend.here, near, width)};
 }
 
 /// @param before of each component of the slope, before it was measured
 Tilt measured_tilt(const Slope& slope, double before, bool follow) {
   constexpr double kStandsOut = 9;  // variances: three standard deviations
+  constexpr double kDoubt = 0.01;   // one edge of a hundred is tilted and not moved; chosen
   const double square = slope.here.squaredNorm() / 2;
   const double own = slope.corroborated ? square - kStandsOut * slope.variance : 0;
-  const double likely = followed(std::max({before, slope.signal, own}), slope.variance);
+  const double shown = slope.moved ? std::max(slope.signal, own) : 0;
+  const double likely = followed(std::max(before, shown), slope.variance);
   const double taken = follow ? likely : 0;
-  return {taken * slope.here, likely * slope.variance + std::pow(likely - taken, 2) * square};
+  const bool rounded_off = slope.corroborated && !slope.moved;
+  const double doubt = rounded_off ? kDoubt * std::pow(1 - likely, 2) * square : 0;
+  return {taken * slope.here,
+          likely * slope.variance + std::pow(likely - taken, 2) * square + doubt};
 }
 
 }  // namespace
