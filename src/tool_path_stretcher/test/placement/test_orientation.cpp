@@ -51,20 +51,22 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// A waypoint on a flat part that shows a slope.
+constexpr double kWidth = 0.006;  // [m]
+
+/// A waypoint on a flat part that shows a slope, as on the flank of a dent: as high as the slope
+/// rises over a width.
 Station station(double slope, bool measured = true) {
   Station result{};
   result.in_air = false;
   result.surface.measured = measured;
   result.surface.normal = result.normal = Eigen::Vector3d::UnitZ();
   result.surface.slope = (measured ? slope : 0) * Eigen::Vector3d::UnitX();
+  result.surface.height = kWidth * (measured ? slope : 0);
   result.surface.slope_variance = measured ? std::pow(0.01, 2) : 0;
   result.turn.setIdentity();
   result.turn_covariance = std::pow(0.001, 2) * Eigen::Matrix3d::Identity();
   return result;
 }
-
-constexpr double kWidth = 0.006;  // [m]
 
 Track track_of(const std::vector<Station>& stations) {
   Track track{stations, {}};
@@ -132,6 +134,16 @@ TEST(Tilts, OfASlopeThatNeighboursShowAreFollowed) {
   for (const Tilt& tilt : tilts_along(track, kWidth, {}, true)) {
     EXPECT_NEAR(tilt.slope.x(), 0.2, 0.02);
     EXPECT_LT(std::sqrt(tilt.variance), 0.02);
+  }
+}
+
+TEST(Tilts, OfASurfaceThatIsTiltedButNotMovedAreNotFollowedAndDoubtedALittle) {
+  Station rounded_off = station(0.2);
+  rounded_off.surface.height /= 5;
+  const Track track = track_of(std::vector<Station>(9, rounded_off));
+  for (const Tilt& tilt : tilts_along(track, kWidth, {}, true)) {
+    EXPECT_LT(tilt.slope.norm(), 0.005);
+    EXPECT_NEAR(std::sqrt(2 * tilt.variance), 0.1 * 0.2, 0.01);
   }
 }
 
