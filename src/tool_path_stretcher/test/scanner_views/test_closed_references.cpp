@@ -22,10 +22,6 @@ namespace {
 
 const Vector3d kAbove = Vector3d::UnitZ();
 
-Surface surface_of(const Mesh& mesh) {
-  return surface_from_mesh(to_polygon_mesh(mesh), StretchParameters().leaf, "mesh");
-}
-
 /// Of 100 mm.
 /// @param cracked its first line and its last one are not the same to the last bit
 Mesh ball(bool cracked = false) {
@@ -56,13 +52,6 @@ Mesh fine_sheet() {
       builder.quad(at(c, r), at(c + 1, r), at(c + 1, r + 1), at(c, r + 1));
   }
   return builder.take();
-}
-
-/// The same surface, each triangle turned round.
-Mesh inside_out(Mesh mesh) {
-  for (auto& triangle : mesh.triangles)
-    std::swap(triangle[0], triangle[1]);
-  return mesh;
 }
 
 /// Points inside the outline of the upper block, between two heights [m], that face the direction.
@@ -119,7 +108,7 @@ TEST(SeenFrom, IsNotKnownOfCloudsThatDoNotSay) {
 }
 
 TEST(ClosedMesh, PointsOutWhateverItsWinding) {
-  for (const Mesh& mesh : {step(), inside_out(step())}) {
+  for (const Mesh& mesh : {step(), wound_otherwise(step())}) {
     const Surface surface = surface_of(mesh);
     EXPECT_TRUE(surface.closed);
     EXPECT_EQ(count(surface, 0.0399, 1, kAbove), count(surface, 0.0399, 1));

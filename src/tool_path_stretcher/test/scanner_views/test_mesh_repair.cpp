@@ -7,18 +7,12 @@
 #include "scanner_views/blocks.h"
 #include "scanner_views/parts/mesh_builder.h"
 #include "surface/mesh_repair.h"
-#include "tool_path_stretcher/stretch_parameters.h"
-#include "tool_path_stretcher/surface.h"
 
 using namespace scanner_views;
 using namespace tool_path_stretcher;
 using Eigen::Vector3d;
 
 namespace {
-
-Surface surface_of(const Mesh& mesh) {
-  return surface_from_mesh(to_polygon_mesh(mesh), StretchParameters().leaf, "mesh");
-}
 
 Mesh together(Mesh one, const Mesh& other) {
   const auto first = static_cast<std::uint32_t>(one.vertices.size());
@@ -36,13 +30,6 @@ Mesh cube_at(const Vector3d& middle) {
     const Vector3d steps = ((at + middle) / 1e-6).array().round();
     return 1e-6 * steps;
   });
-}
-
-/// Triangles of which the number divides by `each`, turned round.
-Mesh turned(Mesh mesh, std::size_t each) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += each)
-    std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
-  return mesh;
 }
 
 /// The share of the samples whose normals point away from the nearest of the middles.
@@ -65,7 +52,7 @@ const Vector3d kBeside(0.05, 0.05, 0);
 
 TEST(BrokenMesh, PointsOutWhereTrianglesAreWoundEitherWay) {
   for (const std::size_t each : {2, 3, 7}) {
-    const Surface surface = surface_of(turned(cube_at({0, 0, 0}), each));
+    const Surface surface = surface_of(wound_otherwise(cube_at({0, 0, 0}), each));
     EXPECT_TRUE(surface.closed) << each;
     EXPECT_EQ(share_out(surface, {kMiddle}), 1) << each;
   }
@@ -80,7 +67,7 @@ TEST(BrokenMesh, IsClosedWhereTwoBodiesTouchAlongAnEdge) {
 
 TEST(BrokenMesh, PointsOutWhereOneOfTwoBodiesIsInsideOut) {
   const Vector3d apart(0.2, 0, 0);
-  const Surface surface = surface_of(together(cube_at({0, 0, 0}), turned(cube_at(apart), 1)));
+  const Surface surface = surface_of(together(cube_at({0, 0, 0}), wound_otherwise(cube_at(apart))));
   EXPECT_TRUE(surface.closed);
   EXPECT_EQ(share_out(surface, {kMiddle, kMiddle + apart}), 1);
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "geometry/points.h"
 #include "sight/seeable.h"
 
 namespace tool_path_stretcher {
@@ -30,10 +31,9 @@ std::vector<Points> possible_viewers(const Surface& object) {
 double seeable_overlap(const SurfacePair& surfaces, const Mapping& mapping,
                        double inlier_distance) {
   double most = 0;
-  for (Points viewers : possible_viewers(surfaces.object)) {
-    for (Eigen::Vector3d& direction : viewers)
-      direction = mapping.similarity.rotation.transpose() * direction;
-    const Surface seeable = seeable_part(surfaces.reference, viewers);
+  const Eigen::Matrix3d to_reference = mapping.similarity.rotation.transpose();
+  for (const Points& viewers : possible_viewers(surfaces.object)) {
+    const Surface seeable = seeable_part(surfaces.reference, turned(viewers, to_reference));
     if (seeable.points.empty()) continue;
     most = std::max(most, explain({seeable, surfaces.object}, mapping, inlier_distance).overlap);
   }

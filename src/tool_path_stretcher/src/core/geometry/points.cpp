@@ -78,6 +78,13 @@ Points select(const Points& points, const std::vector<std::size_t>& indices) {
   return selected;
 }
 
+Points turned(const Points& points, const Eigen::Matrix3d& rotation) {
+  Points result;
+  for (const Eigen::Vector3d& point : points)
+    result.push_back(rotation * point);
+  return result;
+}
+
 PrincipalFrame principal_frame(const Points& points) {
   PrincipalFrame frame;
   frame.centroid.setZero();

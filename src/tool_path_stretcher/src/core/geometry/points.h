@@ -18,6 +18,8 @@ std::vector<std::size_t> spread_evenly(const Points& points, std::size_t most);
 
 Points select(const Points& points, const std::vector<std::size_t>& indices);
 
+Points turned(const Points& points, const Eigen::Matrix3d& rotation);
+
 /// Centroid, principal axes (columns, right-handed, longest first) and the standard deviation along
 /// each [m].
 struct PrincipalFrame {

@@ -121,16 +121,19 @@ bool is_resolved(const Surface& reference, const std::vector<Residual>& residual
   return static_cast<double>(off) < kShare * static_cast<double>(residuals.size());
 }
 
-}  // namespace
-
-bool leaves_more(const SurfacePair& surfaces, const Mapping& mapping, const Trial& trial) {
+/// @param scale of the mapping that leaves them
+bool leave_more(const SurfacePair& surfaces, double scale, const std::vector<Residual>& residuals) {
   constexpr double kMinCommon = 0.1;  // below, there is nothing for a graph to explain; chosen
-  const std::vector<Residual> residuals =
-      residuals_of(surfaces.reference, mapping, trial.halves.held_out);
-  const double scale = mapping.similarity.scale;
   const double unresolved = resolution(surfaces, scale) / scale;  // [m, reference]
   return !is_resolved(surfaces.reference, residuals, unresolved) &&
          common_share(surfaces.reference, residuals) >= kMinCommon;
+}
+
+}  // namespace
+
+bool leaves_more(const SurfacePair& surfaces, const Mapping& mapping, const Trial& trial) {
+  return leave_more(surfaces, mapping.similarity.scale,
+                    residuals_of(surfaces.reference, mapping, trial.halves.held_out));
 }
 
 Trial trial_of(const SurfacePair& surfaces, const Similarity& similarity) {
@@ -139,9 +142,10 @@ Trial trial_of(const SurfacePair& surfaces, const Similarity& similarity) {
   const auto& [reference, object] = surfaces;
   Trial trial{split_in_blocks(object, kBlock * object.size), kCut * reference.size, {}};
   if (trial.halves.training.points.empty() || trial.halves.held_out.empty()) return trial;
-  const Mapping as_it_is{similarity, {}};
-  if (leaves_more(surfaces, as_it_is, trial))
-    trial.squares = held_out_squares(reference, as_it_is, trial);
+  const std::vector<Residual> at_first =
+      residuals_of(reference, {similarity, {}}, trial.halves.held_out);
+  if (leave_more(surfaces, similarity.scale, at_first))
+    trial.squares = squares_of(reference, at_first, trial);
   return trial;
 }
 

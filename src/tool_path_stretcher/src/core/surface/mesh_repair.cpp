@@ -5,18 +5,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
-#include <tuple>
 #include <utility>
+
+#include "surface/mesh_sides.h"
 
 namespace tool_path_stretcher {
 namespace {
-
-/// A side of a triangle.
-struct Side {
-  std::uint32_t low, high;  // vertices
-  std::size_t triangle;
-  bool forward;  // it runs from the lower vertex to the higher one
-};
 
 struct BesideIt {
   std::size_t triangle;
@@ -38,38 +32,17 @@ std::vector<Triangle> distinct(const std::vector<Triangle>& triangles) {
   return kept;
 }
 
-std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangles[i][k], triangles[i][(k + 1) % 3]);
-      sides.push_back({low, high, i, triangles[i][k] == low});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return sides;
-}
-
 /// Across edges where two triangles meet.
 Neighbours neighbours_of(const std::vector<Triangle>& triangles) {
-  const std::vector<Side> sides = sides_of(triangles);
   Neighbours neighbours(triangles.size());
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(first, sides.end(), [&](const Side& each) {
-      return each.low != first->low || each.high != first->high;
-    });
-    if (last - first == 2) {
-      const Side& one = *first;
-      const Side& other = *(first + 1);
-      const bool alike = one.forward != other.forward;
-      neighbours[one.triangle].push_back({other.triangle, alike});
-      neighbours[other.triangle].push_back({one.triangle, alike});
-    }
-    first = last;
-  }
+  for_each_edge(sides_of(triangles), [&neighbours](auto first, auto last) {
+    if (last - first != 2) return;
+    const Side& one = *first;
+    const Side& other = *(first + 1);
+    const bool alike = one.forward != other.forward;
+    neighbours[one.triangle].push_back({other.triangle, alike});
+    neighbours[other.triangle].push_back({one.triangle, alike});
+  });
   return neighbours;
 }
 

@@ -4,25 +4,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
+#include "surface/mesh_sides.h"
+
 namespace tool_path_stretcher {
 namespace {
-
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-/// The directed edges of all triangles, sorted.
-std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
-  std::vector<Edge> edges;
-  edges.reserve(triangles.size() * 3);
-  for (const Triangle& triangle : triangles) {
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.emplace_back(triangle[i], triangle[(i + 1) % 3]);
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
 
 /// Where more triangles run along an edge one way than the other: there the mesh ends, or its
 /// triangles do not agree.
@@ -31,18 +20,20 @@ struct MeshBorder {
   bool alike = true;                                  // the mesh ends wherever they are
 };
 
-MeshBorder border_of(const std::vector<Edge>& edges) {
+MeshBorder border_of(const std::vector<Side>& sides) {
   MeshBorder border;
-  for (auto edge = edges.begin(); edge != edges.end();) {
-    const auto end = std::upper_bound(edge, edges.end(), *edge);
-    const auto [back, back_end] =
-        std::equal_range(edges.begin(), edges.end(), Edge(edge->second, edge->first));
-    const auto over = (end - edge) - (back_end - back);
-    for (auto i = over; i > 0; --i)
-      border.edges.insert(*edge);
-    border.alike = border.alike && over < 2;
-    edge = end;
-  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for_each_edge(sides, [&](auto first, auto last) {
+    const auto forth = std::count_if(first, last, [](const Side& each) { return each.forward; });
+    const auto over = 2 * forth - (last - first);
+    const auto [from, to] =
+        over > 0 ? std::pair(first->low, first->high) : std::pair(first->high, first->low);
+    edges.insert(edges.end(), static_cast<std::size_t>(std::abs(over)), {from, to});
+    border.alike = border.alike && std::abs(over) < 2;
+  });
+  std::sort(edges.begin(),
+            edges.end());  // the lines of a border do not depend on the order of triangles
+  border.edges.insert(edges.begin(), edges.end());
   return border;
 }
 
@@ -78,7 +69,7 @@ double enclosed(const Points& vertices, const std::vector<Triangle>& triangles) 
 MeshTopology topology_of(const Points& vertices, const std::vector<Triangle>& triangles,
                          double area) {
   constexpr double kOpen = 0.02;  // of the area, in holes; chosen
-  const MeshBorder border = border_of(edges_of(triangles));
+  const MeshBorder border = border_of(sides_of(triangles));
   MeshTopology topology;
   topology.closed = twice_open_area(vertices, border) <= 2 * kOpen * area;
   topology.oriented = topology.closed || border.alike;

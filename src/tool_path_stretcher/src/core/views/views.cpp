@@ -7,19 +7,13 @@
 #include <utility>
 
 #include "geometry/kd_tree.h"
+#include "geometry/points.h"
 #include "placement/air.h"
 #include "verdict/ambiguity.h"
 #include "verdict/checks.h"
 
 namespace tool_path_stretcher {
 namespace {
-
-Points turned(const Points& directions, const Eigen::Matrix3d& rotation) {
-  Points result;
-  for (const Eigen::Vector3d& direction : directions)
-    result.push_back(rotation * direction);
-  return result;
-}
 
 /// The mean of the reference's normals where the object lies on it.
 Eigen::Vector3d side_of(const SurfacePair& surfaces, const Mapping& mapping) {
