@@ -172,6 +172,7 @@ class Recipes(unittest.TestCase):
         self.check_sight(result.folder)
         with open(os.path.join(result.folder, 'report.json')) as file:
             self.check_signs(os.path.basename(result.folder), len(json.load(file)['quality']))
+        self.check_unseen_are_shown(result.folder)
         result = self.run_recipe(recipe='frame', work=7)
         self.assertEqual(result.outcome, RunRecipeResult.NONE)
         self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)
@@ -207,6 +208,32 @@ class Recipes(unittest.TestCase):
         print('%d waypoints, %d said to be seen, %d of these measured' % (said[1]['waypoints'], len(seen), len(measured)))
         self.assertGreater(len(seen), 100)
         self.assertGreaterEqual(len(measured), 0.95 * len(seen))
+
+    def check_unseen_are_shown(self, folder):
+        """rviz shows each waypoint that the scan could not see by its kind, with a line to what hid it."""
+        file = os.path.join(folder, 'sight.json')
+        with open(file) as opened:
+            sight = json.load(opened)
+        hidden, grazing, outside = sight['best'][:3]
+        hidden.update(sight='shadowed', obstacle=[0.1, 0.2, 0.3])
+        grazing.update(sight='grazing')
+        outside.update(sight='out_of_range')
+        with open(file, 'w') as opened:
+            json.dump(sight, opened)
+        unseen = []
+        rospy.Subscriber('/part_recipes/unseen', MarkerArray, unseen.append)
+        self.assertTrue(rospy.ServiceProxy('/part_recipes/describe', DescribeRun)(run=os.path.basename(folder)).success)
+        shown = lambda: {each.ns: [[p.x, p.y, p.z] for p in each.points] for each in unseen[-1].markers} if unseen else {}
+        end = rospy.Time.now() + rospy.Duration(PATIENCE)
+        while not shown().get('shadowed'):
+            self.assertLess(rospy.Time.now(), end)
+            rospy.sleep(0.02)
+        others = [each['position'] for each in sight['best'][3:] if each['sight'] != 'seen']
+        self.assertIn(hidden['position'], shown()['shadowed'])
+        self.assertIn(grazing['position'], shown()['grazing'])
+        self.assertIn(outside['position'], shown()['out_of_range'])
+        self.assertEqual(shown()['obstacles'][:2], [hidden['position'], hidden['obstacle']])
+        self.assertEqual(sum(len(shown()[kind]) for kind in ('shadowed', 'grazing', 'out_of_range')), 3 + len(others))
 
     def test_a_recipe_that_is_not_there_is_named(self):
         result = self.run_recipe(recipe='../frame')
