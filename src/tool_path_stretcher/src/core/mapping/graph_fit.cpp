@@ -32,8 +32,6 @@ struct GraphKind {
 constexpr GraphKind kBending = {0.7, 0.002, 0.02};
 /// Of what swells, too; chosen.
 constexpr GraphKind kSwelling = {1, 0.02, 0.02};
-/// Of what is deformed strongly, as a thick part that bends; chosen.
-constexpr GraphKind kSoft = {0.7, 0.06, 0.06};
 
 Target target_of(const Surface& object) {
   return {object.points, object.normals, object.tree};
@@ -280,20 +278,11 @@ Mapping fit_deformation(const SurfacePair& surfaces, const Similarity& similarit
                                  i == 0 ? kBending : kSwelling, trial);
   });
   const bool has_swelled = swelled(surfaces, justified[0], justified[1]);
-  Justified best = justified[has_swelled ? 1 : 0];
-  if (best.mapping.graph.empty()) return best.mapping;
-  const GraphKind* kind = has_swelled ? &kSwelling : &kBending;
-  if (leaves_more(surfaces, best.mapping, trial)) {
-    constexpr double kMinGain = 0.3;  // of the sum of squares: a part is rather stiff; chosen
-    const Justified soft =
-        justified_deformation(surfaces, similarity, scale, finest_level, kSoft, trial);
-    if (explains_better(best.squares, soft.squares, kMinGain)) {
-      best = soft;
-      kind = &kSoft;
-    }
-  }
-  return rebased(surfaces.reference, fit(surfaces, target_of(surfaces.object), scale,
-                                         Density::kMany, *kind, 0, best.mapping));
+  const Mapping& best = justified[has_swelled ? 1 : 0].mapping;
+  if (best.graph.empty()) return best;
+  return rebased(surfaces.reference,
+                 fit(surfaces, target_of(surfaces.object), scale, Density::kMany,
+                     has_swelled ? kSwelling : kBending, 0, best));
 }
 
 Mapping sketch_deformation(const SurfacePair& surfaces, const Similarity& similarity,

@@ -121,30 +121,21 @@ bool is_resolved(const Surface& reference, const std::vector<Residual>& residual
   return static_cast<double>(off) < kShare * static_cast<double>(residuals.size());
 }
 
-/// @param scale of the mapping that leaves them
-bool leave_more(const SurfacePair& surfaces, double scale, const std::vector<Residual>& residuals) {
-  constexpr double kMinCommon = 0.1;  // below, there is nothing for a graph to explain; chosen
-  const double unresolved = resolution(surfaces, scale) / scale;  // [m, reference]
-  return !is_resolved(surfaces.reference, residuals, unresolved) &&
-         common_share(surfaces.reference, residuals) >= kMinCommon;
-}
-
 }  // namespace
 
-bool leaves_more(const SurfacePair& surfaces, const Mapping& mapping, const Trial& trial) {
-  return leave_more(surfaces, mapping.similarity.scale,
-                    residuals_of(surfaces.reference, mapping, trial.halves.held_out));
-}
-
 Trial trial_of(const SurfacePair& surfaces, const Similarity& similarity) {
-  constexpr double kBlock = 0.25;  // of the object's size; chosen
-  constexpr double kCut = 0.02;    // of the reference's size; chosen
+  constexpr double kBlock = 0.25;     // of the object's size; chosen
+  constexpr double kCut = 0.02;       // of the reference's size; chosen
+  constexpr double kMinCommon = 0.1;  // below, there is nothing for a graph to explain; chosen
   const auto& [reference, object] = surfaces;
   Trial trial{split_in_blocks(object, kBlock * object.size), kCut * reference.size, {}};
   if (trial.halves.training.points.empty() || trial.halves.held_out.empty()) return trial;
   const std::vector<Residual> at_first =
       residuals_of(reference, {similarity, {}}, trial.halves.held_out);
-  if (leave_more(surfaces, similarity.scale, at_first))
+  const double unresolved =
+      resolution(surfaces, similarity.scale) / similarity.scale;  // [m, reference]
+  if (!is_resolved(reference, at_first, unresolved) &&
+      common_share(reference, at_first) >= kMinCommon)
     trial.squares = squares_of(reference, at_first, trial);
   return trial;
 }
@@ -154,8 +145,8 @@ std::vector<double> held_out_squares(const Surface& reference, const Mapping& ma
   return squares_of(reference, residuals_of(reference, mapping, trial.halves.held_out), trial);
 }
 
-bool explains_better(const std::vector<double>& before, const std::vector<double>& after,
-                     double min_gain) {
+bool explains_better(const std::vector<double>& before, const std::vector<double>& after) {
+  constexpr double kMinGain = 0.05;      // of the sum of squares; chosen
   constexpr double kSignificance = 1.5;  // standard deviations of the sum over blocks; chosen
   double sum = 0;
   double gain = 0;
@@ -167,7 +158,7 @@ bool explains_better(const std::vector<double>& before, const std::vector<double
   }
   const double mean = gain / static_cast<double>(before.size());
   const double deviation = std::sqrt(squares - mean * gain);
-  return gain > min_gain * sum && gain > kSignificance * deviation;
+  return gain > kMinGain * sum && gain > kSignificance * deviation;
 }
 
 }  // namespace tool_path_stretcher

@@ -40,13 +40,8 @@ Trial trial_of(const SurfacePair& surfaces, const Similarity& similarity);
 std::vector<double> held_out_squares(const Surface& reference, const Mapping& mapping,
                                      const Trial& trial);
 
-/// Whether the points held out lie off the mapped reference in a way that a graph could explain.
-bool leaves_more(const SurfacePair& surfaces, const Mapping& mapping, const Trial& trial);
-
 /// Whether the residuals fall by more than a little, and over the whole of the part rather than in
 /// one block of it.
-/// @param min_gain of the sum of squares
-bool explains_better(const std::vector<double>& before, const std::vector<double>& after,
-                     double min_gain = 0.05);  // chosen
+bool explains_better(const std::vector<double>& before, const std::vector<double>& after);
 
 }  // namespace tool_path_stretcher
