@@ -90,7 +90,6 @@ void Adaptation::run(Attempt& attempt) {
   std::vector<Fitted> fitted = choose(attempt.candidates);
   if (is_thesis(parameters_.method)) put_registration_first(fitted);
   count_what_could_be_seen(fitted.front());
-  attempt.fitted = fitted;
   tell(surfaces_.reference, fitted.front(), result);
   bool partial_reference = false;
   if (!is_thesis(parameters_.method) &&
@@ -98,10 +97,12 @@ void Adaptation::run(Attempt& attempt) {
     if (const auto pose = pose_of_partial_reference(path_, surfaces_, partial_, parameters_)) {
       fitted = {explained({*pose, {}})};
       partial_reference = true;
-      tell(surfaces_.reference, fitted.front(), result);
     }
   }
-  result.verdict.candidates = check_choice(fitted, partial_reference);
+  const std::vector<Fitted> slid = slide_on(fitted.front());
+  attempt.fitted = fitted;
+  tell(surfaces_.reference, fitted.front(), result);
+  result.verdict.candidates = check_choice(fitted, slid, partial_reference);
   if (lays_only()) return;
   result.verdict.message =
       accepted_message(fitted.front(), partial_reference, !result.verdict.candidates.empty());
@@ -193,7 +194,29 @@ void Adaptation::deform(std::vector<Fitted>& fitted) const {
   sort_best_first(fitted);
 }
 
+std::vector<Fitted> Adaptation::slide_on(Fitted& best) const {
+  constexpr int kMost = 4;  // times; chosen
+  const ScalePrior& scale = parameters_.prior.scale;
+  std::vector<Fitted> slid;
+  for (int i = 0; i < kMost; ++i) {
+    slid.clear();
+    if (best.explanation.inlier_ratio < parameters_.min_inlier_ratio) break;
+    for (const Mapping& each : slid_along_itself(surfaces_, best.mapping, scale)) {
+      if (parameters_.prior.allows(each.similarity, centroid_)) slid.push_back(explained(each));
+    }
+    if (is_thesis(parameters_.method)) break;
+    const auto better = std::find_if(slid.begin(), slid.end(), [&best](const Fitted& each) {
+      return clearly_better(each.explanation, best.explanation);
+    });
+    if (better == slid.end()) break;
+    best = explained(fit_deformation(surfaces_, better->mapping.similarity, scale,
+                                     parameters_.deformation_level));
+  }
+  return slid;
+}
+
 std::vector<PoseCandidate> Adaptation::check_choice(const std::vector<Fitted>& fitted,
+                                                    const std::vector<Fitted>& slid,
                                                     bool partial_reference) {
   constexpr double kWhole = 0.95;  // of either surface's points; chosen
   const Fitted& best = fitted.front();
@@ -204,15 +227,12 @@ std::vector<PoseCandidate> Adaptation::check_choice(const std::vector<Fitted>& f
   check_overlap(best, parameters_);
   check_deformation(surfaces_.reference, best.mapping, parameters_);
   std::vector<PoseCandidate> alike;
-  for (std::size_t i = 1; i < fitted.size(); ++i) {
-    if (check_unambiguous(path_, surfaces_, best, fitted[i], parameters_))
-      alike.push_back(candidate_of(path_, fitted[i].mapping));
-  }
-  for (const Mapping& slid : slid_along_itself(surfaces_, best.mapping, parameters_.prior.scale)) {
-    if (!parameters_.prior.allows(slid.similarity, centroid_)) continue;
-    if (check_unambiguous(path_, surfaces_, best, explained(slid), parameters_))
-      alike.push_back(candidate_of(path_, slid));
-  }
+  const auto add_if_alike = [&](const Fitted& other) {
+    if (check_unambiguous(path_, surfaces_, best, other, parameters_))
+      alike.push_back(candidate_of(path_, other.mapping));
+  };
+  std::for_each(fitted.begin() + 1, fitted.end(), add_if_alike);
+  std::for_each(slid.begin(), slid.end(), add_if_alike);
   if (!lays_only() && std::min(best.explanation.overlap, best.explanation.inlier_ratio) < kWhole)
     check_rivals(path_, surfaces_, best.mapping, partial_, parameters_);
   if (!alike.empty()) alike.insert(alike.begin(), candidate_of(path_, best.mapping));

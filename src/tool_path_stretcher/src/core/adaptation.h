@@ -52,11 +52,17 @@ class Adaptation {
   /// Fits the finest deformation graph, and sorts again.
   void deform(std::vector<Fitted>& fitted) const;
 
+  /// The search may end beside the right place where a part, as an extruded one, can slide along
+  /// itself: there the best goes on for as long as a slid one is clearly better. Not the thesis'.
+  /// @return where it may yet slide to; nothing where it explains too little of the object
+  std::vector<Fitted> slide_on(Fitted& best) const;
+
+  /// @param slid as slide_on() gives them
   /// @return the best and the others that explain the object as well, where those lay the path
   /// along the same line; nothing where there are none
   /// @throw Refusal if the best does not explain the object, or another one does, too
   std::vector<PoseCandidate> check_choice(const std::vector<Fitted>& fitted,
-                                          bool partial_reference);
+                                          const std::vector<Fitted>& slid, bool partial_reference);
 
   Mapping affine_mapping(const Similarity& start) const;
 
