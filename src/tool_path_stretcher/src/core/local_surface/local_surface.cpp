@@ -80,16 +80,24 @@ struct LinearFit {
   double points = 0;                                  // as many as count alike (Kish 1965)
 };
 
-/// How the plane through heights turns with a shift of the scan along the tangent plane.
+/// What the points of a fit have beside their heights, fitted as those were: per radius.
+struct Gradients {
+  Eigen::Matrix2d of_rise;  // a column each: the plane turns so with a shift of the scan
+  Eigen::Vector2d of_blur;  // beyond what is usual on a face
+};
+
 template <class Heights>
-Eigen::Matrix<double, 3, 2> fit_of_rises(const Heights& heights, double radius,
-                                         const Eigen::Matrix3d& inverse) {
-  Eigen::Matrix<double, 3, 2> right_sides = Eigen::Matrix<double, 3, 2>::Zero();
+Gradients gradients_of(const Heights& heights, double radius, const Eigen::Matrix3d& inverse,
+                       double usual) {
+  Eigen::Matrix3d right_sides = Eigen::Matrix3d::Zero();
   for (const auto& height : heights) {
     const Eigen::Vector3d row(1, height.at.x() / radius, height.at.y() / radius);
-    right_sides += height.weight * row * height.rise.transpose();
+    right_sides +=
+        height.weight * row *
+        Eigen::RowVector3d(height.rise.x(), height.rise.y(), std::max(0.0, height.blur - usual));
   }
-  return inverse * right_sides;
+  const Eigen::Matrix<double, 2, 3> slopes = (inverse * right_sides).bottomRows<2>();
+  return {slopes.leftCols<2>(), slopes.col(2)};
 }
 
 template <class Heights>
@@ -194,9 +202,14 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   Eigen::Matrix<double, 3, 2> ways;
   ways << tangent, bitangent;
   ways = mapping_.similarity.rotation * ways;
-  local.slope_variance +=
-      slope_variance_of_shift(fit_of_rises(heights, radius_, fit.inverse).bottomRows<2>() / radius_,
-                              ways.transpose() * shift_covariance * ways, radius_);
+  constexpr double kDeviations = 3;  // the farthest of eight neighbours on a face
+  const Gradients gradients = gradients_of(heights, radius_, fit.inverse, kDeviations * noise_);
+  local.slope_variance += slope_variance_of_shift(
+      gradients.of_rise / radius_, ways.transpose() * shift_covariance * ways, radius_);
+  // Towards an edge a scan falls off the reference: sampling and mixed points round it off.
+  constexpr double kRounded = 0.3;                             // of what the blur grows by; chosen
+  const double rounded = kRounded * gradients.of_blur.norm();  // [m] over a radius
+  local.slope_variance += rounded * rounded / 2 / (radius_ * radius_);
   // Points on one side only tell little of the height here, and those of two faces nothing.
   constexpr double kMaxLeverage = 0.5;  // of a point's variance in the height; chosen
   constexpr double kRough = 5;          // times the noise; chosen

@@ -47,6 +47,18 @@ Points on_surfaces(const Points& points, double spacing) {
   return result;
 }
 
+/// The side of a surface that was seen: its normal with the sign towards the viewers, zero where
+/// they are not known or look along it.
+Eigen::Vector3d outward(const Eigen::Vector3d& normal, const Points& viewers) {
+  constexpr double kAlong = 0.1;  // cosine: 84 degrees; chosen
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& viewer : viewers)
+    sum += viewer;
+  const double towards = normal.dot(sum) / std::max<double>(1, static_cast<double>(viewers.size()));
+  return std::abs(towards) < kAlong ? Eigen::Vector3d::Zero()
+                                    : Eigen::Vector3d(std::copysign(1.0, towards) * normal);
+}
+
 }  // namespace
 
 Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
@@ -54,6 +66,7 @@ Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
   constexpr double kGap = 2.5;        // spacings between neighbours of one patch; chosen
   constexpr std::size_t kLeast = 12;  // points: a patch of 3 by 4 spacings; chosen
   const double spacing = surfaces.object.spacing;
+  if (!surfaces.reference.oriented) over_ = surfaces.object.seen_from;
   const KdTree off(on_surfaces(off_reference(surfaces, mapping, residuals, max_off), spacing));
   if (off.points().empty()) return;
   Points points;
@@ -76,9 +89,10 @@ Strangers::Beside Strangers::beside(const Eigen::Vector3d& at, const Eigen::Vect
   std::vector<KdTree::Neighbour> neighbours;
   points_->within(at, kReach * radius, neighbours);
   std::vector<std::size_t> counts(patches_.size(), 0);
+  const Eigen::Vector3d over = outward(normal, over_);
   for (const KdTree::Neighbour& neighbour : neighbours) {
     const Eigen::Vector3d way = points_->points()[neighbour.index] - at;
-    if ((way - way.dot(normal) * normal).norm() >= radius) continue;
+    if ((way - way.dot(normal) * normal).norm() >= radius || way.dot(over) < 0) continue;
     ++found.points;
     ++counts[patch_of_[neighbour.index]];
   }

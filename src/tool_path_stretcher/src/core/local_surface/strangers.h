@@ -31,7 +31,7 @@ class Strangers {
   };
 
   /// Within a radius, and up to several times as far over and under it: what stands there hides the
-  /// surface itself.
+  /// surface itself. Not under it where the reference is a scan: that one may not have shown it.
   /// @param at [m, object]
   /// @param normal unit length, of the surface there
   Beside beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal, double radius) const;
@@ -40,6 +40,7 @@ class Strangers {
   std::vector<StrangerPatch> patches_;
   std::vector<std::size_t> patch_of_;     // each point of the tree
   std::unique_ptr<const KdTree> points_;  // none: there are none
+  Points over_;                           // unit length: ways out of the part; none: not known
 };
 
 }  // namespace tool_path_stretcher
