@@ -118,6 +118,17 @@ ToolPath shown_path(const ViewCase& each, const View& view) {
   });
 }
 
+/// What is shown of the path, or, where that is nothing, of one of another kind.
+void keep_what_is_shown(const ViewCase& each, Draws& draws, View& view) {
+  ToolPath shown = shown_path(each, view);
+  for (const PathKind kind : {PathKind::kRaster, PathKind::kRim, PathKind::kWave}) {
+    if (!shown.segments.empty()) break;
+    view.path = path_on(each.reference.mesh, kind, draws);
+    shown = shown_path(each, view);
+  }
+  view.path = shown;
+}
+
 void move(const Eigen::Isometry3d& frame, View& view) {
   for (ScanPoints* points : {&view.object, &view.scan}) {
     for (Vector3d& place : points->places)
@@ -160,7 +171,7 @@ View view_of(const ViewCase& each) {
   view.object = scan(meshes, {each.viewing, meshes.size() > 1 ? kAround : 0}, draws);
   scatter(each.scattered, meshes.front(), draws, view.object);
   view.scanned = view.object.places.size();
-  if (each.expected == Reason::kAccepted && !each.whole_path) view.path = shown_path(each, view);
+  if (each.expected == Reason::kAccepted && !each.whole_path) keep_what_is_shown(each, draws, view);
   view.truth = cases::truth(view.path, each.deformation, each.similarity);
   if (each.cleaned) clean(view);
   move(each.frame, view);
