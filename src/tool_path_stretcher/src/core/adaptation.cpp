@@ -73,6 +73,21 @@ std::string in_air_message(const std::vector<WaypointQuality>& quality) {
                      quality.size());
 }
 
+/// Of those that are clearly better than `best` the one that most speaks for; none: null.
+const Fitted* clearly_best(const std::vector<Fitted>& others, const Fitted& best) {
+  const Fitted* found = nullptr;
+  double most = 0;
+  for (const Fitted& each : others) {
+    if (!clearly_better(each.explanation, best.explanation)) continue;
+    const Evidence speaks = evidence(each.explanation, best.explanation);
+    const double lead = speaks.only_first - speaks.only_second;
+    if (lead <= most) continue;
+    most = lead;
+    found = &each;
+  }
+  return found;
+}
+
 }  // namespace
 
 Adaptation::Adaptation(const SurfacePair& surfaces, const ToolPath& path,
@@ -194,23 +209,43 @@ void Adaptation::deform(std::vector<Fitted>& fitted) const {
   sort_best_first(fitted);
 }
 
+std::vector<Fitted> Adaptation::allowed(const std::vector<Mapping>& mappings) const {
+  std::vector<Fitted> result;
+  for (const Mapping& each : mappings) {
+    if (parameters_.prior.allows(each.similarity, centroid_)) result.push_back(explained(each));
+  }
+  return result;
+}
+
 std::vector<Fitted> Adaptation::slide_on(Fitted& best) const {
-  constexpr int kMost = 4;  // times; chosen
+  constexpr int kMost = 4;    // times; chosen
+  constexpr int kCoarse = 1;  // level of the graph
   const ScalePrior& scale = parameters_.prior.scale;
+  const int level = parameters_.deformation_level;
   std::vector<Fitted> slid;
   for (int i = 0; i < kMost; ++i) {
     slid.clear();
     if (best.explanation.inlier_ratio < parameters_.min_inlier_ratio) break;
-    for (const Mapping& each : slid_along_itself(surfaces_, best.mapping, scale)) {
-      if (parameters_.prior.allows(each.similarity, centroid_)) slid.push_back(explained(each));
-    }
+    slid = allowed(slid_along_itself(surfaces_, best.mapping, scale));
     if (is_thesis(parameters_.method)) break;
-    const auto better = std::find_if(slid.begin(), slid.end(), [&best](const Fitted& each) {
-      return clearly_better(each.explanation, best.explanation);
-    });
-    if (better == slid.end()) break;
-    best = explained(fit_deformation(surfaces_, better->mapping.similarity, scale,
-                                     parameters_.deformation_level));
+    const Fitted* better = clearly_best(slid, best);
+    std::vector<Fitted> bent;
+    if (better == nullptr && !best.mapping.graph.empty() && !explains_all(best.explanation)) {
+      bent = allowed(slid_and_bent(surfaces_, best.mapping, scale, std::min(kCoarse, level)));
+      better = clearly_best(bent, best);
+    }
+    if (better != nullptr) {
+      Fitted next = explained(fit_deformation(surfaces_, better->mapping.similarity, scale, level));
+      if (clearly_better(next.explanation, best.explanation)) {
+        best = std::move(next);
+        continue;
+      }
+    }
+    for (Fitted& each : bent) {
+      if (!same_path(path_, best.mapping, each.mapping, parameters_.max_position_error))
+        slid.push_back(std::move(each));
+    }
+    break;
   }
   return slid;
 }

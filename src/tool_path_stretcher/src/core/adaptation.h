@@ -31,6 +31,9 @@ class Adaptation {
 
   Fitted explained(const Mapping& mapping) const;
 
+  /// Those that what is known of pose and scale allows.
+  std::vector<Fitted> allowed(const std::vector<Mapping>& mappings) const;
+
   /// Where the object covers too little of an open reference: of what a scan from there can show.
   void count_what_could_be_seen(Fitted& fitted) const;
 

@@ -202,6 +202,10 @@ TEST(ClosedReferences, OfAProfileSlideOnToWhereItFits) {
   expect_right("moved: wedge, moved", 2);
 }
 
+TEST(ClosedReferences, OfABentPartSlideOnToWhereTheyFitAndAreBentAnew) {
+  expect_right("bent: saddle shell, bent", 3);
+}
+
 TEST(ScannedReferences, TiltNoToolWhereAnEdgeIsOnlyRoundedOff) {
   expect_right("scaled, scan as reference: stepped block, scaled, scan as reference");
 }

@@ -174,6 +174,11 @@ double unexplained_patches(const Explanation& explanation) {
   return count;
 }
 
+bool explains_all(const Explanation& explanation) {
+  constexpr double kFew = 12;  // patches: 3.5 squared, the significance of clearly_better
+  return unexplained_patches(explanation) < kFew;
+}
+
 bool clearly_better(const Explanation& better, const Explanation& other) {
   constexpr double kSignificance = 3.5;  // standard deviations of the count: 1 in 4,000 by chance
   constexpr double kMinShare = 5e-4;     // of the patches compared; chosen

@@ -70,6 +70,10 @@ Evidence evidence(const Explanation& first, const Explanation& second);
 /// Patches of both surfaces of which most points are not explained.
 double unexplained_patches(const Explanation& explanation);
 
+/// Whether there is so little that the mapped reference does not explain that another mapping
+/// cannot be clearly better: of few patches most points.
+bool explains_all(const Explanation& explanation);
+
 /// True where `better` explains significantly more of the surfaces than `other`: the patches that
 /// only one of them explains are counted against each other (McNemar 1947).
 bool clearly_better(const Explanation& better, const Explanation& other);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "alignment/refinement.h"
+#include "cores/by_index.h"
 #include "geometry/kd_tree.h"
 #include "geometry/points.h"
 #include "geometry/robust.h"
@@ -107,6 +108,16 @@ std::vector<Mapping> slid_along_itself(const SurfacePair& surfaces, const Mappin
     }
   }
   return result;
+}
+
+std::vector<Mapping> slid_and_bent(const SurfacePair& surfaces, const Mapping& mapping,
+                                   const ScalePrior& scale, int finest_level) {
+  constexpr double kStep = 0.06;  // of the object's size; chosen
+  const std::vector<Similarity> starts =
+      slides(surfaces, mapping.similarity, kStep * surfaces.object.size);
+  return by_index<Mapping>(starts.size(), kSingly, [&](std::size_t i) {
+    return sketch_deformation(surfaces, starts[i], scale, finest_level);
+  });
 }
 
 }  // namespace tool_path_stretcher

@@ -18,4 +18,9 @@ bool same_path(const ToolPath& path, const Mapping& one, const Mapping& other, d
 std::vector<Mapping> slid_along_itself(const SurfacePair& surfaces, const Mapping& mapping,
                                        const ScalePrior& scale);
 
+/// The same, for a part that is bent: bent anew from each place. A graph that was fitted beside the
+/// right place has bent the reference to what is there, and keeps it from sliding on.
+std::vector<Mapping> slid_and_bent(const SurfacePair& surfaces, const Mapping& mapping,
+                                   const ScalePrior& scale, int finest_level);
+
 }  // namespace tool_path_stretcher

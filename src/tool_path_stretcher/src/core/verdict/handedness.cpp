@@ -28,13 +28,6 @@ bool is_wholly_better(const Explanation& first, const Explanation& second) {
   return found.only_second < kContrary * found.only_first;
 }
 
-/// Whether there is so little that the mapped reference does not explain that its mirror image
-/// cannot be clearly better: of few patches most points.
-bool explains_all(const Explanation& explanation) {
-  constexpr double kFew = 12;  // patches: 3.5 squared, the significance of clearly_better
-  return unexplained_patches(explanation) < kFew;
-}
-
 /// Whether no deformation of the mirror image needs to be looked for: as it is, it is clearly worse
 /// than a mapping that explains all, or that explains most without any. Of a part that is not
 /// deformed the mirror image is not either.
