@@ -73,6 +73,13 @@ std::string in_air_message(const std::vector<WaypointQuality>& quality) {
                      quality.size());
 }
 
+/// Whether the part is bent, or what is not explained of it may be so because it is.
+bool may_be_bent(const Fitted& fitted) {
+  constexpr double kAll = 0.98;  // of the object's points; chosen
+  if (explains_all(fitted.explanation)) return false;
+  return !fitted.mapping.graph.empty() || fitted.explanation.inlier_ratio < kAll;
+}
+
 /// Of those that are clearly better than `best` the one that most speaks for; none: null.
 const Fitted* clearly_best(const std::vector<Fitted>& others, const Fitted& best) {
   const Fitted* found = nullptr;
@@ -230,7 +237,7 @@ std::vector<Fitted> Adaptation::slide_on(Fitted& best) const {
     if (is_thesis(parameters_.method)) break;
     const Fitted* better = clearly_best(slid, best);
     std::vector<Fitted> bent;
-    if (better == nullptr && !best.mapping.graph.empty() && !explains_all(best.explanation)) {
+    if (better == nullptr && may_be_bent(best)) {
       bent = allowed(slid_and_bent(surfaces_, best.mapping, scale, std::min(kCoarse, level)));
       better = clearly_best(bent, best);
     }

@@ -204,6 +204,7 @@ TEST(ClosedReferences, OfAProfileSlideOnToWhereItFits) {
 
 TEST(ClosedReferences, OfABentPartSlideOnToWhereTheyFitAndAreBentAnew) {
   expect_right("bent: saddle shell, bent", 3);
+  expect_right("bent: saddle shell, bent", 4);  // before, no bend was found at all
 }
 
 TEST(ScannedReferences, TiltNoToolWhereAnEdgeIsOnlyRoundedOff) {
