@@ -170,9 +170,9 @@ class Recipes(unittest.TestCase):
         with open(os.path.join(result.folder, 'scan.json')) as file:
             self.assertGreaterEqual(profiles, json.load(file)['binding']['bound'])
         self.check_sight(result.folder)
+        self.check_unseen_are_shown(result.folder)
         with open(os.path.join(result.folder, 'report.json')) as file:
             self.check_signs(os.path.basename(result.folder), len(json.load(file)['quality']))
-        self.check_unseen_are_shown(result.folder)
         result = self.run_recipe(recipe='frame', work=7)
         self.assertEqual(result.outcome, RunRecipeResult.NONE)
         self.assertIn('NO_WORK, DRY_RUN or WORK', result.message)
@@ -222,6 +222,7 @@ class Recipes(unittest.TestCase):
             json.dump(sight, opened)
         unseen = []
         rospy.Subscriber('/part_recipes/unseen', MarkerArray, unseen.append)
+        rospy.wait_for_service('/part_recipes/describe', PATIENCE)
         self.assertTrue(rospy.ServiceProxy('/part_recipes/describe', DescribeRun)(run=os.path.basename(folder)).success)
         shown = lambda: {each.ns: [[p.x, p.y, p.z] for p in each.points] for each in unseen[-1].markers} if unseen else {}
         end = rospy.Time.now() + rospy.Duration(PATIENCE)
