@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/tool_path_file_targets.h"
 
+#include "tool_paths/path_edits.h"
 #include "tool_paths/tool_path_files.h"
 
 namespace {
@@ -50,6 +51,12 @@ const char* const kFlatYaml =
 const char* const kRpyYaml =
     "- {position: [1, 2, 3], rpy: [0.1, 0.2, 0.3]}\n- {position: [4, 5, 6], rpy: [0, -1, 3]}\n";
 
+const char* const kEdits =
+    "edits:\n  - move: {waypoints: [1, 3], by: [0, 0, -2e-3]}\n"
+    "  - turn: {waypoints: 0, about: [0, 0, 2], angle: 0.1, frame: path}\n"
+    "  - delete: {waypoints: [2, 2]}\n  - add: {after: 1, share: 0.25}\n"
+    "  - set: {waypoints: [0, 3], values: {speed: 0.02, \"air\": 1}}\n";
+
 /// @param layout of what was written
 void check_same(const ToolPath& path, const ToolPath& again, const PathLayout& layout) {
   const bool to_the_last_digit = layout.pose.units == "m";
@@ -91,6 +98,18 @@ void check_path(const std::string& bytes, Read read, Write write,
              file.layout);
   check_same(file.path, read(write(file.path, PathLayout{}), "new", PathConventions{}).path,
              PathLayout{});
+}
+
+/// What was read comes back, and is done to a path whole or refused.
+void check_edits(const std::string& bytes) {
+  const std::vector<PathEdit> edits = parse_path_edits(bytes, "f");
+  const std::vector<PathEdit> back = parse_path_edits(to_yaml(edits), "written");
+  promise(back.size() == edits.size(), "all edits come back");
+  for (std::size_t i = 0; i < edits.size(); ++i)
+    promise(to_string(back[i]) == to_string(edits[i]), "each edit comes back");
+  const EditedPath result = edited(parse_tool_path_csv(kCsv, "path").path, edits);
+  promise(result.origins.size() == waypoint_count(result.path), "each waypoint has an origin");
+  check(marked(result));
 }
 
 PathConventions in_radians() {
@@ -145,25 +164,35 @@ std::vector<FuzzTarget> tool_path_file_targets() {
                                                "  ",
                                                "&last ",
                                                "*last"};
-  return {{"csv",
-           {kCsv, kPlainCsv, kRobotCsv, kVectorsCsv, kAbbCsv},
-           csv_words,
-           [](const std::string& bytes) {
-             check_path(bytes, parse_tool_path_csv, tool_path_to_csv, PathConventions{});
-           }},
-          {"csv_angles",
-           {kAnglesCsv},
-           csv_words,
-           [](const std::string& bytes) {
-             check_path(bytes, parse_tool_path_csv, tool_path_to_csv, in_radians());
-           }},
-          {"yaml",
-           {kNestedYaml, kListYaml, kNamedYaml, kEchoedYaml, kFlatYaml},
-           yaml_words,
-           [](const std::string& bytes) {
-             check_path(bytes, parse_tool_path_yaml, tool_path_to_yaml, PathConventions{});
-           }},
-          {"yaml_angles", {kRpyYaml}, yaml_words, [](const std::string& bytes) {
-             check_path(bytes, parse_tool_path_yaml, tool_path_to_yaml, in_radians());
-           }}};
+  return {
+      {"csv",
+       {kCsv, kPlainCsv, kRobotCsv, kVectorsCsv, kAbbCsv},
+       csv_words,
+       [](const std::string& bytes) {
+         check_path(bytes, parse_tool_path_csv, tool_path_to_csv, PathConventions{});
+       }},
+      {"csv_angles",
+       {kAnglesCsv},
+       csv_words,
+       [](const std::string& bytes) {
+         check_path(bytes, parse_tool_path_csv, tool_path_to_csv, in_radians());
+       }},
+      {"yaml",
+       {kNestedYaml, kListYaml, kNamedYaml, kEchoedYaml, kFlatYaml},
+       yaml_words,
+       [](const std::string& bytes) {
+         check_path(bytes, parse_tool_path_yaml, tool_path_to_yaml, PathConventions{});
+       }},
+      {"yaml_angles",
+       {kRpyYaml},
+       yaml_words,
+       [](const std::string& bytes) {
+         check_path(bytes, parse_tool_path_yaml, tool_path_to_yaml, in_radians());
+       }},
+      {"edits",
+       {kEdits},
+       {"move",  "turn",  "delete", "add",  "set", "waypoints", "values", "frame: tool", "share",
+        "after", "about", "angle",  "- ",   ": ",  "[",         "]",      "{",           "}",
+        ", ",    "\n",    ".nan",   ".inf", "-1",  "1e309",     "&a ",    "*a"},
+       check_edits}};
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scan_cell_common/errors/errors.h"
@@ -37,6 +38,7 @@ class YamlEntry {
   YamlEntry(const YAML::Node& node, const std::string& file, const std::string& name = "");
 
   bool is_map() const;                     //!< whether it has keys
+  bool is_list() const;                    //!< whether it has elements
   bool is_null() const;                    //!< it stands there, and holds nothing: ~
   bool has(const std::string& key) const;  //!< whether it is a map with this key
 
@@ -67,6 +69,10 @@ class YamlEntry {
   /// Those of a list.
   /// @throw UnusableInput if it is none
   std::vector<YamlEntry> elements() const;
+
+  /// Those of a map, with their keys, in the order of the file.
+  /// @throw UnusableInput if it is none
+  std::vector<std::pair<std::string, YamlEntry>> entries() const;
 
   /// @throw UnusableInput if a key is not among `known`, or this is no map
   void refuse_unknown(const std::set<std::string>& known) const;

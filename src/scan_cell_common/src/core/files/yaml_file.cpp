@@ -48,6 +48,10 @@ bool YamlEntry::is_map() const {
   return node_.IsMap();
 }
 
+bool YamlEntry::is_list() const {
+  return node_.IsSequence();
+}
+
 bool YamlEntry::is_null() const {
   return node_.IsNull();
 }
@@ -90,14 +94,20 @@ std::vector<YamlEntry> YamlEntry::elements() const {
   return result;
 }
 
-void YamlEntry::refuse_unknown(const std::set<std::string>& known) const {
+std::vector<std::pair<std::string, YamlEntry>> YamlEntry::entries() const {
   if (!is_map()) refuse("not a map of names to values", "give name: value");
+  std::vector<std::pair<std::string, YamlEntry>> result;
   for (const auto& pair : node_) {
     if (!pair.first.IsScalar()) refuse("a name that is a list or a map", "give name: value");
     const auto key = pair.first.as<std::string>();
-    if (known.count(key) != 0) continue;
-    YamlEntry(pair.second, file_, child(key)).refuse("no such entry", "check its spelling");
+    result.emplace_back(key, YamlEntry(pair.second, file_, child(key)));
   }
+  return result;
+}
+
+void YamlEntry::refuse_unknown(const std::set<std::string>& known) const {
+  for (const auto& [key, entry] : entries())
+    if (known.count(key) == 0) entry.refuse("no such entry", "check its spelling");
 }
 
 void YamlEntry::refuse(const std::string& value, const std::string& cure) const {
