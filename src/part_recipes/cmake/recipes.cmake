@@ -8,7 +8,7 @@ add_library(${PROJECT_NAME}_core
   src/core/run/run_folder.cpp src/core/run/run_recipe.cpp
   src/core/run/waypoints_concerned.cpp src/core/run/work.cpp)
 target_link_libraries(${PROJECT_NAME}_core
-  PUBLIC scan_cell::scan_cell_common_core
+  PUBLIC scan_cell::scan_cell_common_core scan_cell::tool_paths_core
   PRIVATE
     scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_yaml scan_cell::scan_cell_core
     scan_cell::tool_path_stretcher_core nlohmann_json::nlohmann_json Boost::filesystem)
@@ -48,7 +48,7 @@ if(CATKIN_ENABLE_TESTING)
     scan_cell::scan_cell_core nlohmann_json::nlohmann_json gtest_main)
   target_compile_definitions(test_${PROJECT_NAME}_run PRIVATE
     SCANNER_FILE="${CMAKE_CURRENT_SOURCE_DIR}/../scan_cell_sim/config/scanner.yaml")
-  add_dependencies(test_${PROJECT_NAME}_run clean_cloud export_path seen_waypoints stretch)
+  add_dependencies(test_${PROJECT_NAME}_run clean_cloud edit_path export_path seen_waypoints stretch)
   catkin_add_gtest(test_${PROJECT_NAME}_replay
     test/made_up_part.cpp test/replay/test_job_folder.cpp test/replay/test_replay.cpp
     test/temporary_folder.cpp)

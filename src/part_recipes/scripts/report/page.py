@@ -37,7 +37,7 @@ def content(run, tools, three):
     return {
         'verdict': sections.verdict(run), 'identity': sections.identity(run), 'tolerance': run.tolerance(),
         'adaptation': sections.adaptation(run), 'deviations': sections.deviations(run), 'places': sections.places(run),
-        'binding': sections.binding(run), 'passes': sections.passes(run), 'warnings': sections.warnings(run),
+        'binding': sections.binding(run), 'passes': sections.passes(run), 'warnings': sections.warnings(run), 'edits': sections.edits(run),
         'sight': sections.sight(run), 'cleaning': run.log('clean'), 'stages': sections.stages(run), 'files': sections.files(run),
         'map_picture': pictures.of_deviations(run, scene), 'path_picture': pictures.of_paths(scene, run.concerned()),
         'histogram': Markup(pictures.histogram(run, scene) or ''), 'mapped': scene.mapped, 'has_object': scene.object_points is not None,

@@ -126,6 +126,13 @@ def passes(run):
             'overlaps': overlaps}
 
 
+def edits(run):
+    """In words, what a person changed by hand."""
+    told = (run.report or {}).get('edits')
+    done = told.get('done') if isinstance(told, dict) else None
+    return [words.plain(each) for each in done] if isinstance(done, list) else []
+
+
 def warnings(run):
     told = (run.scan or {}).get('warnings')
     return [words.plain(each) for each in (told if isinstance(told, list) else [told] if told else [])]

@@ -24,7 +24,8 @@ struct Options {
   std::string name;
   std::string recipes = "recipes";
   std::string runs = "runs";
-  std::string again;  // folder of a run
+  std::string again;       // folder of a run
+  std::string path_edits;  // file; empty: none
   std::string scan;
   part_recipes::RunRequest request;
 };
@@ -32,6 +33,9 @@ struct Options {
 void add_options(CLI::App& app, Options& options) {
   CLI::Option* const again =
       app.add_option("--again", options.again, "folder of a run: does it again from its own files");
+  app.add_option("--path-edits", options.path_edits,
+                 "with --again: edits of the adapted path by hand (docs/editing_a_path.md)")
+      ->needs(again);
   app.add_option("name", options.name, "recipe")->excludes(again);
   app.add_option("--recipes", options.recipes, "folder of the recipes")
       ->envname("SCAN_CELL_RECIPES")
@@ -88,6 +92,15 @@ int tell(const EndedRun& ended) {
 }
 
 /// @return the process's exit code
+int run_edited(const Options& options) {
+  EndedRun ended = part_recipes::run_edited(
+      options.again, tool_paths::load_path_edits(options.path_edits), options.runs,
+      options.request.note, show, CatchInterrupts::interrupted);
+  remember(ended);
+  return tell(ended);
+}
+
+/// @return the process's exit code
 int run_again(const Options& options) {
   EndedRun ended =
       part_recipes::run_again(options.again, options.runs, show, CatchInterrupts::interrupted);
@@ -106,6 +119,7 @@ int run_again(const Options& options) {
 /// @return the process's exit code
 int run(Options& options) {
   const CatchInterrupts interrupts;
+  if (!options.path_edits.empty()) return run_edited(options);
   if (!options.again.empty()) return run_again(options);
   if (options.name.empty())
     throw scan_cell_common::InvalidParameter("recipe", "not given", "give its name: run NAME");

@@ -59,6 +59,36 @@ TEST_F(ARecipe, RunAgainGivesTheSameBytes) {
                scan_cell_common::UnusableInput);
 }
 
+TEST_F(ARecipe, APathEditedByHandIsARunOfItsOwn) {
+  const EndedRun run = run_recipe(make(), request("moved.ply"), {});
+  const fs::path runs = folder_.path() / "runs";
+  const EndedRun edited =
+      run_edited(run.folder, {tool_paths::DeleteEdit{{0, 3}}}, runs, "clamp there", {});
+  ASSERT_EQ(edited.record.state, RunState::kAccepted) << edited.record.message;
+  EXPECT_EQ(edited.record.path_edits, 1u);
+  EXPECT_EQ(edited.record.again_of, run.record.id);
+  EXPECT_EQ(edited.record.note, "clamp there");
+  EXPECT_EQ(text_of(edited.folder / "unedited/adapted_path.csv"),
+            text_of(run.folder / "adapted_path.csv"));
+  const std::string program = text_of(edited.folder / "programs/plate.src");
+  EXPECT_NE(program.find("edited by hand: waypoints 0 to 3 deleted"), std::string::npos);
+  EXPECT_NE(text_of(edited.folder / "report.html").find("waypoints 0 to 3 deleted"),
+            std::string::npos);
+  EXPECT_NO_THROW(check_files(edited.folder, load_run(edited.folder)));
+  // More edits come after those; done again it is the same
+  const EndedRun more = run_edited(edited.folder, {tool_paths::DeleteEdit{{0, 0}}}, runs, "", {});
+  EXPECT_EQ(load_run(more.folder).path_edits, 2u);
+  EXPECT_EQ(more.record.note, "clamp there");
+  EXPECT_EQ(differences(more.folder, run_again(more.folder, runs, {}).folder),
+            std::vector<std::string>());
+  // What the path has no place for is told, and nothing is worked
+  const EndedRun wrong = run_edited(run.folder, {tool_paths::DeleteEdit{{500, 500}}}, runs, "", {});
+  EXPECT_EQ(wrong.record.state, RunState::kRefused);
+  EXPECT_NE(wrong.record.message.find("no waypoint 500"), std::string::npos);
+  EXPECT_FALSE(fs::exists(wrong.folder / "adapted_path.csv"));
+  EXPECT_THROW(run_edited(wrong.folder, {tool_paths::DeleteEdit{{0, 0}}}, runs, "", {}), Refused);
+}
+
 TEST_F(ARecipe, OfAnotherPartIsARunThatWasRefused) {
   Eigen::Isometry3d mirrored = Eigen::Isometry3d::Identity();
   mirrored.matrix()(0, 0) = -1;

@@ -14,7 +14,7 @@ struct AcceptedReport {
   std::vector<std::string> comments;  //!< lines for the program: verdict, files, hashes
   std::vector<std::size_t> in_air;    //!< waypoints, counted over all segments
   // SHA-256 of files; empty: the report does not say
-  std::string proven_path;        //!< of the path on the reference
+  std::string proven_path;        //!< of the path on the reference, and of what was edited by hand
   std::string scanner;            //!< of the scanner model that the scan was made with
   std::string cell;               //!< of the cell file that it was made with
   std::optional<double> scanned;  //!< [s] since 1970, of the object; none: the report does not say

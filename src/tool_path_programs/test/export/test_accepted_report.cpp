@@ -22,13 +22,14 @@ class AcceptedReports : public testing::Test {
 
   std::string path() const { return folder_ + "path.csv"; }
 
-  AcceptedReport read(const std::string& verdict, const std::string& output) const {
+  AcceptedReport read(const std::string& verdict, const std::string& output,
+                      const std::string& more = "") const {
     const std::string report = folder_ + "report.json";
     scan_cell_common::save_text(
         report, R"({"verdict": ")" + verdict +
                     R"(", "message": "two poses", "files": {"reference": null, "object": {"name": )"
                     R"("scan.ply", "sha256": "0123456789abcdef0123"}, "output": )" +
-                    output + R"(}, "quality": [{"in_air": true}, {"in_air": false}]})");
+                    output + R"(}, "quality": [{"in_air": true}, {"in_air": false}])" + more + "}");
     return accepted_report(report, path());
   }
 
@@ -51,6 +52,26 @@ TEST_F(AcceptedReports, SayWhatTheyDoNotKnow) {
   EXPECT_EQ(report.scanner, "");
   EXPECT_EQ(report.proven_path, "");
   EXPECT_FALSE(report.scanned);
+}
+
+TEST_F(AcceptedReports, TellWhatWasEditedByHandAndThatItNeedsADryRunOfItsOwn) {
+  const std::string with_path =
+      its_ + R"(, "path": {"name": "proven.csv", "sha256": "aa", "units": "m"})";
+  const auto edited = [&](const std::string& sha256, const std::string& done) {
+    return read("accepted", with_path,
+                R"(, "edits": {"sha256": ")" + sha256 + R"(", "done": [)" + done + "]}");
+  };
+  const AcceptedReport one = edited("01", R"("waypoint 3 deleted", "waypoint 7 moved")");
+  EXPECT_EQ(one.comments.at(4), "edited by hand: waypoint 3 deleted");
+  EXPECT_EQ(one.comments.at(5), "edited by hand: waypoint 7 moved");
+  const std::string proven = read("accepted", with_path).proven_path;
+  EXPECT_EQ(proven, "aa");
+  EXPECT_NE(one.proven_path, proven);
+  EXPECT_NE(one.proven_path, edited("02", R"("waypoint 3 deleted")").proven_path);
+  std::string many = R"("edit")";
+  for (int i = 1; i < 30; ++i)
+    many += R"(, "edit")";
+  EXPECT_EQ(edited("01", many).comments.back(), "edited by hand: 10 more, see the report");
 }
 
 TEST_F(AcceptedReports, ARefusedPathBecomesNoProgram) {

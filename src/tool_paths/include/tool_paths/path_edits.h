@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "tool_paths/path_conventions.h"
 #include "tool_paths/tool_path.h"
 
 namespace tool_paths {
@@ -69,6 +70,7 @@ struct WaypointOrigin {
   std::size_t first = 0;   //!< its number before the edits; of one that was added, the one before
   std::size_t second = 0;  //!< the same number; of one that was added, the one after it
   bool edited = false;     //!< moved, turned, added, or given a value
+  bool added = false;      //!< by an edit
 };
 
 /// A path after the edits, with the origin of each of its waypoints, over all segments.
@@ -85,6 +87,10 @@ EditedPath edited(const ToolPath& path, const std::vector<PathEdit>& edits);
 
 /// The path with the process value kEditedValue; what was marked before stays marked.
 ToolPath marked(const EditedPath& edited);
+
+/// The layout of the file that the path came from, with room for process values that it did not
+/// have. YAML is written as a new file then: what else stood in it has no place there.
+PathLayout layout_for(const ToolPath& edited, PathLayout layout);
 
 /// In words, with millimetres and degrees: "waypoints 3 to 5 moved by 0, 0, -2 mm (tool)".
 std::string to_string(const PathEdit& edit);

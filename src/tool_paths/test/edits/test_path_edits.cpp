@@ -4,6 +4,7 @@
 
 #include "path/complaints.h"
 #include "tool_paths/path_edits.h"
+#include "tool_paths/tool_path_files.h"
 
 using namespace tool_paths;
 
@@ -139,4 +140,18 @@ TEST(PathEdits, AreMarkedInThePathAndStayMarked) {
     for (const Waypoint& each : segment.waypoints)
       marks.push_back(each.process_values[1]);
   EXPECT_EQ(marks, (std::vector<double>{1, 0, 0, 1, 0}));
+}
+
+TEST(PathEdits, AFileOfThemHasAPlaceForTheMark) {
+  const ToolPathFile csv = parse_tool_path_csv("z_mm,x_mm,y_mm,speed\n1,2,3,4\n5,6,7,8\n", "p.csv");
+  const ToolPath path = marked(edited(csv.path, {MoveEdit{{1, 1}, {1, 0, 0}, EditFrame::kPath}}));
+  EXPECT_EQ(tool_path_to_csv(path, layout_for(path, csv.layout)),
+            "z_mm,x_mm,y_mm,speed,edited\n1,2,3,4,0\n5,1006,7,8,1\n");
+  const ToolPathFile yaml = parse_tool_path_yaml(
+      "note: kept\npaths: [{poses: [{position: {x: 1, y: 2, z: 3}}]}]\n", "p.yaml");
+  const ToolPath same = marked(edited(yaml.path, {AddEdit{0, 0}}));
+  const std::string text = tool_path_to_yaml(same, layout_for(same, yaml.layout));
+  const ToolPath back = parse_tool_path_yaml(text, "p.yaml").path;
+  EXPECT_EQ(waypoint_count(back), 2U);
+  EXPECT_EQ(back.segments[0].waypoints[1].process_values, (std::vector<double>{1}));
 }

@@ -107,6 +107,7 @@ RunRecord record_in(const Json& all) {
   for (const auto& [name, file] : all.at("files").items())
     record.files[name] = {file.at("sha256"), file.at("bytes")};
   if (!all.at("again_of").is_null()) record.again_of = all.at("again_of");
+  record.path_edits = all.value("path_edits", std::size_t{0});
   record.note = all.at("note");
   return record;
 }
@@ -144,6 +145,7 @@ std::string to_json(const RunRecord& record) {
   for (const auto& [name, file] : record.files)
     all["files"][name] = {{"sha256", file.sha256}, {"bytes", file.bytes}};
   all["again_of"] = record.again_of.empty() ? Json(nullptr) : Json(record.again_of);
+  if (record.path_edits > 0) all["path_edits"] = record.path_edits;
   all["note"] = record.note;
   constexpr int kIndent = 2;
   // What tools print may hold broken UTF-8.

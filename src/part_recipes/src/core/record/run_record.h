@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -63,8 +64,9 @@ struct RunRecord {
   RunFigures figures;
   std::map<std::string, std::string> calibration;  //!< SHA-256 of scanner and cell file
   std::map<std::string, FileEntry> files;
-  std::string again_of;  //!< id of the run that this one repeats; empty: none
-  std::string note;      //!< of the person
+  std::string again_of;        //!< id of the run that this one repeats; empty: none
+  std::size_t path_edits = 0;  //!< by a person, to the adapted path
+  std::string note;            //!< of the person
 };
 
 /// As run.json holds it.

@@ -37,6 +37,8 @@ RunRequest request_of(const fs::path& folder, const fs::path& runs, const Stop& 
   if (fs::exists(folder / "scan.json")) request.scan_record = folder / "scan.json";
   if (fs::exists(folder / "inputs" / kScannerModel))
     request.scanner = folder / "inputs" / kScannerModel;
+  if (fs::exists(folder / "inputs" / kPathEdits))
+    request.path_edits = tool_paths::load_path_edits((folder / "inputs" / kPathEdits).string());
   request.prove = true;  // what was run once may be looked at again
   request.again_of = before.id;
   request.note = before.note;
@@ -46,11 +48,31 @@ RunRequest request_of(const fs::path& folder, const fs::path& runs, const Stop& 
 
 }  // namespace
 
-EndedRun run_again(const fs::path& folder, const fs::path& runs, const StageBegins& begins,
-                   const Stop& stop) {
-  RunRequest request = request_of(folder, runs, stop);
+namespace {
+
+EndedRun run_from(const fs::path& folder, RunRequest request, const StageBegins& begins) {
   if (fs::exists(folder / "scan.bag")) request.scan_bag = folder / "scan.bag";
   return run_recipe(load_recipe(folder / "inputs"), request, begins);
+}
+
+}  // namespace
+
+EndedRun run_again(const fs::path& folder, const fs::path& runs, const StageBegins& begins,
+                   const Stop& stop) {
+  return run_from(folder, request_of(folder, runs, stop), begins);
+}
+
+EndedRun run_edited(const fs::path& folder, const std::vector<tool_paths::PathEdit>& edits,
+                    const fs::path& runs, const std::string& note, const StageBegins& begins,
+                    const Stop& stop) {
+  const RunRecord before = load_run(folder);
+  if (before.state != RunState::kAccepted)
+    throw scan_cell_common::Refused("run " + before.id, to_string(before.state),
+                                    "only an accepted path can be edited");
+  RunRequest request = request_of(folder, runs, stop);
+  request.path_edits.insert(request.path_edits.end(), edits.begin(), edits.end());
+  if (!note.empty()) request.note = note;
+  return run_from(folder, request, begins);
 }
 
 EndedRun run_with(const fs::path& folder, const Recipe& recipe, const fs::path& runs,

@@ -13,6 +13,7 @@
 #include "run/figures.h"
 #include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/files.h"
 #include "scan_cell_common/files/sha256.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_common/tools/version.h"
@@ -64,6 +65,7 @@ class Run {
     record_.tolerance = recipe_.tolerance;
     record_.scan_units = request_.scan ? request_.scan_units : "m";
     record_.again_of = request_.again_of;
+    record_.path_edits = request_.path_edits.size();
     record_.note = request_.note;
   }
 
@@ -72,6 +74,8 @@ class Run {
       folder_.add(recipe_.folder / name, "inputs/" + name);
     save_places((inputs() / kPlacesFile).string(), recipe_.places);
     if (request_.scan) folder_.add(*request_.scan, "inputs/" + scan_name());
+    if (!request_.path_edits.empty())
+      scan_cell_common::save_text((inputs() / kPathEdits).string(), to_yaml(request_.path_edits));
     if (request_.scan_record) folder_.add(*request_.scan_record, "scan.json");
     if (request_.scan_bag) folder_.add(*request_.scan_bag, "scan.bag");
     if (request_.scanner) folder_.add(*request_.scanner, kScannerInput);
@@ -147,9 +151,30 @@ class Run {
     return call(clean_call(recipe_, scan_name(), record_.scan_units)) == 0 || failed("clean");
   }
 
+  /// Where stretch puts its results, seen from inputs.
+  std::string results() const {
+    return request_.path_edits.empty() ? ".." : std::string("../") + kUnedited;
+  }
+
   RunState stretch() {
-    const int code = call(stretch_call(recipe_));
-    const fs::path report = folder_.path() / "report.json";
+    if (request_.path_edits.empty()) return stretch_into(folder_.path());
+    const fs::path unedited = folder_.path() / kUnedited;
+    fs::create_directory(unedited);
+    const RunState state = stretch_into(unedited);
+    if (state == RunState::kAccepted && call(edit_call(recipe_)) != 0) {
+      failed("edit");
+      return RunState::kRefused;
+    }
+    // A refusal is the run's
+    if (state != RunState::kAccepted && fs::exists(unedited / "report.json"))
+      fs::copy_file(unedited / "report.json", folder_.path() / "report.json");
+    return state;
+  }
+
+  /// @param folder where the results go
+  RunState stretch_into(const fs::path& folder) {
+    const int code = call(stretch_call(recipe_, results()));
+    const fs::path report = folder / "report.json";
     if (!fs::exists(report)) {
       failed("stretch");
       return RunState::kUnusable;
@@ -170,7 +195,7 @@ class Run {
                   " as it was at the scan");
       return;
     }
-    const int code = call(sight_call(recipe_, with.region));
+    const int code = call(sight_call(recipe_, with.region, results() + "/report.json"));
     if (code != 0 && code != kRefused)
       ended_.warn("not known what the scan could see: " + last_line(log_of("sight")));
   }

@@ -6,9 +6,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "recipe/recipe.h"
 #include "record/run_record.h"
+#include "tool_paths/path_edits.h"
 
 namespace part_recipes {
 
@@ -34,6 +36,7 @@ struct RunRequest {
   Work work = Work::kNone;                        //!< what follows an accepted run
   bool prove = false;                             //!< the recipe need not be proven
   std::string again_of;                           //!< id of the run that this one repeats
+  std::vector<tool_paths::PathEdit> path_edits;   //!< what a person does to the adapted path
   std::string note;                               //!< of the person
   std::function<bool()> stop;                     //!< whether to end now; there is no run then
 };

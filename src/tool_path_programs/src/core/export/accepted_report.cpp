@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_path_programs/accepted_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/errors/errors.h"
@@ -36,6 +39,16 @@ std::string hash_of(const Json& report, const std::string& group, const std::str
   return record.at("sha256").get<std::string>();
 }
 
+/// What a person changed by hand; of many edits, the first.
+void add_edits(const Json& edits, std::vector<std::string>& comments) {
+  constexpr std::size_t kMost = 20;  // a program is no place for more
+  const auto done = edits.at("done").get<std::vector<std::string>>();
+  for (std::size_t i = 0; i < std::min(done.size(), kMost); ++i)
+    comments.push_back("edited by hand: " + done[i]);
+  if (done.size() > kMost)
+    comments.push_back(fmt::format("edited by hand: {} more, see the report", done.size() - kMost));
+}
+
 std::string file_comment(const std::string& what, const Json& file) {
   if (file.is_null()) return what + ": not from a file";
   return what + ": " + file.at("name").get<std::string>() + " sha256 " +
@@ -56,10 +69,14 @@ AcceptedReport accepted_report(const std::string& report_file, const std::string
                        file_comment("path", files.at("output")),
                        "verdict: accepted, report sha256 " +
                            scan_cell_common::sha256_of(text, report_file).substr(0, 16)};
+    if (report.contains("edits")) add_edits(report.at("edits"), result.comments);
     const Json& quality = report.at("quality");
     for (std::size_t i = 0; i < quality.size(); ++i)
       if (quality[i].at("in_air").get<bool>()) result.in_air.push_back(i);
     result.proven_path = hash_of(report, "files", "path");
+    if (report.contains("edits") && !result.proven_path.empty())
+      result.proven_path = scan_cell_common::sha256_of(
+          result.proven_path + report.at("edits").at("sha256").get<std::string>(), report_file);
     result.scanner = hash_of(report, "calibration", "scanner");
     result.cell = hash_of(report, "calibration", "cell");
     if (report.contains("scanned")) result.scanned = report.at("scanned").get<double>();

@@ -27,7 +27,7 @@ class Row {
   explicit Row(const ToolPath& path) : path_(path) {
     for (std::size_t s = 0; s < path.segments.size(); ++s)
       for (const Waypoint& waypoint : path.segments[s].waypoints)
-        places_.push_back({s, waypoint, {places_.size(), places_.size(), false}});
+        places_.push_back({s, waypoint, {places_.size(), places_.size()}});
   }
 
   void apply(const PathEdit& edit, const std::string& name) {
@@ -120,7 +120,7 @@ class Row {
     const Place& after = is_last ? before : places_[edit.after + 1];
     Place added = before;
     added.waypoint = between(before.waypoint, after.waypoint, edit.share);
-    added.origin = {before.origin.first, after.origin.second, true};
+    added.origin = {before.origin.first, after.origin.second, true, true};
     places_.insert(std::next(places_.begin(), static_cast<std::ptrdiff_t>(edit.after + 1)), added);
   }
 
@@ -171,6 +171,16 @@ EditedPath edited(const ToolPath& path, const std::vector<PathEdit>& edits) {
   EditedPath result = row.finish();
   check(result.path);
   return result;
+}
+
+PathLayout layout_for(const ToolPath& edited, PathLayout layout) {
+  layout.yaml.reset();
+  layout.kept.clear();
+  if (layout.columns.empty()) return layout;
+  for (const std::string& name : edited.process_names)
+    if (std::find(layout.columns.begin(), layout.columns.end(), name) == layout.columns.end())
+      layout.columns.push_back(name);
+  return layout;
 }
 
 ToolPath marked(const EditedPath& edited) {

@@ -50,7 +50,9 @@ std::optional<std::vector<double>> turns_of(const PathPair& paths, const Similar
   if (!paths.adapted || !paths.reference.path.has_orientation) return {};
   const auto before = rotations_of(paths.reference.path);
   const auto after = rotations_of(paths.adapted->path);
-  if (before.size() != after.size()) return {};
+  // An edited path has other waypoints
+  const bool edited = paths.adapted->path.process_names != paths.reference.path.process_names;
+  if (edited || before.size() != after.size()) return {};
   const bool axis_alone =
       paths.reference.layout.pose.orientation == tool_paths::OrientationKind::kToolVector;
   std::vector<double> turns;

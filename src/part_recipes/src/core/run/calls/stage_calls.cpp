@@ -44,24 +44,36 @@ ToolCall clean_call(const Recipe& recipe, const std::string& scan, const std::st
   return call;
 }
 
-ToolCall stretch_call(const Recipe& recipe) {
+ToolCall stretch_call(const Recipe& recipe, const std::string& into) {
   ToolCall call{"stretch",
                 "tool_path_stretcher",
                 {"stretch", "--reference", recipe.reference.file, "--reference-units",
                  recipe.reference.units, "--object", "../object.ply", "--object-units", "m",
                  "--path", recipe.path.file, "--path-units", recipe.path.units, "--output",
-                 adapted_path(recipe), "--report", "../report.json"}};
+                 into + "/" + path_name(recipe), "--report", into + "/report.json"}};
   add_options(call, recipe.path.options);
   add_options(call, recipe.stretch);
   return call;
 }
 
-ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region) {
+ToolCall edit_call(const Recipe& recipe) {
+  const std::string unedited = std::string("../") + kUnedited + "/";
+  ToolCall call{"edit",
+                "part_recipes",
+                {"edit_path", "--path", unedited + path_name(recipe), "--units", recipe.path.units,
+                 "--edits", kPathEdits, "--report", unedited + "report.json", "--output",
+                 adapted_path(recipe), "--output-report", "../report.json"}};
+  add_options(call, recipe.path.options);
+  return call;
+}
+
+ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region,
+                    const std::string& report) {
   ToolCall call{
       "sight",
       "pass_planner",
       {"seen_waypoints", "--reference", recipe.reference.file, "--units", recipe.reference.units,
-       "--path", recipe.path.file, "--path-units", recipe.path.units, "--report", "../report.json",
+       "--path", recipe.path.file, "--path-units", recipe.path.units, "--report", report,
        "--program", recipe.program, "--scanner", kScannerModel, "--output", "../sight.json"}};
   call.command.insert(call.command.end(), region.begin(), region.end());
   return call;

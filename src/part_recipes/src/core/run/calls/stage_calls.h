@@ -28,12 +28,24 @@ ToolCall scan_call(const Recipe& recipe, const Hashes& calibration, bool bag, do
 /// @param scan raw cloud in inputs @param units of its lengths
 ToolCall clean_call(const Recipe& recipe, const std::string& scan, const std::string& units);
 
+/// In inputs: what a person does to the adapted path.
+constexpr const char* kPathEdits = "path_edits.yaml";
+
+/// Where stretch puts its results if a person edits them, in the run's folder.
+constexpr const char* kUnedited = "unedited";
+
 /// report.json, and the adapted path where it is accepted.
-ToolCall stretch_call(const Recipe& recipe);
+/// @param into the run's folder, seen from inputs, or one in it
+ToolCall stretch_call(const Recipe& recipe, const std::string& into = "..");
+
+/// The adapted path and report.json, from those in kUnedited.
+ToolCall edit_call(const Recipe& recipe);
 
 /// sight.json: which waypoints the scan could see, and why not the others.
 /// @param region options of the camera's region
-ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region);
+/// @param report of stretch, seen from inputs
+ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region,
+                    const std::string& report);
 
 /// report.json of an accepted run's path, from the scan of then to another one: object.ply.
 /// @param run its folder
