@@ -30,6 +30,24 @@ sensor_msgs::PointCloud2 lattice(int side) {
   return scan_cell_common::to_message(cloud, header);
 }
 
+/// Five waypoints along x, 10 mm apart, the tool's z axis up, in two segments.
+scan_cell_msgs::ToolPath made_path() {
+  scan_cell_msgs::ToolPath path;
+  path.has_orientation = 1;
+  path.process_names = {"speed"};
+  path.segments.resize(2);
+  path.segments[0].name = "rim";
+  path.segments[1].name = "web";
+  for (int i = 0; i < 5; ++i) {
+    scan_cell_msgs::ToolPathWaypoint waypoint;
+    waypoint.pose.position.x = 0.01 * i;
+    waypoint.pose.orientation.w = 1;
+    waypoint.process_values = {0.05};
+    path.segments[i < 3 ? 0 : 1].waypoints.push_back(waypoint);
+  }
+  return path;
+}
+
 }  // namespace
 
 FakeRecipes::FakeRecipes()
@@ -146,7 +164,7 @@ void FakeRecipes::execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal) {
     }
     if (outcome >= 0) {
       result.outcome = static_cast<std::uint8_t>(outcome);
-      result.folder = "/runs/run_1";
+      result.folder = goal->path_edits.empty() ? "/runs/run_1" : "/runs/run_2";
       result.worked = static_cast<unsigned char>(!goal->run.empty());
       result.work_message = "all waypoints were passed";
       server_.setSucceeded(result);
@@ -196,10 +214,16 @@ bool FakeRecipes::runs(scan_cell_msgs::ListRuns::Request&,
   return true;
 }
 
-bool FakeRecipes::describe(scan_cell_msgs::DescribeRun::Request&,
+bool FakeRecipes::describe(scan_cell_msgs::DescribeRun::Request& request,
                            scan_cell_msgs::DescribeRun::Response& response) {
   response.success = 1;
   response.run = summary();
+  response.run.id = request.run;
+  response.frame = "world";
+  if (response.run.state == RunSummary::ACCEPTED) {
+    response.path = made_path();
+    response.expected_errors = {1e-4, 2e-4, 3e-4, 4e-4, 5e-4};
+  }
   response.recipe = "frame";
   response.cleaning =
       "floor: {automatic: false, z_min: 0.0005}\noutliers: {neighbours: 5}\n"
@@ -219,7 +243,6 @@ bool FakeRecipes::describe(scan_cell_msgs::DescribeRun::Request&,
   response.waypoint_positions[1].x = 0.01;
   response.waypoint_positions[1].y = -0.0205;
   response.waypoint_positions[1].z = 0.003;
-  response.frame = "world";
   return true;
 }
 

@@ -37,7 +37,7 @@ double resident() {
 
 class ADay : public testing::Test {
  protected:
-  ADay() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_) {
+  ADay() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_, path_) {
     recipes_.give_each_run_a_scan(kSide);
     link_.start();
     teach_.start();
@@ -109,6 +109,7 @@ class ADay : public testing::Test {
   CellLink link_;
   TeachLink teach_;
   EditSession edits_;
+  PathSession path_;
   Seat seat_;
   std::shared_ptr<const cloud_preprocess::Cloud> scan_;  // that came last
 };

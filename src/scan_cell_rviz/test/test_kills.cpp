@@ -40,7 +40,7 @@ constexpr Victim kVictims[] = {{"/c4g_driver", "sign_robot", "not running"},
 
 class ASeatInTheCell : public testing::Test {
  protected:
-  ASeatInTheCell() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_) {
+  ASeatInTheCell() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_, path_) {
     link_.start();
     teach_.start();
     seat_.show();
@@ -83,6 +83,7 @@ class ASeatInTheCell : public testing::Test {
   CellLink link_;
   TeachLink teach_;
   EditSession edits_;
+  PathSession path_;
   Seat seat_;
   QTimer beat_;
   QElapsedTimer since_beat_;

@@ -33,6 +33,16 @@ Ray down_at(double x, double y) {
   return ray;
 }
 
+TEST(Picking, MeansThePlaceNearestToTheMiddleOfTheRay) {
+  const std::vector<Vector3d> places = {{0.0105, 0.02, 0.1}, {0.01, 0.02, 0.1}, {0.3, 0, 0.1}};
+  EXPECT_EQ(meant(places, down_at(0.01, 0.02)), std::optional<std::size_t>(1));
+  EXPECT_EQ(meant(places, down_at(0.0104, 0.02)), std::optional<std::size_t>(0));
+  EXPECT_FALSE(meant(places, down_at(0.05, 0))) << "beside all of them";
+  Ray up = down_at(0.01, 0.02);
+  up.direction = -up.direction;
+  EXPECT_FALSE(meant(places, up)) << "behind the viewer";
+}
+
 TEST(Picking, FindsThePointInFrontAndWhatIsGoneIsSeenThrough) {
   EditedCloud cloud(two_layers());
   const auto upper = picked(cloud.source(), cloud.kept(), down_at(0.01, 0.02));

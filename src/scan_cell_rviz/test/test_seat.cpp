@@ -13,11 +13,10 @@
 #include <csignal>
 #include <functional>
 
-#include "fake_recipes.h"
+#include "a_seat.h"
 #include "panel/seat_panel.h"
 #include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/testing/child_process.h"
-#include "seat/seat.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -26,62 +25,6 @@ using scan_cell_msgs::RobotStatus;
 using scan_cell_msgs::RunSummary;
 
 constexpr const char* kPlayRecipes = "--play-recipes";
-constexpr int kPatience = 20000;  // [ms]
-
-class ASeat : public testing::Test {
- protected:
-  ASeat() {
-    recipes_ = std::make_unique<FakeRecipes>();
-    link_.start();
-    seat_.show();
-    EXPECT_TRUE(comes([this] { return recipe_list()->count() == 2; })) << text("missed");
-    EXPECT_TRUE(comes([this] { return link_.busy() == Busy::kFree; }));
-  }
-
-  /// Serves the window until it is so.
-  static bool comes(const std::function<bool()>& condition) {
-    return QTest::qWaitFor(condition, kPatience);
-  }
-
-  template <class Widget>
-  Widget* find(const char* name) const {
-    Widget* const widget = seat_.findChild<Widget*>(name);
-    EXPECT_NE(widget, nullptr) << name;
-    return widget;
-  }
-
-  QPushButton* button(const char* name) const { return find<QPushButton>(name); }
-  QListWidget* recipe_list() const { return find<QListWidget>("recipes"); }
-  std::string text(const char* label) const { return find<QLabel>(label)->text().toStdString(); }
-  std::string trouble() const { return text("trouble"); }
-  void click(const char* name) const { QTest::mouseClick(button(name), Qt::LeftButton); }
-
-  void choose_frame() const { recipe_list()->setCurrentRow(0); }
-
-  /// Clicks until the goal has come: the server may not be connected yet.
-  void scan() {
-    choose_frame();
-    const int before = recipes_->goals();
-    EXPECT_TRUE(comes([&] {
-      if (link_.busy() == Busy::kFree && button("run")->isEnabled()) click("run");
-      QTest::qWait(50);
-      return recipes_->goals() > before;
-    })) << trouble();
-  }
-
-  /// A part that was scanned and whose verdict is in view.
-  void scan_to(std::uint8_t outcome) {
-    scan();
-    recipes_->finish(outcome);
-    EXPECT_TRUE(comes([this] { return !text("verdict").empty(); })) << trouble();
-  }
-
-  std::unique_ptr<FakeRecipes> recipes_;
-  CellLink link_{NodeNames()};
-  TeachLink teach_{NodeNames()};
-  EditSession edits_;
-  Seat seat_{link_, teach_, edits_};
-};
 
 TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
   EXPECT_FALSE(button("run")->isEnabled()) << "no part was chosen";
@@ -245,7 +188,7 @@ TEST_F(ASeat, LetsAPersonWithANameApproveAnAcceptedRunAndThenWork) {
       << text("decision");
   EXPECT_EQ(recipes_->last_decision().run, "run_1");
   EXPECT_EQ(recipes_->last_decision().name, "Ada");
-  find<QTabWidget>("pages")->setCurrentIndex(3);
+  find<QTabWidget>("pages")->setCurrentIndex(4);
   ASSERT_TRUE(comes([this] { return button("dry_run")->isEnabled(); }));
   click("dry_run");
   ASSERT_TRUE(comes([this] { return recipes_->goals() == 2; }));
@@ -259,7 +202,7 @@ TEST_F(ASeat, PreviewsTheWorkBeforeAnythingMoves) {
   QSignalSpy chosen(&seat_, &Seat::poseChosen);
   EXPECT_FALSE(button("preview")->isEnabled()) << "of no run";
   scan_to(RunSummary::ACCEPTED);
-  find<QTabWidget>("pages")->setCurrentIndex(3);
+  find<QTabWidget>("pages")->setCurrentIndex(4);
   ASSERT_TRUE(comes([this] { return button("preview_dry")->isEnabled(); }));
   EXPECT_FALSE(find<QSlider>("pose")->isEnabled());
   click("preview_dry");
@@ -305,7 +248,8 @@ TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
   CellLink other((NodeNames()));
   TeachLink its_teach((NodeNames()));
   EditSession its_edits;
-  Seat watching(other, its_teach, its_edits);
+  PathSession its_path;
+  Seat watching(other, its_teach, its_edits, its_path);
   other.start();
   auto* const doing = watching.findChild<QLabel*>("doing");
   ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));
@@ -377,7 +321,7 @@ TEST_F(ASeat, ShowsADeviceThatFailsALaserThatIsOnAndANodeThatIsGone) {
 
 TEST_F(ASeat, OpensAnEarlierRunFromTheHistory) {
   auto* const pages = find<QTabWidget>("pages");
-  pages->setCurrentIndex(4);
+  pages->setCurrentIndex(5);
   auto* const runs = find<QTableWidget>("runs");
   ASSERT_TRUE(comes([&] { return runs->rowCount() == 1; })) << trouble();
   EXPECT_EQ(runs->item(0, 0)->text(), "2026-11-25T12:13:14");

@@ -42,7 +42,7 @@ void make_recipe(const std::string& folder) {
 
 class AShift : public testing::Test {
  protected:
-  AShift() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_) {
+  AShift() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_, path_) {
     link_.start();
     teach_.start();
     seat_.show();
@@ -109,6 +109,7 @@ class AShift : public testing::Test {
   CellLink link_;
   TeachLink teach_;
   EditSession edits_;
+  PathSession path_;
   Seat seat_;
 };
 

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tools in a view of rviz, seen from above and moved by the mouse; judged by counts of a
 // lattice.
-#include <OgreCamera.h>
-#include <OgreViewport.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rviz/display.h>
 #include <rviz/tool.h>
 #include <rviz/tool_manager.h>
-#include <rviz/viewport_mouse_event.h>
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -72,26 +69,7 @@ class Tools : public testing::Test {
   }
 
   void mouse(rviz::Tool* tool, QEvent::Type type, const Vector3d& place) {
-    Ogre::Viewport* const viewport = panel_->getViewport();
-    const Ogre::Camera* const camera = viewport->getCamera();
-    const Ogre::Vector3 seen =
-        camera->getProjectionMatrix() * (camera->getViewMatrix() * to_ogre(place));
-    rviz::ViewportMouseEvent event;
-    event.panel = panel_;
-    event.viewport = viewport;
-    event.type = type;
-    event.x = static_cast<int>(
-        std::lround((seen.x + 1) / 2 * static_cast<float>(viewport->getActualWidth())));
-    event.y = static_cast<int>(
-        std::lround((1 - seen.y) / 2 * static_cast<float>(viewport->getActualHeight())));
-    event.last_x = event.x;
-    event.last_y = event.y;
-    event.wheel_delta = 0;
-    event.acting_button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
-    event.buttons_down =
-        type == QEvent::MouseButtonRelease ? Qt::MouseButtons(Qt::NoButton) : Qt::LeftButton;
-    event.modifiers = Qt::NoModifier;
-    tool->processMouseEvent(event);
+    view_->mouse(tool, type, place);
   }
 
   void click(rviz::Tool* tool, const Vector3d& place) {

@@ -17,6 +17,7 @@
 #include "run/recipe_picture.h"
 #include "run/run_recipe.h"
 #include "scan_cell_common/errors/errors.h"
+#include "tool_path_stretcher/ros/conversions.h"
 
 namespace part_recipes {
 namespace {
@@ -159,6 +160,10 @@ bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
     const RunView view = view_of(folder);
     response.frame = view.frame;
     response.waypoints_concerned = view.concerned;
+    std_msgs::Header header;
+    header.frame_id = view.frame;
+    response.path = tool_path_stretcher::to_message(view.adapted, header);
+    response.expected_errors = view.expected;
     for (const Eigen::Vector3d& position : view.positions)
       response.waypoint_positions.push_back(tf2::toMsg(position));
     display_.show(folder, view);

@@ -5,6 +5,7 @@
 #include "approval/approval.h"
 #include "history/remember.h"
 #include "recipe/recipe.h"
+#include "run/again.h"
 #include "run/prove.h"
 #include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
@@ -91,6 +92,7 @@ void RunServer::tell(const std::string& stage) {
 }
 
 RunServer::Result RunServer::run(const Goal& goal) {
+  if (!goal.path_edits.empty()) return edit_old(goal);
   if (!goal.run.empty()) return work_old(goal);
   const StageBegins begins = [this](const std::string& stage) { tell(stage); };
   const Recipe recipe = load_recipe(find_recipe(parameters_.recipes, goal.recipe));
@@ -108,8 +110,8 @@ RunServer::Result RunServer::run(const Goal& goal) {
 RunServer::Result RunServer::work_old(const Goal& goal) {
   check_name(goal.run);
   if (goal.work == Goal::NO_WORK)
-    throw scan_cell_common::InvalidParameter("work", "NO_WORK",
-                                             "give DRY_RUN or WORK for a run that is there");
+    throw scan_cell_common::InvalidParameter(
+        "work", "NO_WORK", "give DRY_RUN or WORK for a run that is there, or path_edits");
   EndedRun ended;
   ended.folder = std::filesystem::path(parameters_.runs) / goal.run;
   ended.record = load_run(ended.folder);
@@ -121,6 +123,20 @@ RunServer::Result RunServer::work_old(const Goal& goal) {
   work(
       load_recipe(ended.folder / "inputs"), request_of(goal),
       [this](const std::string& stage) { tell(stage); }, ended);
+  return result_of(ended);
+}
+
+/// A run of its own, from the files of one that was made before.
+RunServer::Result RunServer::edit_old(const Goal& goal) {
+  check_name(goal.run);
+  if (goal.work != Goal::NO_WORK)
+    throw scan_cell_common::InvalidParameter("work", std::to_string(goal.work),
+                                             "look at the edited path before it is worked");
+  const auto edits = tool_paths::parse_path_edits(goal.path_edits, "path_edits");
+  EndedRun ended = run_edited(
+      std::filesystem::path(parameters_.runs) / goal.run, edits, parameters_.runs, goal.note,
+      [this](const std::string& stage) { tell(stage); }, request_of(goal).stop);
+  remember(ended);
   return result_of(ended);
 }
 

@@ -28,6 +28,7 @@ class RunServer {
   RunRequest request_of(const Goal& goal);
   Result run(const Goal& goal);
   Result work_old(const Goal& goal);
+  Result edit_old(const Goal& goal);
 
   ros::NodeHandle node_;
   RecipeParameters parameters_;

@@ -157,6 +157,34 @@ class Recipes(unittest.TestCase):
         self.assertIn('name', approve(run='../frame', approved=True, name='Ada').message)
         self.assertIn('run.json', approve(run='nothing', approved=True, name='Ada').message)
 
+    def test_a_path_edited_by_hand_is_a_run_that_needs_a_dry_run_of_its_own(self):
+        first = self.run_recipe(recipe='frame', work=RunRecipeGoal.DRY_RUN)
+        self.assertTrue(first.worked, first.work_message)
+        run = os.path.basename(first.folder)
+        edits = 'edits: [{delete: {waypoints: [0, 4]}}, {move: {waypoints: 0, by: [0, 0, -0.001]}}]'
+        edited = self.run_recipe(run=run, path_edits=edits, note='clear of the clamp')
+        self.assertEqual(edited.outcome, RunRecipeResult.ACCEPTED, edited.message)
+        self.assertNotEqual(edited.folder, first.folder)
+        rospy.wait_for_service('/part_recipes/describe', PATIENCE)
+        describe = rospy.ServiceProxy('/part_recipes/describe', DescribeRun)
+        before, after = (sum(len(segment.waypoints) for segment in describe(run=os.path.basename(folder)).path.segments)
+                         for folder in (first.folder, edited.folder))
+        self.assertEqual(after, before - 5)
+        described = describe(run=os.path.basename(edited.folder))
+        self.assertEqual(len(described.expected_errors), after)
+        self.assertEqual(described.path.process_names[-1], 'edited')
+        self.assertEqual(described.path.segments[0].waypoints[0].process_values[-1], 1)
+        result = self.run_recipe(run=os.path.basename(edited.folder), work=RunRecipeGoal.WORK)
+        self.assertFalse(result.worked)
+        self.assertIn('dry', result.work_message)
+        result = self.run_recipe(run=os.path.basename(edited.folder), work=RunRecipeGoal.DRY_RUN)
+        self.assertTrue(result.worked, result.work_message)
+        with open(edited.folder + '.dry_run.json') as file:
+            self.assertEqual(len(json.load(file)['passed']), after)
+        self.assertIn('no waypoint 9999', self.run_recipe(run=run, path_edits='edits: [{delete: {waypoints: 9999}}]').message)
+        self.assertIn('path_edits', self.run_recipe(run=run, path_edits='edits: [{cut: 1}]').message)
+        self.assertIn('work', self.run_recipe(run=run, path_edits=edits, work=RunRecipeGoal.WORK).message)
+
     def test_a_run_whose_path_the_robot_cannot_follow_is_accepted_and_not_worked(self):
         result = self.run_recipe(recipe='from_below', work=RunRecipeGoal.DRY_RUN, bag=True)
         self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)

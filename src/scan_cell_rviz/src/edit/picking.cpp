@@ -31,6 +31,22 @@ std::optional<Vector3d> picked(const cloud_preprocess::Cloud& cloud,
   return nearest;
 }
 
+std::optional<std::size_t> meant(const std::vector<Vector3d>& places, const Ray& ray) {
+  std::optional<std::size_t> nearest;
+  double least = 1;  // share of the ray's radius there
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vector3d off = places[i] - ray.origin;
+    const double along = off.dot(ray.direction);
+    if (along <= 0) continue;
+    const double aside = (off - along * ray.direction).norm();
+    const double share = aside / (ray.radius + ray.widening * along);
+    if (share >= least) continue;
+    least = share;
+    nearest = i;
+  }
+  return nearest;
+}
+
 PrismShape prism_behind(const std::vector<Ray>& corners, const Vector3d& place, double depth) {
   Vector3d middle = Vector3d::Zero();
   for (const Ray& corner : corners)

@@ -24,6 +24,9 @@ std::optional<Eigen::Vector3d> picked(const cloud_preprocess::Cloud& cloud,
                                       const cloud_preprocess::EditedCloud::Indices& points,
                                       const Ray& ray);
 
+/// Which of some places a person means: of those within the ray the nearest to its middle.
+std::optional<std::size_t> meant(const std::vector<Eigen::Vector3d>& places, const Ray& ray);
+
 /// What is behind a polygon drawn on the screen. Where the view has a perspective its sides are
 /// those of the polygon at the depth of the place, and parallel.
 /// @param corners 3 at least, in their order

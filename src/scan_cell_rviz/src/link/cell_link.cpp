@@ -34,6 +34,7 @@ void register_types() {
   qRegisterMetaType<Device>("scan_cell_rviz::Device");
   qRegisterMetaType<Sign>("scan_cell_rviz::Sign");
   qRegisterMetaType<Busy>("scan_cell_rviz::Busy");
+  qRegisterMetaType<Doing>("scan_cell_rviz::Doing");
   qRegisterMetaType<std::vector<scan_cell_msgs::RecipeState>>(
       "std::vector<scan_cell_msgs::RecipeState>");
   qRegisterMetaType<std::vector<scan_cell_msgs::RunSummary>>(
@@ -216,6 +217,14 @@ void CellLink::work(const QString& run, bool dry) {
   send(goal);
 }
 
+void CellLink::edit_path(const QString& run, const QString& edits, const QString& note) {
+  RunRecipeGoal goal;
+  goal.run = run.toStdString();
+  goal.path_edits = edits.toStdString();
+  goal.note = note.toStdString();
+  send(goal);
+}
+
 void CellLink::send(const RunRecipeGoal& goal) {
   if (busy() != Busy::kFree) {
     Q_EMIT failed(tr("The cell is busy: wait until it is free."));
@@ -230,7 +239,7 @@ void CellLink::send(const RunRecipeGoal& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ours_ = true;
-    is_work_ = !goal.run.empty();
+    doing_ = goal.run.empty() ? Doing::kRun : goal.path_edits.empty() ? Doing::kWork : Doing::kEdit;
     sent_ = ros::WallTime::now();
     number = ++goal_;
   }
@@ -255,14 +264,14 @@ void CellLink::stop() {
 }
 
 void CellLink::end(const RunRecipeResult& result) {
-  bool was_work = false;
+  Doing was = Doing::kRun;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!ours_) return;
     ours_ = false;
-    was_work = is_work_;
+    was = doing_;
   }
-  Q_EMIT runEnded(result, was_work);
+  Q_EMIT runEnded(result, was);
   Q_EMIT busyChanged(busy());
 }
 

@@ -40,6 +40,9 @@ namespace scan_cell_rviz {
 /// Who has the cell.
 enum class Busy { kFree, kOurs, kOthers };
 
+/// What a goal of this seat asks for.
+enum class Doing { kRun, kWork, kEdit };
+
 /// The cell as the seat knows it: what a person does there becomes a goal or a call, and what comes
 /// back a signal. Nothing blocks: topics and actions are served by a thread of its own, calls are
 /// made by another. Any node may be gone and come back.
@@ -80,7 +83,12 @@ class CellLink : public QObject {
   /// Works the part of a run. Ends with runEnded.
   void work(const QString& run, bool dry);
 
-  /// Cancels what is under way, another's, too; what run() or work() began ends with runEnded.
+  /// Makes a run of its own from a run and edits of its path. Ends with runEnded.
+  /// @param edits in YAML
+  void edit_path(const QString& run, const QString& edits, const QString& note);
+
+  /// Cancels what is under way, another's, too; what run(), work() or edit_path() began ends with
+  /// runEnded.
   void stop();
 
  Q_SIGNALS:
@@ -96,7 +104,7 @@ class CellLink : public QObject {
   void previewed(scan_cell_msgs::WorkPreviewConstPtr preview);  ///< whoever asked for it
   void failed(QString message);
   void progressed(QString doing, double share);  ///< share below 0: not known
-  void runEnded(scan_cell_msgs::RunRecipeResult result, bool was_work);
+  void runEnded(scan_cell_msgs::RunRecipeResult result, scan_cell_rviz::Doing was);
 
  private:
   using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
@@ -131,7 +139,7 @@ class CellLink : public QObject {
   std::set<std::string> missed_;                     // topics that nobody publishes
   bool ours_ = false;                                // a goal of this seat is under way
   bool others_ = false;                              // one of another's is
-  bool is_work_ = false;
+  Doing doing_ = Doing::kRun;                        // the goal of this seat
   int goal_ = 0;                 // counts, so that a late end of an old one is told apart
   ros::WallTime sent_, unseen_;  // unseen: since when the server is gone; zero: it is there
   ros::WallTime camera_seen_;

@@ -33,7 +33,7 @@ SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
 void SeatPanel::onInitialize() {
   link_ = std::make_unique<CellLink>(NodeNames());
   teach_ = std::make_unique<TeachLink>(NodeNames());
-  seat_ = new Seat(*link_, *teach_, shared_edit_session(), this);
+  seat_ = new Seat(*link_, *teach_, shared_edit_session(), shared_path_session(), this);
   apply_config();
   layout()->addWidget(seat_);
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
@@ -43,6 +43,7 @@ void SeatPanel::onInitialize() {
   connect(seat_, &Seat::poseChosen, this, &SeatPanel::show_pose);
   box_ = std::make_unique<BoxHandles>(shared_edit_session());
   connect(seat_, &Seat::boxWanted, box_.get(), &BoxHandles::apply);
+  waypoint_ = std::make_unique<WaypointHandles>(shared_path_session());
   window()->installEventFilter(this);
   link_->start();
   teach_->start();
@@ -93,10 +94,15 @@ rviz::Display* SeatPanel::display_of(const QString& type, const QString& name,
   return vis_manager_->createDisplay(type, title, true);
 }
 
-void SeatPanel::show_box_display() {
-  const QString title = tr("box of the seat");
+void SeatPanel::show_handles(const QString& title, const std::string& topic) {
   rviz::Display* const display = display_of("rviz/InteractiveMarkers", title, title);
-  display->subProp("Update Topic")->setValue(QString::fromStdString(box_->topic() + "/update"));
+  display->subProp("Update Topic")->setValue(QString::fromStdString(topic + "/update"));
+}
+
+void SeatPanel::show_path() {
+  display_of("scan_cell_rviz/EditedPath", {}, tr("path edited by hand"))->setEnabled(true);
+  show_handles(tr("waypoint of the seat"), waypoint_->topic());
+  waypoint_->show();
 }
 
 void SeatPanel::show_pose(int pose) {
@@ -111,9 +117,10 @@ void SeatPanel::show_pose(int pose) {
 void SeatPanel::use_tool(const QString& name) {
   rviz::ToolManager* const tools = vis_manager_->getToolManager();
   if (name == "box") {
-    show_box_display();
+    show_handles(tr("box of the seat"), box_->topic());
     box_->show();
   }
+  if (name == "waypoint") show_path();
   if (name == "view") box_->hide();
   if (name == "box" || name == "view") return tools->setCurrentTool(tools->getDefaultTool());
   const QString wanted = "scan_cell_rviz/" + name.left(1).toUpper() + name.mid(1);

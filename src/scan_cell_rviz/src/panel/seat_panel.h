@@ -10,6 +10,7 @@
 #include "link/teach_link.h"
 #include "seat/seat.h"
 #include "view/box_handles.h"
+#include "view/waypoint_handles.h"
 
 namespace rviz {
 class Display;
@@ -35,13 +36,15 @@ class SeatPanel : public rviz::Panel {
   void apply_config();
   void use_tool(const QString& name);
   rviz::Display* display_of(const QString& type, const QString& name, const QString& title);
-  void show_box_display();
+  void show_handles(const QString& title, const std::string& topic);
+  void show_path();
   void show_pose(int pose);
   void look_at(double x, double y, double z, const QString& frame);
 
   std::unique_ptr<CellLink> link_;
   std::unique_ptr<TeachLink> teach_;
   std::unique_ptr<BoxHandles> box_;
+  std::unique_ptr<WaypointHandles> waypoint_;
   Seat* seat_ = nullptr;
   QString person_;
   QString pose_file_;

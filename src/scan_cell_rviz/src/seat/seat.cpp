@@ -24,7 +24,7 @@ QString id_of(const RunRecipeResult& result) {
 
 }  // namespace
 
-Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, QWidget* parent)
+Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, PathSession& path, QWidget* parent)
     : QWidget(parent),
       link_(link),
       edits_(edits),
@@ -33,6 +33,7 @@ Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, QWidget* parent
       part_(new PartPage(this)),
       clean_(new CleanPage(edits, this)),
       fit_(new FitPage(this)),
+      path_(new PathPage(path, this)),
       work_(new WorkPage(this)),
       history_(new HistoryPage(this)),
       teach_(new TeachPage(teach, this)),
@@ -44,9 +45,10 @@ Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, QWidget* parent
   pages_->addTab(part_, tr("&1 Part"));
   pages_->addTab(clean_, tr("&2 Clean"));
   pages_->addTab(fit_, tr("&3 Fit"));
-  pages_->addTab(work_, tr("&4 Work"));
-  pages_->addTab(history_, tr("&5 History"));
-  pages_->addTab(teach_, tr("&6 Teach"));
+  pages_->addTab(path_, tr("&4 Path"));
+  pages_->addTab(work_, tr("&5 Work"));
+  pages_->addTab(history_, tr("&6 History"));
+  pages_->addTab(teach_, tr("&7 Teach"));
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
@@ -65,6 +67,7 @@ Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, QWidget* parent
   connect_link();
   connect_pages();
   connect_clean();
+  connect_path();
   show_busy(link_.busy());
   tell(QString());
 }
@@ -83,6 +86,7 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::decided, &link_, &CellLink::describe);
   connect(&link_, &CellLink::described, this, [this](const auto& run) {
     fit_->show_run(run);
+    path_->show_run(run);
     work_->show_run(run.run);
   });
 }
@@ -147,7 +151,18 @@ void Seat::connect_clean() {
   connect(clean_, &CleanPage::boxWanted, this, &Seat::boxWanted);
 }
 
+void Seat::connect_path() {
+  connect(path_, &PathPage::saveWanted, this,
+          [this](const QString& run, const QString& edits, const QString& note) {
+            tell(QString());
+            link_.edit_path(run, edits, note);
+          });
+  connect(path_, &PathPage::toolWanted, this, &Seat::toolWanted);
+  connect(path_, &PathPage::placeChosen, this, &Seat::placeChosen);
+}
+
 void Seat::show_busy(Busy busy) {
+  path_->set_free(busy == Busy::kFree);
   part_->set_free(busy == Busy::kFree);
   work_->set_free(busy == Busy::kFree);
   teach_->set_free(busy == Busy::kFree);
@@ -162,13 +177,17 @@ void Seat::show_progress(const QString& doing, double share) {
   progress_->setValue(static_cast<int>(share * kPerMille));
 }
 
-void Seat::show_end(const RunRecipeResult& result, bool was_work) {
+void Seat::show_end(const RunRecipeResult& result, Doing was) {
+  const bool was_work = was == Doing::kWork;
   const QString id = id_of(result);
   if (result.outcome == RunRecipeResult::NONE) {
     tell(QString::fromStdString(result.message));
     if (was_work) work_->show_end(tr("Not worked: %1").arg(QString::fromStdString(result.message)));
+    if (was == Doing::kEdit) path_->show_end(QString::fromStdString(result.message));
     return;
   }
+  if (was == Doing::kEdit && result.outcome != RunRecipeResult::ACCEPTED)
+    return path_->show_end(QString::fromStdString(result.message));  // the edits stay
   tell(QString::fromStdString(result.warning));
   if (was_work)
     work_->show_end((result.worked != 0 ? tr("Done. %1") : tr("Not worked: %1"))

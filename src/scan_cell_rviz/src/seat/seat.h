@@ -14,6 +14,7 @@
 #include "pages/fit_page.h"
 #include "pages/history_page.h"
 #include "pages/part_page.h"
+#include "pages/path_page.h"
 #include "pages/teach_page.h"
 #include "pages/work_page.h"
 #include "seat/band.h"
@@ -26,7 +27,9 @@ class Seat : public QWidget {
 
  public:
   /// @param edits of the scan in view
-  Seat(CellLink& link, TeachLink& teach, EditSession& edits, QWidget* parent = nullptr);
+  /// @param path of the run in view
+  Seat(CellLink& link, TeachLink& teach, EditSession& edits, PathSession& path,
+       QWidget* parent = nullptr);
 
   /// A scan or work of this seat is under way.
   bool is_busy() const { return link_.busy() == Busy::kOurs; }
@@ -47,9 +50,10 @@ class Seat : public QWidget {
   void connect_link();
   void connect_pages();
   void connect_clean();
+  void connect_path();
   void show_busy(Busy busy);
   void show_progress(const QString& doing, double share);
-  void show_end(const scan_cell_msgs::RunRecipeResult& result, bool was_work);
+  void show_end(const scan_cell_msgs::RunRecipeResult& result, Doing was);
   void tell(const QString& message);  ///< what went wrong; empty: nothing
 
   CellLink& link_;
@@ -59,6 +63,7 @@ class Seat : public QWidget {
   PartPage* part_;
   CleanPage* clean_;
   FitPage* fit_;
+  PathPage* path_;
   WorkPage* work_;
   HistoryPage* history_;
   TeachPage* teach_;

@@ -3,12 +3,12 @@
 #include "view/box_handles.h"
 
 #include <ros/this_node.h>
-#include <tf2_eigen/tf2_eigen.h>
 
 #include <algorithm>
 
 #include "edit/box.h"
 #include "scan_cell_common/ros/conversions.h"
+#include "view/handle_controls.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -20,20 +20,6 @@ using visualization_msgs::InteractiveMarkerFeedback;
 using visualization_msgs::Marker;
 
 constexpr const char* kBox = "box";
-
-/// A control's x axis is what it moves along or turns about.
-Eigen::Quaterniond along(const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), axis);
-}
-
-InteractiveMarkerControl control_of(const Eigen::Vector3d& axis, std::uint8_t mode,
-                                    const std::string& name) {
-  InteractiveMarkerControl control;
-  control.orientation = tf2::toMsg(along(axis));
-  control.interaction_mode = mode;
-  control.name = name;
-  return control;
-}
 
 Marker marker_of(std::int32_t type, const Eigen::Vector3d& size, float alpha) {
   Marker marker;
@@ -62,13 +48,7 @@ InteractiveMarker body_of(const BoxShape& box) {
   seen.interaction_mode = InteractiveMarkerControl::NONE;
   seen.markers = {marker_of(Marker::CUBE, box.size, kClear)};
   body.controls.push_back(seen);
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis);
-    body.controls.push_back(
-        control_of(unit, InteractiveMarkerControl::MOVE_AXIS, "move_" + std::to_string(axis)));
-    body.controls.push_back(
-        control_of(unit, InteractiveMarkerControl::ROTATE_AXIS, "turn_" + std::to_string(axis)));
-  }
+  add_arrows_and_rings(body);
   return body;
 }
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/edit_tool.h"
 
-#include <OgreCamera.h>
 #include <OgreSceneNode.h>
-#include <OgreViewport.h>
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 #include <rviz/viewport_mouse_event.h>
@@ -13,6 +11,7 @@
 
 #include "scan_cell_common/errors/errors.h"
 #include "view/cloud_frame.h"
+#include "view/mouse_ray.h"
 
 namespace scan_cell_rviz {
 
@@ -78,7 +77,6 @@ int EditTool::processKeyEvent(QKeyEvent* event, rviz::RenderPanel* panel) {
 
 /// In the cloud's frame; none: there is no cloud, or rviz does not know its frame.
 std::optional<Ray> EditTool::ray_of(const rviz::ViewportMouseEvent& event) {
-  constexpr float kReach = 4;  // [pixels] chosen
   const EditedViewPtr view = shared_edit_session().view();
   const auto frame = view ? frame_in_view(*context_, view->frame) : std::nullopt;
   if (!frame) {
@@ -86,20 +84,7 @@ std::optional<Ray> EditTool::ray_of(const rviz::ViewportMouseEvent& event) {
                    : tr("No scan is in view: scan a part, or choose a run."));
     return std::nullopt;
   }
-  const Ogre::Camera* const camera = event.viewport->getCamera();
-  const auto width = static_cast<float>(event.viewport->getActualWidth());
-  const auto height = static_cast<float>(event.viewport->getActualHeight());
-  const auto at = [&](float right) {
-    return camera->getCameraToViewportRay((static_cast<float>(event.x) + right) / width,
-                                          static_cast<float>(event.y) / height);
-  };
-  const Ogre::Ray middle = at(0), side = at(kReach);
-  Ray ray;
-  ray.origin = frame->to_cloud(middle.getOrigin());
-  ray.direction = frame->turned_to_cloud(middle.getDirection()).normalized();
-  ray.radius = (side.getOrigin() - middle.getOrigin()).length();
-  ray.widening = (side.getDirection() - middle.getDirection()).length();
-  return ray;
+  return ray_under(event, *frame);
 }
 
 void EditTool::draw(const std::vector<Vector3d>& places, bool closed) {

@@ -1,0 +1,140 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/path_display.h"
+
+#include <OgreSceneNode.h>
+#include <rviz/properties/float_property.h>
+
+#include <algorithm>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "path/path_session.h"
+#include "view/cloud_frame.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+constexpr float kSize = 0.0015F;         // [m] of a waypoint; chosen
+constexpr float kEditedTimes = 2;        // larger than others; chosen
+constexpr std::size_t kMostChosen = 50;  // with axes: more hide the path; chosen
+const Ogre::ColourValue kPath(0.75F, 0.75F, 0.75F);
+const Ogre::ColourValue kEdited(0.90F, 0.45F, 0.05F);  // orange: told from grey by all eyes
+const Ogre::ColourValue kDeleted(0.35F, 0.35F, 0.35F);
+
+void fill(rviz::PointCloud& shown, const std::vector<Eigen::Vector3d>& places, float size,
+          const Ogre::ColourValue& colour) {
+  std::vector<rviz::PointCloud::Point> drawn;
+  drawn.reserve(places.size());
+  for (const Eigen::Vector3d& place : places)
+    drawn.push_back({to_ogre(place), colour});
+  shown.clear();
+  shown.setDimensions(size, size, size);
+  if (!drawn.empty()) shown.addPoints(drawn.data(), static_cast<std::uint32_t>(drawn.size()));
+}
+
+}  // namespace
+
+PathDisplay::PathDisplay() {
+  size_ = new rviz::FloatProperty("Size", kSize, "of a waypoint [m]", this, SLOT(show()));
+  size_->setMin(1e-5F);
+}
+
+PathDisplay::~PathDisplay() {
+  for (const auto* const cloud : {adapted_.get(), edited_.get(), deleted_.get()})
+    if (cloud != nullptr) scene_node_->detachObject(cloud->getName());
+}
+
+void PathDisplay::onInitialize() {
+  line_ = std::make_unique<rviz::BillboardLine>(context_->getSceneManager(), scene_node_);
+  const auto make = [this](const char* name, rviz::PointCloud::RenderMode mode) {
+    auto cloud = std::make_unique<rviz::PointCloud>();
+    cloud->setName(name);  // Ogre tells them apart by it
+    cloud->setRenderMode(mode);
+    scene_node_->attachObject(cloud.get());
+    return cloud;
+  };
+  adapted_ = make("adapted", rviz::PointCloud::RM_SPHERES);
+  edited_ = make("edited", rviz::PointCloud::RM_BOXES);
+  deleted_ = make("deleted", rviz::PointCloud::RM_FLAT_SQUARES);
+  connect(&shared_path_session(), &PathSession::changed, this, &PathDisplay::show);
+  connect(&shared_path_session(), &PathSession::selectionChanged, this, &PathDisplay::show_chosen);
+  show();
+}
+
+void PathDisplay::show() {
+  if (!line_ || !isEnabled()) return;
+  const PathSession& session = shared_path_session();
+  const float size = size_->getFloat();
+  std::vector<Eigen::Vector3d> adapted, edited, deleted;
+  for (std::size_t i = 0; i < session.waypoints().size(); ++i)
+    (session.edited().origins[i].edited ? edited : adapted)
+        .push_back(session.waypoints()[i].pose.translation());
+  const tool_paths::Points before = session.positions_before();
+  for (const std::size_t i : session.deleted())
+    deleted.push_back(before[i]);
+  fill(*adapted_, adapted, size, kPath);
+  fill(*edited_, edited, kEditedTimes * size, kEdited);
+  fill(*deleted_, deleted, size, kDeleted);
+  line_->clear();
+  line_->setLineWidth(size / 2);
+  const auto& segments = session.edited().path.segments;
+  line_->setNumLines(static_cast<std::uint32_t>(std::max<std::size_t>(1, segments.size())));
+  line_->setMaxPointsPerLine(
+      static_cast<std::uint32_t>(std::max<std::size_t>(1, session.waypoints().size())));
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    if (s > 0) line_->newLine();
+    for (const tool_paths::Waypoint& waypoint : segments[s].waypoints)
+      line_->addPoint(to_ogre(waypoint.pose.translation()), kPath);
+  }
+  show_chosen();
+}
+
+void PathDisplay::show_chosen() {
+  if (!line_ || !isEnabled()) return;
+  chosen_.clear();
+  const PathSession& session = shared_path_session();
+  if (const auto& range = session.selected()) {
+    const float length = 8 * size_->getFloat();
+    const std::size_t last = std::min(range->last, range->first + kMostChosen - 1);
+    for (std::size_t i = range->first; i <= last; ++i) {
+      const Eigen::Quaterniond turn(session.waypoints()[i].pose.linear());
+      auto axes = std::make_unique<rviz::Axes>(context_->getSceneManager(), scene_node_, length,
+                                               length / 15);
+      axes->setPosition(to_ogre(session.waypoints()[i].pose.translation()));
+      axes->setOrientation(
+          Ogre::Quaternion(static_cast<float>(turn.w()), static_cast<float>(turn.x()),
+                           static_cast<float>(turn.y()), static_cast<float>(turn.z())));
+      chosen_.push_back(std::move(axes));
+    }
+  }
+  context_->queueRender();
+}
+
+void PathDisplay::update(float, float) {
+  const PathSession& session = shared_path_session();
+  if (!session.is_open()) return setStatus(rviz::StatusProperty::Ok, "Path", "none is in view");
+  const auto frame = frame_in_view(*context_, session.frame());
+  if (!frame)
+    return setStatus(
+        rviz::StatusProperty::Error, "Path",
+        QString::fromStdString("frame '" + session.frame() + "' is not known to rviz"));
+  scene_node_->setPosition(frame->position);
+  scene_node_->setOrientation(frame->orientation);
+  const auto edited =
+      std::count_if(session.edited().origins.begin(), session.edited().origins.end(),
+                    [](const auto& origin) { return origin.edited; });
+  setStatus(rviz::StatusProperty::Ok, "Path",
+            tr("%1 waypoints, %2 edited, %3 deleted")
+                .arg(session.waypoints().size())
+                .arg(edited)
+                .arg(session.deleted().size()));
+}
+
+void PathDisplay::reset() {
+  rviz::Display::reset();
+  show();
+}
+
+}  // namespace scan_cell_rviz
+
+PLUGINLIB_EXPORT_CLASS(scan_cell_rviz::PathDisplay, rviz::Display)

@@ -1,0 +1,46 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rviz/display.h>
+#include <rviz/ogre_helpers/axes.h>
+#include <rviz/ogre_helpers/billboard_line.h>
+#include <rviz/ogre_helpers/point_cloud.h>
+
+#include <memory>
+
+namespace rviz {
+class FloatProperty;
+}
+
+namespace scan_cell_rviz {
+
+/// The path that is edited by hand. Told apart by shape, not by colour alone: balls are waypoints
+/// as they were adapted, large cubes were edited, flat squares were deleted, and axes stand at
+/// those that are chosen.
+class PathDisplay : public rviz::Display {
+  Q_OBJECT
+
+ public:
+  PathDisplay();
+  ~PathDisplay() override;
+
+  void update(float wall_dt, float ros_dt) override;
+  void reset() override;
+
+ protected:
+  void onInitialize() override;
+  void onEnable() override { show(); }
+
+ private Q_SLOTS:
+  void show();
+  void show_chosen();
+
+ private:
+  rviz::FloatProperty* size_;
+  std::unique_ptr<rviz::BillboardLine> line_;
+  std::unique_ptr<rviz::PointCloud> adapted_, edited_, deleted_;
+  std::vector<std::unique_ptr<rviz::Axes>> chosen_;
+};
+
+}  // namespace scan_cell_rviz

@@ -1,0 +1,40 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <interactive_markers/interactive_marker_server.h>
+
+#include <QObject>
+#include <memory>
+
+#include "path/path_session.h"
+
+namespace scan_cell_rviz {
+
+/// Arrows and rings at the last of the waypoints that are chosen: what is done to it there, when
+/// the mouse lets go, is done to all of them. An interactive marker on the topic ~waypoint of this
+/// node.
+class WaypointHandles : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit WaypointHandles(PathSession& session);
+
+  /// From here on they are there where a waypoint is chosen.
+  void show();
+  const std::string& topic() const { return topic_; }  //!< of the interactive markers
+
+ private:
+  using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
+
+  void draw();
+  void on_feedback(const Feedback& feedback);
+  void take(const Feedback& feedback);
+
+  PathSession& session_;
+  const std::string topic_;
+  bool shown_ = false;
+  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
+};
+
+}  // namespace scan_cell_rviz
