@@ -97,6 +97,21 @@ class AShift : public testing::Test {
     EXPECT_NEAR(second_joint(), before, 2);
   }
 
+  /// Lifts three waypoints off the part by 1 mm, as a run of its own.
+  void edit_the_path() {
+    auto* const table = seat_.findChild<QTableView*>("path_waypoints");
+    ASSERT_GT(table->model()->rowCount(), 10);
+    table->selectionModel()->select(
+        {table->model()->index(4, 0), table->model()->index(6, 0)},
+        QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    seat_.findChild<QDoubleSpinBox*>("move_z")->setValue(-1);
+    click("move_waypoints");
+    take_picture("path");
+    click("save_path");
+    ASSERT_TRUE(shows("decision", "Nobody")) << text("path_end") << text("trouble");
+    EXPECT_TRUE(shows("verdict", "Accepted")) << text("message");
+  }
+
   /// For the docs: into the folder SEAT_PICTURES, if that is set.
   void take_picture(const std::string& name) {
     const char* const folder = std::getenv("SEAT_PICTURES");
@@ -162,6 +177,9 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
   click("approve");
   ASSERT_TRUE(shows("decision", "Approved by Ada"));
   take_picture("fit");
+  edit_the_path();
+  click("approve");
+  ASSERT_TRUE(shows("decision", "Approved by Ada"));
   click("preview_dry");
   ASSERT_TRUE(shows("at_pose", "Dry run. The robot can follow the whole way"))
       << text("at_pose") << text("trouble");
@@ -181,7 +199,7 @@ TEST_F(AShift, FromThePartOnTheTableToWork) {
 
   click("refresh_runs");
   auto* const runs = seat_.findChild<QTableWidget*>("runs");
-  EXPECT_TRUE(comes([&] { return runs->rowCount() == 2; }));
+  EXPECT_TRUE(comes([&] { return runs->rowCount() == 3; }));
   take_picture("history");
   fs::remove_all(folder);
 }

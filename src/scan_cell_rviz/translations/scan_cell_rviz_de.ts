@@ -178,10 +178,6 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>P&amp;insel</translation>
     </message>
     <message>
-        <source>Clus&amp;ter</source>
-        <translation>&amp;Haufen</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Ansicht</translation>
     </message>
@@ -196,10 +192,6 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>&amp;Depth</source>
         <translation>&amp;Tiefe</translation>
-    </message>
-    <message>
-        <source>Br&amp;ush radius</source>
-        <translation>Pinselradi&amp;us</translation>
     </message>
     <message>
         <source>Cluster &amp;gap</source>
@@ -218,8 +210,16 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Kein Scan zu sehen: ein Teil scannen oder einen Lauf wählen.</translation>
     </message>
     <message>
-        <source>Ta&amp;ke over the recipe's edits (%1)</source>
+        <source>Ta&amp;ke over the recipe&apos;s edits (%1)</source>
         <translation>Än&amp;derungen des Rezepts übernehmen (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Cluster</source>
+        <translation>&amp;Haufen</translation>
+    </message>
+    <message>
+        <source>Brus&amp;h radius</source>
+        <translation>Pinselr&amp;adius</translation>
     </message>
 </context>
 <context>
@@ -407,7 +407,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Teilearten</translation>
     </message>
     <message>
-        <source>Kept with the run, such as the part's serial number</source>
+        <source>Kept with the run, such as the part&apos;s serial number</source>
         <translation>Bleibt beim Lauf, etwa die Seriennummer des Teils</translation>
     </message>
     <message>
@@ -421,6 +421,195 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>&amp;Note</source>
         <translation>&amp;Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PathDisplay</name>
+    <message>
+        <source>%1 waypoints, %2 edited, %3 deleted</source>
+        <translation>%1 Wegpunkte, %2 bearbeitet, %3 gelöscht</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PathPage</name>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Add after</source>
+        <translation>D&amp;anach einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>Wi&amp;eder</translation>
+    </message>
+    <message>
+        <source>Dr&amp;op all</source>
+        <translation>Alles ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>Waypoints of the adapted path</source>
+        <translation>Wegpunkte des angepassten Pfads</translation>
+    </message>
+    <message>
+        <source>Choose one, or a row of them with Shift; the view turns there</source>
+        <translation>Einen wählen, oder mit Umschalt eine Reihe; die Ansicht dreht sich dorthin</translation>
+    </message>
+    <message>
+        <source>Edits of the path in force</source>
+        <translation>Geltende Änderungen am Pfad</translation>
+    </message>
+    <message>
+        <source>Why; kept with the run</source>
+        <translation>Warum; wird mit dem Lauf aufgehoben</translation>
+    </message>
+    <message>
+        <source>Adapts the part again from its files, does the edits, and makes programs and report: a new run, which needs a dry run of its own</source>
+        <translation>Passt den Pfad aus den Dateien des Laufs noch einmal an, macht die Änderungen, Programme und Bericht: ein neuer Lauf, der seinen eigenen Trockenlauf braucht</translation>
+    </message>
+    <message>
+        <source>Half way to the next one of its segment; after the last one, where it is</source>
+        <translation>Auf halbem Weg zum nächsten seines Abschnitts; nach dem letzten, wo dieser ist</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Along %1 (-1000 to 1000 mm)</source>
+        <translation>Entlang %1 (-1000 bis 1000 mm)</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Right-handed (-180 to 180 degrees)</source>
+        <translation>Rechtshändig (-180 bis 180 Grad)</translation>
+    </message>
+    <message>
+        <source>Process value, such as speed or an output. One that the path does not have is set for all waypoints first: to 0, but for those that are chosen</source>
+        <translation>Prozesswert, etwa Geschwindigkeit oder ein Ausgang. Einer, den der Pfad nicht hat, wird zuerst für alle Wegpunkte gesetzt: auf 0, außer für die gewählten</translation>
+    </message>
+    <message>
+        <source>As the path&apos;s file has it, without a unit</source>
+        <translation>Wie ihn die Datei des Pfads hat, ohne Einheit</translation>
+    </message>
+    <message>
+        <source>Axes of the tool at each waypoint</source>
+        <translation>Achsen des Werkzeugs an jedem Wegpunkt</translation>
+    </message>
+    <message>
+        <source>Axes of the path&apos;s frame</source>
+        <translation>Achsen des Rahmens, in dem der Pfad liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Pick in the view</source>
+        <translation>In der Ansicht &amp;picken</translation>
+    </message>
+    <message>
+        <source>Click a waypoint in the view; its handles move and turn it</source>
+        <translation>In der Ansicht auf einen Wegpunkt klicken; seine Griffe verschieben und drehen ihn</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Ansi&amp;cht</translation>
+    </message>
+    <message>
+        <source>The mouse turns the view, and drags the handles of the waypoint</source>
+        <translation>Die Maus dreht die Ansicht und zieht an den Griffen des Wegpunkts</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;chsen</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Um</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Note</source>
+        <translation>&amp;Notiz</translation>
+    </message>
+    <message>
+        <source>%1 waypoints</source>
+        <translation>%1 Wegpunkte</translation>
+    </message>
+    <message>
+        <source>No adapted path is in view: choose an accepted run.</source>
+        <translation>Kein angepasster Pfad ist zu sehen: einen angenommenen Lauf wählen.</translation>
+    </message>
+    <message>
+        <source>Tu&amp;rn</source>
+        <translation>D&amp;rehen</translation>
+    </message>
+    <message>
+        <source>Make it a run of its o&amp;wn</source>
+        <translation>Einen e&amp;igenen Lauf daraus machen</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PathTable</name>
+    <message>
+        <source>added</source>
+        <translation>eingefügt</translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation>bearbeitet</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>x [mm]</source>
+        <translation>x [mm]</translation>
+    </message>
+    <message>
+        <source>y [mm]</source>
+        <translation>y [mm]</translation>
+    </message>
+    <message>
+        <source>z [mm]</source>
+        <translation>z [mm]</translation>
+    </message>
+    <message>
+        <source>Off by [mm]</source>
+        <translation>Fehler [mm]</translation>
     </message>
 </context>
 <context>
@@ -464,18 +653,6 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>&amp;3 Anpassung</translation>
     </message>
     <message>
-        <source>&amp;4 Work</source>
-        <translation>&amp;4 Arbeit</translation>
-    </message>
-    <message>
-        <source>&amp;5 History</source>
-        <translation>&amp;5 Verlauf</translation>
-    </message>
-    <message>
-        <source>&amp;6 Teach</source>
-        <translation>&amp;6 Teachen</translation>
-    </message>
-    <message>
         <source>Stops the robot and ends what is under way. It is no emergency stop.</source>
         <translation>Hält den Roboter an und beendet, was läuft. Es ist kein Not-Halt.</translation>
     </message>
@@ -502,6 +679,22 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>Done. %1</source>
         <translation>Fertig. %1</translation>
+    </message>
+    <message>
+        <source>&amp;4 Path</source>
+        <translation>&amp;4 Pfad</translation>
+    </message>
+    <message>
+        <source>&amp;5 Work</source>
+        <translation>&amp;5 Arbeit</translation>
+    </message>
+    <message>
+        <source>&amp;6 History</source>
+        <translation>&amp;6 Verlauf</translation>
+    </message>
+    <message>
+        <source>&amp;7 Teach</source>
+        <translation>&amp;7 Teachen</translation>
     </message>
 </context>
 <context>
@@ -533,6 +726,14 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>&amp;Do not close</source>
         <translation>&amp;Nicht schließen</translation>
+    </message>
+    <message>
+        <source>path edited by hand</source>
+        <translation>von Hand bearbeiteter Pfad</translation>
+    </message>
+    <message>
+        <source>waypoint of the seat</source>
+        <translation>Wegpunkt des Platzes</translation>
     </message>
 </context>
 <context>
@@ -580,7 +781,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Pose über&amp;nehmen</translation>
     </message>
     <message>
-        <source>What a button moves: one joint, or the flange along the axes of the robot's base or its own</source>
+        <source>What a button moves: one joint, or the flange along the axes of the robot&apos;s base or its own</source>
         <translation>Was eine Taste bewegt: eine Achse, oder den Flansch entlang der Achsen der Roboterbasis oder seiner eigenen</translation>
     </message>
     <message>
@@ -612,11 +813,11 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>&amp;Geschwindigkeit</translation>
     </message>
     <message>
-        <source>File of taught poses (CSV) on the cell's computer: made where there is none. Calibration, tool and world read such files.</source>
+        <source>File of taught poses (CSV) on the cell&apos;s computer: made where there is none. Calibration, tool and world read such files.</source>
         <translation>Datei geteachter Posen (CSV) auf dem Rechner der Zelle: wird angelegt, wo keine ist. Kalibrierung, Werkzeug und Welt lesen solche Dateien.</translation>
     </message>
     <message>
-        <source>Appends the flange's pose to the file. The robot must stand still.</source>
+        <source>Appends the flange&apos;s pose to the file. The robot must stand still.</source>
         <translation>Hängt die Pose des Flansches an die Datei an. Der Roboter muss stehen.</translation>
     </message>
     <message>
@@ -668,7 +869,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Der Roboter bewegt sich.</translation>
     </message>
     <message>
-        <source>The robot's driver is not running.</source>
+        <source>The robot&apos;s driver is not running.</source>
         <translation>Der Treiber des Roboters läuft nicht.</translation>
     </message>
     <message>
@@ -682,6 +883,17 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>CSV (*.csv)</source>
         <translation>CSV (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::WaypointTool</name>
+    <message>
+        <source>Click a waypoint, and with Shift another one for all between them.</source>
+        <translation>Auf einen Wegpunkt klicken, und mit Umschalt auf einen anderen für alle dazwischen.</translation>
+    </message>
+    <message>
+        <source>No adapted path is in view: choose an accepted run.</source>
+        <translation>Kein angepasster Pfad ist zu sehen: einen angenommenen Lauf wählen.</translation>
     </message>
 </context>
 <context>
@@ -723,7 +935,7 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Pose der Vorschau</translation>
     </message>
     <message>
-        <source>Pose of the tool's tip at which the robot's ghost stands</source>
+        <source>Pose of the tool&apos;s tip at which the robot&apos;s ghost stands</source>
         <translation>Pose der Werkzeugspitze, an der der durchscheinende Roboter steht</translation>
     </message>
     <message>

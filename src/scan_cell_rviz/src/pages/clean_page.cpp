@@ -93,7 +93,7 @@ void CleanPage::lay_out() {
   auto* const tools = new QHBoxLayout;
   const std::pair<const char*, QString> names[] = {
       {"box", tr("Bo&x")},     {"polygon", tr("&Polygon")}, {"plane", tr("P&lane")},
-      {"brush", tr("&Brush")}, {"cluster", tr("Clus&ter")}, {"view", tr("&View")}};
+      {"brush", tr("&Brush")}, {"cluster", tr("&Cluster")}, {"view", tr("&View")}};
   for (const auto& [name, text] : names) {
     QPushButton* const button = named_button((std::string("tool_") + name).c_str(), text, this);
     tools->addWidget(button);
@@ -105,7 +105,7 @@ void CleanPage::lay_out() {
   connect(apply, &QPushButton::clicked, this, &CleanPage::boxWanted);
   auto* const form = new QFormLayout;
   form->addRow(tr("&Depth"), depth_);
-  form->addRow(tr("Br&ush radius"), radius_);
+  form->addRow(tr("Brus&h radius"), radius_);
   form->addRow(tr("Cluster &gap"), gap_);
   form->addRow(apply);
   auto* const buttons = new QHBoxLayout;

@@ -34,7 +34,7 @@ PathPage::PathPage(PathSession& session, QWidget* parent)
       frame_(new QComboBox(this)),
       move_(named_button("move_waypoints", tr("&Move"), this)),
       axis_(new QComboBox(this)),
-      turn_(named_button("turn_waypoints", tr("&Turn"), this)),
+      turn_(named_button("turn_waypoints", tr("Tu&rn"), this)),
       name_(new QComboBox(this)),
       set_(named_button("set_value", tr("&Set"), this)),
       add_(named_button("add_waypoint", tr("&Add after"), this)),
@@ -44,7 +44,7 @@ PathPage::PathPage(PathSession& session, QWidget* parent)
       redo_(named_button("redo_path", tr("R&edo"), this)),
       drop_(named_button("drop_path_edits", tr("Dr&op all"), this)),
       note_(new QLineEdit(this)),
-      save_(named_button("save_path", tr("Make it a &run of its own"), this)),
+      save_(named_button("save_path", tr("Make it a run of its o&wn"), this)),
       end_(text_label("path_end", this)) {
   waypoints_->setObjectName("path_waypoints");
   waypoints_->setAccessibleName(tr("Waypoints of the adapted path"));
@@ -174,7 +174,7 @@ void PathPage::lay_out() {
 void PathPage::show_run(const scan_cell_msgs::DescribeRunResponse& run) {
   const QString id = QString::fromStdString(run.run.id);
   if (id == run_ && session_.is_open()) return;
-  kept_[run_] = session_.edits();
+  if (session_.is_open()) kept_[run_] = session_.edits();
   run_ = id;
   try {
     session_.open(tool_path_stretcher::from_message(run.path), run.expected_errors, run.frame);
