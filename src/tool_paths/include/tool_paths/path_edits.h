@@ -19,8 +19,8 @@ constexpr const char* kEditedValue = "edited";
 
 /// Waypoints from the first to the last, both with it, counted over all segments from 0.
 struct WaypointRange {
-  std::size_t first = 0;
-  std::size_t last = 0;  //!< not before the first
+  std::size_t first = 0;  //!< its number
+  std::size_t last = 0;   //!< not before the first
 };
 
 /// Of the direction of a move or a turn.
@@ -31,14 +31,14 @@ enum class EditFrame {
 
 /// Waypoints shifted.
 struct MoveEdit {
-  WaypointRange waypoints;
+  WaypointRange waypoints;                       //!< that it is done to
   Eigen::Vector3d by = Eigen::Vector3d::Zero();  //!< [m]
   EditFrame frame = EditFrame::kTool;            //!< of `by`
 };
 
 /// Waypoints turned where they are.
 struct TurnEdit {
-  WaypointRange waypoints;
+  WaypointRange waypoints;                           //!< that it is done to
   Eigen::Vector3d about = Eigen::Vector3d::UnitZ();  //!< of length 1
   double angle = 0;                                  //!< [rad]
   EditFrame frame = EditFrame::kTool;                //!< of `about`
@@ -46,19 +46,19 @@ struct TurnEdit {
 
 /// Waypoints left out. A segment that loses all of its own goes with them.
 struct DeleteEdit {
-  WaypointRange waypoints;
+  WaypointRange waypoints;  //!< that it is done to
 };
 
 /// A waypoint put on the way from one to the next of its segment; after the last one, where that
 /// is.
 struct AddEdit {
-  std::size_t after = 0;
-  double share = 0.5;  //!< of the way, 0 to 1
+  std::size_t after = 0;  //!< which waypoint
+  double share = 0.5;     //!< of the way, 0 to 1
 };
 
 /// Process values given to waypoints.
 struct SetEdit {
-  WaypointRange waypoints;
+  WaypointRange waypoints;               //!< that it is done to
   std::map<std::string, double> values;  //!< by name
 };
 
@@ -75,8 +75,8 @@ struct WaypointOrigin {
 
 /// A path after the edits, with the origin of each of its waypoints, over all segments.
 struct EditedPath {
-  ToolPath path;
-  std::vector<WaypointOrigin> origins;
+  ToolPath path;                        //!< [m]
+  std::vector<WaypointOrigin> origins;  //!< in the order of the waypoints
 };
 
 /// Does the edits one after the other.
