@@ -21,8 +21,9 @@ constexpr double kNoise = 2e-5;                 // [m]
 /// The block's top and the wall at its edge along y, where a line scanner has points every
 /// millimetre.
 /// @param lowered [m] of the top, that far from the edge
+/// @param grid [m] on which it is reduced
 template <class Lowered>
-Surface scanned(const Lowered& lowered) {
+Surface scanned(const Lowered& lowered, const Vector3d& grid = Vector3d::Constant(1e-4)) {
   constexpr double kStep = 0.001;
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, kNoise);
@@ -33,7 +34,7 @@ Surface scanned(const Lowered& lowered) {
     for (double down = kStep; down < kHeight; down += kStep)
       points.emplace_back(kHalf + noise(random), y, kHeight - down);
   }
-  return surface_from_cloud(points, Vector3d::Constant(kStep / 10), "scan");
+  return surface_from_cloud(points, grid, "scan");
 }
 
 /// @param away [m] from the edge
@@ -71,4 +72,14 @@ TEST(LocalSurface, OnAFaceThatIsTiltedKnowsItsSlope) {
   EXPECT_NEAR(surface.slope.norm(), kSlope, kSlope / 10);
   EXPECT_LT(std::sqrt(surface.slope_variance), kSlope / 9);
   EXPECT_LT(std::abs(surface.height), 3 * kNoise);
+}
+
+TEST(LocalSurface, OfAFaceThatLiesAlongTheGridIsMeasuredThoughFewPointsAreLeft) {
+  const Surface few = scanned([](double) { return 0.0; }, Vector3d(0.002, 0.002, 0.0005));
+  for (const double away : {0.0201, 0.0325, 0.0412, 0.0558}) {
+    const LocalSurface surface = fitted_at(away, few);
+    EXPECT_TRUE(surface.measured) << away;
+    EXPECT_LT(std::abs(surface.height), 3 * kNoise);
+    EXPECT_LT(surface.slope.norm(), 0.01);
+  }
 }
