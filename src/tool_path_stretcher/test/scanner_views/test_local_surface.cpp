@@ -38,12 +38,12 @@ Surface scanned(const Lowered& lowered, const Vector3d& grid = Vector3d::Constan
 }
 
 /// @param away [m] from the edge
-LocalSurface fitted_at(double away, const Surface& scan) {
+LocalSurface fitted_at(double away, const Surface& scan, double radius = kRadius) {
   constexpr int kSupport = 6;
   constexpr double kStranger = 0.005;
   const Surface reference = surface_of(block(2 * kHalf, 2 * kHalf, kHeight));
   const Mapping mapping;
-  const LocalSurfaceFitter fitter({reference, scan}, mapping, kRadius, kSupport, kStranger);
+  const LocalSurfaceFitter fitter({reference, scan}, mapping, radius, kSupport, kStranger);
   return fitter.fit({kHalf - away, 0, kHeight}, Eigen::Matrix3d::Zero());
 }
 
@@ -75,11 +75,14 @@ TEST(LocalSurface, OnAFaceThatIsTiltedKnowsItsSlope) {
 }
 
 TEST(LocalSurface, OfAFaceThatLiesAlongTheGridIsMeasuredThoughFewPointsAreLeft) {
-  const Surface few = scanned([](double) { return 0.0; }, Vector3d(0.002, 0.002, 0.0005));
-  for (const double away : {0.0201, 0.0325, 0.0412, 0.0558}) {
-    const LocalSurface surface = fitted_at(away, few);
-    EXPECT_TRUE(surface.measured) << away;
-    EXPECT_LT(std::abs(surface.height), 3 * kNoise);
-    EXPECT_LT(surface.slope.norm(), 0.01);
+  constexpr double kLowered = 2e-4;  // [m] to the middle of a layer of cells
+  const Surface few = scanned([](double) { return kLowered; }, Vector3d(0.002, 0.002, 0.0005));
+  int measured = 0;
+  constexpr int kPlaces = 20;
+  for (int i = 0; i < kPlaces; ++i) {
+    const LocalSurface surface = fitted_at(0.02 + 0.0011 * i, few, 0.0025);
+    measured += surface.measured ? 1 : 0;
+    EXPECT_NEAR(surface.height, -kLowered, 3 * kNoise);
   }
+  EXPECT_EQ(measured, kPlaces);
 }
