@@ -199,7 +199,7 @@ TEST(FromEdge, TakesTheFaceOfACloudWithoutTheNormalsOfItsWalls) {
       shapes::sheet_of(shapes::cloud_of(shapes::box(0.1, 0.06, 0.03), 0.0005, 0.00002));
   for (const auto& waypoint : all(path_from_edge(sheet, inwards(0)).path)) {
     EXPECT_NEAR(position(waypoint).z(), 0.03, 0.0003);
-    EXPECT_LT(angle(waypoint.pose.linear().col(2), -Vector3d::UnitZ()), 4 * kDegree);
+    EXPECT_LT(angle(waypoint.pose.linear().col(2), -Vector3d::UnitZ()), 3 * kDegree);
   }
 }
 

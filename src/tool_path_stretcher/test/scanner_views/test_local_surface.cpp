@@ -21,9 +21,8 @@ constexpr double kNoise = 2e-5;                 // [m]
 /// The block's top and the wall at its edge along y, where a line scanner has points every
 /// millimetre.
 /// @param lowered [m] of the top, that far from the edge
-/// @param grid [m] on which it is reduced
 template <class Lowered>
-Surface scanned(const Lowered& lowered, const Vector3d& grid = Vector3d::Constant(1e-4)) {
+Surface scanned(const Lowered& lowered) {
   constexpr double kStep = 0.001;
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, kNoise);
@@ -34,16 +33,16 @@ Surface scanned(const Lowered& lowered, const Vector3d& grid = Vector3d::Constan
     for (double down = kStep; down < kHeight; down += kStep)
       points.emplace_back(kHalf + noise(random), y, kHeight - down);
   }
-  return surface_from_cloud(points, grid, "scan");
+  return surface_from_cloud(points, Vector3d::Constant(kStep / 10), "scan");
 }
 
 /// @param away [m] from the edge
-LocalSurface fitted_at(double away, const Surface& scan, double radius = kRadius) {
+LocalSurface fitted_at(double away, const Surface& scan) {
   constexpr int kSupport = 6;
   constexpr double kStranger = 0.005;
   const Surface reference = surface_of(block(2 * kHalf, 2 * kHalf, kHeight));
   const Mapping mapping;
-  const LocalSurfaceFitter fitter({reference, scan}, mapping, radius, kSupport, kStranger);
+  const LocalSurfaceFitter fitter({reference, scan}, mapping, kRadius, kSupport, kStranger);
   return fitter.fit({kHalf - away, 0, kHeight}, Eigen::Matrix3d::Zero());
 }
 
@@ -72,17 +71,4 @@ TEST(LocalSurface, OnAFaceThatIsTiltedKnowsItsSlope) {
   EXPECT_NEAR(surface.slope.norm(), kSlope, kSlope / 10);
   EXPECT_LT(std::sqrt(surface.slope_variance), kSlope / 9);
   EXPECT_LT(std::abs(surface.height), 3 * kNoise);
-}
-
-TEST(LocalSurface, OfAFaceThatLiesAlongTheGridIsMeasuredThoughFewPointsAreLeft) {
-  constexpr double kLowered = 2e-4;  // [m] to the middle of a layer of cells
-  const Surface few = scanned([](double) { return kLowered; }, Vector3d(0.002, 0.002, 0.0005));
-  int measured = 0;
-  constexpr int kPlaces = 20;
-  for (int i = 0; i < kPlaces; ++i) {
-    const LocalSurface surface = fitted_at(0.02 + 0.0011 * i, few, 0.0025);
-    measured += surface.measured ? 1 : 0;
-    EXPECT_NEAR(surface.height, -kLowered, 3 * kNoise);
-  }
-  EXPECT_EQ(measured, kPlaces);
 }

@@ -20,8 +20,4 @@ struct GridCells {
 /// @throw scan_cell_common::UnusableInput if a point lies more than a million cells out
 GridCells sort_into_grid(const scan_cell_common::Cloud& cloud, const Eigen::Vector3d& leaf);
 
-/// The same, but that cells which hold one piece of a surface are taken together, as
-/// scan_cell_common::joined_means() does.
-GridCells sort_into_pieces(const scan_cell_common::Cloud& cloud, const Eigen::Vector3d& leaf);
-
 }  // namespace cloud_preprocess

@@ -9,22 +9,17 @@
 #include <cmath>
 
 #include "scan_cell_common/errors/errors.h"
-#include "scan_cell_common/geometry/cell_means.h"
+#include "scan_cell_common/geometry/grid.h"
 
 namespace tool_path_stretcher {
 namespace {
 
-using scan_cell_common::Grid;
 using scan_cell_common::GridEntry;
 
-Grid grid_of(const Eigen::Vector3d& leaf) {
-  constexpr double kMaxCells = 1e15;  // beyond it a double no longer counts by ones
-  return {leaf, {0, 1, 2}, kMaxCells};
-}
-
 std::vector<GridEntry> sorted(const Points& points, const Eigen::Vector3d& leaf) {
+  constexpr double kMaxCells = 1e15;  // beyond it a double no longer counts by ones
   return scan_cell_common::sort_into_grid(
-      points.size(), [&points](std::size_t i) { return points[i]; }, grid_of(leaf));
+      points.size(), [&points](std::size_t i) { return points[i]; }, {leaf, {0, 1, 2}, kMaxCells});
 }
 
 std::vector<std::size_t> one_of_each_cell(const Points& points, double leaf) {
@@ -41,9 +36,14 @@ Points reduce_on_grid(const Points& points, const Eigen::Vector3d& leaf) {
     throw scan_cell_common::InvalidParameter("leaf", fmt::format("{} m", leaf.minCoeff()),
                                              "give more than 0");
   }
-  const auto sums = scan_cell_common::sums_of_cells(sorted(points, leaf),
-                                                    [&points](std::size_t i) { return points[i]; });
-  return joined_means(sums, grid_of(leaf)).means;
+  Points reduced;
+  for_each_cell(sorted(points, leaf), [&](auto begin, auto end) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (auto each = begin; each != end; ++each)
+      sum += points[each->point];
+    reduced.push_back(sum / static_cast<double>(end - begin));
+  });
+  return reduced;
 }
 
 std::vector<std::size_t> spread_evenly(const Points& points, std::size_t most) {

@@ -6,8 +6,7 @@
 
 namespace tool_path_stretcher {
 
-/// The mean of the points of each cell of a grid (thesis 8.5), in the order of the cells; cells
-/// that hold one piece of a surface are taken together, as scan_cell_common::joined_means() does.
+/// The mean of the points of each cell of a grid (thesis 8.5), in the order of the cells.
 /// @param leaf edges of a cell [m], above 0
 /// @throw scan_cell_common::InvalidParameter if a leaf is not above 0
 /// @throw scan_cell_common::UnusableInput if a point is not finite or too far out to count its cell

@@ -25,13 +25,12 @@ LocalSurfaceFitter::LocalSurfaceFitter(const SurfacePair& surfaces, const Mappin
   along.reserve(residuals_.size());
   for (const Residual& residual : residuals_)
     along.push_back(mapping.similarity.scale * residual.along_normal);
-  constexpr double kExact = 1e-6;  // [m] a cloud without noise; chosen
-  noise_ = std::max(kExact, robust_deviation(std::move(along)));
+  noise_ = robust_deviation(std::move(along));
 }
 
 std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
     const std::vector<KdTree::Neighbour>& neighbours, const LocalSurface& local,
-    const Eigen::Vector3d& tangent, const Eigen::Vector3d& bitangent, double radius) const {
+    const Eigen::Vector3d& tangent, const Eigen::Vector3d& bitangent) const {
   constexpr double kSameFace = 0.8;  // cosine between the normals of one face; chosen
   const double scale = mapping_.similarity.scale;
   std::vector<Height> heights;
@@ -43,7 +42,7 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
     // Over a hole of the reference nothing tells how its surface runs on.
     if (!same_face || residual.beside > 0) continue;
     const Eigen::Vector3d offset = residual.pulled_back - local.base;
-    const double near = 1 - neighbour.squared_distance / (radius * radius);
+    const double near = 1 - neighbour.squared_distance / (radius_ * radius_);
     const double sign = std::copysign(1.0, agreement);
     const Eigen::Vector3d normal = sign * reference_.normals[residual.reference];
     heights.push_back({scale * Eigen::Vector2d(offset.dot(tangent), offset.dot(bitangent)),
@@ -59,13 +58,15 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
 void LocalSurfaceFitter::weigh_down_edges(std::vector<Height>& heights) const {
   constexpr double kDeviations = 3;  // the farthest of eight neighbours on a face
   constexpr double kTypical = 2;     // medians: as on the rest of a curved face; chosen
+  constexpr double kExact = 1e-9;    // [m] a deviation above 0; chosen
   std::vector<double> blurs;
   for (const Height& each : heights)
     blurs.push_back(each.blur);
-  const double usual = std::max(kDeviations * noise_, kTypical * quantile(std::move(blurs), 0.5));
+  const double noise = std::max(noise_, kExact);
+  const double usual = std::max(kDeviations * noise, kTypical * quantile(std::move(blurs), 0.5));
   for (Height& each : heights) {
     const double beyond = std::max(0.0, each.blur - usual);
-    each.weight *= noise_ * noise_ / (noise_ * noise_ + beyond * beyond);
+    each.weight *= noise * noise / (noise * noise + beyond * beyond);
   }
 }
 
@@ -172,19 +173,6 @@ bool LocalSurfaceFitter::lies_on_hidden(const Eigen::Vector3d& point, LocalSurfa
   return true;
 }
 
-/// The points that a waypoint is set on: a grid leaves fewer of a face that lies along it than of
-/// others.
-/// @return how far they may be away [m]
-double LocalSurfaceFitter::find_support(const Eigen::Vector3d& at,
-                                        std::vector<KdTree::Neighbour>& neighbours) const {
-  constexpr std::size_t kEnough = 9;  // points for a plane and its errors; chosen
-  constexpr double kWider = 1.5;      // chosen
-  object_.tree->within(at, radius_, neighbours);
-  if (neighbours.size() >= kEnough) return radius_;
-  object_.tree->within(at, kWider * radius_, neighbours);
-  return kWider * radius_;
-}
-
 LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
                                      const Eigen::Matrix3d& shift_covariance) const {
   LocalSurface local = far_from(point);
@@ -192,17 +180,17 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   const Eigen::Vector3d tangent = local.normal.unitOrthogonal();
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
   std::vector<KdTree::Neighbour> neighbours;
-  const double radius = find_support(mapping_ * local.base, neighbours);
+  object_.tree->within(mapping_ * local.base, radius_, neighbours);
   local.strangers = strangers_.beside(
       mapping_ * local.base, mapping_.turn(local.base, local.normal) * local.normal, radius_);
-  const std::vector<Height> heights = heights_of(neighbours, local, tangent, bitangent, radius);
+  const std::vector<Height> heights = heights_of(neighbours, local, tangent, bitangent);
   local.support = heights.size();
   if (local.support < min_support_) return local;
 
-  const LinearFit fit = fit_linearly(heights, radius);
+  const LinearFit fit = fit_linearly(heights, radius_);
   local.residual = fit.rms;
   local.height = fit.solution[0];
-  local.slope = (fit.solution[1] * tangent + fit.solution[2] * bitangent) / radius;
+  local.slope = (fit.solution[1] * tangent + fit.solution[2] * bitangent) / radius_;
   // Errors of neighbouring points are not quite independent: part of the noise stays.
   constexpr double kCommon = 0.1 * 0.1;  // of the variance; chosen
   constexpr double kFitted = 3;          // numbers of a plane
@@ -210,18 +198,18 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   const double variance = fit.rms * fit.rms / freedom;
   local.height_variance = variance * (fit.inverse(0, 0) + kCommon);
   local.slope_variance =
-      variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius * radius);
+      variance * (0.5 * (fit.inverse(1, 1) + fit.inverse(2, 2)) + kCommon) / (radius_ * radius_);
   Eigen::Matrix<double, 3, 2> ways;
   ways << tangent, bitangent;
   ways = mapping_.similarity.rotation * ways;
   constexpr double kDeviations = 3;  // the farthest of eight neighbours on a face
-  const Gradients gradients = gradients_of(heights, radius, fit.inverse, kDeviations * noise_);
+  const Gradients gradients = gradients_of(heights, radius_, fit.inverse, kDeviations * noise_);
   local.slope_variance += slope_variance_of_shift(
-      gradients.of_rise / radius, ways.transpose() * shift_covariance * ways, radius);
+      gradients.of_rise / radius_, ways.transpose() * shift_covariance * ways, radius_);
   // Towards an edge a scan falls off the reference: sampling and mixed points round it off.
   constexpr double kRounded = 0.3;                             // of what the blur grows by; chosen
   const double rounded = kRounded * gradients.of_blur.norm();  // [m] over a radius
-  local.slope_variance += rounded * rounded / 2 / (radius * radius);
+  local.slope_variance += rounded * rounded / 2 / (radius_ * radius_);
   // Points on one side only tell little of the height here, and those of two faces nothing.
   constexpr double kMaxLeverage = 0.5;  // of a point's variance in the height; chosen
   constexpr double kRough = 5;          // times the noise; chosen

@@ -55,10 +55,9 @@ class LocalSurfaceFitter {
     Eigen::Vector2d rise;  // of the height with a shift of the scan along the tangent plane
   };
 
-  double find_support(const Eigen::Vector3d& at, std::vector<KdTree::Neighbour>& neighbours) const;
   std::vector<Height> heights_of(const std::vector<KdTree::Neighbour>& neighbours,
                                  const LocalSurface& local, const Eigen::Vector3d& tangent,
-                                 const Eigen::Vector3d& bitangent, double radius) const;
+                                 const Eigen::Vector3d& bitangent) const;
 
   /// Sampling and grid leave open where a surface is beside an edge.
   void weigh_down_edges(std::vector<Height>& heights) const;
