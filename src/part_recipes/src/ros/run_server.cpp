@@ -144,7 +144,7 @@ void RunServer::execute(const scan_cell_msgs::RunRecipeGoalConstPtr& goal) {
   Result result;
   try {
     result = run(*goal);
-  } catch (const scan_cell_common::Error& error) {
+  } catch (const std::exception& error) {  // of a file system, too: no goal may end the node
     result.outcome = Result::NONE;
     result.message = error.what();
   }

@@ -1,7 +1,9 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "deviation/scene/path_reading.h"
 #include "path_edits/edited_report.h"
@@ -42,6 +44,35 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
       ->needs(report);
 }
 
+/// A new process value must not have the name of anything else in the file.
+void check_names(const tool_paths::ToolPath& before, const tool_paths::ToolPath& after,
+                 const tool_paths::PathLayout& layout) {
+  std::set<std::string> taken(layout.pose.position.begin(), layout.pose.position.end());
+  taken.insert(layout.pose.names.begin(), layout.pose.names.end());
+  taken.insert(layout.columns.begin(), layout.columns.end());
+  taken.insert(layout.kept.begin(), layout.kept.end());
+  taken.insert({"segment", "name", "poses", "position", "orientation"});
+  for (const std::string& name : before.process_names)
+    taken.erase(name);
+  for (const std::string& name : after.process_names)
+    if (taken.count(name) > 0)
+      throw scan_cell_common::UnusableInput("process value '" + name + "'",
+                                            "the name of something else in the path's file",
+                                            "give it another name");
+}
+
+/// What is read back must be what was meant: a name may mean an orientation, too.
+void check_saved(const Options& options, const tool_paths::ToolPath& path) {
+  const tool_paths::ToolPath back = load_path(options.output, options.reading.typed()).path;
+  bool same =
+      back.process_names == path.process_names && back.segments.size() == path.segments.size();
+  for (std::size_t i = 0; same && i < path.segments.size(); ++i)
+    same = back.segments[i].waypoints.size() == path.segments[i].waypoints.size();
+  if (!same)
+    throw scan_cell_common::UnusableInput(options.output, "is not read back as it was meant",
+                                          "look at the names of the process values");
+}
+
 int run(const Options& options) {
   if (tool_path_programs::language_of(options.path) != nullptr)
     throw scan_cell_common::UnusableInput(options.path, "a robot's program",
@@ -56,7 +87,14 @@ int run(const Options& options) {
   const auto edits = tool_paths::load_path_edits(options.edits);
   const auto edited = tool_paths::edited(file.path, edits);
   const tool_paths::ToolPath result = marked(edited);
+  check_names(file.path, result, file.layout);
   tool_paths::save_tool_path(options.output, result, layout_for(result, file.layout));
+  try {
+    check_saved(options, result);
+  } catch (const scan_cell_common::Error&) {
+    std::filesystem::remove(options.output);
+    throw;
+  }
   if (!options.report.empty()) {
     const auto output =
         tool_path_stretcher::record_of(options.output, contents_of(result, file.layout).units);

@@ -119,6 +119,13 @@ TEST_F(EditPath, WhatCannotBeDoneLeavesNoPath) {
                 " --path adapted.csv --edits edits.yaml --report report.json --output e.csv"),
             1);
   EXPECT_NE(text("stderr").find("--output-report"), std::string::npos) << text("stderr");
+  for (const char* name : {"x", "qw", "segment", "rx"}) {
+    save("edits.yaml",
+         std::string("edits:\n  - set: {waypoints: [0, 30], values: {") + name + ": 1}}\n");
+    EXPECT_EQ(edit("adapted.csv", "report.json", "edited"), 1) << name;
+    EXPECT_FALSE(std::filesystem::exists(file("edited.csv"))) << name;
+  }
+  save("edits.yaml", "edits:\n  - delete: {waypoints: 30}\n");
   save("program.src", "DEF program()\nEND\n");
   EXPECT_EQ(run(std::string(EDIT_PATH) + " --path program.src --edits edits.yaml --output e.csv"),
             1);

@@ -68,6 +68,7 @@ TEST_F(ARecipe, APathEditedByHandIsARunOfItsOwn) {
   EXPECT_EQ(edited.record.path_edits, 1u);
   EXPECT_EQ(edited.record.again_of, run.record.id);
   EXPECT_EQ(edited.record.note, "clamp there");
+  EXPECT_EQ(edited.record.recipe_folder, run.record.recipe_folder);
   EXPECT_EQ(text_of(edited.folder / "unedited/adapted_path.csv"),
             text_of(run.folder / "adapted_path.csv"));
   const std::string program = text_of(edited.folder / "programs/plate.src");

@@ -45,7 +45,6 @@ PathDisplay::~PathDisplay() {
 }
 
 void PathDisplay::onInitialize() {
-  line_ = std::make_unique<rviz::BillboardLine>(context_->getSceneManager(), scene_node_);
   const auto make = [this](const char* name, rviz::PointCloud::RenderMode mode) {
     auto cloud = std::make_unique<rviz::PointCloud>();
     cloud->setName(name);  // Ogre tells them apart by it
@@ -62,7 +61,7 @@ void PathDisplay::onInitialize() {
 }
 
 void PathDisplay::show() {
-  if (!line_ || !isEnabled()) return;
+  if (!deleted_ || !isEnabled()) return;
   const PathSession& session = shared_path_session();
   const float size = size_->getFloat();
   std::vector<Eigen::Vector3d> adapted, edited, deleted;
@@ -75,22 +74,30 @@ void PathDisplay::show() {
   fill(*adapted_, adapted, size, kPath);
   fill(*edited_, edited, kEditedTimes * size, kEdited);
   fill(*deleted_, deleted, size, kDeleted);
-  line_->clear();
-  line_->setLineWidth(size / 2);
-  const auto& segments = session.edited().path.segments;
-  line_->setNumLines(static_cast<std::uint32_t>(std::max<std::size_t>(1, segments.size())));
-  line_->setMaxPointsPerLine(
-      static_cast<std::uint32_t>(std::max<std::size_t>(1, session.waypoints().size())));
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    if (s > 0) line_->newLine();
-    for (const tool_paths::Waypoint& waypoint : segments[s].waypoints)
-      line_->addPoint(to_ogre(waypoint.pose.translation()), kPath);
-  }
+  draw_lines(size / 2);
   show_chosen();
 }
 
+/// Pieces of their own: rviz divides by how many lines of the longest fit into 16384 points.
+void PathDisplay::draw_lines(float width) {
+  constexpr std::size_t kMost = 1000;  // points of a piece; chosen
+  lines_.clear();
+  for (const tool_paths::Segment& segment : shared_path_session().edited().path.segments) {
+    const auto& waypoints = segment.waypoints;
+    for (std::size_t begin = 0; begin + 1 < waypoints.size(); begin += kMost - 1) {
+      const std::size_t end = std::min(begin + kMost, waypoints.size());
+      auto line = std::make_unique<rviz::BillboardLine>(context_->getSceneManager(), scene_node_);
+      line->setMaxPointsPerLine(static_cast<std::uint32_t>(end - begin));
+      line->setLineWidth(width);
+      for (std::size_t i = begin; i < end; ++i)
+        line->addPoint(to_ogre(waypoints[i].pose.translation()), kPath);
+      lines_.push_back(std::move(line));
+    }
+  }
+}
+
 void PathDisplay::show_chosen() {
-  if (!line_ || !isEnabled()) return;
+  if (!deleted_ || !isEnabled()) return;
   chosen_.clear();
   const PathSession& session = shared_path_session();
   if (const auto& range = session.selected()) {

@@ -8,6 +8,7 @@
 #include <rviz/ogre_helpers/point_cloud.h>
 
 #include <memory>
+#include <vector>
 
 namespace rviz {
 class FloatProperty;
@@ -37,8 +38,10 @@ class PathDisplay : public rviz::Display {
   void show_chosen();
 
  private:
+  void draw_lines(float width);
+
   rviz::FloatProperty* size_;
-  std::unique_ptr<rviz::BillboardLine> line_;
+  std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::unique_ptr<rviz::PointCloud> adapted_, edited_, deleted_;
   std::vector<std::unique_ptr<rviz::Axes>> chosen_;
 };

@@ -57,6 +57,17 @@ TEST(PathEditsFile, ComesBackToTheLastDigit) {
   EXPECT_EQ(std::get<DeleteEdit>(back[4]).waypoints.first, 9U);
 }
 
+TEST(PathEditsFile, IsTheSameBytesHoweverOftenItIsReadAndWritten) {
+  std::vector<PathEdit> edits;
+  for (int i = 1; i < 200; ++i)
+    edits.emplace_back(TurnEdit{{0, 0}, Eigen::Vector3d(i, 200 - i, 0.3 * i).normalized(), 0.1});
+  std::string text = to_yaml(edits);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(to_yaml(parse_path_edits(text, "e.yaml")), text);
+    text = to_yaml(parse_path_edits(text, "e.yaml"));
+  }
+}
+
 TEST(PathEditsFile, WhatMakesNoSenseIsRefusedWithItsPlace) {
   EXPECT_TRUE(
       names(complaint_of_edit("shift: {waypoints: 1}"), "edits[0].shift: no such entry (line 2)"));

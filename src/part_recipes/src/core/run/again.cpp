@@ -41,6 +41,7 @@ RunRequest request_of(const fs::path& folder, const fs::path& runs, const Stop& 
     request.path_edits = tool_paths::load_path_edits((folder / "inputs" / kPathEdits).string());
   request.prove = true;  // what was run once may be looked at again
   request.again_of = before.id;
+  request.recipe_folder = before.recipe_folder;
   request.note = before.note;
   request.stop = stop;
   return request;
@@ -77,7 +78,9 @@ EndedRun run_edited(const fs::path& folder, const std::vector<tool_paths::PathEd
 
 EndedRun run_with(const fs::path& folder, const Recipe& recipe, const fs::path& runs,
                   const Stop& stop) {
-  return run_recipe(recipe, request_of(folder, runs, stop), {});
+  RunRequest request = request_of(folder, runs, stop);
+  request.path_edits.clear();  // they count the waypoints of the recorded recipe's path
+  return run_recipe(recipe, request, {});
 }
 
 std::vector<std::string> differences(const fs::path& one, const fs::path& other) {

@@ -62,6 +62,10 @@ void settle_report(const std::filesystem::path& report,
   });
 }
 
+void read_figures(const std::filesystem::path& report, RunRecord& record) {
+  read(report, [&record](const Json& all) { take_figures(all, record); });
+}
+
 void read_deviations(const std::filesystem::path& summary, RunRecord& record) {
   read(summary, [&record](const Json& all) {
     record.figures.deviation_rms = number(all, "rms");

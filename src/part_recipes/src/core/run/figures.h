@@ -20,6 +20,10 @@ namespace part_recipes {
 void settle_report(const std::filesystem::path& report,
                    const std::optional<std::filesystem::path>& scan, RunRecord& record);
 
+/// Takes reason, message and figures from a report that was settled.
+/// @throw scan_cell_common::UnusableInput if it is none
+void read_figures(const std::filesystem::path& report, RunRecord& record);
+
 /// Takes the deviations from deviation.json.
 /// @throw scan_cell_common::UnusableInput if it is no such file
 void read_deviations(const std::filesystem::path& summary, RunRecord& record);

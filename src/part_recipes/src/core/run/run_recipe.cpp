@@ -56,7 +56,9 @@ class Run {
 
   void describe() {
     record_.recipe_name = recipe_.name;
-    record_.recipe_folder = fs::absolute(recipe_.folder).lexically_normal().string();
+    record_.recipe_folder = request_.recipe_folder.empty()
+                                ? fs::absolute(recipe_.folder).lexically_normal().string()
+                                : request_.recipe_folder;
     hashes_ = hashes_of(recipe_);
     record_.recipe_sha256 = hash_over(hashes_);
     record_.started = utc_now();
@@ -165,6 +167,7 @@ class Run {
       failed("edit");
       return RunState::kRefused;
     }
+    if (state == RunState::kAccepted) read_figures(folder_.path() / "report.json", record_);
     // A refusal is the run's
     if (state != RunState::kAccepted && fs::exists(unedited / "report.json"))
       fs::copy_file(unedited / "report.json", folder_.path() / "report.json");

@@ -37,8 +37,9 @@ struct RunRequest {
   bool prove = false;                             //!< the recipe need not be proven
   std::string again_of;                           //!< id of the run that this one repeats
   std::vector<tool_paths::PathEdit> path_edits;   //!< what a person does to the adapted path
-  std::string note;                               //!< of the person
-  std::function<bool()> stop;                     //!< whether to end now; there is no run then
+  std::string recipe_folder;   //!< of the recipe that the run it repeats had; empty: as it is
+  std::string note;            //!< of the person
+  std::function<bool()> stop;  //!< whether to end now; there is no run then
 };
 
 /// Called as a stage begins.

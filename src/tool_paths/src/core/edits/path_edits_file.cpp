@@ -56,7 +56,11 @@ TurnEdit read_turn(const YamlEntry& edit) {
   constexpr double kShortest = 1e-6;
   if (!(about.norm() > kShortest && std::isfinite(about.norm())))
     edit["about"].refuse("no direction", "give x, y and z of the axis");
-  return {range_of(edit["waypoints"]), about.normalized(), finite(edit["angle"]), frame_of(edit)};
+  // What was written with length 1 comes back to the last digit.
+  constexpr double kUnit = 1e-9;
+  const bool is_unit = std::abs(about.norm() - 1) < kUnit;
+  return {range_of(edit["waypoints"]), is_unit ? about : about.normalized(), finite(edit["angle"]),
+          frame_of(edit)};
 }
 
 AddEdit read_add(const YamlEntry& edit) {

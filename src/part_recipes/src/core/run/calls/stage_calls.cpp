@@ -80,12 +80,15 @@ ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region
 }
 
 ToolCall recheck_call(const Recipe& recipe, const fs::path& run) {
-  ToolCall call{"stretch",
-                "tool_path_stretcher",
-                {"stretch", "--reference", (run / "object.ply").string(), "--reference-units", "m",
-                 "--object", "../object.ply", "--object-units", "m", "--path",
-                 (run / path_name(recipe)).string(), "--path-units", recipe.path.units, "--output",
-                 adapted_path(recipe), "--report", "../report.json"}};
+  // What a person moved may be off the surface.
+  const fs::path unedited = run / kUnedited;
+  const fs::path path = (fs::exists(unedited) ? unedited : run) / path_name(recipe);
+  ToolCall call{
+      "stretch",
+      "tool_path_stretcher",
+      {"stretch", "--reference", (run / "object.ply").string(), "--reference-units", "m",
+       "--object", "../object.ply", "--object-units", "m", "--path", path.string(), "--path-units",
+       recipe.path.units, "--output", adapted_path(recipe), "--report", "../report.json"}};
   add_options(call, recipe.path.options);
   add_options(call, recipe.stretch);
   return call;
