@@ -44,6 +44,11 @@ std::size_t waypoint_count(const ToolPath& path);
 /// that is not finite, a rotation that is none, or process values that do not fit their names
 void check(const ToolPath& path);
 
+/// On the way from one waypoint to another: position and process values linearly, rotation the
+/// short way.
+/// @param share of the way, 0 to 1
+Waypoint between(const Waypoint& from, const Waypoint& to, double share);
+
 /// The path with waypoints at even steps of the arc length along each segment, at most `spacing`
 /// [m] long; a segment's ends are kept, and so is a segment that has no length. Positions and
 /// process values are interpolated linearly, rotations the short way.

@@ -124,17 +124,6 @@ class Row {
     places_.insert(std::next(places_.begin(), static_cast<std::ptrdiff_t>(edit.after + 1)), added);
   }
 
-  static Waypoint between(const Waypoint& one, const Waypoint& other, double share) {
-    Waypoint result = one;
-    result.pose.translation() += share * (other.pose.translation() - one.pose.translation());
-    result.pose.linear() = Eigen::Quaterniond(one.pose.linear())
-                               .slerp(share, Eigen::Quaterniond(other.pose.linear()))
-                               .toRotationMatrix();
-    for (std::size_t i = 0; i < result.process_values.size(); ++i)
-      result.process_values[i] += share * (other.process_values[i] - one.process_values[i]);
-    return result;
-  }
-
   void apply(const SetEdit& edit) {
     for (const auto& [name, value] : edit.values) {
       const std::size_t at = place_of(name, edit.waypoints);

@@ -94,18 +94,6 @@ std::vector<double> arc_lengths(const Segment& segment) {
   return lengths;
 }
 
-Waypoint between(const Waypoint& from, const Waypoint& to, double share) {
-  Waypoint result = from;
-  result.pose.translation() = (1 - share) * from.pose.translation() + share * to.pose.translation();
-  const Eigen::Quaterniond start(from.pose.linear());
-  result.pose.linear() =
-      start.slerp(share, Eigen::Quaterniond(to.pose.linear())).normalized().toRotationMatrix();
-  for (std::size_t i = 0; i < result.process_values.size(); ++i) {
-    result.process_values[i] = (1 - share) * from.process_values[i] + share * to.process_values[i];
-  }
-  return result;
-}
-
 Segment resampled(const Segment& segment, const std::vector<double>& lengths, std::size_t steps) {
   Segment result{segment.name, {segment.waypoints.front()}};
   std::size_t next = 1;
@@ -122,6 +110,18 @@ Segment resampled(const Segment& segment, const std::vector<double>& lengths, st
 }
 
 }  // namespace
+
+Waypoint between(const Waypoint& from, const Waypoint& to, double share) {
+  Waypoint result = from;
+  result.pose.translation() = (1 - share) * from.pose.translation() + share * to.pose.translation();
+  const Eigen::Quaterniond start(from.pose.linear());
+  result.pose.linear() =
+      start.slerp(share, Eigen::Quaterniond(to.pose.linear())).normalized().toRotationMatrix();
+  for (std::size_t i = 0; i < result.process_values.size(); ++i) {
+    result.process_values[i] = (1 - share) * from.process_values[i] + share * to.process_values[i];
+  }
+  return result;
+}
 
 ToolPath resampled(const ToolPath& path, double spacing) {
   constexpr double kMost = 1e6;       // waypoints of a segment
