@@ -67,6 +67,20 @@ TEST(YamlEntry, IsRefusedByPathWhereTheFileIsMissingOrNoYaml) {
   fs::remove(path);
 }
 
+TEST(YamlEntry, ADirectionHasLength1AndComesBackToTheLastDigit) {
+  const auto read = [](const Eigen::Vector3d& numbers) {
+    YAML::Node root;
+    root["way"] = scan_cell_common::yaml_list(numbers);
+    return YamlEntry(root, "f.yaml")["way"].direction();
+  };
+  EXPECT_TRUE(read({0, 3, -4}).isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
+  for (int i = 1; i < 100; ++i) {
+    const Eigen::Vector3d way = Eigen::Vector3d(i, 100 - i, 0.3 * i).normalized();
+    EXPECT_EQ(read(way), way);
+  }
+  EXPECT_THROW(read({0, 0, 1e-7}), scan_cell_common::UnusableInput);
+}
+
 TEST(SaveText, IsRefusedByPathAndLeavesNothingBehind) {
   const fs::path folder = fs::temp_directory_path() / ("save_text_" + std::to_string(getpid()));
   const std::string target = (folder / "a").string();

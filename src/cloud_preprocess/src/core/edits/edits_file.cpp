@@ -10,6 +10,7 @@
 namespace cloud_preprocess {
 namespace {
 
+using scan_cell_common::yaml_list;
 using scan_cell_common::YamlEntry;
 
 double positive(const YamlEntry& entry) {
@@ -17,15 +18,6 @@ double positive(const YamlEntry& entry) {
   if (!(value > 0 && std::isfinite(value)))
     entry.refuse(std::to_string(value), "give metres above 0");
   return value;
-}
-
-Eigen::Vector3d direction(const YamlEntry& entry) {
-  const Eigen::Vector3d given = entry.vector<3>();
-  constexpr double kShortest = 1e-6;
-  const double length = given.norm();
-  if (!(length > kShortest && std::isfinite(length)))
-    entry.refuse("no direction", "give x, y and z of a vector");
-  return given / length;
 }
 
 std::vector<Eigen::Vector3d> places(const YamlEntry& list, std::size_t least) {
@@ -56,14 +48,14 @@ BoxShape read_box(const YamlEntry& entry) {
 
 HalfSpace read_plane(const YamlEntry& entry) {
   entry.refuse_unknown({"point", "normal"});
-  return {entry["point"].vector<3>(), direction(entry["normal"])};
+  return {entry["point"].vector<3>(), entry["normal"].direction()};
 }
 
 PrismShape read_polygon(const YamlEntry& entry) {
   entry.refuse_unknown({"corners", "towards", "depth"});
   PrismShape prism;
   prism.corners = places(entry["corners"], 3);
-  prism.towards = direction(entry["towards"]);
+  prism.towards = entry["towards"].direction();
   const Eigen::Vector2d depth = entry["depth"].vector<2>();
   if (!(depth[0] < depth[1])) entry["depth"].refuse("no depth", "give the nearer one first");
   prism.nearest = depth[0];
@@ -106,41 +98,33 @@ CloudEdit read_edit(const YamlEntry& entry) {
   return edit;
 }
 
-YAML::Node list_of(const Eigen::VectorXd& numbers) {
-  YAML::Node list(YAML::NodeType::Sequence);
-  list.SetStyle(YAML::EmitterStyle::Flow);
-  for (const double number : numbers)
-    list.push_back(number);
-  return list;
-}
-
 YAML::Node list_of(const std::vector<Eigen::Vector3d>& places) {
   YAML::Node list(YAML::NodeType::Sequence);
   for (const Eigen::Vector3d& place : places)
-    list.push_back(list_of(Eigen::VectorXd(place)));
+    list.push_back(yaml_list(place));
   return list;
 }
 
 YAML::Node node_of(const BoxShape& box) {
   YAML::Node node;
-  node["center"] = list_of(Eigen::VectorXd(box.pose.translation()));
-  node["size"] = list_of(Eigen::VectorXd(box.size));
-  node["rotation"] = list_of(Eigen::VectorXd(Eigen::Quaterniond(box.pose.linear()).coeffs()));
+  node["center"] = yaml_list(box.pose.translation());
+  node["size"] = yaml_list(box.size);
+  node["rotation"] = yaml_list(Eigen::Quaterniond(box.pose.linear()).coeffs());
   return node;
 }
 
 YAML::Node node_of(const HalfSpace& half) {
   YAML::Node node;
-  node["point"] = list_of(Eigen::VectorXd(half.point));
-  node["normal"] = list_of(Eigen::VectorXd(half.normal));
+  node["point"] = yaml_list(half.point);
+  node["normal"] = yaml_list(half.normal);
   return node;
 }
 
 YAML::Node node_of(const PrismShape& prism) {
   YAML::Node node;
   node["corners"] = list_of(prism.corners);
-  node["towards"] = list_of(Eigen::VectorXd(prism.towards));
-  node["depth"] = list_of(Eigen::VectorXd(Eigen::Vector2d(prism.nearest, prism.farthest)));
+  node["towards"] = yaml_list(prism.towards);
+  node["depth"] = yaml_list(Eigen::Vector2d(prism.nearest, prism.farthest));
   return node;
 }
 
@@ -153,7 +137,7 @@ YAML::Node node_of(const BrushShape& brush) {
 
 YAML::Node node_of(const ClusterShape& cluster) {
   YAML::Node node;
-  node["at"] = list_of(Eigen::VectorXd(cluster.place));
+  node["at"] = yaml_list(cluster.place);
   node["gap"] = cluster.gap;
   return node;
 }

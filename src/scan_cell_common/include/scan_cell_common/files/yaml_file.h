@@ -62,6 +62,11 @@ class YamlEntry {
     return Eigen::Map<const Eigen::Matrix<double, N, 1>>(numbers(N).data());
   }
 
+  /// A vector of any length but none, as one of length 1; what has that length, but for rounding,
+  /// comes back to the last digit.
+  /// @throw UnusableInput if it is none
+  Eigen::Vector3d direction() const;
+
   /// A map of `translation` [m] and `rotation` (unit quaternion x y z w).
   /// @throw UnusableInput if one is missing or makes no sense
   Eigen::Isometry3d pose() const;
@@ -90,6 +95,9 @@ class YamlEntry {
   std::string file_;
   std::string name_;
 };
+
+/// As YamlEntry::vector() reads it, to the last digit, in one line.
+YAML::Node yaml_list(const Eigen::VectorXd& numbers);
 
 /// As YamlEntry::pose() reads it, to the last digit.
 YAML::Node yaml_pose(const Eigen::Isometry3d& pose);

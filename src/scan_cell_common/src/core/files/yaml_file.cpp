@@ -76,6 +76,16 @@ std::vector<double> YamlEntry::numbers(std::size_t count) const {
   return values;
 }
 
+Eigen::Vector3d YamlEntry::direction() const {
+  constexpr double kShortest = 1e-6;
+  constexpr double kUnit = 1e-9;  // off length 1 by rounding
+  const Eigen::Vector3d given = vector<3>();
+  const double length = given.norm();
+  if (!(length > kShortest && std::isfinite(length)))
+    refuse("no direction", "give x, y and z of a vector");
+  return std::abs(length - 1) < kUnit ? given : Eigen::Vector3d(given / length);
+}
+
 Eigen::Isometry3d YamlEntry::pose() const {
   const YamlEntry rotation = (*this)["rotation"];
   const Eigen::Quaterniond xyzw(rotation.vector<4>());
@@ -116,17 +126,18 @@ void YamlEntry::refuse(const std::string& value, const std::string& cure) const 
                       line < 0 ? value : fmt::format("{} (line {})", value, line + 1), cure);
 }
 
+YAML::Node yaml_list(const Eigen::VectorXd& numbers) {
+  YAML::Node list(YAML::NodeType::Sequence);
+  list.SetStyle(YAML::EmitterStyle::Flow);
+  for (const double number : numbers)
+    list.push_back(number);
+  return list;
+}
+
 YAML::Node yaml_pose(const Eigen::Isometry3d& pose) {
-  const auto list = [](const auto& vector) {
-    YAML::Node node;
-    for (Eigen::Index i = 0; i < vector.size(); ++i)
-      node.push_back(vector[i]);
-    node.SetStyle(YAML::EmitterStyle::Flow);
-    return node;
-  };
   YAML::Node node;
-  node["translation"] = list(Eigen::Vector3d(pose.translation()));
-  node["rotation"] = list(Eigen::Quaterniond(pose.linear()).coeffs());
+  node["translation"] = yaml_list(pose.translation());
+  node["rotation"] = yaml_list(Eigen::Quaterniond(pose.linear()).coeffs());
   return node;
 }
 

@@ -34,21 +34,12 @@ std::optional<LaserPlane> read_laser(const YamlEntry& entry) {
   return laser;
 }
 
-template <class Vector>
-YAML::Node numbers(const Vector& vector) {
-  YAML::Node node;
-  for (Eigen::Index i = 0; i < vector.size(); ++i)
-    node.push_back(vector[i]);
-  node.SetStyle(YAML::EmitterStyle::Flow);
-  return node;
-}
-
 YAML::Node laser_entry(const std::optional<LaserPlane>& laser) {
   YAML::Node entry;
   if (!laser) return entry;  // ~
-  entry["normal"] = numbers(laser->normal);
+  entry["normal"] = yaml_list(laser->normal);
   entry["distance"] = laser->distance;
-  entry["origin"] = numbers(laser->origin);
+  entry["origin"] = yaml_list(laser->origin);
   return entry;
 }
 
@@ -61,7 +52,7 @@ YAML::Node to_yaml(const ScannerModel& model) {
   camera["fy"] = model.camera.fy;
   camera["cx"] = model.camera.cx;
   camera["cy"] = model.camera.cy;
-  camera["distortion"] = numbers(model.camera.distortion);
+  camera["distortion"] = yaml_list(model.camera.distortion);
   root["flange_to_camera"] = scan_cell_common::yaml_pose(model.flange_to_camera);
   root["lasers"] = YAML::Node(YAML::NodeType::Sequence);
   for (const std::optional<LaserPlane>& laser : model.lasers)
@@ -151,7 +142,7 @@ void save_scanner_model(const std::string& path, const ScannerModel& model,
       root["flange_to_camera"] = scan_cell_common::parse_yaml(existing, name)["flange_to_camera"];
   }
   if (!deviations.empty()) {
-    root[kUncertainty]["points"] = numbers(Eigen::Map<const Eigen::VectorXd>(
+    root[kUncertainty]["points"] = yaml_list(Eigen::Map<const Eigen::VectorXd>(
         deviations.data(), static_cast<Eigen::Index>(deviations.size())));
   }
   save(path, root);

@@ -10,6 +10,7 @@
 namespace tool_paths {
 namespace {
 
+using scan_cell_common::yaml_list;
 using scan_cell_common::YamlEntry;
 
 std::size_t number_of(const YamlEntry& entry) {
@@ -52,14 +53,7 @@ MoveEdit read_move(const YamlEntry& edit) {
 
 TurnEdit read_turn(const YamlEntry& edit) {
   edit.refuse_unknown({"waypoints", "about", "angle", "frame"});
-  const Eigen::Vector3d about = edit["about"].vector<3>();
-  constexpr double kShortest = 1e-6;
-  if (!(about.norm() > kShortest && std::isfinite(about.norm())))
-    edit["about"].refuse("no direction", "give x, y and z of the axis");
-  // What was written with length 1 comes back to the last digit.
-  constexpr double kUnit = 1e-9;
-  const bool is_unit = std::abs(about.norm() - 1) < kUnit;
-  return {range_of(edit["waypoints"]), is_unit ? about : about.normalized(), finite(edit["angle"]),
+  return {range_of(edit["waypoints"]), edit["about"].direction(), finite(edit["angle"]),
           frame_of(edit)};
 }
 
@@ -107,21 +101,10 @@ std::vector<PathEdit> read(const YamlEntry& root) {
   return edits;
 }
 
-YAML::Node list_of(const Eigen::Vector3d& numbers) {
-  YAML::Node list(YAML::NodeType::Sequence);
-  list.SetStyle(YAML::EmitterStyle::Flow);
-  for (const double number : numbers)
-    list.push_back(number);
-  return list;
-}
-
 YAML::Node node_of(const WaypointRange& range) {
   if (range.first == range.last) return YAML::Node(range.first);
-  YAML::Node list(YAML::NodeType::Sequence);
-  list.SetStyle(YAML::EmitterStyle::Flow);
-  list.push_back(range.first);
-  list.push_back(range.last);
-  return list;
+  return yaml_list(
+      Eigen::Vector2d(static_cast<double>(range.first), static_cast<double>(range.last)));
 }
 
 /// A map in one line, with the waypoints if it has some.
@@ -142,13 +125,13 @@ struct Writer {
 
   void operator()(const MoveEdit& edit) {
     YAML::Node node = begin(edit);
-    node["by"] = list_of(edit.by);
+    node["by"] = yaml_list(edit.by);
     add_frame(node, edit.frame);
     all["move"] = node;
   }
   void operator()(const TurnEdit& edit) {
     YAML::Node node = begin(edit);
-    node["about"] = list_of(edit.about);
+    node["about"] = yaml_list(edit.about);
     node["angle"] = edit.angle;
     add_frame(node, edit.frame);
     all["turn"] = node;
