@@ -7,11 +7,9 @@
 #include <visualization_msgs/InteractiveMarkerFeedback.h>
 #include <visualization_msgs/InteractiveMarkerInit.h>
 
-#include <QApplication>
-
 #include "rviz_view.h"
 #include "scan_cell_common/ros/conversions.h"
-#include "view/waypoint_handles.h"
+#include "view/path/waypoint_handles.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -124,11 +122,3 @@ TEST_F(PathInView, WhatIsDraggedAtTheHandlesIsAnEditOfAllThatIsChosen) {
 
 }  // namespace
 }  // namespace scan_cell_rviz
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "test_path_view");
-  const ros::NodeHandle node;
-  const QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
-}

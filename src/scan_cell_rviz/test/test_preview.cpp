@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
-#include <QApplication>
-
 #include "rviz_view.h"
-#include "view/preview_display.h"
+#include "view/preview/preview_display.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -146,11 +144,3 @@ TEST_F(Preview, DrawsNothingWhileItIsHidden) {
 
 }  // namespace
 }  // namespace scan_cell_rviz
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "test_preview");
-  const ros::NodeHandle node;
-  const QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -8,7 +8,6 @@
 #include <rviz/tool.h>
 #include <rviz/tool_manager.h>
 
-#include <QApplication>
 #include <QKeyEvent>
 #include <memory>
 
@@ -188,11 +187,3 @@ TEST_F(Tools, AHiddenClusterIsOutOfTheWayAndNotEdited) {
 
 }  // namespace
 }  // namespace scan_cell_rviz
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "test_tools");
-  const ros::NodeHandle node;
-  const QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -48,11 +48,12 @@ def table(run, scene):
     rows = []
     for i in range(count):
         quality = qualities[i] if i < len(qualities) else None
-        segment = (quality or {}).get('segment', segment_of[i] if i < len(segment_of) else None)
+        told = quality or {}
+        segment = told.get('segment', segment_of[i] if i < len(segment_of) else None)
         name = segments[segment] if isinstance(segment, int) and segment < len(segments) else None
-        edited = (quality or {}).get('edited') is True
-        seen_as = (quality or {}).get('unedited_waypoint', i)  # numbers of before a person edited the path
-        values = dict(quality or {}, turn=turns[i] if i < len(turns) else None)
+        edited = told.get('edited') is True
+        seen_as = told.get('unedited_waypoint', i)  # numbers of before a person edited the path
+        values = dict(told, turn=turns[i] if i < len(turns) else None)
         rows.append({'number': i, 'segment': words.plain(name or segment) + edited * ', edited', 'concerned': i in concerned,
                      'state': state_of(quality) if quality else NOT_JUDGED,
                      'seen': seen(sightings[seen_as]) if isinstance(seen_as, int) and seen_as < len(sightings) else '',

@@ -9,8 +9,8 @@
 #include "link/cell_link.h"
 #include "link/teach_link.h"
 #include "seat/seat.h"
-#include "view/box_handles.h"
-#include "view/waypoint_handles.h"
+#include "view/path/waypoint_handles.h"
+#include "view/scan/box_handles.h"
 
 namespace rviz {
 class Display;

@@ -3,6 +3,7 @@
 #include "view/mouse_ray.h"
 
 #include <OgreCamera.h>
+#include <OgreRay.h>
 #include <OgreViewport.h>
 
 namespace scan_cell_rviz {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view/preview_display.h"
+#include "view/preview/preview_display.h"
 
 #include <rviz/display_context.h>
 #include <rviz/properties/float_property.h>

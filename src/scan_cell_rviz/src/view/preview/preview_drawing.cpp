@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view/preview_drawing.h"
+#include "view/preview/preview_drawing.h"
 
 #include <OgreSceneManager.h>
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view/waypoint_handles.h"
+#include "view/path/waypoint_handles.h"
 
 #include <ros/this_node.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pluginlib/class_list_macros.hpp>
 
-#include "view/edit_tool.h"
+#include "view/scan/edit_tool.h"
 
 namespace scan_cell_rviz {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view/waypoint_tool.h"
+#include "view/path/waypoint_tool.h"
 
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "preview/link_poses.h"
-#include "view/preview_drawing.h"
+#include "view/preview/preview_drawing.h"
 
 namespace rviz {
 class FloatProperty;

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view/edit_display.h"
+#include "view/scan/edit_display.h"
 
 #include <OgreSceneNode.h>
 #include <rviz/properties/float_property.h>
