@@ -8,6 +8,7 @@
 #include <random>
 
 #include "cloud_preprocess/grid_reduction.h"
+#include "geometry/grid_cells.h"
 #include "scan_cell_common/errors/errors.h"
 
 using cloud_preprocess::Cloud;
@@ -36,17 +37,35 @@ Cloud reduced(const Cloud& cloud, const GridParameters& parameters = {}) {
 
 }  // namespace
 
-TEST(GridReduction, GivesThePointsOfPclsVoxelGridInItsOrder) {
+TEST(GridReduction, SortsIntoTheCellsOfPclsVoxelGridInItsOrder) {
   const Cloud cloud = random_cloud(100000);
   pcl::VoxelGrid<pcl::PointXYZ> filter;
   filter.setInputCloud(cloud.makeShared());
   filter.setLeafSize(0.002F, 0.002F, 0.0005F);
   Cloud theirs;
   filter.filter(theirs);
-  const Cloud ours = reduced(cloud);
+  EXPECT_EQ(reduced(cloud).size(), theirs.size());
+  const Cloud ours = cloud_preprocess::sort_into_grid(cloud, GridParameters().leaf).means;
   ASSERT_EQ(ours.size(), theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
     EXPECT_LT((ours[i].getVector3fMap() - theirs[i].getVector3fMap()).norm(), 1e-6F);
+  }
+}
+
+TEST(GridReduction, DoesNotShiftASurfaceBesideTheBorderOfItsCells) {
+  const double edge = GridParameters().leaf.z();  // a border of cells
+  for (const double beside : {0.0, 0.00005, 0.0001, 0.00015, 0.0002, 0.00025, 0.0004}) {
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<float> across(0, 0.05F);
+    std::normal_distribution<float> height(static_cast<float>(20 * edge + beside), 0.0001F);
+    Cloud cloud;
+    for (int i = 0; i < 40000; ++i)
+      cloud.push_back({across(generator), across(generator), height(generator)});
+    double sum = 0;
+    const Cloud few = reduced(cloud);
+    for (const pcl::PointXYZ& point : few)
+      sum += point.z;
+    EXPECT_NEAR(sum / static_cast<double>(few.size()), 20 * edge + beside, 5e-6) << beside;
   }
 }
 

@@ -41,7 +41,7 @@ GridReduction::GridReduction(const GridParameters& parameters) : parameters_(par
 
 std::string GridReduction::apply(TracedCloud& cloud) const {
   const Eigen::Vector3d& leaf = parameters_.leaf;
-  GridCells grid = sort_into_grid(cloud.cloud(), leaf);
+  GridCells grid = sort_into_even_grid(cloud.cloud(), leaf);
   const std::vector<std::uint32_t> nearest = nearest_to_means(grid, cloud.cloud());
   cloud.replace(std::move(grid.means), nearest);
   char text[80];

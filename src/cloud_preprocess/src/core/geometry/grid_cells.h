@@ -20,4 +20,8 @@ struct GridCells {
 /// @throw scan_cell_common::UnusableInput if a point lies more than a million cells out
 GridCells sort_into_grid(const scan_cell_common::Cloud& cloud, const Eigen::Vector3d& leaf);
 
+/// The same, but that cells share the points of a face beside their border, as
+/// scan_cell_common::with_even_cells() deals them.
+GridCells sort_into_even_grid(const scan_cell_common::Cloud& cloud, const Eigen::Vector3d& leaf);
+
 }  // namespace cloud_preprocess

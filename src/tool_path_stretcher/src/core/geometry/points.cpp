@@ -9,17 +9,22 @@
 #include <cmath>
 
 #include "scan_cell_common/errors/errors.h"
-#include "scan_cell_common/geometry/grid.h"
+#include "scan_cell_common/geometry/even_cells.h"
 
 namespace tool_path_stretcher {
 namespace {
 
+using scan_cell_common::Grid;
 using scan_cell_common::GridEntry;
 
-std::vector<GridEntry> sorted(const Points& points, const Eigen::Vector3d& leaf) {
+Grid grid_of(const Eigen::Vector3d& leaf) {
   constexpr double kMaxCells = 1e15;  // beyond it a double no longer counts by ones
+  return {leaf, {0, 1, 2}, kMaxCells};
+}
+
+std::vector<GridEntry> sorted(const Points& points, const Eigen::Vector3d& leaf) {
   return scan_cell_common::sort_into_grid(
-      points.size(), [&points](std::size_t i) { return points[i]; }, {leaf, {0, 1, 2}, kMaxCells});
+      points.size(), [&points](std::size_t i) { return points[i]; }, grid_of(leaf));
 }
 
 std::vector<std::size_t> one_of_each_cell(const Points& points, double leaf) {
@@ -37,7 +42,9 @@ Points reduce_on_grid(const Points& points, const Eigen::Vector3d& leaf) {
                                              "give more than 0");
   }
   Points reduced;
-  for_each_cell(sorted(points, leaf), [&](auto begin, auto end) {
+  const auto entries = with_even_cells(
+      sorted(points, leaf), [&points](std::size_t i) { return points[i]; }, grid_of(leaf));
+  for_each_cell(entries, [&](auto begin, auto end) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (auto each = begin; each != end; ++each)
       sum += points[each->point];

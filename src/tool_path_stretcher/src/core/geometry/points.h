@@ -6,7 +6,9 @@
 
 namespace tool_path_stretcher {
 
-/// The mean of the points of each cell of a grid (thesis 8.5), in the order of the cells.
+/// The mean of the points of each cell of a grid (thesis 8.5), in the order of the cells; cells
+/// share the points of a face beside their border, as scan_cell_common::with_even_cells() deals
+/// them.
 /// @param leaf edges of a cell [m], above 0
 /// @throw scan_cell_common::InvalidParameter if a leaf is not above 0
 /// @throw scan_cell_common::UnusableInput if a point is not finite or too far out to count its cell

@@ -56,7 +56,7 @@ constexpr Round kPartialRounds[] = {
     {std::nullopt, 12, 0, kNever, 0, 2500},     {std::nullopt, 4, 0, kNever, 0.05, 500},
     {std::nullopt, 4, 4, kNever, 0.05, 100},    {std::nullopt, 1, 10, kNever, 0.05, 60},
     {Density::kFewest, 1, 6, kNever, 0.03, 10},  // rated as the rounds before
-    {Density::kFew, 1, 15, kNever, 0.03, 6},     // rated by all samples of both surfaces
+    {Density::kFew, 1, 15, kNever, 0.03, 10},    // rated by all samples of both surfaces
 };
 
 }  // namespace tool_path_stretcher

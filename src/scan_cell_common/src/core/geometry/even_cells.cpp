@@ -1,0 +1,173 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_cell_common/geometry/even_cells.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace scan_cell_common {
+namespace {
+
+using Position = std::function<Eigen::Vector3d(std::size_t)>;
+
+constexpr double kSame = 0.5;    // of a cell between two means across their border; chosen
+constexpr double kBeside = 0.3;  // of a cell between them along it: noise moves none there; chosen
+constexpr double kThin = 0.23;   // of a cell, deviation of its points: 0.29 fill it; chosen
+constexpr double kBroad = 0.15;  // of a cell, deviation of points of a surface along it; chosen
+constexpr double kFew = 0.2;     // of the neighbour's points: what noise carries over; chosen
+
+/// The entries of a cell, and what is known of their points.
+struct FilledCell {
+  std::size_t begin, end;
+  Eigen::Vector3d mean;       // [m]
+  Eigen::Vector3d deviation;  // [m]
+
+  std::size_t count() const { return end - begin; }
+};
+
+FilledCell filled(const std::vector<GridEntry>& entries, std::size_t begin, std::size_t end,
+                  const Position& position) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+  for (std::size_t i = begin; i != end; ++i) {
+    const Eigen::Vector3d at = position(entries[i].point);
+    sum += at;
+    squares += at.cwiseAbs2();
+  }
+  const double count = static_cast<double>(end - begin);
+  const Eigen::Vector3d mean = sum / count;
+  return {begin, end, mean, (squares / count - mean.cwiseAbs2()).cwiseMax(0).cwiseSqrt()};
+}
+
+/// Finds for each cell the one that it goes with.
+class Joiner {
+ public:
+  Joiner(const std::vector<GridEntry>& entries, const Position& position, const Grid& grid)
+      : entries_(entries), grid_(grid) {
+    const auto first = entries.begin();
+    for_each_cell(entries, [&](auto begin, auto end) {
+      cells_.push_back(filled(entries, static_cast<std::size_t>(begin - first),
+                              static_cast<std::size_t>(end - first), position));
+    });
+    with_.resize(cells_.size());
+    std::iota(with_.begin(), with_.end(), 0);
+    nearest_.assign(cells_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      look_along(axis);
+  }
+
+  /// The cells of each piece that lies in several, in their order.
+  std::vector<std::vector<FilledCell>> pieces() const {
+    std::map<std::size_t, std::vector<FilledCell>> pieces;
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      if (with_[i] != i) pieces[root(i)];
+    std::vector<std::vector<FilledCell>> listed;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const auto piece = pieces.find(root(i));
+      if (piece != pieces.end()) piece->second.push_back(cells_[i]);
+    }
+    for (auto& [root, piece] : pieces)
+      listed.push_back(std::move(piece));
+    return listed;
+  }
+
+ private:
+  std::size_t root(std::size_t cell) const {
+    while (with_[cell] != cell)
+      cell = with_[cell];
+    return cell;
+  }
+
+  /// Adding one to all cells keeps their order, so their neighbours come in that order, too.
+  void look_along(std::size_t axis) {
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      auto wanted = number(i);
+      ++wanted[axis];
+      while (other < cells_.size() && number(other) < wanted)
+        ++other;
+      if (other == cells_.size()) return;
+      if (number(other) == wanted) meet(i, other, grid_.axes[axis]);
+    }
+  }
+
+  /// The one with fewer points may go with the other; of several others with the one that is
+  /// nearest along the axis on which they are neighbours.
+  void meet(std::size_t one, std::size_t other, int axis) {
+    if (cells_[one].count() > cells_[other].count()) std::swap(one, other);
+    const FilledCell& fuller = cells_[other];
+    if (fuller.deviation[axis] > kThin * grid_.leaf[axis]) return;
+    Eigen::Vector3d off = (cells_[one].mean - fuller.mean).cwiseQuotient(grid_.leaf);
+    const double distance = std::abs(off[axis]);
+    off[axis] = 0;
+    const bool few =
+        static_cast<double>(cells_[one].count()) < kFew * static_cast<double>(fuller.count());
+    const bool same = distance < kSame && off.norm() < kBeside && is_broad(cells_[one], axis);
+    if (!(few && distance < 1) && !same) return;
+    if (distance >= nearest_[one]) return;
+    nearest_[one] = distance;
+    with_[one] = other;
+  }
+
+  /// Whether the points spread along the border: a wall that ends there does not.
+  bool is_broad(const FilledCell& cell, int across) const {
+    Eigen::Vector3d spread = cell.deviation.cwiseQuotient(grid_.leaf);
+    spread[across] = 1;
+    return spread.minCoeff() > kBroad;
+  }
+
+  const std::array<std::int64_t, 3>& number(std::size_t cell) const {
+    return entries_[cells_[cell].begin].cell;
+  }
+
+  const std::vector<GridEntry>& entries_;
+  const Grid& grid_;
+  std::vector<FilledCell> cells_;
+  std::vector<std::size_t> with_;  // itself: it stays
+  std::vector<double> nearest_;
+};
+
+/// @param cells of one piece
+void deal(const std::vector<FilledCell>& cells, const Position& position,
+          std::vector<GridEntry>& entries) {
+  std::vector<GridEntry*> places;
+  std::vector<std::pair<Eigen::Vector3d, std::uint32_t>> points;
+  Eigen::AlignedBox3d box;
+  for (const FilledCell& cell : cells) {
+    for (std::size_t i = cell.begin; i != cell.end; ++i) {
+      places.push_back(&entries[i]);
+      points.emplace_back(position(entries[i].point), entries[i].point);
+      box.extend(points.back().first);
+    }
+  }
+  int along = 0;
+  box.sizes().maxCoeff(&along);
+  std::sort(points.begin(), points.end(), [along](const auto& one, const auto& other) {
+    return std::pair(one.first[along], one.second) < std::pair(other.first[along], other.second);
+  });
+  std::vector<std::array<std::int64_t, 3>> numbers;
+  for (const FilledCell& cell : cells)
+    numbers.push_back(entries[cell.begin].cell);
+  std::size_t first = 0;  // of those in one place along: they stay together
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].first[along] != points[first].first[along]) first = i;
+    *places[i] = {numbers[first * cells.size() / points.size()], points[i].second};
+  }
+}
+
+}  // namespace
+
+std::vector<GridEntry> with_even_cells(std::vector<GridEntry> entries, const Position& position,
+                                       const Grid& grid) {
+  for (const std::vector<FilledCell>& piece : Joiner(entries, position, grid).pieces())
+    deal(piece, position, entries);
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+}  // namespace scan_cell_common
