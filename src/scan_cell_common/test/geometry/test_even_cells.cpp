@@ -61,7 +61,7 @@ TEST(EvenCells, OfASurfaceOnBothSidesOfTheirBorderHaveItsHeightSideBySide) {
 }
 
 TEST(EvenCells, OfAFewPointsThatNoiseCarriedAcrossGetAsManyAsTheOthersWhereverThoseLie) {
-  Points points = {{0.1, 1.9, 0.3}};
+  Points points = {{0.1, 0.2, 0.3}};
   for (int i = 0; i < 9; ++i)
     points.emplace_back(0.2 + 0.2 * i, 0.1 + 0.2 * (i % 3), 0.7);
   const Points means = means_of(points);
@@ -72,7 +72,7 @@ TEST(EvenCells, OfAFewPointsThatNoiseCarriedAcrossGetAsManyAsTheOthersWhereverTh
 }
 
 TEST(EvenCells, LeavePointsInOnePlaceTogetherSoThatCopiesChangeNothing) {
-  Points points = {{0.1, 1.9, 0.3}};
+  Points points = {{0.1, 0.2, 0.3}};
   for (int i = 0; i < 9; ++i)
     points.emplace_back(0.2 + 0.2 * i, 0.1 + 0.2 * (i % 3), 0.7);
   const Points once = means_of(points);
