@@ -19,7 +19,12 @@ target_link_libraries(${PROJECT_NAME}_view
   PUBLIC ${PROJECT_NAME}_core ${PROJECT_NAME}_deviation
   PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 
-install(TARGETS ${PROJECT_NAME}_core ${PROJECT_NAME}_view
+# Paths made on a recipe's reference
+add_library(${PROJECT_NAME}_design src/core/design/path_option.cpp src/core/design/recipe_path.cpp)
+target_link_libraries(${PROJECT_NAME}_design
+  PUBLIC ${PROJECT_NAME}_core ${PROJECT_NAME}_path_design)
+
+install(TARGETS ${PROJECT_NAME}_core ${PROJECT_NAME}_design ${PROJECT_NAME}_view
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
@@ -49,6 +54,11 @@ if(CATKIN_ENABLE_TESTING)
   target_compile_definitions(test_${PROJECT_NAME}_run PRIVATE
     SCANNER_FILE="${CMAKE_CURRENT_SOURCE_DIR}/../scan_cell_sim/config/scanner.yaml")
   add_dependencies(test_${PROJECT_NAME}_run clean_cloud edit_path export_path seen_waypoints stretch)
+  catkin_add_gtest(test_${PROJECT_NAME}_design
+    test/design/test_recipe_path.cpp test/made_up_part.cpp test/temporary_folder.cpp)
+  target_link_libraries(test_${PROJECT_NAME}_design
+    ${PROJECT_NAME}_design scan_cell::scan_cell_common_clouds gtest_main)
+  add_dependencies(test_${PROJECT_NAME}_design path)
   catkin_add_gtest(test_${PROJECT_NAME}_replay
     test/made_up_part.cpp test/replay/test_job_folder.cpp test/replay/test_replay.cpp
     test/temporary_folder.cpp)

@@ -5,11 +5,11 @@ foreach(tool recipe run)
     ${PROJECT_NAME}_core ${PROJECT_NAME}_history CLI11::CLI11)
 endforeach()
 
-add_executable(${PROJECT_NAME}_node src/ros/part_recipes_node.cpp src/ros/recipe_services.cpp src/ros/run_display.cpp
-  src/ros/run_markers.cpp src/ros/run_server.cpp)
+add_executable(${PROJECT_NAME}_node src/ros/design_service.cpp src/ros/markers.cpp src/ros/part_recipes_node.cpp
+  src/ros/recipe_services.cpp src/ros/run_display.cpp src/ros/run_markers.cpp src/ros/run_server.cpp)
 target_include_directories(${PROJECT_NAME}_node PRIVATE src/ros)
 target_link_libraries(${PROJECT_NAME}_node
-  ${PROJECT_NAME}_history ${PROJECT_NAME}_view ${catkin_LIBRARIES})
+  ${PROJECT_NAME}_design ${PROJECT_NAME}_history ${PROJECT_NAME}_view ${catkin_LIBRARIES})
 add_dependencies(${PROJECT_NAME}_node ${catkin_EXPORTED_TARGETS})
 
 install(TARGETS

@@ -21,7 +21,7 @@ class ASeat : public testing::Test {
  protected:
   ASeat() {
     recipes_ = std::make_unique<FakeRecipes>();
-    link_.start();
+    links_.start();
     seat_.show();
     EXPECT_TRUE(comes([this] { return recipe_list()->count() == 2; })) << text("missed");
     EXPECT_TRUE(comes([this] { return link_.busy() == Busy::kFree; }));
@@ -66,11 +66,12 @@ class ASeat : public testing::Test {
   }
 
   std::unique_ptr<FakeRecipes> recipes_;
-  CellLink link_{NodeNames()};
-  TeachLink teach_{NodeNames()};
+  SeatLinks links_{NodeNames()};
+  CellLink& link_ = links_.cell;
   EditSession edits_;
   PathSession path_;
-  Seat seat_{link_, teach_, edits_, path_};
+  PickSession picks_;
+  Seat seat_{links_, {edits_, path_, picks_}};
 };
 
 }  // namespace scan_cell_rviz

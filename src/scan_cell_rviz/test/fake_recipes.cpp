@@ -3,6 +3,7 @@
 #include "fake_recipes.h"
 
 #include <sensor_msgs/PointCloud2.h>
+#include <visualization_msgs/Marker.h>
 
 #include <utility>
 
@@ -53,10 +54,12 @@ scan_cell_msgs::ToolPath made_path() {
 FakeRecipes::FakeRecipes()
     : raw_(node_.advertise<sensor_msgs::PointCloud2>("raw", 1, true)),
       previews_(node_.advertise<scan_cell_msgs::WorkPreview>("/scan_cell/work_preview", 10, true)),
+      reference_(node_.advertise<visualization_msgs::Marker>("reference", 1, true)),
       services_({node_.advertiseService("list", &FakeRecipes::list, this),
                  node_.advertiseService("edit", &FakeRecipes::edit, this),
                  node_.advertiseService("runs", &FakeRecipes::runs, this),
                  node_.advertiseService("describe", &FakeRecipes::describe, this),
+                 node_.advertiseService("design", &FakeRecipes::design, this),
                  node_.advertiseService("preview", &FakeRecipes::preview, this),
                  node_.advertiseService("approve", &FakeRecipes::approve, this)}),
       server_(
@@ -118,6 +121,51 @@ bool FakeRecipes::preview(scan_cell_msgs::PreviewRun::Request& request,
 scan_cell_msgs::PreviewRunRequest FakeRecipes::last_preview() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return preview_;
+}
+
+scan_cell_msgs::DesignPathRequest FakeRecipes::last_design() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return design_;
+}
+
+/// On a square of 100 mm; the path goes from pick to pick, and is refused where one is at y < 0.
+bool FakeRecipes::design(scan_cell_msgs::DesignPath::Request& request,
+                         scan_cell_msgs::DesignPath::Response& response) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    design_ = request;
+  }
+  visualization_msgs::Marker square;
+  square.header.frame_id = "world";
+  square.points.resize(6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    square.points[i].x = i == 1 || i == 2 || i == 4 ? 0.1 : 0;
+    square.points[i].y = i == 2 || i == 4 || i == 5 ? 0.1 : 0;
+  }
+  reference_.publish(square);
+  scan_cell_msgs::ToolParameter step, closed;
+  step.name = "max_step";
+  step.unit = "m";
+  step.value = "0.01";
+  closed.name = "closed";
+  closed.value = "false";
+  closed.words = {"false", "true"};
+  response.parameters = {step};
+  if (request.way == scan_cell_msgs::DesignPath::Request::PICKS)
+    response.parameters.push_back(closed);
+  response.frame = "world";
+  response.success = 1;
+  if (request.make == 0) return true;
+  response.path.segments.resize(1);
+  for (const geometry_msgs::Point& pick : request.picks) {
+    scan_cell_msgs::ToolPathWaypoint waypoint;
+    waypoint.pose.position = pick;
+    response.path.segments[0].waypoints.push_back(waypoint);
+    if (pick.y >= 0) continue;
+    response.success = 0;
+    response.message = "pick 1: 3 mm from the surface; pick it on the surface";
+  }
+  return true;
 }
 
 bool FakeRecipes::was_cancelled() const {

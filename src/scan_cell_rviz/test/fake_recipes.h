@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/ApproveRun.h>
 #include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/DesignPath.h>
 #include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
@@ -32,6 +33,7 @@ class FakeRecipes {
   scan_cell_msgs::ApproveRunRequest last_decision() const;
   scan_cell_msgs::EditRecipeRequest last_edit() const;
   scan_cell_msgs::PreviewRunRequest last_preview() const;
+  scan_cell_msgs::DesignPathRequest last_design() const;
   bool was_cancelled() const;
 
   /// From now on each run that is described has a scan of its own, a cube of `side` points a side.
@@ -48,6 +50,7 @@ class FakeRecipes {
   bool approve(scan_cell_msgs::ApproveRun::Request&, scan_cell_msgs::ApproveRun::Response&);
   bool edit(scan_cell_msgs::EditRecipe::Request&, scan_cell_msgs::EditRecipe::Response&);
   bool preview(scan_cell_msgs::PreviewRun::Request&, scan_cell_msgs::PreviewRun::Response&);
+  bool design(scan_cell_msgs::DesignPath::Request&, scan_cell_msgs::DesignPath::Response&);
   scan_cell_msgs::RunSummary summary() const;
 
   mutable std::mutex mutex_;
@@ -55,6 +58,7 @@ class FakeRecipes {
   scan_cell_msgs::ApproveRunRequest decision_;
   scan_cell_msgs::EditRecipeRequest edit_;
   scan_cell_msgs::PreviewRunRequest preview_;
+  scan_cell_msgs::DesignPathRequest design_;
   int goals_ = 0;
   int outcome_ = -1;
   std::uint8_t state_ = scan_cell_msgs::RunSummary::ACCEPTED;
@@ -67,6 +71,7 @@ class FakeRecipes {
   ros::NodeHandle node_{"/part_recipes"};
   ros::Publisher raw_;
   ros::Publisher previews_;
+  ros::Publisher reference_;
   std::vector<ros::ServiceServer> services_;
   actionlib::SimpleActionServer<scan_cell_msgs::RunRecipeAction> server_;
 };

@@ -37,10 +37,9 @@ double resident() {
 
 class ADay : public testing::Test {
  protected:
-  ADay() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_, path_) {
+  ADay() {
     recipes_.give_each_run_a_scan(kSide);
-    link_.start();
-    teach_.start();
+    links_.start();
     seat_.show();
     EXPECT_TRUE(comes([this] { return list()->count() == 2 && link_.busy() == Busy::kFree; }));
     list()->setCurrentRow(0);
@@ -106,11 +105,12 @@ class ADay : public testing::Test {
   }
 
   FakeRecipes recipes_;
-  CellLink link_;
-  TeachLink teach_;
+  SeatLinks links_{NodeNames()};
+  CellLink& link_ = links_.cell;
   EditSession edits_;
   PathSession path_;
-  Seat seat_;
+  PickSession picks_;
+  Seat seat_{links_, {edits_, path_, picks_}};
   std::shared_ptr<const cloud_preprocess::Cloud> scan_;  // that came last
 };
 

@@ -40,9 +40,8 @@ constexpr Victim kVictims[] = {{"/c4g_driver", "sign_robot", "not running"},
 
 class ASeatInTheCell : public testing::Test {
  protected:
-  ASeatInTheCell() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_, path_) {
-    link_.start();
-    teach_.start();
+  ASeatInTheCell() {
+    links_.start();
     seat_.show();
     beat_.setInterval(5);
     QObject::connect(&beat_, &QTimer::timeout, [this] {
@@ -80,11 +79,12 @@ class ASeatInTheCell : public testing::Test {
         << victim.node << ": " << text(victim.label);
   }
 
-  CellLink link_;
-  TeachLink teach_;
+  SeatLinks links_{NodeNames()};
+  CellLink& link_ = links_.cell;
   EditSession edits_;
   PathSession path_;
-  Seat seat_;
+  PickSession picks_;
+  Seat seat_{links_, {edits_, path_, picks_}};
   QTimer beat_;
   QElapsedTimer since_beat_;
   qint64 held_up_ = 0;  // [ms] longest time that the window did nothing

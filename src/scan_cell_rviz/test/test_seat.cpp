@@ -245,12 +245,13 @@ TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
 
 TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
   scan();
-  CellLink other((NodeNames()));
-  TeachLink its_teach((NodeNames()));
+  SeatLinks others((NodeNames()));
+  CellLink& other = others.cell;
   EditSession its_edits;
   PathSession its_path;
-  Seat watching(other, its_teach, its_edits, its_path);
-  other.start();
+  PickSession its_picks;
+  Seat watching(others, {its_edits, its_path, its_picks});
+  others.start();
   auto* const doing = watching.findChild<QLabel*>("doing");
   ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));
   watching.findChild<QListWidget*>("recipes")->setCurrentRow(0);

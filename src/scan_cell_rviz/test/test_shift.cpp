@@ -42,9 +42,8 @@ void make_recipe(const std::string& folder) {
 
 class AShift : public testing::Test {
  protected:
-  AShift() : link_(NodeNames()), teach_(NodeNames()), seat_(link_, teach_, edits_, path_) {
-    link_.start();
-    teach_.start();
+  AShift() {
+    links_.start();
     seat_.show();
   }
 
@@ -78,7 +77,7 @@ class AShift : public testing::Test {
     auto* const pages = seat_.findChild<QTabWidget*>("pages");
     pages->setCurrentIndex(pages->count() - 1);
     seat_.set_pose_file(QString::fromStdString(file.string()));
-    ASSERT_TRUE(comes([this] { return teach_.has_driver() && !text("joint_2").empty(); }));
+    ASSERT_TRUE(comes([this] { return links_.teach.has_driver() && !text("joint_2").empty(); }));
     const double before = second_joint();
     for (const char* name : {"jog_plus_2", "jog_minus_2"}) {
       auto* const button = seat_.findChild<QPushButton*>(name);
@@ -121,11 +120,12 @@ class AShift : public testing::Test {
     EXPECT_TRUE(seat_.grab().save(QString::fromStdString(folder + ("/seat_" + name + ".png"))));
   }
 
-  CellLink link_;
-  TeachLink teach_;
+  SeatLinks links_{NodeNames()};
+  CellLink& link_ = links_.cell;
   EditSession edits_;
   PathSession path_;
-  Seat seat_;
+  PickSession picks_;
+  Seat seat_{links_, {edits_, path_, picks_}};
 };
 
 TEST_F(AShift, FromThePartOnTheTableToWork) {

@@ -47,6 +47,17 @@ Der Roboter kommt nicht dorthin.</translation>
     </message>
 </context>
 <context>
+    <name>UnitsShown</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> deg</source>
+        <translation> Grad</translation>
+    </message>
+</context>
+<context>
     <name>scan_cell_rviz::Band</name>
     <message>
         <source>Robot</source>
@@ -231,6 +242,97 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>No point is there. </source>
         <translation>Dort ist kein Punkt. </translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::DesignPage</name>
+    <message>
+        <source>%1 waypoints in %2 segments, %3 mm long</source>
+        <translation>%1 Wegpunkte in %2 Abschnitten, %3 mm lang</translation>
+    </message>
+    <message>
+        <source>Pic&amp;k in the view</source>
+        <translation>In der &amp;Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>An&amp;sicht drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>&amp;Wieder</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Leeren</translation>
+    </message>
+    <message>
+        <source>&amp;Make the path</source>
+        <translation>&amp;Bahn erzeugen</translation>
+    </message>
+    <message>
+        <source>Save as a ne&amp;w recipe</source>
+        <translation>Als neues Re&amp;zept sichern</translation>
+    </message>
+    <message>
+        <source>Whose reference the path is made on</source>
+        <translation>Auf dessen Referenz die Bahn entsteht</translation>
+    </message>
+    <message>
+        <source>through picked places</source>
+        <translation>durch gewählte Stellen</translation>
+    </message>
+    <message>
+        <source>along the edge</source>
+        <translation>entlang der Kante</translation>
+    </message>
+    <message>
+        <source>a raster</source>
+        <translation>ein Raster</translation>
+    </message>
+    <message>
+        <source>Clicks on the reference become places of the path, in their order</source>
+        <translation>Klicks auf die Referenz werden Stellen der Bahn, in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>The mouse turns the view</source>
+        <translation>Die Maus dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Of the new recipe and its folder</source>
+        <translation>Des neuen Rezepts und seines Ordners</translation>
+    </message>
+    <message>
+        <source>A recipe as the one above, but with this path; it counts as made, not proven</source>
+        <translation>Ein Rezept wie das obige, aber mit dieser Bahn; es gilt als erstellt, nicht als bewährt</translation>
+    </message>
+    <message>
+        <source>&amp;Reference of</source>
+        <translation>&amp;Referenz von</translation>
+    </message>
+    <message>
+        <source>W&amp;ay</source>
+        <translation>Ar&amp;t</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Saved as %1: prove it, then scan a part.</source>
+        <translation>Gesichert als %1: erst bewähren, dann ein Teil scannen.</translation>
+    </message>
+    <message>
+        <source>Choose the recipe whose reference it is.</source>
+        <translation>Das Rezept wählen, dessen Referenz gemeint ist.</translation>
+    </message>
+    <message>
+        <source>%1 places picked</source>
+        <translation>%1 Stellen gewählt</translation>
     </message>
 </context>
 <context>
@@ -613,6 +715,17 @@ Der Roboter kommt nicht dorthin.</translation>
     </message>
 </context>
 <context>
+    <name>scan_cell_rviz::PickTool</name>
+    <message>
+        <source>Click places on the reference, in the order of the path.</source>
+        <translation>Stellen auf der Referenz anklicken, in der Reihenfolge der Bahn.</translation>
+    </message>
+    <message>
+        <source>No reference is in view: choose a recipe on the page of new paths.</source>
+        <translation>Keine Referenz zu sehen: auf der Seite für neue Bahnen ein Rezept wählen.</translation>
+    </message>
+</context>
+<context>
     <name>scan_cell_rviz::PlaneTool</name>
     <message>
         <source>Plane: click three points. The side of the viewer is deleted, or alone kept.</source>
@@ -696,6 +809,10 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>&amp;7 Teach</source>
         <translation>&amp;7 Teachen</translation>
     </message>
+    <message>
+        <source>&amp;8 New path</source>
+        <translation>&amp;8 Neue Bahn</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::SeatPanel</name>
@@ -735,17 +852,21 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>waypoint of the seat</source>
         <translation>Wegpunkt des Platzes</translation>
     </message>
+    <message>
+        <source>new path, reference</source>
+        <translation>neue Bahn, Referenz</translation>
+    </message>
+    <message>
+        <source>new path, picks</source>
+        <translation>neue Bahn, gewählte Stellen</translation>
+    </message>
+    <message>
+        <source>new path</source>
+        <translation>neue Bahn</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::StagesBox</name>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> deg</source>
-        <translation> Grad</translation>
-    </message>
     <message>
         <source>Automatic stages</source>
         <translation>Automatische Stufen</translation>

@@ -17,6 +17,7 @@
 #include "run/recipe_picture.h"
 #include "run/run_recipe.h"
 #include "scan_cell_common/errors/errors.h"
+#include "service_answer.h"
 #include "tool_path_stretcher/ros/conversions.h"
 
 namespace part_recipes {
@@ -73,18 +74,6 @@ std::string cleaning_settings(const fs::path& recipes, const std::string& name) 
   } catch (const scan_cell_common::Error&) {
     return "";
   }
-}
-
-/// Fills an answer, or tells why it cannot.
-template <class Response, class Fill>
-bool answer(Response& response, const Fill& fill) {
-  try {
-    fill();
-    response.success = 1;
-  } catch (const std::exception& error) {  // of a file system, too: no request may end the node
-    response.message = error.what();
-  }
-  return true;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "markers.h"
 #include "scan_cell_common/colours/colour_scale.h"
 #include "scan_cell_common/pose/units.h"
 
@@ -22,32 +23,6 @@ constexpr Rgb kDark = {0.1F, 0.1F, 0.1F};
 constexpr Rgb kOrange = {0.9F, 0.6F, 0.1F};
 constexpr Rgb kRed = {1, 0, 0};
 constexpr Rgb kBlue = {0, 0, 1};
-
-std_msgs::ColorRGBA colour_of(const Rgb& rgb) {
-  std_msgs::ColorRGBA colour;
-  colour.r = rgb[0];
-  colour.g = rgb[1];
-  colour.b = rgb[2];
-  colour.a = 1;
-  return colour;
-}
-
-/// Without points it takes the marker of that name away.
-/// @param size [m]
-Marker marker_of(const std::string& name, int type, const tool_paths::Points& points, double size,
-                 const Rgb& colour, const std_msgs::Header& header) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = name;
-  marker.type = type;
-  marker.action = points.empty() ? Marker::DELETE : Marker::ADD;
-  marker.pose.orientation.w = 1;
-  marker.scale.x = marker.scale.y = marker.scale.z = size;
-  marker.color = colour_of(colour);
-  for (const Eigen::Vector3d& point : points)
-    marker.points.push_back(tf2::toMsg(point));
-  return marker;
-}
 
 /// @param height [m] of its capitals
 Marker text_at(const std::string& name, std::size_t id, const Eigen::Vector3d& place,

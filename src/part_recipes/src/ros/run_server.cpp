@@ -63,6 +63,7 @@ RunServer::RunServer(const ros::NodeHandle& private_node)
     : node_(private_node),
       parameters_(scan_cell_common::load_parameters<RecipeParameters>(private_node)),
       services_(node_, parameters_),
+      design_(node_, parameters_),
       server_(
           node_, "run",
           [this](const scan_cell_msgs::RunRecipeGoalConstPtr& goal) { execute(goal); }, false) {

@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/RunRecipeAction.h>
 
+#include "design_service.h"
 #include "recipe_parameters.h"
 #include "recipe_services.h"
 #include "run/run_recipe.h"
@@ -33,6 +34,7 @@ class RunServer {
   ros::NodeHandle node_;
   RecipeParameters parameters_;
   RecipeServices services_;
+  DesignService design_;
   actionlib::SimpleActionServer<scan_cell_msgs::RunRecipeAction> server_;
 };
 

@@ -2,6 +2,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
 """A recipe from a first scan to a run in the simulated cell, by what people type and by the action."""
+import csv
 import glob
 import json
 import os
@@ -13,9 +14,11 @@ import actionlib
 import rosbag
 import rospy
 import rostest
+from geometry_msgs.msg import Point
+from nav_msgs.msg import Path
 from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
-from scan_cell_msgs.srv import ApproveRun, DescribeRun, ListRecipes
-from visualization_msgs.msg import MarkerArray
+from scan_cell_msgs.srv import ApproveRun, DescribeRun, DesignPath, DesignPathRequest, ListRecipes
+from visualization_msgs.msg import Marker, MarkerArray
 
 PATIENCE = 240  # [s] a scan takes 10 to 20 s, as does the work
 
@@ -263,6 +266,36 @@ class Recipes(unittest.TestCase):
         self.assertIn(outside['position'], shown()['out_of_range'])
         self.assertEqual(shown()['obstacles'][:2], [hidden['position'], hidden['obstacle']])
         self.assertEqual(sum(len(shown()[kind]) for kind in ('shadowed', 'grazing', 'out_of_range')), 3 + len(others))
+
+    def test_a_path_picked_on_the_reference_becomes_a_recipe_whose_part_is_accepted(self):
+        with open(self.file('path.csv')) as file:
+            rows = list(csv.DictReader(file))[:60:12]
+        picks = [Point(float(row['x']), float(row['y']), float(row['z'])) for row in rows]
+        rospy.wait_for_service('/part_recipes/design', PATIENCE)
+        design = rospy.ServiceProxy('/part_recipes/design', DesignPath)
+        options = {'parameter_names': ['max_step', 'tool_x'], 'parameter_values': ['0.004', '1 0 0']}
+        request = DesignPathRequest(recipe='frame', way=DesignPathRequest.PICKS, make=True, picks=picks, **options)
+        answer = design(request)
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn('closed', [parameter.name for parameter in answer.parameters])
+        self.assertGreater(len(answer.path.segments[0].waypoints), len(picks))
+        reference = rospy.wait_for_message('/part_recipes/reference', Marker, PATIENCE)
+        self.assertGreater(len(reference.points), 3 * 1000, 'triangles')
+        self.assertEqual(reference.header.frame_id, answer.frame)
+        shown = rospy.wait_for_message('/part_recipes/designed_path', Path, PATIENCE)
+        self.assertEqual(len(shown.poses), len(answer.path.segments[0].waypoints))
+        self.assertEqual(len(rospy.wait_for_message('/part_recipes/picks', Marker, PATIENCE).points), len(picks))
+        request.save_as = 'picked'
+        self.assertTrue(design(request).success)
+        self.assertIn('is there already', design(request).message)
+        self.assertEqual(self.list()['picked'].state, RecipeState.MADE)
+        result = self.run_recipe(recipe='picked')
+        self.assertEqual(result.outcome, RunRecipeResult.ACCEPTED, result.message)
+        picks[1].z += 0.01
+        answer = design(DesignPathRequest(recipe='frame', way=DesignPathRequest.PICKS, make=True, picks=picks))
+        self.assertFalse(answer.success)
+        self.assertIn('pick 2', answer.message)
+        self.assertIn('no recipe', design(DesignPathRequest(recipe='none')).message)
 
     def test_a_recipe_that_is_not_there_is_named(self):
         result = self.run_recipe(recipe='../frame')

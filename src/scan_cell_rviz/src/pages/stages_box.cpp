@@ -11,44 +11,23 @@
 #include <utility>
 
 #include "edit/stage_colours.h"
-#include "scan_cell_common/pose/units.h"
+#include "scan_cell_common/parameters/each_parameter.h"
 #include "widgets/labels_and_buttons.h"
+#include "widgets/units_shown.h"
 
 namespace scan_cell_rviz {
 namespace {
 
 using cloud_preprocess::CleanParameters;
+using scan_cell_common::EachParameter;
 using scan_cell_common::Parameter;
 using scan_cell_common::ParameterValue;
-
-/// Does the same with each parameter.
-class EachParameter final : public scan_cell_common::ParameterTable {
- public:
-  using Act = std::function<void(const Parameter& parameter, ParameterValue& value)>;
-  explicit EachParameter(Act act) : act_(std::move(act)) {}
-
- private:
-  void visit(const Parameter& parameter, ParameterValue& value) override { act_(parameter, value); }
-  bool is_given(const std::string&, const std::string&) override { return false; }
-
-  Act act_;
-};
 
 std::optional<double> number_in(const ParameterValue& value) {
   if (const auto* const number = std::get_if<double>(&value)) return *number;
   if (const auto* const whole = std::get_if<std::int64_t>(&value))
     return static_cast<double>(*whole);
   return std::nullopt;
-}
-
-double factor_of(const std::string& unit) {
-  if (unit == "m") return scan_cell_common::kMillimetres;
-  return unit == "rad" ? scan_cell_common::kDegrees : 1;
-}
-
-QString unit_shown(const std::string& unit) {
-  if (unit == "m") return StagesBox::tr(" mm");
-  return unit == "rad" ? StagesBox::tr(" deg") : QString::fromStdString(unit);
 }
 
 /// The stage and the parameter's own name.

@@ -31,9 +31,9 @@ SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
 }
 
 void SeatPanel::onInitialize() {
-  link_ = std::make_unique<CellLink>(NodeNames());
-  teach_ = std::make_unique<TeachLink>(NodeNames());
-  seat_ = new Seat(*link_, *teach_, shared_edit_session(), shared_path_session(), this);
+  links_ = std::make_unique<SeatLinks>(NodeNames());
+  seat_ = new Seat(*links_, {shared_edit_session(), shared_path_session(), shared_pick_session()},
+                   this);
   apply_config();
   layout()->addWidget(seat_);
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
@@ -41,12 +41,12 @@ void SeatPanel::onInitialize() {
   connect(seat_, &Seat::placeChosen, this, &SeatPanel::look_at);
   connect(seat_, &Seat::toolWanted, this, &SeatPanel::use_tool);
   connect(seat_, &Seat::poseChosen, this, &SeatPanel::show_pose);
+  connect(seat_, &Seat::designShown, this, &SeatPanel::show_design);
   box_ = std::make_unique<BoxHandles>(shared_edit_session());
   connect(seat_, &Seat::boxWanted, box_.get(), &BoxHandles::apply);
   waypoint_ = std::make_unique<WaypointHandles>(shared_path_session());
   window()->installEventFilter(this);
-  link_->start();
-  teach_->start();
+  links_->start();
 }
 
 void SeatPanel::load(const rviz::Config& config) {
@@ -112,6 +112,28 @@ void SeatPanel::show_pose(int pose) {
   display->subProp("Pose")->setValue(pose);
 }
 
+/// The reference, the picks and the path through them; only beside their page, for the reference
+/// would lie over the part.
+void SeatPanel::show_design(bool shown) {
+  if (shown == design_shown_) return;
+  design_shown_ = shown;
+  struct Part {
+    const char* type;
+    const char* topic_property;
+    const char* topic;
+    QString title;
+  };
+  const Part parts[] = {
+      {"rviz/Marker", "Marker Topic", "/part_recipes/reference", tr("new path, reference")},
+      {"rviz/Marker", "Marker Topic", "/part_recipes/picks", tr("new path, picks")},
+      {"rviz/Path", "Topic", "/part_recipes/designed_path", tr("new path")}};
+  for (const Part& part : parts) {
+    rviz::Display* const display = display_of(part.type, part.title, part.title);
+    display->subProp(part.topic_property)->setValue(part.topic);
+    display->setEnabled(shown);
+  }
+}
+
 /// @param name of a tool of this package, such as polygon; box, and view, go with rviz's own, which
 /// drags handles
 void SeatPanel::use_tool(const QString& name) {
@@ -151,7 +173,7 @@ bool SeatPanel::may_close() {
   question.addButton(tr("&Do not close"), QMessageBox::RejectRole);
   question.exec();
   if (question.clickedButton() == stop) {
-    link_->stop();
+    links_->cell.stop();
     return true;
   }
   return question.clickedButton() == leave;

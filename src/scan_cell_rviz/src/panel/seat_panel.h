@@ -6,8 +6,7 @@
 
 #include <memory>
 
-#include "link/cell_link.h"
-#include "link/teach_link.h"
+#include "link/seat_links.h"
 #include "seat/seat.h"
 #include "view/path/waypoint_handles.h"
 #include "view/scan/box_handles.h"
@@ -39,13 +38,14 @@ class SeatPanel : public rviz::Panel {
   void show_handles(const QString& title, const std::string& topic);
   void show_path();
   void show_pose(int pose);
+  void show_design(bool shown);
   void look_at(double x, double y, double z, const QString& frame);
 
-  std::unique_ptr<CellLink> link_;
-  std::unique_ptr<TeachLink> teach_;
+  std::unique_ptr<SeatLinks> links_;
   std::unique_ptr<BoxHandles> box_;
   std::unique_ptr<WaypointHandles> waypoint_;
   Seat* seat_ = nullptr;
+  bool design_shown_ = false;
   QString person_;
   QString pose_file_;
 };

@@ -24,19 +24,22 @@ QString id_of(const RunRecipeResult& result) {
 
 }  // namespace
 
-Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, PathSession& path, QWidget* parent)
+Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
     : QWidget(parent),
-      link_(link),
-      edits_(edits),
+      link_(links.cell),
+      designs_(links.design),
+      edits_(sessions.edits),
+      picks_(sessions.picks),
       band_(new Band(this)),
       pages_(new QTabWidget(this)),
       part_(new PartPage(this)),
-      clean_(new CleanPage(edits, this)),
+      clean_(new CleanPage(sessions.edits, this)),
       fit_(new FitPage(this)),
-      path_(new PathPage(path, this)),
+      path_(new PathPage(sessions.path, this)),
       work_(new WorkPage(this)),
       history_(new HistoryPage(this)),
-      teach_(new TeachPage(teach, this)),
+      teach_(new TeachPage(links.teach, this)),
+      design_(new DesignPage(sessions.picks, this)),
       doing_(text_label("doing", this)),
       progress_(new QProgressBar(this)),
       stop_(new QPushButton(tr("S&top"), this)),
@@ -49,6 +52,7 @@ Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, PathSession& pa
   pages_->addTab(work_, tr("&5 Work"));
   pages_->addTab(history_, tr("&6 History"));
   pages_->addTab(teach_, tr("&7 Teach"));
+  pages_->addTab(design_, tr("&8 New path"));
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
@@ -68,6 +72,7 @@ Seat::Seat(CellLink& link, TeachLink& teach, EditSession& edits, PathSession& pa
   connect_pages();
   connect_clean();
   connect_path();
+  connect_design();
   show_busy(link_.busy());
   tell(QString());
 }
@@ -76,6 +81,7 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::signChanged, band_, &Band::show_sign);
   connect(&link_, &CellLink::busyChanged, this, &Seat::show_busy);
   connect(&link_, &CellLink::recipesListed, part_, &PartPage::show_recipes);
+  connect(&link_, &CellLink::recipesListed, design_, &DesignPage::show_recipes);
   connect(&link_, &CellLink::recipesMissed, part_, &PartPage::show_missed);
   connect(&link_, &CellLink::runsListed, history_, &HistoryPage::show_runs);
   connect(&link_, &CellLink::progressed, this, &Seat::show_progress);
@@ -125,6 +131,7 @@ void Seat::connect_pages() {
   });
   connect(pages_, &QTabWidget::currentChanged, this, [this] {
     if (pages_->currentWidget() == history_) link_.list_runs();
+    Q_EMIT designShown(pages_->currentWidget() == design_);
   });
   connect(stop_, &QPushButton::clicked, &link_, &CellLink::stop);
 }
@@ -159,6 +166,20 @@ void Seat::connect_path() {
           });
   connect(path_, &PathPage::toolWanted, this, &Seat::toolWanted);
   connect(path_, &PathPage::placeChosen, this, &Seat::placeChosen);
+}
+
+void Seat::connect_design() {
+  connect(&designs_, &DesignLink::referenceCame, this, [this](const auto& reference) {
+    picks_.open(reference);
+    if (pages_->currentWidget() != design_ || !picks_.is_open()) return;
+    const Eigen::Vector3d middle = picks_.middle();
+    Q_EMIT placeChosen(middle.x(), middle.y(), middle.z(), QString::fromStdString(picks_.frame()));
+  });
+  connect(&designs_, &DesignLink::designed, design_, &DesignPage::show_answer);
+  connect(&designs_, &DesignLink::refused, design_, &DesignPage::show_end);
+  connect(design_, &DesignPage::designWanted, &designs_, &DesignLink::design);
+  connect(design_, &DesignPage::recipeMade, &link_, &CellLink::list_recipes);
+  connect(design_, &DesignPage::toolWanted, this, &Seat::toolWanted);
 }
 
 void Seat::show_busy(Busy busy) {

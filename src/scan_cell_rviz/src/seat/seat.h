@@ -8,9 +8,11 @@
 #include <QTabWidget>
 #include <QWidget>
 
+#include "design/pick_session.h"
 #include "edit/edit_session.h"
-#include "link/cell_link.h"
+#include "link/seat_links.h"
 #include "pages/clean_page.h"
+#include "pages/design_page.h"
 #include "pages/fit_page.h"
 #include "pages/history_page.h"
 #include "pages/part_page.h"
@@ -21,15 +23,19 @@
 
 namespace scan_cell_rviz {
 
+/// What a person has in hand at a seat, shared with the displays and tools of rviz.
+struct SeatSessions {
+  EditSession& edits;  ///< of the scan in view
+  PathSession& path;   ///< of the run in view
+  PickSession& picks;  ///< on the reference of a recipe
+};
+
 /// The seat without rviz: the band, what is under way, and a page a stage in the operator's order.
 class Seat : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param edits of the scan in view
-  /// @param path of the run in view
-  Seat(CellLink& link, TeachLink& teach, EditSession& edits, PathSession& path,
-       QWidget* parent = nullptr);
+  Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent = nullptr);
 
   /// A scan or work of this seat is under way.
   bool is_busy() const { return link_.busy() == Busy::kOurs; }
@@ -45,19 +51,23 @@ class Seat : public QWidget {
   void toolWanted(QString name);                                  ///< as CleanPage
   void boxWanted();                                               ///< likewise
   void poseChosen(int pose);                                      ///< of the preview, to be shown
+  void designShown(bool shown);                                   ///< the page of new paths
 
  private:
   void connect_link();
   void connect_pages();
   void connect_clean();
   void connect_path();
+  void connect_design();
   void show_busy(Busy busy);
   void show_progress(const QString& doing, double share);
   void show_end(const scan_cell_msgs::RunRecipeResult& result, Doing was);
   void tell(const QString& message);  ///< what went wrong; empty: nothing
 
   CellLink& link_;
+  DesignLink& designs_;
   EditSession& edits_;
+  PickSession& picks_;
   Band* band_;
   QTabWidget* pages_;
   PartPage* part_;
@@ -67,6 +77,7 @@ class Seat : public QWidget {
   WorkPage* work_;
   HistoryPage* history_;
   TeachPage* teach_;
+  DesignPage* design_;
   QLabel* doing_;
   QProgressBar* progress_;
   QPushButton* stop_;

@@ -7,6 +7,7 @@
 
 #include "clock/utc_time.h"
 #include "disk/to_disk.h"
+#include "recipe/places_file.h"
 #include "recipe/recipe_check.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
@@ -91,6 +92,10 @@ std::string yaml_of(const Recipe& recipe) {
   write(text, "stretch", recipe.stretch);
   text << YAML::Key << "tolerance" << YAML::Value << fmt::format("{}", recipe.tolerance)
        << YAML::Comment("[m] deviations within +- are good");
+  if (!recipe.places.empty()) {
+    text << YAML::Key << "places" << YAML::Value;
+    write(text, recipe.places);
+  }
   write(text, recipe.programs);
   write(text, "work", recipe.work);
   if (recipe.check)
@@ -125,6 +130,7 @@ Recipe make_recipe(const fs::path& recipes, const NewRecipe& made) {
     recipe.path.file = draft.add(made.path.file, "path");
     recipe.tolerance = made.tolerance;
     recipe.stretch = made.stretch;
+    recipe.places = made.places;
     recipe.programs = made.programs;
     recipe.work = made.work;
     if (!made.check_program.empty())

@@ -20,6 +20,7 @@ struct NewRecipe {
   RecipeFile path;                     //!< proven on it
   double tolerance = 0.0005;           //!< [m]
   ToolOptions stretch;                 //!< parameters
+  std::vector<Place> places;           //!< on the reference
   std::vector<RobotProgram> programs;  //!< to write
   ToolOptions work;                    //!< of work
   std::string check_program;           //!< scan program before the work; empty: none

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recipe/places_file.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include "scan_cell_common/files/files.h"
 
 namespace part_recipes {
 
-void save_places(const std::string& file, const std::vector<Place>& places) {
+void write(YAML::Emitter& text, const std::vector<Place>& places) {
   constexpr int kDigits = 17;  // that bring a double back
-  YAML::Emitter text;
   text.SetDoublePrecision(kDigits);
   text << YAML::BeginSeq;
   for (const Place& place : places) {
@@ -20,6 +17,11 @@ void save_places(const std::string& file, const std::vector<Place>& places) {
          << YAML::Key << "radius" << YAML::Value << place.radius << YAML::EndMap;
   }
   text << YAML::EndSeq;
+}
+
+void save_places(const std::string& file, const std::vector<Place>& places) {
+  YAML::Emitter text;
+  write(text, places);
   scan_cell_common::save_text(file, std::string(text.c_str()) + "\n");
 }
 

@@ -60,6 +60,9 @@ struct Recipe {
 
   /// Names of the files in the folder that a run depends on; recipe.yaml is the first.
   std::vector<std::string> files() const;
+
+  /// In which its reference is shown, its path adapted and worked: that of work, else world.
+  std::string frame() const;
 };
 
 /// Whether a path is a robot program, with frames of its own, rather than a table of waypoints.

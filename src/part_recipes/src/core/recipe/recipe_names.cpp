@@ -64,4 +64,9 @@ std::vector<std::string> Recipe::files() const {
   return names;
 }
 
+std::string Recipe::frame() const {
+  const auto frame = work.find("frame");
+  return frame == work.end() ? "world" : frame->second;
+}
+
 }  // namespace part_recipes

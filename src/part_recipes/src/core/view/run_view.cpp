@@ -82,8 +82,7 @@ RunView view_of(const fs::path& run) {
   RunView view;
   view.verdict = to_string(record.state) + ": " + record.message;
   view.tolerance = record.tolerance;
-  const auto frame = recipe.work.find("frame");
-  view.frame = frame == recipe.work.end() ? "world" : frame->second;
+  view.frame = recipe.frame();
   const fs::path report = run / "report.json";
   if (!fs::exists(report)) return view;
   const PathReading reading = reading_of(recipe.path);

@@ -12,9 +12,10 @@
 namespace scan_cell_common {
 
 /// Deals the points of neighbouring cells that hold one piece of a surface out among them anew, in
-/// equal numbers and side by side along the piece; those in one place stay together. A face near a border of cells has points on both
-/// sides, by its noise. With means of the cells as they are, the few points beyond the border would
-/// count for as much as all others, and shift the face by up to its noise.
+/// equal numbers and side by side along the piece; those in one place stay together. A face near a
+/// border of cells has points on both sides, by its noise. With means of the cells as they are, the
+/// few points beyond the border would count for as much as all others, and shift the face by up to
+/// its noise.
 ///
 /// Two neighbours are one piece if their means are less than half a cell apart across their border
 /// and hardly along it, or if one has few points beside the other and is less than a cell apart;

@@ -1,0 +1,57 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "recipe/recipe.h"
+#include "run/calls/tool_call.h"
+#include "scan_cell_common/files/temporary_folder.h"
+#include "tool_paths/tool_path.h"
+
+namespace part_recipes {
+
+/// The ways of the tool path (docs/making_a_path.md).
+enum class PathWay { kEdge, kSlices, kPicks };
+
+/// Of a way, for a person who sets it.
+struct PathOption {
+  std::string name;                //!< as ToolOptions have it
+  std::string unit;                //!< such as m; empty: none
+  std::string value;               //!< default, as the tool takes it; empty: none
+  std::string range;               //!< in words
+  std::vector<std::string> words;  //!< of a choice; empty: it is none
+  std::string meaning;
+};
+
+/// All options of a way, in their order.
+std::vector<PathOption> options_of(PathWay way);
+
+/// A path made on a recipe's reference by the tool path, in a folder of its own.
+class RecipePath {
+ public:
+  /// @param options of the tool
+  /// @param picks [m] on the reference; of kPicks
+  /// @param stop asked some times a second; the tool is told to end then
+  /// @throw scan_cell_common::Refused with the tool's reason
+  /// @throw scan_cell_common::UnusableInput likewise; scan_cell_common::FileError
+  RecipePath(const Recipe& recipe, PathWay way, const ToolOptions& options,
+             const tool_paths::Points& picks, const Stop& stop);
+
+  const tool_paths::ToolPath& path() const { return path_; }        //!< [m] on the reference
+  const std::vector<std::string>& notes() const { return notes_; }  //!< what was left out, bridged
+
+  /// Makes RECIPES/NAME as the recipe, but with this path. It counts as made, not proven.
+  /// @throw as make_recipe()
+  Recipe save_as(const std::filesystem::path& recipes, const std::string& name) const;
+
+ private:
+  Recipe recipe_;
+  scan_cell_common::TemporaryFolder folder_;
+  tool_paths::ToolPath path_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace part_recipes

@@ -1,0 +1,145 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "design_service.h"
+
+#include <fmt/format.h>
+#include <nav_msgs/Path.h>
+#include <tf2_eigen/tf2_eigen.h>
+
+#include "design/recipe_path.h"
+#include "markers.h"
+#include "path_design/designed_path.h"
+#include "run/recipe_picture.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/files/sha256.h"
+#include "scan_cell_common/pose/units.h"
+#include "service_answer.h"
+#include "tool_path_stretcher/ros/conversions.h"
+
+namespace part_recipes {
+namespace {
+
+using scan_cell_common::InvalidParameter;
+using scan_cell_common::Rgb;
+using scan_cell_msgs::DesignPath;
+using visualization_msgs::Marker;
+
+PathWay way_of(const DesignPath::Request& request) {
+  switch (request.way) {
+    case DesignPath::Request::EDGE:
+      return PathWay::kEdge;
+    case DesignPath::Request::SLICES:
+      return PathWay::kSlices;
+    case DesignPath::Request::PICKS:
+      return PathWay::kPicks;
+    default:
+      throw InvalidParameter("way", fmt::format("{}", request.way), "give EDGE, SLICES or PICKS");
+  }
+}
+
+std::vector<scan_cell_msgs::ToolParameter> parameters_of(PathWay way) {
+  std::vector<scan_cell_msgs::ToolParameter> parameters;
+  for (const PathOption& option : options_of(way)) {
+    scan_cell_msgs::ToolParameter parameter;
+    parameter.name = option.name;
+    parameter.unit = option.unit;
+    parameter.value = option.value;
+    parameter.range = option.range;
+    parameter.words = option.words;
+    parameter.meaning = option.meaning;
+    parameters.push_back(parameter);
+  }
+  return parameters;
+}
+
+ToolOptions options_in(const DesignPath::Request& request) {
+  if (request.parameter_names.size() != request.parameter_values.size())
+    throw InvalidParameter("parameter_values", fmt::format("{}", request.parameter_values.size()),
+                           fmt::format("give one for each of {}", request.parameter_names.size()));
+  ToolOptions options;
+  for (std::size_t i = 0; i < request.parameter_names.size(); ++i)
+    options[request.parameter_names[i]] = request.parameter_values[i];
+  return options;
+}
+
+tool_paths::Points points_of(const std::vector<geometry_msgs::Point>& messages) {
+  tool_paths::Points points(messages.size());
+  for (std::size_t i = 0; i < messages.size(); ++i)
+    tf2::fromMsg(messages[i], points[i]);
+  return points;
+}
+
+tool_paths::Points corners_of(const path_design::PartMesh& mesh) {
+  tool_paths::Points corners;
+  for (const path_design::Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle)
+      corners.push_back(mesh.vertices[corner]);
+  return corners;
+}
+
+std_msgs::Header header_in(const std::string& frame) {
+  std_msgs::Header header;
+  header.frame_id = frame;
+  header.stamp = ros::Time::now();
+  return header;
+}
+
+}  // namespace
+
+DesignService::DesignService(ros::NodeHandle node, const RecipeParameters& parameters)
+    : parameters_(parameters),
+      reference_(node.advertise<Marker>("reference", 1, true)),
+      path_(node.advertise<nav_msgs::Path>("designed_path", 1, true)),
+      picks_(node.advertise<Marker>("picks", 1, true)) {
+  node.setCallbackQueue(&queue_);
+  service_ = node.advertiseService("design", &DesignService::design, this);
+  spinner_.start();
+}
+
+bool DesignService::design(Request& request, Response& response) {
+  return answer(response, [&] {
+    response.parameters = parameters_of(way_of(request));
+    const Recipe recipe = load_recipe(find_recipe(parameters_.recipes, request.recipe));
+    response.frame = recipe.frame();
+    show_reference(recipe);
+    const std_msgs::Header header = header_in(response.frame);
+    show({}, points_of(request.picks), header);  // also where no path comes of it
+    if (request.make != 0) make(recipe, request, response);
+  });
+}
+
+void DesignService::make(const Recipe& recipe, const Request& request, Response& response) {
+  const tool_paths::Points picks = points_of(request.picks);
+  const RecipePath made(recipe, way_of(request), options_in(request), picks,
+                        [] { return !ros::ok(); });
+  const std_msgs::Header header = header_in(recipe.frame());
+  show(made.path(), picks, header);
+  response.path = tool_path_stretcher::to_message(made.path(), header);
+  response.notes = made.notes();
+  if (request.save_as.empty()) return;
+  const std::string fault = draw_picture(made.save_as(parameters_.recipes, request.save_as));
+  if (!fault.empty()) response.notes.push_back(fault);
+}
+
+void DesignService::show_reference(const Recipe& recipe) {
+  constexpr Rgb kGrey = {0.6F, 0.6F, 0.6F};
+  const std::string file = (recipe.folder / recipe.reference.file).string();
+  const std::string hash =
+      scan_cell_common::sha256_of_file(file) + recipe.reference.units + recipe.frame();
+  if (hash == shown_) return;
+  const path_design::PartMesh mesh = load_reference_surface(
+      file, scan_cell_common::metres_per(recipe.reference.units), PathParameters());
+  reference_.publish(marker_of("reference", Marker::TRIANGLE_LIST, corners_of(mesh), 1, kGrey,
+                               header_in(recipe.frame())));
+  shown_ = hash;
+}
+
+void DesignService::show(const tool_paths::ToolPath& path, const tool_paths::Points& picks,
+                         const std_msgs::Header& header) {
+  constexpr Rgb kRed = {1, 0, 0};
+  constexpr double kDiameter = 0.004;  // [m] as waypoints of a verdict
+  path_.publish(tool_path_stretcher::to_path_message(path, header));
+  picks_.publish(marker_of("picks", Marker::SPHERE_LIST, picks, kDiameter, kRed, header));
+}
+
+}  // namespace part_recipes

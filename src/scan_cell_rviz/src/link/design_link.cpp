@@ -1,0 +1,50 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/design_link.h"
+
+#include <QMetaType>
+
+#include "scan_cell/ros/service_call.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+constexpr double kTimeout = 60;  // [s] a raster on a large mesh; chosen
+
+}  // namespace
+
+DesignLink::DesignLink(const NodeNames& names) : names_(names), spinner_(1, &queue_) {
+  qRegisterMetaType<scan_cell_msgs::DesignPathRequest>("scan_cell_msgs::DesignPathRequest");
+  qRegisterMetaType<scan_cell_msgs::DesignPathResponse>("scan_cell_msgs::DesignPathResponse");
+  qRegisterMetaType<visualization_msgs::MarkerConstPtr>("visualization_msgs::MarkerConstPtr");
+  node_.setCallbackQueue(&queue_);
+  reference_ = node_.subscribe<visualization_msgs::Marker>(
+      names_.recipes + "/reference", 1,
+      [this](const auto& reference) { Q_EMIT referenceCame(reference); });
+}
+
+DesignLink::~DesignLink() {
+  spinner_.stop();
+  worker_.reset();  // while there still is somebody whose signals it emits
+}
+
+void DesignLink::start() {
+  spinner_.start();
+}
+
+void DesignLink::design(const scan_cell_msgs::DesignPathRequest& request) {
+  const int number = ++latest_;
+  worker_->add([this, request, number] {
+    // What is to be saved is saved, whatever was asked for since.
+    if (number != latest_ && request.save_as.empty()) return;
+    try {
+      auto answer =
+          scan_cell::ask<scan_cell_msgs::DesignPath>(names_.recipes + "/design", request, kTimeout);
+      Q_EMIT designed(request, answer);
+    } catch (const std::exception& error) {
+      Q_EMIT refused(QString::fromStdString(error.what()));
+    }
+  });
+}
+
+}  // namespace scan_cell_rviz

@@ -1,0 +1,63 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/DesignPathRequest.h>
+#include <scan_cell_msgs/DesignPathResponse.h>
+#include <scan_cell_msgs/RecipeState.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QWidget>
+#include <vector>
+
+#include "design/pick_session.h"
+#include "widgets/parameter_form.h"
+
+namespace scan_cell_rviz {
+
+/// A path made on the reference of a recipe: through places that are picked in the view, along its
+/// edge, or as a raster. Saved, it is a recipe of its own.
+class DesignPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DesignPage(PickSession& session, QWidget* parent = nullptr);
+
+  void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
+  void show_answer(const scan_cell_msgs::DesignPathRequest& request,
+                   const scan_cell_msgs::DesignPathResponse& answer);
+  void show_end(const QString& message);  ///< why there was no answer
+
+ Q_SIGNALS:
+  void designWanted(scan_cell_msgs::DesignPathRequest request);
+  void recipeMade();              ///< of a path
+  void toolWanted(QString name);  ///< of rviz
+
+ private:
+  void lay_out();
+  void choose();
+  void follow_picks();
+  void ask(bool make, const QString& save_as = {});
+  unsigned char way() const;
+  void update_buttons();
+
+  PickSession& session_;
+  QComboBox* recipe_;
+  QComboBox* way_;
+  QLabel* count_;
+  QPushButton* pick_;
+  QPushButton* view_;
+  QPushButton* undo_;
+  QPushButton* redo_;
+  QPushButton* clear_;
+  ParameterForm* form_;
+  QPushButton* make_;
+  QLineEdit* name_;
+  QPushButton* save_;
+  QLabel* end_;
+};
+
+}  // namespace scan_cell_rviz

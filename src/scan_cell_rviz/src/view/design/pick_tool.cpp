@@ -1,0 +1,37 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/design/pick_tool.h"
+
+#include <rviz/view_controller.h>
+#include <rviz/view_manager.h>
+#include <rviz/viewport_mouse_event.h>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "design/pick_session.h"
+#include "view/mouse_ray.h"
+
+namespace scan_cell_rviz {
+
+void PickTool::activate() {
+  setStatus(shared_pick_session().is_open()
+                ? tr("Click places on the reference, in the order of the path.")
+                : tr("No reference is in view: choose a recipe on the page of new paths."));
+}
+
+/// @return whether there was something to pick
+bool PickTool::pick(rviz::ViewportMouseEvent& event) {
+  PickSession& session = shared_pick_session();
+  const auto frame = frame_in_view(*context_, session.frame());
+  return session.is_open() && frame && session.pick(ray_under(event, *frame));
+}
+
+int PickTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
+  if (!event.leftDown() || event.alt() || !pick(event))
+    context_->getViewManager()->getCurrent()->handleMouseEvent(event);
+  return Render;
+}
+
+}  // namespace scan_cell_rviz
+
+PLUGINLIB_EXPORT_CLASS(scan_cell_rviz::PickTool, rviz::Tool)
