@@ -262,10 +262,8 @@ std::vector<PoseCandidate> Adaptation::check_choice(const std::vector<Fitted>& f
                                                     bool partial_reference) {
   constexpr double kWhole = 0.95;  // of either surface's points; chosen
   const Fitted& best = fitted.front();
-  if (!partial_reference) {
-    check_handedness(surfaces_, best, parameters_);
-    check_explained(best.explanation, parameters_);
-  }
+  check_handedness(surfaces_, best, parameters_);
+  if (!partial_reference) check_explained(best.explanation, parameters_);
   check_overlap(best, parameters_);
   check_deformation(surfaces_.reference, best.mapping, parameters_);
   std::vector<PoseCandidate> alike;

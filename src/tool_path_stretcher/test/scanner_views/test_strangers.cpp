@@ -65,6 +65,14 @@ TEST_F(AStranger, OverThePathIsOneWhateverTheReference) {
   EXPECT_GT(points_beside_path(mesh_face(), 0.008, {kUp}), 10U);
 }
 
+TEST_F(AStranger, HighOverThePathIsOneWhereTheScannerLookedDownOnIt) {
+  constexpr double kHigh = 0.03;  // [m] ten radii: the top of a rib, whose sides were not seen
+  EXPECT_GT(points_beside_path(scanned_face(), kHigh, {kUp}), 10U);
+  EXPECT_GT(points_beside_path(mesh_face(), kHigh, {kUp}), 10U);
+  EXPECT_EQ(points_beside_path(mesh_face(), kHigh, {Vector3d::UnitX()}), 0U);
+  EXPECT_EQ(points_beside_path(mesh_face(), -kHigh, {kUp}), 0U) << "the floor through a hole";
+}
+
 TEST_F(AStranger, UnderThePathMayBeWhatTheReferencesScanDidNotShow) {
   EXPECT_EQ(points_beside_path(scanned_face(), -0.008, {kUp}), 0U);
 }

@@ -152,7 +152,7 @@ ViewCase symmetric_case(const ViewPart& part, std::uint64_t seed) {
   ViewCase each = moved_case(part, seed);
   each.family = "to refuse";
   each.what = "symmetric";
-  if (each.path == PathKind::kRim) each.path = PathKind::kWave;  // that is its own image, too
+  each.path = PathKind::kRaster;  // a rim, and a whole wave, are their own images, too
   each.expected = Reason::kAmbiguous;
   return each;
 }

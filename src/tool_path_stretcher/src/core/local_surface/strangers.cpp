@@ -47,16 +47,12 @@ Points on_surfaces(const Points& points, double spacing) {
   return result;
 }
 
-/// The side of a surface that was seen: its normal with the sign towards the viewers, zero where
-/// they are not known or look along it.
-Eigen::Vector3d outward(const Eigen::Vector3d& normal, const Points& viewers) {
-  constexpr double kAlong = 0.1;  // cosine: 84 degrees; chosen
+/// The cosine of the angle to the viewers' mean direction; 0: they are not known.
+double facing(const Eigen::Vector3d& normal, const Points& viewers) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& viewer : viewers)
     sum += viewer;
-  const double towards = normal.dot(sum) / std::max<double>(1, static_cast<double>(viewers.size()));
-  return std::abs(towards) < kAlong ? Eigen::Vector3d::Zero()
-                                    : Eigen::Vector3d(std::copysign(1.0, towards) * normal);
+  return normal.dot(sum) / std::max<double>(1, static_cast<double>(viewers.size()));
 }
 
 }  // namespace
@@ -66,7 +62,9 @@ Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
   constexpr double kGap = 2.5;        // spacings between neighbours of one patch; chosen
   constexpr std::size_t kLeast = 12;  // points: a patch of 3 by 4 spacings; chosen
   const double spacing = surfaces.object.spacing;
-  if (!surfaces.reference.oriented) over_ = surfaces.object.seen_from;
+  viewers_ = surfaces.object.seen_from;
+  under_counts_ = surfaces.reference.oriented || viewers_.empty();
+  length_ = mapping.similarity.scale * surfaces.reference.size;
   const KdTree off(on_surfaces(off_reference(surfaces, mapping, residuals, max_off), spacing));
   if (off.points().empty()) return;
   Points points;
@@ -81,22 +79,44 @@ Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
   if (!points.empty()) points_ = std::make_unique<const KdTree>(std::move(points));
 }
 
+std::vector<std::size_t> Strangers::column(const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
+                                           double radius) const {
+  constexpr double kReach = 4;     // radii; chosen
+  constexpr double kAlong = 0.1;   // cosine: 84 degrees; chosen
+  constexpr double kFacing = 0.5;  // cosine: 60 degrees; chosen
+  constexpr double kCovers = 1.2;  // radii of spheres one radius apart, which fill the column
+  const double towards = facing(normal, viewers_);
+  const Eigen::Vector3d out = std::copysign(1.0, towards) * normal;
+  std::vector<KdTree::Neighbour> neighbours;
+  std::vector<std::size_t> indices;
+  const auto add = [&](const Eigen::Vector3d& middle, double reach) {
+    points_->within(middle, reach, neighbours);
+    for (const KdTree::Neighbour& neighbour : neighbours) {
+      const Eigen::Vector3d way = points_->points()[neighbour.index] - at;
+      const bool is_under = std::abs(towards) >= kAlong && way.dot(out) < 0;
+      if ((way - way.dot(normal) * normal).norm() < radius && (under_counts_ || !is_under))
+        indices.push_back(neighbour.index);
+    }
+  };
+  add(at, kReach * radius);
+  if (std::abs(towards) >= kFacing)
+    for (double over = kReach * radius; over < length_; over += radius)
+      add(at + over * out, kCovers * radius);
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  return indices;
+}
+
 Strangers::Beside Strangers::beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
                                     double radius) const {
-  constexpr double kReach = 4;  // radii; chosen
   Beside found;
   if (!points_) return found;
-  std::vector<KdTree::Neighbour> neighbours;
-  points_->within(at, kReach * radius, neighbours);
+  const std::vector<std::size_t> indices = column(at, normal, radius);
+  if (indices.empty()) return found;
   std::vector<std::size_t> counts(patches_.size(), 0);
-  const Eigen::Vector3d over = outward(normal, over_);
-  for (const KdTree::Neighbour& neighbour : neighbours) {
-    const Eigen::Vector3d way = points_->points()[neighbour.index] - at;
-    if ((way - way.dot(normal) * normal).norm() >= radius || way.dot(over) < 0) continue;
-    ++found.points;
-    ++counts[patch_of_[neighbour.index]];
-  }
-  if (found.points == 0) return found;
+  for (const std::size_t index : indices)
+    ++counts[patch_of_[index]];
+  found.points = indices.size();
   const auto most = std::max_element(counts.begin(), counts.end());
   found.patch = patches_[static_cast<std::size_t>(most - counts.begin())];
   return found;

@@ -31,16 +31,24 @@ class Strangers {
   };
 
   /// Within a radius, and up to several times as far over and under it: what stands there hides the
-  /// surface itself. Not under it where the reference is a scan: that one may not have shown it.
+  /// surface itself. Where the surface faces those who saw it, as far over it as the part is long:
+  /// of a high rib a scan may show the top alone. Not under it where the reference is a scan: that
+  /// one may not have shown it.
   /// @param at [m, object]
   /// @param normal unit length, of the surface there
   Beside beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal, double radius) const;
 
  private:
+  /// Those points of the tree.
+  std::vector<std::size_t> column(const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
+                                  double radius) const;
+
   std::vector<StrangerPatch> patches_;
   std::vector<std::size_t> patch_of_;     // each point of the tree
   std::unique_ptr<const KdTree> points_;  // none: there are none
-  Points over_;                           // unit length: ways out of the part; none: not known
+  Points viewers_;                        // unit length: towards those who saw the object
+  bool under_counts_ = false;
+  double length_ = 0;  // [m, object] of the reference
 };
 
 }  // namespace tool_path_stretcher

@@ -81,6 +81,7 @@ PatchLead& patch_of(const Distances& distances, std::size_t i, std::vector<Patch
 
 /// Adds what the points of one surface say.
 void add(const Distances& first, const Distances& second, double noise, Evidence& sum) {
+  constexpr double kMost = 0.5;  // of the points of a patch; chosen
   std::vector<PatchLead> patches;
   for (std::size_t i = 0; i < first.off.size(); ++i) {
     if (std::isnan(first.off[i]) || std::isnan(second.off[i])) continue;
@@ -91,6 +92,7 @@ void add(const Distances& first, const Distances& second, double noise, Evidence
     if (patch.points == 0) continue;
     const double share = patch.lead / patch.points;
     (share > 0 ? sum.only_first : sum.only_second) += std::abs(share);
+    if (std::abs(share) > kMost) (share > 0 ? sum.patches_first : sum.patches_second) += 1;
     sum.squares += share * share;
     sum.compared += 1;
   }

@@ -62,8 +62,10 @@ Fitted fitted(const SurfacePair& surfaces, const Mapping& mapping, double inlier
 struct Evidence {
   double only_first = 0;
   double only_second = 0;
-  double squares = 0;   //!< of the shares
-  double compared = 0;  //!< patches
+  double squares = 0;         //!< of the shares
+  double patches_first = 0;   //!< those of which only the first explains most points
+  double patches_second = 0;  //!< likewise
+  double compared = 0;        //!< patches
 };
 Evidence evidence(const Explanation& first, const Explanation& second);
 

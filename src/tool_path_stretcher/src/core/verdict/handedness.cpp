@@ -7,6 +7,7 @@
 
 #include "geometry/kd_tree.h"
 #include "search/candidates.h"
+#include "surface/complete_surface.h"
 #include "verdict/checks.h"
 
 namespace tool_path_stretcher {
@@ -22,10 +23,10 @@ void mirror(Points& points) {
 /// Whether the first is clearly better, and next to nothing speaks for the second: of another part
 /// that is neither, some would.
 bool is_wholly_better(const Explanation& first, const Explanation& second) {
-  constexpr double kContrary = 0.1;  // of the patches that speak for the first; chosen
+  constexpr double kContrary = 0.2;  // of the patches that speak for the first; chosen
   if (!clearly_better(first, second)) return false;
   const Evidence found = evidence(first, second);
-  return found.only_second < kContrary * found.only_first;
+  return found.patches_second < kContrary * found.patches_first;
 }
 
 /// Whether no deformation of the mirror image needs to be looked for: as it is, it is clearly worse
@@ -68,6 +69,30 @@ Surface mirrored(const Surface& surface) {
   return result;
 }
 
+/// All sides of a closed reference of which one view is looked at.
+Surface all_sides(const Surface& reference) {
+  Surface whole;
+  whole.oriented = reference.oriented;
+  whole.points = reference.whole->points();
+  whole.normals = reference.whole_normals;
+  complete(whole);
+  return whole;
+}
+
+/// Whether all sides of the mirror image explain the object wholly better than all sides of the
+/// reference: the sides that hide behind others where the reference lies best are not those that
+/// hide where its image does.
+bool is_better_with_all_sides(const SurfacePair& surfaces, const Mapping& image,
+                              const Mapping& best, double inlier_distance) {
+  const auto& [reference, object] = surfaces;
+  const Surface whole = all_sides(reference);
+  const Surface mirror_image = mirrored(whole);
+  Explanation first = explain({mirror_image, object}, image, inlier_distance);
+  Explanation second = explain({whole, object}, best, inlier_distance);
+  first.reference = second.reference = {};  // no scan shows them all
+  return is_wholly_better(first, second);
+}
+
 /// Of the poses of the mirror image the one that explains most, undeformed.
 /// @param bulk_cost [m] of the reference itself
 std::optional<Fitted> best_image(const SurfacePair& image, const StretchParameters& parameters,
@@ -106,7 +131,13 @@ void check_handedness(const SurfacePair& surfaces, const Fitted& best,
   const Explanation other =
       bent ? explain(image, followed, parameters.inlier_distance) : found->explanation;
   if (other.inlier_ratio < parameters.min_inlier_ratio) return;
-  if (is_wholly_better(other, best.explanation)) refuse_mirrored(other, best.explanation);
+  const Mapping& as_image = bent ? followed : found->mapping;
+  const bool is_better = surfaces.reference.whole
+                             ? other.inlier_ratio > best.explanation.inlier_ratio &&
+                                   is_better_with_all_sides(surfaces, as_image, best.mapping,
+                                                            parameters.inlier_distance)
+                             : is_wholly_better(other, best.explanation);
+  if (is_better) refuse_mirrored(other, best.explanation);
   if (bent || best.mapping.graph.empty() || clearly_better(best.explanation, other)) return;
   const Explanation undeformed =
       explain(surfaces, {best.mapping.similarity, {}}, parameters.inlier_distance);
