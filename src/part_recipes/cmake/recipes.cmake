@@ -8,9 +8,10 @@ add_library(${PROJECT_NAME}_core
   src/core/run/run_folder.cpp src/core/run/run_recipe.cpp
   src/core/run/waypoints_concerned.cpp src/core/run/work.cpp)
 target_link_libraries(${PROJECT_NAME}_core
-  PUBLIC scan_cell::scan_cell_common_core scan_cell::tool_paths_core
+  PUBLIC
+    scan_cell::scan_cell_common_core scan_cell::scan_cell_core scan_cell::tool_paths_core
   PRIVATE
-    scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_yaml scan_cell::scan_cell_core
+    scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_yaml
     scan_cell::tool_path_stretcher_core nlohmann_json::nlohmann_json Boost::filesystem)
 
 # What is shown of a run

@@ -71,7 +71,8 @@ class ASeat : public testing::Test {
   EditSession edits_;
   PathSession path_;
   PickSession picks_;
-  Seat seat_{links_, {edits_, path_, picks_}};
+  PassSession passes_;
+  Seat seat_{links_, {edits_, path_, picks_, passes_}};
 };
 
 }  // namespace scan_cell_rviz

@@ -60,6 +60,8 @@ FakeRecipes::FakeRecipes()
                  node_.advertiseService("runs", &FakeRecipes::runs, this),
                  node_.advertiseService("describe", &FakeRecipes::describe, this),
                  node_.advertiseService("design", &FakeRecipes::design, this),
+                 node_.advertiseService("program", &FakeRecipes::program, this),
+                 node_.advertiseService("/scan_cell/check_program", &FakeRecipes::check, this),
                  node_.advertiseService("preview", &FakeRecipes::preview, this),
                  node_.advertiseService("approve", &FakeRecipes::approve, this)}),
       server_(
@@ -128,7 +130,8 @@ scan_cell_msgs::DesignPathRequest FakeRecipes::last_design() const {
   return design_;
 }
 
-/// On a square of 100 mm; the path goes from pick to pick, and is refused where one is at y < 0.
+/// On a square of 200 mm about the origin; the path goes from pick to pick, and is refused where
+/// one is at y < 0.
 bool FakeRecipes::design(scan_cell_msgs::DesignPath::Request& request,
                          scan_cell_msgs::DesignPath::Response& response) {
   {
@@ -137,10 +140,11 @@ bool FakeRecipes::design(scan_cell_msgs::DesignPath::Request& request,
   }
   visualization_msgs::Marker square;
   square.header.frame_id = "world";
+  square.text = request.recipe;
   square.points.resize(6);
   for (std::size_t i = 0; i < 6; ++i) {
-    square.points[i].x = i == 1 || i == 2 || i == 4 ? 0.1 : 0;
-    square.points[i].y = i == 2 || i == 4 || i == 5 ? 0.1 : 0;
+    square.points[i].x = i == 1 || i == 2 || i == 4 ? 0.1 : -0.1;
+    square.points[i].y = i == 2 || i == 4 || i == 5 ? 0.1 : -0.1;
   }
   reference_.publish(square);
   scan_cell_msgs::ToolParameter step, closed;
@@ -165,6 +169,46 @@ bool FakeRecipes::design(scan_cell_msgs::DesignPath::Request& request,
     response.success = 0;
     response.message = "pick 1: 3 mm from the surface; pick it on the surface";
   }
+  return true;
+}
+
+scan_cell_msgs::EditProgramRequest FakeRecipes::last_program() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return program_;
+}
+
+/// A line along x and an arc; "old" has none.
+bool FakeRecipes::program(scan_cell_msgs::EditProgram::Request& request,
+                          scan_cell_msgs::EditProgram::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (request.set != 0) program_ = request;
+  response.success = 1;
+  response.frame = "world";
+  if (request.recipe != "frame") return true;
+  response.passes.resize(2);
+  response.passes[0].name = "flank";
+  response.passes[0].kind = scan_cell_msgs::ScanPass::LINE;
+  response.passes[0].poses.resize(2);
+  response.passes[0].poses[1].position.x = 0.3;
+  response.passes[1].kind = scan_cell_msgs::ScanPass::ARC;
+  response.passes[1].poses.resize(3);
+  response.passes[1].poses[0].position.x = 0.1;
+  response.passes[1].poses[1].position.y = 0.1;
+  response.passes[1].poses[2].position.x = -0.1;
+  for (auto& pass : response.passes)
+    for (auto& pose : pass.poses)
+      pose.orientation.w = 1;
+  return true;
+}
+
+/// Plays the cell: what is higher than 1 m is out of reach.
+bool FakeRecipes::check(scan_cell_msgs::CheckProgram::Request& request,
+                        scan_cell_msgs::CheckProgram::Response& response) {
+  response.success = 1;
+  for (const auto& pass : request.passes)
+    for (const auto& pose : pass.poses)
+      if (pose.position.z > 1) response.success = 0;
+  if (response.success == 0) response.message = "pass 1: the arm is too short";
   return true;
 }
 

@@ -5,8 +5,10 @@
 #include <actionlib/server/simple_action_server.h>
 #include <ros/ros.h>
 #include <scan_cell_msgs/ApproveRun.h>
+#include <scan_cell_msgs/CheckProgram.h>
 #include <scan_cell_msgs/DescribeRun.h>
 #include <scan_cell_msgs/DesignPath.h>
+#include <scan_cell_msgs/EditProgram.h>
 #include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
@@ -34,6 +36,7 @@ class FakeRecipes {
   scan_cell_msgs::EditRecipeRequest last_edit() const;
   scan_cell_msgs::PreviewRunRequest last_preview() const;
   scan_cell_msgs::DesignPathRequest last_design() const;
+  scan_cell_msgs::EditProgramRequest last_program() const;  ///< that was saved
   bool was_cancelled() const;
 
   /// From now on each run that is described has a scan of its own, a cube of `side` points a side.
@@ -51,6 +54,8 @@ class FakeRecipes {
   bool edit(scan_cell_msgs::EditRecipe::Request&, scan_cell_msgs::EditRecipe::Response&);
   bool preview(scan_cell_msgs::PreviewRun::Request&, scan_cell_msgs::PreviewRun::Response&);
   bool design(scan_cell_msgs::DesignPath::Request&, scan_cell_msgs::DesignPath::Response&);
+  bool program(scan_cell_msgs::EditProgram::Request&, scan_cell_msgs::EditProgram::Response&);
+  bool check(scan_cell_msgs::CheckProgram::Request&, scan_cell_msgs::CheckProgram::Response&);
   scan_cell_msgs::RunSummary summary() const;
 
   mutable std::mutex mutex_;
@@ -59,6 +64,7 @@ class FakeRecipes {
   scan_cell_msgs::EditRecipeRequest edit_;
   scan_cell_msgs::PreviewRunRequest preview_;
   scan_cell_msgs::DesignPathRequest design_;
+  scan_cell_msgs::EditProgramRequest program_;
   int goals_ = 0;
   int outcome_ = -1;
   std::uint8_t state_ = scan_cell_msgs::RunSummary::ACCEPTED;

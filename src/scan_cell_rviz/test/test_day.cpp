@@ -110,7 +110,8 @@ class ADay : public testing::Test {
   EditSession edits_;
   PathSession path_;
   PickSession picks_;
-  Seat seat_{links_, {edits_, path_, picks_}};
+  PassSession passes_;
+  Seat seat_{links_, {edits_, path_, picks_, passes_}};
   std::shared_ptr<const cloud_preprocess::Cloud> scan_;  // that came last
 };
 

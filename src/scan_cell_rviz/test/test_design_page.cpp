@@ -29,8 +29,11 @@ class ADesignPage : public ASeat {
     return picks_.pick(ray);
   }
 
+  bool says_now(const std::string& words) const {
+    return text("design_end").find(words) != std::string::npos;
+  }
   bool says(const std::string& words) {
-    return comes([&] { return text("design_end").find(words) != std::string::npos; });
+    return comes([&] { return says_now(words); });
   }
 };
 
@@ -67,6 +70,26 @@ TEST_F(ADesignPage, GivesTheToolWhatDiffersFromTheDefaultsInItsUnits) {
   EXPECT_EQ(find<QLineEdit>("parameter_max_step")->text(), "2.5") << "it is still there";
   EXPECT_TRUE(recipes_->last_design().picks.empty()) << "an edge has none";
   EXPECT_TRUE(button("make_path")->isEnabled());
+}
+
+TEST_F(ADesignPage, SaysWhichPickIsOfNoUse) {
+  ASSERT_TRUE(pick(0.01, -0.02) && pick(0.04, 0.06));
+  EXPECT_TRUE(says("pick 1: 3 mm from the surface")) << text("design_end");
+  EXPECT_FALSE(says_now("waypoints"));
+}
+
+TEST_F(ADesignPage, LeavesTheReferenceOfAnotherSeatsRecipeAlone) {
+  visualization_msgs::MarkerPtr other(new visualization_msgs::Marker);
+  other->text = "old <b>part</b>";
+  other->header.frame_id = "elsewhere";
+  Q_EMIT links_.design.referenceCame(other);
+  EXPECT_EQ(picks_.frame(), "world");
+}
+
+TEST_F(ADesignPage, KeepsThePicksWhereTheSameRecipeIsChosenAgain) {
+  ASSERT_TRUE(pick(0.01, 0.02));
+  choose("design_recipe", 0);
+  EXPECT_EQ(picks_.picks().size(), 1u);
 }
 
 TEST_F(ADesignPage, SaysWhyThereIsNoPathAndKeepsThePicks) {

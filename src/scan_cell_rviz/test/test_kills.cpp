@@ -84,7 +84,8 @@ class ASeatInTheCell : public testing::Test {
   EditSession edits_;
   PathSession path_;
   PickSession picks_;
-  Seat seat_{links_, {edits_, path_, picks_}};
+  PassSession passes_;
+  Seat seat_{links_, {edits_, path_, picks_, passes_}};
   QTimer beat_;
   QElapsedTimer since_beat_;
   qint64 held_up_ = 0;  // [ms] longest time that the window did nothing

@@ -250,7 +250,8 @@ TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
   EditSession its_edits;
   PathSession its_path;
   PickSession its_picks;
-  Seat watching(others, {its_edits, its_path, its_picks});
+  PassSession its_passes;
+  Seat watching(others, {its_edits, its_path, its_picks, its_passes});
   others.start();
   auto* const doing = watching.findChild<QLabel*>("doing");
   ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));

@@ -75,7 +75,9 @@ class AShift : public testing::Test {
   /// Moves the robot by a button and back, and keeps a pose between.
   void teach_a_pose(const fs::path& file) {
     auto* const pages = seat_.findChild<QTabWidget*>("pages");
-    pages->setCurrentIndex(pages->count() - 1);
+    for (int i = 0; i < pages->count(); ++i)
+      if (pages->widget(i)->findChild<QPushButton*>("jog_plus_2") != nullptr)
+        pages->setCurrentIndex(i);
     seat_.set_pose_file(QString::fromStdString(file.string()));
     ASSERT_TRUE(comes([this] { return links_.teach.has_driver() && !text("joint_2").empty(); }));
     const double before = second_joint();
@@ -125,7 +127,8 @@ class AShift : public testing::Test {
   EditSession edits_;
   PathSession path_;
   PickSession picks_;
-  Seat seat_{links_, {edits_, path_, picks_}};
+  PassSession passes_;
+  Seat seat_{links_, {edits_, path_, picks_, passes_}};
 };
 
 TEST_F(AShift, FromThePartOnTheTableToWork) {

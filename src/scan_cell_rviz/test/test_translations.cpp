@@ -89,4 +89,15 @@ TEST(Translation, KeepsThePlacesOfFiguresAndTheKeys) {
   }
 }
 
+TEST(Translation, GivesTheKeyThatStopsToNothingElse) {
+  const QRegularExpression key("&[tT]");  // a key of two buttons presses neither
+  QStringList english, german;
+  for (const Entry& entry : entries_of(TRANSLATION)) {
+    if (entry.source.contains(key)) english.append(entry.source);
+    if (entry.forms.first().contains(key)) german.append(entry.forms.first());
+  }
+  EXPECT_EQ(english.join(", ").toStdString(), "S&top");
+  EXPECT_EQ(german.join(", ").toStdString(), "S&topp");
+}
+
 }  // namespace scan_cell_rviz

@@ -202,7 +202,7 @@ Der Roboter kommt nicht dorthin.</translation>
     </message>
     <message>
         <source>&amp;Depth</source>
-        <translation>&amp;Tiefe</translation>
+        <translation>Ti&amp;efe</translation>
     </message>
     <message>
         <source>Cluster &amp;gap</source>
@@ -276,7 +276,7 @@ Der Roboter kommt nicht dorthin.</translation>
     </message>
     <message>
         <source>Save as a ne&amp;w recipe</source>
-        <translation>Als neues Re&amp;zept sichern</translation>
+        <translation>Als neues Rezept s&amp;ichern</translation>
     </message>
     <message>
         <source>Whose reference the path is made on</source>
@@ -316,7 +316,7 @@ Der Roboter kommt nicht dorthin.</translation>
     </message>
     <message>
         <source>W&amp;ay</source>
-        <translation>Ar&amp;t</translation>
+        <translation>&amp;Verfahren</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -523,6 +523,112 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>&amp;Note</source>
         <translation>&amp;Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PassSession</name>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>via</source>
+        <translation>Zwischenpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>scan_cell_rviz::PassesPage</name>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>NO</source>
+        <translation>NEIN</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&amp;Drag in the view</source>
+        <translation>In der &amp;Ansicht ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>&amp;Wieder</translation>
+    </message>
+    <message>
+        <source>&amp;Can the robot do it?</source>
+        <translation>&amp;Kann es der Roboter?</translation>
+    </message>
+    <message>
+        <source>&amp;Save into the recipe</source>
+        <translation>Ins Rezept s&amp;ichern</translation>
+    </message>
+    <message>
+        <source>Whose scan program it is</source>
+        <translation>Wessen Scanprogramm es ist</translation>
+    </message>
+    <message>
+        <source>Poses of the flange in each pass</source>
+        <translation>Posen des Flanschs in jeder Bahn</translation>
+    </message>
+    <message>
+        <source>Choose one: its pass can be dragged, and the view turns there</source>
+        <translation>Eine wählen: ihre Bahn lässt sich ziehen, und die Ansicht dreht sich dorthin</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>x [mm]</source>
+        <translation>x [mm]</translation>
+    </message>
+    <message>
+        <source>y [mm]</source>
+        <translation>y [mm]</translation>
+    </message>
+    <message>
+        <source>z [mm]</source>
+        <translation>z [mm]</translation>
+    </message>
+    <message>
+        <source>Reachable</source>
+        <translation>Erreichbar</translation>
+    </message>
+    <message>
+        <source>Arrows and rings at the poses of the pass that is chosen; nothing moves</source>
+        <translation>Pfeile und Ringe an den Posen der gewählten Bahn; nichts bewegt sich</translation>
+    </message>
+    <message>
+        <source>Asks the cell again, from where the robot stands now</source>
+        <translation>Fragt die Zelle neu, von dort, wo der Roboter jetzt steht</translation>
+    </message>
+    <message>
+        <source>The recipe then counts as made anew, not proven</source>
+        <translation>Das Rezept gilt dann als neu erstellt, nicht als bewährt</translation>
+    </message>
+    <message>
+        <source>&amp;Recipe</source>
+        <translation>&amp;Rezept</translation>
+    </message>
+    <message>
+        <source>%1 has no scan program.</source>
+        <translation>%1 hat kein Scanprogramm.</translation>
     </message>
 </context>
 <context>
@@ -813,6 +919,10 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>&amp;8 New path</source>
         <translation>&amp;8 Neue Bahn</translation>
     </message>
+    <message>
+        <source>&amp;9 Passes</source>
+        <translation>&amp;9 Scanbahnen</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::SeatPanel</name>
@@ -864,6 +974,14 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>new path</source>
         <translation>neue Bahn</translation>
     </message>
+    <message>
+        <source>passes of the scan</source>
+        <translation>Bahnen des Scans</translation>
+    </message>
+    <message>
+        <source>poses of the pass</source>
+        <translation>Posen der Bahn</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::StagesBox</name>
@@ -898,7 +1016,7 @@ Der Roboter kommt nicht dorthin.</translation>
 <context>
     <name>scan_cell_rviz::TeachPage</name>
     <message>
-        <source>&amp;Take the pose</source>
+        <source>Ta&amp;ke the pose</source>
         <translation>Pose über&amp;nehmen</translation>
     </message>
     <message>
@@ -1029,7 +1147,7 @@ Der Roboter kommt nicht dorthin.</translation>
     </message>
     <message>
         <source>&amp;Dry run</source>
-        <translation>&amp;Trockenlauf</translation>
+        <translation>Trocken&amp;lauf</translation>
     </message>
     <message>
         <source>&amp;Work</source>

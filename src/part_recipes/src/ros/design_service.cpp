@@ -101,7 +101,7 @@ bool DesignService::design(Request& request, Response& response) {
     response.parameters = parameters_of(way_of(request));
     const Recipe recipe = load_recipe(find_recipe(parameters_.recipes, request.recipe));
     response.frame = recipe.frame();
-    show_reference(recipe);
+    show_reference(recipe, request);
     const std_msgs::Header header = header_in(response.frame);
     show({}, points_of(request.picks), header);  // also where no path comes of it
     if (request.make != 0) make(recipe, request, response);
@@ -110,8 +110,20 @@ bool DesignService::design(Request& request, Response& response) {
 
 void DesignService::make(const Recipe& recipe, const Request& request, Response& response) {
   const tool_paths::Points picks = points_of(request.picks);
-  const RecipePath made(recipe, way_of(request), options_in(request), picks,
-                        [] { return !ros::ok(); });
+  constexpr double kPatience = 12;  // [s] less than a person's seat has; chosen
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kPatience);
+  bool late = false;
+  const Stop stop = [&] { return (late = late || ros::WallTime::now() > end) || !ros::ok(); };
+  const auto make_it = [&] {
+    try {
+      return RecipePath(recipe, way_of(request), options_in(request), picks, stop);
+    } catch (const scan_cell_common::Error&) {
+      if (!late) throw;
+      throw scan_cell_common::Refused("path", fmt::format("not made within {:g} s", kPatience),
+                                      "take a coarser spacing, or call the tool path by hand");
+    }
+  };
+  const RecipePath made = make_it();
   const std_msgs::Header header = header_in(recipe.frame());
   show(made.path(), picks, header);
   response.path = tool_path_stretcher::to_message(made.path(), header);
@@ -121,17 +133,23 @@ void DesignService::make(const Recipe& recipe, const Request& request, Response&
   if (!fault.empty()) response.notes.push_back(fault);
 }
 
-void DesignService::show_reference(const Recipe& recipe) {
+/// A request that makes nothing shows it anew: a seat may have closed it meanwhile.
+void DesignService::show_reference(const Recipe& recipe, const Request& request) {
   constexpr Rgb kGrey = {0.6F, 0.6F, 0.6F};
   const std::string file = (recipe.folder / recipe.reference.file).string();
-  const std::string hash =
-      scan_cell_common::sha256_of_file(file) + recipe.reference.units + recipe.frame();
-  if (hash == shown_) return;
+  const PathParameters parameters = surface_parameters(options_in(request));
+  const std::string what = fmt::format(
+      "{} {} {} {} {} {} {} {} {}", request.recipe, scan_cell_common::sha256_of_file(file),
+      recipe.reference.units, recipe.frame(), parameters.from.x(), parameters.from.y(),
+      parameters.from.z(), parameters.leaf, parameters.crease_angle);
+  if (what == shown_ && request.make != 0) return;
   const path_design::PartMesh mesh = load_reference_surface(
-      file, scan_cell_common::metres_per(recipe.reference.units), PathParameters());
-  reference_.publish(marker_of("reference", Marker::TRIANGLE_LIST, corners_of(mesh), 1, kGrey,
-                               header_in(recipe.frame())));
-  shown_ = hash;
+      file, scan_cell_common::metres_per(recipe.reference.units), parameters);
+  Marker marker = marker_of("reference", Marker::TRIANGLE_LIST, corners_of(mesh), 1, kGrey,
+                            header_in(recipe.frame()));
+  marker.text = request.recipe;
+  reference_.publish(marker);
+  shown_ = what;
 }
 
 void DesignService::show(const tool_paths::ToolPath& path, const tool_paths::Points& picks,

@@ -15,8 +15,9 @@
 namespace part_recipes {
 
 /// Paths on the references of recipes: ~design makes one, and perhaps a recipe with it. Shown in
-/// rviz, on latched topics: ~reference (its triangles), ~designed_path, and ~picks. It waits for a
-/// tool; a cancel of a run must not wait for it, so it has a thread of its own.
+/// rviz, on latched topics: ~reference (its triangles, and the recipe's name as text),
+/// ~designed_path, and ~picks. It waits for a tool; a cancel of a run must not wait for it, so it
+/// has a thread of its own.
 class DesignService {
  public:
   DesignService(ros::NodeHandle node, const RecipeParameters& parameters);
@@ -27,12 +28,12 @@ class DesignService {
 
   bool design(Request& request, Response& response);
   void make(const Recipe& recipe, const Request& request, Response& response);
-  void show_reference(const Recipe& recipe);
+  void show_reference(const Recipe& recipe, const Request& request);
   void show(const tool_paths::ToolPath& path, const tool_paths::Points& picks,
             const std_msgs::Header& header);
 
   RecipeParameters parameters_;
-  std::string shown_;  // hash of the reference in view; empty: none
+  std::string shown_;  // what tells the reference in view from others; empty: none
   ros::Publisher reference_, path_, picks_;
   ros::CallbackQueue queue_;
   ros::ServiceServer service_;

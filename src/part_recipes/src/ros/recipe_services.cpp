@@ -16,6 +16,7 @@
 #include "recipe/recipe_edits.h"
 #include "run/recipe_picture.h"
 #include "run/run_recipe.h"
+#include "scan_cell/ros/scan_goal.h"
 #include "scan_cell_common/errors/errors.h"
 #include "service_answer.h"
 #include "tool_path_stretcher/ros/conversions.h"
@@ -83,6 +84,7 @@ RecipeServices::RecipeServices(ros::NodeHandle node, const RecipeParameters& par
       display_(node),
       list_(node.advertiseService("list", &RecipeServices::list, this)),
       edit_(node.advertiseService("edit", &RecipeServices::edit, this)),
+      program_(node.advertiseService("program", &RecipeServices::program, this)),
       runs_(node.advertiseService("runs", &RecipeServices::runs, this)),
       describe_(node.advertiseService("describe", &RecipeServices::describe, this)),
       approve_(node.advertiseService("approve", &RecipeServices::approve, this)) {
@@ -117,6 +119,25 @@ bool RecipeServices::edit(scan_cell_msgs::EditRecipe::Request& request,
     if (request.what == Request::STAGES) return set_stages(recipe, request.stages);
     throw scan_cell_common::InvalidParameter("what", fmt::format("{}", request.what),
                                              "give EDITS or STAGES");
+  });
+}
+
+bool RecipeServices::program(scan_cell_msgs::EditProgram::Request& request,
+                             scan_cell_msgs::EditProgram::Response& response) {
+  return answer(response, [&] {
+    const Recipe recipe = load_recipe(find_recipe(parameters_.recipes, request.recipe));
+    if (request.set != 0) {
+      scan_cell::ScanProgram program{request.frame, {}};
+      for (std::size_t i = 0; i < request.passes.size(); ++i)
+        program.passes.push_back(
+            scan_cell::pass_from(request.passes[i], fmt::format("pass {}", i + 1)));
+      set_program(recipe, program);
+    }
+    if (recipe.program.empty()) return;
+    const auto goal = scan_cell::scan_goal(
+        scan_cell::load_scan_program((recipe.folder / recipe.program).string()), "");
+    response.frame = goal.frame;
+    response.passes = goal.passes;
   });
 }
 

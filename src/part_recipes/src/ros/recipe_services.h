@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <scan_cell_msgs/ApproveRun.h>
 #include <scan_cell_msgs/DescribeRun.h>
+#include <scan_cell_msgs/EditProgram.h>
 #include <scan_cell_msgs/EditRecipe.h>
 #include <scan_cell_msgs/ListRecipes.h>
 #include <scan_cell_msgs/ListRuns.h>
@@ -19,8 +20,8 @@
 
 namespace part_recipes {
 
-/// What can be asked and said of recipes and runs: ~list, ~edit, ~runs, ~describe (which shows the
-/// run in rviz, too), ~preview of its work, and ~approve.
+/// What can be asked and said of recipes and runs: ~list, ~edit, ~program, ~runs, ~describe (which
+/// shows the run in rviz, too), ~preview of its work, and ~approve.
 class RecipeServices {
  public:
   RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters);
@@ -30,6 +31,8 @@ class RecipeServices {
             scan_cell_msgs::ListRecipes::Response& response);
   bool edit(scan_cell_msgs::EditRecipe::Request& request,
             scan_cell_msgs::EditRecipe::Response& response);
+  bool program(scan_cell_msgs::EditProgram::Request& request,
+               scan_cell_msgs::EditProgram::Response& response);
   bool runs(scan_cell_msgs::ListRuns::Request& request,
             scan_cell_msgs::ListRuns::Response& response);
   bool describe(scan_cell_msgs::DescribeRun::Request& request,
@@ -44,7 +47,7 @@ class RecipeServices {
 
   RecipeParameters parameters_;
   RunDisplay display_;
-  ros::ServiceServer list_, edit_, runs_, describe_, approve_;
+  ros::ServiceServer list_, edit_, program_, runs_, describe_, approve_;
 
   // It waits for the cell; a cancel of a run must not wait for it.
   ros::CallbackQueue preview_queue_;

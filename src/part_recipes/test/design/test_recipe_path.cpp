@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 using scan_cell_common::FileError;
+using scan_cell_common::InvalidParameter;
 using scan_cell_common::Refused;
 using scan_cell_common::UnusableInput;
 
@@ -102,7 +103,38 @@ TEST_F(DesignedRecipePath, IsRefusedAsTheToolRefusesIt) {
               through(recipe, kPicks, {{"max_step", "-1"}});
             }),
             "--max-step");
-  EXPECT_THROW(through(recipe, kPicks, {{"no_such", "1"}}), UnusableInput);
+}
+
+TEST_F(DesignedRecipePath, TakesNothingIntoTheToolsCommandThatIsNoOptionOfItsWay) {
+  const Recipe recipe = make();
+  const std::string file = (recipe.folder / kRecipeFile).string();
+  const auto thing = [&](const ToolOptions& options) {
+    return path_checks::thing_of<InvalidParameter>([&] { through(recipe, kPicks, options); });
+  };
+  EXPECT_EQ(thing({{"output", file}}), "output");
+  EXPECT_EQ(thing({{"max_step", "0.01 --output " + file}}), "max_step");
+  EXPECT_EQ(thing({{"closed", "perhaps"}}), "closed");
+  EXPECT_EQ(thing({{"help", "true"}}), "help");
+  EXPECT_EQ(thing({{"tool_x", " "}}), "tool_x");
+  EXPECT_EQ(thing({{"spacing", "0.01"}}), "spacing") << "of another way";
+  EXPECT_EQ(path_checks::thing_of<UnusableInput>([&] {
+              through(recipe, kPicks, {{"tool_x", "0 1"}});
+            }),
+            "--tool-x");
+  EXPECT_TRUE(std::filesystem::exists(file)) << "the tool removes old outputs";
+}
+
+TEST_F(DesignedRecipePath, SavedHasTheSideThatItWasMadeWithInWorkAndPrograms) {
+  made_.work = {{"waypoint_z", "out_of_part"}, {"frame", "world"}};
+  made_.programs.front().options["waypoint_z"] = "out_of_part";
+  const Recipe recipe = make();
+  const Recipe saved = through(recipe, kPicks).save_as(folder_.path() / "recipes", "another");
+  EXPECT_EQ(saved.work.at("waypoint_z"), "into_part");
+  EXPECT_EQ(saved.work.at("frame"), "world");
+  EXPECT_EQ(saved.programs.at(0).options.at("waypoint_z"), "into_part");
+  const Recipe turned = through(recipe, kPicks, {{"waypoint_z", "out_of_part"}})
+                            .save_as(folder_.path() / "recipes", "turned");
+  EXPECT_EQ(turned.work.at("waypoint_z"), "out_of_part");
 }
 
 TEST(PathOptions, AreToldWithTheirDefaultsAsTheToolTakesThem) {

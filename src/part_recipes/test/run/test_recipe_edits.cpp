@@ -57,6 +57,41 @@ TEST_F(RecipeEdits, GiveSettingsToARecipeThatHadNone) {
   EXPECT_NO_THROW(check_unchanged(now, load_proof(now), hashes_of(now)));
 }
 
+/// Along x, with as much speed.
+scan_cell::ScanProgram one_line(double speed) {
+  scan_cell::ScanPass pass;
+  pass.poses.assign(2, Eigen::Isometry3d::Identity());
+  pass.poses[1].translation().x() = 0.2;
+  pass.speed = speed;
+  pass.rate = 50;
+  return {"world", {pass}};
+}
+
+TEST_F(RecipeEdits, PutAnotherScanProgramInPlaceOfTheOneThatWasThere) {
+  const std::string file = (folder_.path() / "program.yaml").string();
+  save_scan_program(file, one_line(0.05));
+  made_.program = file;
+  const Recipe recipe = make();
+  Proof proof = load_proof(recipe);
+  proof.proven = true;
+  save_proof(recipe, proof);
+  scan_cell::ScanProgram moved = one_line(0.04);
+  moved.passes[0].poses[1].translate(Eigen::Vector3d(0, 0.01, 0));
+  set_program(recipe, moved);
+  const auto now = scan_cell::load_scan_program((recipe.folder / recipe.program).string());
+  EXPECT_EQ(now.passes.at(0).speed, 0.04);
+  EXPECT_TRUE(now.passes[0].poses[1].isApprox(moved.passes[0].poses[1], 1e-12));
+  EXPECT_FALSE(load_proof(recipe).proven);
+  EXPECT_NO_THROW(check_unchanged(recipe, load_proof(recipe), hashes_of(recipe)));
+  const std::string before = read_file((recipe.folder / recipe.program).string());
+  EXPECT_THROW(set_program(recipe, one_line(-1)), scan_cell_common::Refused);
+  EXPECT_EQ(read_file((recipe.folder / recipe.program).string()), before);
+}
+
+TEST_F(RecipeEdits, GiveNoProgramToARecipeThatHasNone) {
+  EXPECT_THROW(set_program(make(), one_line(0.05)), scan_cell_common::Refused);
+}
+
 TEST_F(RecipeEdits, AreRefusedByLineAndLeaveTheRecipeAsItIs) {
   const Recipe recipe = make();
   const std::string before = read_file((recipe.folder / recipe.cleaning).string());

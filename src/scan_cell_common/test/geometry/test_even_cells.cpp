@@ -85,6 +85,16 @@ TEST(EvenCells, LeavePointsInOnePlaceTogetherSoThatCopiesChangeNothing) {
     EXPECT_TRUE(means[i].isApprox(once[i], 1e-12));
 }
 
+TEST(EvenCells, AreNoneEmptyWherePointsLieInAsManyPlaces) {
+  Points points;  // a row of four, and one of six, on both sides of the border at 0.5
+  for (int i = 0; i < 10; ++i)
+    points.emplace_back(i < 4 ? 0.5 : 1.5, 0.9 + 0.02 * i, i == 3 ? 0.45 : 0.55);
+  const Points means = means_of(points);
+  ASSERT_EQ(means.size(), 2U);
+  EXPECT_NEAR(std::min(means[0].x(), means[1].x()), 0.5, 1e-12);
+  EXPECT_NEAR(std::max(means[0].x(), means[1].x()), 1.5, 1e-12);
+}
+
 TEST(EvenCells, OfAWallBelowAnEdgeKeepTheirPoints) {
   Points points;
   add_layer(4, 0.55, points);

@@ -17,7 +17,8 @@ import rostest
 from geometry_msgs.msg import Point
 from nav_msgs.msg import Path
 from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
-from scan_cell_msgs.srv import ApproveRun, DescribeRun, DesignPath, DesignPathRequest, ListRecipes
+from scan_cell_msgs.srv import (ApproveRun, CheckProgram, DescribeRun, DesignPath, DesignPathRequest, EditProgram,
+                                ListRecipes)
 from visualization_msgs.msg import Marker, MarkerArray
 
 PATIENCE = 240  # [s] a scan takes 10 to 20 s, as does the work
@@ -296,6 +297,26 @@ class Recipes(unittest.TestCase):
         self.assertFalse(answer.success)
         self.assertIn('pick 2', answer.message)
         self.assertIn('no recipe', design(DesignPathRequest(recipe='none')).message)
+
+    def test_passes_that_were_moved_are_the_recipes_once_the_cell_can_scan_them(self):
+        rospy.wait_for_service('/part_recipes/program', PATIENCE)
+        program = rospy.ServiceProxy('/part_recipes/program', EditProgram)
+        check = rospy.ServiceProxy('/scan_cell/check_program', CheckProgram)
+        told = program(recipe='from_below')
+        self.assertTrue(told.success, told.message)
+        self.assertEqual([len(scan_pass.poses) for scan_pass in told.passes], [2])
+        self.assertTrue(check(told.frame, told.passes).success)
+        told.passes[0].poses[1].position.z += 2
+        far = check(told.frame, told.passes)
+        self.assertFalse(far.success or far.link_lost, far.message)
+        told.passes[0].poses[1].position.z -= 1.999
+        self.assertTrue(check(told.frame, told.passes).success)
+        self.assertTrue(program('from_below', True, told.frame, told.passes).success)
+        now = program(recipe='from_below').passes[0].poses
+        self.assertAlmostEqual(now[1].position.z, now[0].position.z + 0.001, 9)
+        self.assertEqual(self.list()['from_below'].state, RecipeState.MADE)
+        told.passes[0].speed = -1
+        self.assertIn('speed', program('from_below', True, told.frame, told.passes).message)
 
     def test_a_recipe_that_is_not_there_is_named(self):
         result = self.run_recipe(recipe='../frame')

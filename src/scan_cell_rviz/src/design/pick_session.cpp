@@ -50,6 +50,11 @@ void PickSession::open(const visualization_msgs::MarkerConstPtr& reference) {
   reference_ = reference;
 }
 
+void PickSession::close() {
+  reference_.reset();
+  clear();
+}
+
 Vector3d PickSession::middle() const {
   Eigen::AlignedBox3d box;
   for (const geometry_msgs::Point& corner : reference_->points)

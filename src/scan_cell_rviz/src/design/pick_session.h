@@ -27,6 +27,8 @@ class PickSession : public QObject {
   /// @param reference corners of its triangles [m]
   void open(const visualization_msgs::MarkerConstPtr& reference);
 
+  void close();  ///< no reference is in view, and nothing is picked
+
   bool pick(const Ray& ray);  ///< false where there is nothing of the reference
   void undo();
   void redo();

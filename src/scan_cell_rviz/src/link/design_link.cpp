@@ -9,7 +9,7 @@
 namespace scan_cell_rviz {
 namespace {
 
-constexpr double kTimeout = 60;  // [s] a raster on a large mesh; chosen
+constexpr double kDesignTimeout = 20;  // [s] the node gives up after 12, and draws a picture
 
 }  // namespace
 
@@ -38,8 +38,8 @@ void DesignLink::design(const scan_cell_msgs::DesignPathRequest& request) {
     // What is to be saved is saved, whatever was asked for since.
     if (number != latest_ && request.save_as.empty()) return;
     try {
-      auto answer =
-          scan_cell::ask<scan_cell_msgs::DesignPath>(names_.recipes + "/design", request, kTimeout);
+      auto answer = scan_cell::ask<scan_cell_msgs::DesignPath>(names_.recipes + "/design", request,
+                                                               kDesignTimeout);
       Q_EMIT designed(request, answer);
     } catch (const std::exception& error) {
       Q_EMIT refused(QString::fromStdString(error.what()));

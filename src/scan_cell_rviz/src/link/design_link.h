@@ -29,8 +29,8 @@ class DesignLink : public QObject {
   /// From here on signals come: connect them before.
   void start();
 
-  /// Answers by designed, or refused; but where another request came meanwhile, that one alone is
-  /// answered.
+  /// Answers by designed, or refused; but of those that wait for an answer to an earlier one, only
+  /// the latest is asked, and what is to be saved.
   void design(const scan_cell_msgs::DesignPathRequest& request);
 
  Q_SIGNALS:

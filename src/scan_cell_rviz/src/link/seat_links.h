@@ -4,13 +4,15 @@
 
 #include "link/cell_link.h"
 #include "link/design_link.h"
+#include "link/pass_link.h"
 #include "link/teach_link.h"
 
 namespace scan_cell_rviz {
 
 /// All that a seat knows of the cell.
 struct SeatLinks {
-  explicit SeatLinks(const NodeNames& names) : cell(names), teach(names), design(names) {}
+  explicit SeatLinks(const NodeNames& names)
+      : cell(names), teach(names), design(names), passes(names) {}
 
   /// From here on signals come: connect them before.
   void start() {
@@ -22,6 +24,7 @@ struct SeatLinks {
   CellLink cell;
   TeachLink teach;
   DesignLink design;
+  PassLink passes;
 };
 
 }  // namespace scan_cell_rviz

@@ -75,10 +75,7 @@ DesignPage::DesignPage(PickSession& session, QWidget* parent)
   save_->setToolTip(
       tr("A recipe as the one above, but with this path; it counts as made, not proven"));
   lay_out();
-  connect(recipe_, qOverload<int>(&QComboBox::activated), this, [this] {
-    session_.clear();
-    choose();
-  });
+  connect(recipe_, qOverload<int>(&QComboBox::activated), this, &DesignPage::choose_recipe);
   connect(way_, qOverload<int>(&QComboBox::activated), this, &DesignPage::choose);
   connect(pick_, &QPushButton::clicked, this, [this] { Q_EMIT toolWanted("pick"); });
   connect(view_, &QPushButton::clicked, this, [this] { Q_EMIT toolWanted("view"); });
@@ -125,8 +122,17 @@ void DesignPage::show_recipes(const std::vector<scan_cell_msgs::RecipeState>& re
   for (const auto& recipe : recipes)
     recipe_->addItem(QString::fromStdString(recipe.name));
   recipe_->setCurrentIndex(recipe_->findText(before));  // -1: none is chosen
-  if (recipe_->currentText() != before) session_.clear();
+  if (recipe_->currentText() != before) choose_recipe();
   update_buttons();
+}
+
+/// Picks on another reference are of no use.
+void DesignPage::choose_recipe() {
+  if (recipe_->currentText() != chosen_) {
+    chosen_ = recipe_->currentText();
+    session_.close();
+  }
+  if (!chosen_.isEmpty()) choose();
 }
 
 /// Another reference, or another way on it.
@@ -161,23 +167,33 @@ void DesignPage::ask(bool make, const QString& save_as) {
       request.picks.push_back(point);
     }
   request.save_as = save_as.toStdString();
+  saving_ = saving_ || !save_as.isEmpty();
+  update_buttons();
   Q_EMIT designWanted(request);
 }
 
 void DesignPage::show_answer(const DesignPathRequest& request, const DesignPathResponse& answer) {
-  if (request.recipe != recipe_->currentText().toStdString() || request.way != way()) return;
-  if (request.make == 0) form_->show_parameters(answer.parameters);
-  if (answer.success == 0) return show_end(QString::fromStdString(answer.message));
-  end_->setText(request.make != 0 ? words_of(answer) : QString());
-  if (request.save_as.empty()) return;
-  end_->setText(
-      tr("Saved as %1: prove it, then scan a part.").arg(QString::fromStdString(request.save_as)) +
-      "\n" + end_->text());
-  Q_EMIT recipeMade();
+  const bool was_saved = !request.save_as.empty();
+  const bool is_in_view = request.recipe == recipe() && request.way == way();
+  if (is_in_view && !answer.parameters.empty()) form_->show_parameters(answer.parameters);
+  if (was_saved) saving_ = false;
+  if (answer.success == 0) {
+    if (is_in_view || was_saved) end_->setText(QString::fromStdString(answer.message));
+  } else if (was_saved) {
+    end_->setText(tr("Saved as %1: prove it, then scan a part.")
+                      .arg(QString::fromStdString(request.save_as)) +
+                  "\n" + words_of(answer));
+    Q_EMIT recipeMade();
+  } else if (is_in_view) {
+    end_->setText(request.make != 0 ? words_of(answer) : QString());
+  }
+  update_buttons();
 }
 
 void DesignPage::show_end(const QString& message) {
   end_->setText(message);
+  saving_ = false;
+  update_buttons();
 }
 
 void DesignPage::update_buttons() {
@@ -191,7 +207,7 @@ void DesignPage::update_buttons() {
   clear_->setEnabled(by_picks && picks > 0);
   redo_->setEnabled(by_picks && session_.can_redo());
   make_->setEnabled(may_make);
-  save_->setEnabled(may_make && !name_->text().trimmed().isEmpty());
+  save_->setEnabled(may_make && !saving_ && !name_->text().trimmed().isEmpty());
   count_->setText(!chosen    ? tr("Choose the recipe whose reference it is.")
                   : by_picks ? tr("%1 places picked").arg(picks)
                              : QString());

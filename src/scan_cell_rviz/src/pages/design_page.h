@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QWidget>
+#include <string>
 #include <vector>
 
 #include "design/pick_session.h"
@@ -26,6 +27,7 @@ class DesignPage : public QWidget {
  public:
   explicit DesignPage(PickSession& session, QWidget* parent = nullptr);
 
+  std::string recipe() const { return recipe_->currentText().toStdString(); }  ///< that is chosen
   void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
   void show_answer(const scan_cell_msgs::DesignPathRequest& request,
                    const scan_cell_msgs::DesignPathResponse& answer);
@@ -38,6 +40,7 @@ class DesignPage : public QWidget {
 
  private:
   void lay_out();
+  void choose_recipe();
   void choose();
   void follow_picks();
   void ask(bool make, const QString& save_as = {});
@@ -58,6 +61,8 @@ class DesignPage : public QWidget {
   QLineEdit* name_;
   QPushButton* save_;
   QLabel* end_;
+  QString chosen_;       // recipe
+  bool saving_ = false;  // an answer is awaited
 };
 
 }  // namespace scan_cell_rviz

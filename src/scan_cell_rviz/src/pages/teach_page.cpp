@@ -32,7 +32,7 @@ TeachPage::TeachPage(TeachLink& link, QWidget* parent)
       speed_(new QDoubleSpinBox(this)),
       said_(text_label("jog_said", this)),
       file_(new QLineEdit(QDir::homePath() + "/poses.csv", this)),
-      take_(named_button("take_pose", tr("&Take the pose"), this)),
+      take_(named_button("take_pose", tr("Ta&ke the pose"), this)),
       taken_(text_label("pose_taken", this)) {
   auto* const layout = new QVBoxLayout(this);
   layout->addLayout(jog_box());

@@ -32,8 +32,10 @@ SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
 
 void SeatPanel::onInitialize() {
   links_ = std::make_unique<SeatLinks>(NodeNames());
-  seat_ = new Seat(*links_, {shared_edit_session(), shared_path_session(), shared_pick_session()},
-                   this);
+  seat_ = new Seat(
+      *links_,
+      {shared_edit_session(), shared_path_session(), shared_pick_session(), shared_pass_session()},
+      this);
   apply_config();
   layout()->addWidget(seat_);
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
@@ -42,9 +44,11 @@ void SeatPanel::onInitialize() {
   connect(seat_, &Seat::toolWanted, this, &SeatPanel::use_tool);
   connect(seat_, &Seat::poseChosen, this, &SeatPanel::show_pose);
   connect(seat_, &Seat::designShown, this, &SeatPanel::show_design);
+  connect(seat_, &Seat::passesShown, this, &SeatPanel::show_passes);
   box_ = std::make_unique<BoxHandles>(shared_edit_session());
   connect(seat_, &Seat::boxWanted, box_.get(), &BoxHandles::apply);
   waypoint_ = std::make_unique<WaypointHandles>(shared_path_session());
+  passes_ = std::make_unique<PassHandles>(shared_pass_session());
   window()->installEventFilter(this);
   links_->start();
 }
@@ -134,8 +138,19 @@ void SeatPanel::show_design(bool shown) {
   }
 }
 
-/// @param name of a tool of this package, such as polygon; box, and view, go with rviz's own, which
-/// drags handles
+/// Only beside their page: they lie over the part.
+void SeatPanel::show_passes(bool shown) {
+  if (shown == passes_shown_) return;
+  passes_shown_ = shown;
+  rviz::Display* const display =
+      display_of("rviz/MarkerArray", tr("passes of the scan"), tr("passes of the scan"));
+  display->subProp("Marker Topic")->setValue(QString::fromStdString(passes_->topic()));
+  display->setEnabled(shown);
+  passes_->show(shown);
+}
+
+/// @param name of a tool of this package, such as polygon; box, passes and view go with rviz's own,
+/// which drags handles
 void SeatPanel::use_tool(const QString& name) {
   rviz::ToolManager* const tools = vis_manager_->getToolManager();
   if (name == "box") {
@@ -143,8 +158,10 @@ void SeatPanel::use_tool(const QString& name) {
     box_->show();
   }
   if (name == "waypoint") show_path();
+  if (name == "passes") show_handles(tr("poses of the pass"), passes_->handles());
   if (name == "view") box_->hide();
-  if (name == "box" || name == "view") return tools->setCurrentTool(tools->getDefaultTool());
+  if (name == "box" || name == "passes" || name == "view")
+    return tools->setCurrentTool(tools->getDefaultTool());
   const QString wanted = "scan_cell_rviz/" + name.left(1).toUpper() + name.mid(1);
   for (int i = 0; i < tools->numTools(); ++i)
     if (tools->getTool(i)->getClassId() == wanted) return tools->setCurrentTool(tools->getTool(i));

@@ -5,9 +5,11 @@
 #include <rviz/panel.h>
 
 #include <memory>
+#include <optional>
 
 #include "link/seat_links.h"
 #include "seat/seat.h"
+#include "view/passes/pass_handles.h"
 #include "view/path/waypoint_handles.h"
 #include "view/scan/box_handles.h"
 
@@ -39,13 +41,16 @@ class SeatPanel : public rviz::Panel {
   void show_path();
   void show_pose(int pose);
   void show_design(bool shown);
+  void show_passes(bool shown);
   void look_at(double x, double y, double z, const QString& frame);
 
   std::unique_ptr<SeatLinks> links_;
   std::unique_ptr<BoxHandles> box_;
   std::unique_ptr<WaypointHandles> waypoint_;
+  std::unique_ptr<PassHandles> passes_;
   Seat* seat_ = nullptr;
-  bool design_shown_ = false;
+  std::optional<bool> design_shown_;  // none: not known, as of a saved configuration
+  std::optional<bool> passes_shown_;
   QString person_;
   QString pose_file_;
 };

@@ -28,8 +28,10 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
     : QWidget(parent),
       link_(links.cell),
       designs_(links.design),
+      pass_link_(links.passes),
       edits_(sessions.edits),
       picks_(sessions.picks),
+      pass_session_(sessions.passes),
       band_(new Band(this)),
       pages_(new QTabWidget(this)),
       part_(new PartPage(this)),
@@ -40,6 +42,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
       history_(new HistoryPage(this)),
       teach_(new TeachPage(links.teach, this)),
       design_(new DesignPage(sessions.picks, this)),
+      passes_(new PassesPage(sessions.passes, this)),
       doing_(text_label("doing", this)),
       progress_(new QProgressBar(this)),
       stop_(new QPushButton(tr("S&top"), this)),
@@ -53,6 +56,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   pages_->addTab(history_, tr("&6 History"));
   pages_->addTab(teach_, tr("&7 Teach"));
   pages_->addTab(design_, tr("&8 New path"));
+  pages_->addTab(passes_, tr("&9 Passes"));
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
@@ -73,6 +77,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   connect_clean();
   connect_path();
   connect_design();
+  connect_passes();
   show_busy(link_.busy());
   tell(QString());
 }
@@ -82,6 +87,7 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::busyChanged, this, &Seat::show_busy);
   connect(&link_, &CellLink::recipesListed, part_, &PartPage::show_recipes);
   connect(&link_, &CellLink::recipesListed, design_, &DesignPage::show_recipes);
+  connect(&link_, &CellLink::recipesListed, passes_, &PassesPage::show_recipes);
   connect(&link_, &CellLink::recipesMissed, part_, &PartPage::show_missed);
   connect(&link_, &CellLink::runsListed, history_, &HistoryPage::show_runs);
   connect(&link_, &CellLink::progressed, this, &Seat::show_progress);
@@ -132,6 +138,7 @@ void Seat::connect_pages() {
   connect(pages_, &QTabWidget::currentChanged, this, [this] {
     if (pages_->currentWidget() == history_) link_.list_runs();
     Q_EMIT designShown(pages_->currentWidget() == design_);
+    Q_EMIT passesShown(pages_->currentWidget() == passes_);
   });
   connect(stop_, &QPushButton::clicked, &link_, &CellLink::stop);
 }
@@ -170,8 +177,10 @@ void Seat::connect_path() {
 
 void Seat::connect_design() {
   connect(&designs_, &DesignLink::referenceCame, this, [this](const auto& reference) {
+    if (reference->text != design_->recipe()) return;  // another seat's
+    const bool was_open = picks_.is_open();
     picks_.open(reference);
-    if (pages_->currentWidget() != design_ || !picks_.is_open()) return;
+    if (was_open || pages_->currentWidget() != design_ || !picks_.is_open()) return;
     const Eigen::Vector3d middle = picks_.middle();
     Q_EMIT placeChosen(middle.x(), middle.y(), middle.z(), QString::fromStdString(picks_.frame()));
   });
@@ -180,6 +189,24 @@ void Seat::connect_design() {
   connect(design_, &DesignPage::designWanted, &designs_, &DesignLink::design);
   connect(design_, &DesignPage::recipeMade, &link_, &CellLink::list_recipes);
   connect(design_, &DesignPage::toolWanted, this, &Seat::toolWanted);
+}
+
+void Seat::connect_passes() {
+  connect(&pass_link_, &PassLink::programCame, passes_, &PassesPage::show_program);
+  connect(&pass_link_, &PassLink::checked, passes_, &PassesPage::show_checked);
+  connect(&pass_link_, &PassLink::failed, passes_, &PassesPage::show_end);
+  connect(&pass_link_, &PassLink::programSaved, this, [this](const QString& recipe) {
+    passes_->show_end(tr("Saved into %1: scan a part again, or prove the recipe.").arg(recipe));
+    link_.list_recipes();
+  });
+  connect(passes_, &PassesPage::programWanted, &pass_link_, &PassLink::load);
+  connect(passes_, &PassesPage::checkWanted, this,
+          [this] { pass_link_.check(pass_session_.frame(), pass_session_.passes()); });
+  connect(passes_, &PassesPage::saveWanted, this, [this](const QString& recipe) {
+    pass_link_.save(recipe, pass_session_.frame(), pass_session_.passes());
+  });
+  connect(passes_, &PassesPage::toolWanted, this, &Seat::toolWanted);
+  connect(passes_, &PassesPage::placeChosen, this, &Seat::placeChosen);
 }
 
 void Seat::show_busy(Busy busy) {

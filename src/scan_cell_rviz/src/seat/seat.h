@@ -16,6 +16,7 @@
 #include "pages/fit_page.h"
 #include "pages/history_page.h"
 #include "pages/part_page.h"
+#include "pages/passes_page.h"
 #include "pages/path_page.h"
 #include "pages/teach_page.h"
 #include "pages/work_page.h"
@@ -25,9 +26,10 @@ namespace scan_cell_rviz {
 
 /// What a person has in hand at a seat, shared with the displays and tools of rviz.
 struct SeatSessions {
-  EditSession& edits;  ///< of the scan in view
-  PathSession& path;   ///< of the run in view
-  PickSession& picks;  ///< on the reference of a recipe
+  EditSession& edits;   ///< of the scan in view
+  PathSession& path;    ///< of the run in view
+  PickSession& picks;   ///< on the reference of a recipe
+  PassSession& passes;  ///< of a recipe's scan program
 };
 
 /// The seat without rviz: the band, what is under way, and a page a stage in the operator's order.
@@ -52,6 +54,7 @@ class Seat : public QWidget {
   void boxWanted();                                               ///< likewise
   void poseChosen(int pose);                                      ///< of the preview, to be shown
   void designShown(bool shown);                                   ///< the page of new paths
+  void passesShown(bool shown);                                   ///< the page of passes
 
  private:
   void connect_link();
@@ -59,6 +62,7 @@ class Seat : public QWidget {
   void connect_clean();
   void connect_path();
   void connect_design();
+  void connect_passes();
   void show_busy(Busy busy);
   void show_progress(const QString& doing, double share);
   void show_end(const scan_cell_msgs::RunRecipeResult& result, Doing was);
@@ -66,8 +70,10 @@ class Seat : public QWidget {
 
   CellLink& link_;
   DesignLink& designs_;
+  PassLink& pass_link_;
   EditSession& edits_;
   PickSession& picks_;
+  PassSession& pass_session_;
   Band* band_;
   QTabWidget* pages_;
   PartPage* part_;
@@ -78,6 +84,7 @@ class Seat : public QWidget {
   HistoryPage* history_;
   TeachPage* teach_;
   DesignPage* design_;
+  PassesPage* passes_;
   QLabel* doing_;
   QProgressBar* progress_;
   QPushButton* stop_;

@@ -57,13 +57,11 @@ void ParameterForm::add(const ToolParameter& parameter, const QString& text) {
   QWidget* widget = nullptr;
   if (parameter.words.empty()) {
     widget = line.edit = new QLineEdit(text, this);
-    connect(line.edit, &QLineEdit::editingFinished, this, &ParameterForm::changed);
   } else {
     widget = line.choice = new QComboBox(this);
     for (const std::string& word : parameter.words)
       line.choice->addItem(QString::fromStdString(word));
     line.choice->setCurrentText(text);
-    connect(line.choice, qOverload<int>(&QComboBox::activated), this, &ParameterForm::changed);
   }
   const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
   const std::string range = parameter.range.empty() ? "" : " (" + parameter.range + unit + ")";

@@ -28,9 +28,6 @@ class ParameterForm : public QWidget {
   /// to the tool as it is: it says what is wrong with it.
   std::map<std::string, std::string> given() const;
 
- Q_SIGNALS:
-  void changed();  ///< by a person
-
  private:
   struct Line {
     scan_cell_msgs::ToolParameter parameter;

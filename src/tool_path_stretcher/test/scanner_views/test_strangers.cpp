@@ -66,10 +66,12 @@ TEST_F(AStranger, OverThePathIsOneWhateverTheReference) {
 }
 
 TEST_F(AStranger, HighOverThePathIsOneWhereTheScannerLookedDownOnIt) {
-  constexpr double kHigh = 0.03;  // [m] ten radii: the top of a rib, whose sides were not seen
+  constexpr double kHigh =
+      0.08;  // [m] of a part of 0.1 m: the top of a rib, whose sides were not seen
   EXPECT_GT(points_beside_path(scanned_face(), kHigh, {kUp}), 10U);
   EXPECT_GT(points_beside_path(mesh_face(), kHigh, {kUp}), 10U);
   EXPECT_EQ(points_beside_path(mesh_face(), kHigh, {Vector3d::UnitX()}), 0U);
+  EXPECT_EQ(points_beside_path(mesh_face(), 0.2, {kUp}), 0U) << "farther than the part is long";
   EXPECT_EQ(points_beside_path(mesh_face(), -kHigh, {kUp}), 0U) << "the floor through a hole";
 }
 

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <set>
+#include <sstream>
+
 #include "design/recipe_path.h"
 #include "path_design/path_parameters.h"
+#include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 #include "scan_cell_common/parameters/each_parameter.h"
 
 namespace part_recipes {
@@ -37,6 +42,32 @@ std::vector<PathOption> options_in(Parameters parameters) {
 }
 
 }  // namespace
+
+PathParameters surface_parameters(const ToolOptions& options) {
+  const std::set<std::string> looked_at = {"from", "leaf", "crease_angle"};
+  PickParameters parameters;
+  scan_cell_common::EachParameter table([&](const Parameter& parameter, ParameterValue& value) {
+    const auto given = options.find(parameter.name);
+    if (given == options.end() || looked_at.count(parameter.name) == 0) return;
+    std::vector<double> numbers;
+    std::istringstream words(given->second);
+    for (std::string word; words >> word;) {
+      const auto number = scan_cell_common::parse_number(word);
+      if (!number)
+        throw scan_cell_common::InvalidParameter(parameter.name, "'" + word + "'", "give numbers");
+      numbers.push_back(*number);
+    }
+    if (std::holds_alternative<double>(value) && numbers.size() == 1)
+      value = numbers.front();
+    else if (std::holds_alternative<std::vector<double>>(value) && numbers.size() == 3)
+      value = numbers;
+    else
+      throw scan_cell_common::InvalidParameter(parameter.name, "'" + given->second + "'",
+                                               "give " + range_text(parameter, value));
+  });
+  describe(table, parameters);
+  return parameters.path;
+}
 
 std::vector<PathOption> options_of(PathWay way) {
   if (way == PathWay::kEdge) return options_in(EdgeParameters());

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "recipe/new_recipe.h"
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/errors/text.h"
 #include "scan_cell_common/files/files.h"
 #include "scan_cell_common/pose/units.h"
 #include "scan_cell_common/tools/tool_main.h"
@@ -18,6 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using scan_cell_common::InvalidParameter;
+
+constexpr const char* kWaypointZ = "waypoint_z";
 constexpr const char* kPathFile = "path.csv";
 constexpr const char* kPicksFile = "picks.csv";
 constexpr const char* kLog = "path.log";
@@ -27,16 +32,45 @@ std::string command_of(PathWay way) {
   return way == PathWay::kSlices ? "from-slices" : "from-picks";
 }
 
-/// Numbers of a list are words of their own.
-void add_words(ToolCall& call, const ToolOptions& options) {
-  for (const auto& [name, value] : options) {
-    std::istringstream words(value);
-    std::string word;
-    words >> word;
-    add_options(call, {{name, word}});
-    while (words >> word)
-      call.command.push_back(word);
+PathOption option_of(PathWay way, const std::string& name) {
+  const std::vector<PathOption> options = options_of(way);
+  const auto found = std::find_if(options.begin(), options.end(),
+                                  [&](const PathOption& each) { return each.name == name; });
+  if (found != options.end()) return *found;
+  throw InvalidParameter(name, "unknown", "see docs/making_a_path.md");
+}
+
+/// Nothing but what the option takes may get into the tool's command line.
+std::vector<std::string> checked_words(const PathOption& option, const std::string& value) {
+  std::istringstream stream(value);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) {
+    const bool is_known =
+        std::find(option.words.begin(), option.words.end(), word) != option.words.end();
+    if (!is_known && !scan_cell_common::parse_number(word))
+      throw InvalidParameter(option.name, "'" + word + "'",
+                             option.words.empty() ? "give numbers" : "give " + option.range);
+    words.push_back(word);
   }
+  if (words.empty())
+    throw InvalidParameter(option.name, "nothing", "give a value, or leave it out");
+  return words;
+}
+
+/// Numbers of a list are words of their own.
+void add_words(ToolCall& call, PathWay way, const ToolOptions& options) {
+  for (const auto& [name, value] : options) {
+    const std::vector<std::string> words = checked_words(option_of(way, name), value);
+    add_options(call, {{name, words.front()}});
+    call.command.insert(call.command.end(), words.begin() + 1, words.end());
+  }
+}
+
+/// Where the options say a side, this one.
+ToolOptions with_side(ToolOptions options, const std::string& waypoint_z) {
+  const auto side = options.find(kWaypointZ);
+  if (side != options.end()) side->second = waypoint_z;
+  return options;
 }
 
 /// In the unit of the reference, as the tool wants them.
@@ -91,7 +125,9 @@ RecipePath::RecipePath(const Recipe& recipe, PathWay way, const ToolOptions& opt
                scan_cell_common::metres_per(recipe.reference.units));
     call.command.insert(call.command.end(), {"--picks", kPicksFile});
   }
-  add_words(call, options);
+  add_words(call, way, options);
+  const auto side = options.find(kWaypointZ);
+  waypoint_z_ = side != options.end() ? side->second : option_of(way, kWaypointZ).value;
   const fs::path log = folder_.path() / kLog;
   const StageRecord record = run_tool(call, folder_.path(), log, stop);
   if (record.exit_code != 0) refuse(log, record.exit_code);
@@ -114,7 +150,9 @@ Recipe RecipePath::save_as(const fs::path& recipes, const std::string& name) con
   made.stretch = recipe_.stretch;
   made.places = recipe_.places;
   made.programs = recipe_.programs;
-  made.work = recipe_.work;
+  for (RobotProgram& program : made.programs)
+    program.options = with_side(program.options, waypoint_z_);
+  made.work = with_side(recipe_.work, waypoint_z_);
   if (recipe_.check) {
     made.check_program = in_folder(recipe_.check->program);
     made.check_tolerance = recipe_.check->tolerance;

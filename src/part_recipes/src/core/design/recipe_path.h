@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "path_design/path_parameters.h"
 #include "recipe/recipe.h"
 #include "run/calls/tool_call.h"
 #include "scan_cell_common/files/temporary_folder.h"
@@ -29,12 +30,17 @@ struct PathOption {
 /// All options of a way, in their order.
 std::vector<PathOption> options_of(PathWay way);
 
+/// How the options say the reference is looked at: from, leaf and crease_angle.
+/// @throw scan_cell_common::InvalidParameter if one of them is not allowed
+PathParameters surface_parameters(const ToolOptions& options);
+
 /// A path made on a recipe's reference by the tool path, in a folder of its own.
 class RecipePath {
  public:
-  /// @param options of the tool
+  /// @param options of the way, as options_of() names them
   /// @param picks [m] on the reference; of kPicks
   /// @param stop asked some times a second; the tool is told to end then
+  /// @throw scan_cell_common::InvalidParameter if an option is none of the way's, or no number
   /// @throw scan_cell_common::Refused with the tool's reason
   /// @throw scan_cell_common::UnusableInput likewise; scan_cell_common::FileError
   RecipePath(const Recipe& recipe, PathWay way, const ToolOptions& options,
@@ -43,13 +49,15 @@ class RecipePath {
   const tool_paths::ToolPath& path() const { return path_; }        //!< [m] on the reference
   const std::vector<std::string>& notes() const { return notes_; }  //!< what was left out, bridged
 
-  /// Makes RECIPES/NAME as the recipe, but with this path. It counts as made, not proven.
+  /// Makes RECIPES/NAME as the recipe, but with this path, and with its side of the z axis where
+  /// the recipe's work and programs say one. It counts as made, not proven.
   /// @throw as make_recipe()
   Recipe save_as(const std::filesystem::path& recipes, const std::string& name) const;
 
  private:
   Recipe recipe_;
   scan_cell_common::TemporaryFolder folder_;
+  std::string waypoint_z_;  // as the path was made
   tool_paths::ToolPath path_;
   std::vector<std::string> notes_;
 };

@@ -72,11 +72,23 @@ CleanParameters read_settings(const Recipe& recipe, const std::string& text) {
                                         "begin its line with " + section + ": and nothing before");
 }
 
+/// @throw scan_cell_common::Refused if its files were changed since it was made or proven
+Proof proof_of_unchanged(const Recipe& recipe) {
+  Proof proof = load_proof(recipe);
+  check_unchanged(recipe, proof, hashes_of(recipe));
+  return proof;
+}
+
+/// @param before it was changed
+void count_as_made(const Recipe& recipe, const Proof& before) {
+  const Recipe changed = load_recipe(recipe.folder);
+  save_proof(changed, {false, utc_now(), "", hashes_of(changed), before.calibration});
+}
+
 /// @param change of the text of the settings
 template <class Change>
 void change_cleaning(const Recipe& recipe, const Change& change) {
-  const Proof proof = load_proof(recipe);
-  check_unchanged(recipe, proof, hashes_of(recipe));
+  const Proof proof = proof_of_unchanged(recipe);
   const std::string file = recipe.cleaning.empty() ? kCleaningFile : recipe.cleaning;
   const std::string path = (recipe.folder / file).string();
   const std::string before = cleaning_of(recipe);
@@ -87,8 +99,7 @@ void change_cleaning(const Recipe& recipe, const Change& change) {
     const std::string all = (recipe.folder / kRecipeFile).string();
     scan_cell_common::save_text(all, scan_cell_common::read_file(all) + "cleaning: " + file + "\n");
   }
-  const Recipe changed = load_recipe(recipe.folder);
-  save_proof(changed, {false, utc_now(), "", hashes_of(changed), proof.calibration});
+  count_as_made(recipe, proof);
 }
 
 }  // namespace
@@ -96,6 +107,16 @@ void change_cleaning(const Recipe& recipe, const Change& change) {
 std::string cleaning_of(const Recipe& recipe) {
   if (recipe.cleaning.empty()) return "";
   return scan_cell_common::read_file((recipe.folder / recipe.cleaning).string());
+}
+
+void set_program(const Recipe& recipe, const scan_cell::ScanProgram& program) {
+  if (recipe.program.empty())
+    throw scan_cell_common::Refused("recipe '" + recipe.name + "'", "has no scan program",
+                                    "make one that scans: recipe new --program");
+  check({"", program.passes}, scan_cell::ScanLimits());
+  const Proof proof = proof_of_unchanged(recipe);
+  save_scan_program((recipe.folder / recipe.program).string(), program);
+  count_as_made(recipe, proof);
 }
 
 void set_edits(const Recipe& recipe, const std::string& edits) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "recipe/recipe.h"
+#include "scan_cell/scan_program.h"
 
 namespace part_recipes {
 
@@ -22,6 +23,12 @@ void set_edits(const Recipe& recipe, const std::string& edits);
 /// each whole: what is not given is as by default; a map that is missing stays
 /// @throw as set_edits()
 void set_stages(const Recipe& recipe, const std::string& stages);
+
+/// Puts a scan program in place of the recipe's. The recipe counts as made anew, not proven.
+/// @throw scan_cell_common::Refused if a pass makes no sense, the recipe has no program, or its
+/// files were changed since it was made or proven
+/// @throw scan_cell_common::FileError
+void set_program(const Recipe& recipe, const scan_cell::ScanProgram& program);
 
 /// A recipe's cleaning settings, in YAML; empty: it has none.
 /// @throw scan_cell_common::FileError

@@ -32,16 +32,18 @@ struct FilledCell {
 
 FilledCell filled(const std::vector<GridEntry>& entries, std::size_t begin, std::size_t end,
                   const Position& position) {
+  const Eigen::Vector3d origin =
+      position(entries[begin].point);  // far out, squares lose all digits
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();
   for (std::size_t i = begin; i != end; ++i) {
-    const Eigen::Vector3d at = position(entries[i].point);
-    sum += at;
-    squares += at.cwiseAbs2();
+    const Eigen::Vector3d off = position(entries[i].point) - origin;
+    sum += off;
+    squares += off.cwiseAbs2();
   }
   const double count = static_cast<double>(end - begin);
   const Eigen::Vector3d mean = sum / count;
-  return {begin, end, mean, (squares / count - mean.cwiseAbs2()).cwiseMax(0).cwiseSqrt()};
+  return {begin, end, origin + mean, (squares / count - mean.cwiseAbs2()).cwiseMax(0).cwiseSqrt()};
 }
 
 /// Finds for each cell the one that it goes with.
@@ -153,10 +155,12 @@ void deal(const std::vector<FilledCell>& cells, const Position& position,
   std::vector<std::array<std::int64_t, 3>> numbers;
   for (const FilledCell& cell : cells)
     numbers.push_back(entries[cell.begin].cell);
-  std::size_t first = 0;  // of those in one place along: they stay together
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].first[along] != points[first].first[along]) first = i;
-    *places[i] = {numbers[first * cells.size() / points.size()], points[i].second};
+  for (std::size_t first = 0, next = 0; first < points.size(); first = next) {
+    while (next < points.size() && points[next].first[along] == points[first].first[along])
+      ++next;  // of those in one place along: they stay together, where their middle belongs
+    const std::size_t cell = (first + next) * cells.size() / (2 * points.size());
+    for (std::size_t i = first; i < next; ++i)
+      *places[i] = {numbers[cell], points[i].second};
   }
 }
 

@@ -66,11 +66,9 @@ std::string unknown_words(const CLI::App& app) {
 
 int tell_bad_options(const std::string& name, CLI::App& app, const CLI::ParseError& error) {
   const std::string unknown = unknown_words(app);
-  if (unknown.empty()) {
-    app.exit(error);
-  } else {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), unknown.c_str());
-  }
+  std::fprintf(
+      stderr, "%s: %s\n", name.c_str(),
+      unknown.empty() ? (std::string(error.what()) + "; see --help").c_str() : unknown.c_str());
   return kUnusable;
 }
 

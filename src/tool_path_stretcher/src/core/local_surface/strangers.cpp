@@ -64,7 +64,7 @@ Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
   const double spacing = surfaces.object.spacing;
   viewers_ = surfaces.object.seen_from;
   under_counts_ = surfaces.reference.oriented || viewers_.empty();
-  length_ = mapping.similarity.scale * surfaces.reference.size;
+  length_ = mapping.similarity.scale * length_of(surfaces.reference);
   const KdTree off(on_surfaces(off_reference(surfaces, mapping, residuals, max_off), spacing));
   if (off.points().empty()) return;
   Points points;
@@ -76,6 +76,8 @@ Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
     points.insert(points.end(), chosen.begin(), chosen.end());
     patch_of_.resize(points.size(), patches_.size() - 1);
   }
+  for (const Eigen::Vector3d& point : points)
+    box_.extend(point);
   if (!points.empty()) points_ = std::make_unique<const KdTree>(std::move(points));
 }
 
@@ -99,8 +101,10 @@ std::vector<std::size_t> Strangers::column(const Eigen::Vector3d& at, const Eige
     }
   };
   add(at, kReach * radius);
+  const double farthest =
+      std::min(length_, (box_.center() - at).norm() + box_.diagonal().norm() / 2);
   if (std::abs(towards) >= kFacing)
-    for (double over = kReach * radius; over < length_; over += radius)
+    for (double over = kReach * radius; over < farthest; over += radius)
       add(at + over * out, kCovers * radius);
   std::sort(indices.begin(), indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());

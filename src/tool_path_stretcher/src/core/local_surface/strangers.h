@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 
@@ -46,6 +47,7 @@ class Strangers {
   std::vector<StrangerPatch> patches_;
   std::vector<std::size_t> patch_of_;     // each point of the tree
   std::unique_ptr<const KdTree> points_;  // none: there are none
+  Eigen::AlignedBox3d box_;               // around them
   Points viewers_;                        // unit length: towards those who saw the object
   bool under_counts_ = false;
   double length_ = 0;  // [m, object] of the reference

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "tool_path_stretcher/surface.h"
 
 namespace tool_path_stretcher {
@@ -11,5 +13,10 @@ struct SurfacePair {
   const Surface& reference;
   const Surface& object;
 };
+
+/// [m] of a surface, from its size: a box's, filled evenly, whose variances are w^2 / 12.
+inline double length_of(const Surface& surface) {
+  return std::sqrt(12.0) * surface.size;
+}
 
 }  // namespace tool_path_stretcher

@@ -73,10 +73,6 @@ void refuse(Reason reason, const std::string& thing, const std::string& value,
   throw Refusal{{reason, thing + ": " + value + "; " + cure, std::move(waypoints)}};
 }
 
-double length_of(const Surface& surface) {
-  return std::sqrt(12.0) * surface.size;  // a box's, filled evenly: the variances are w^2 / 12
-}
-
 void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parameters) {
   constexpr double kOtherUnit = 100;  // chosen: between a part that grew and millimetres
   check_enough(surfaces.reference, "reference", parameters.min_points);

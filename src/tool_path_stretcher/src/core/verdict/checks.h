@@ -17,10 +17,6 @@ namespace tool_path_stretcher {
 [[noreturn]] void refuse(Reason reason, const std::string& thing, const std::string& value,
                          const std::string& cure, std::vector<std::size_t> waypoints = {});
 
-/// [m] diagonal of the box in which evenly spread points would lie as far apart as the surface's.
-/// Limits that are a share of the part are one of this.
-double length_of(const Surface& surface);
-
 /// UNUSABLE_INPUT, TOO_FEW_POINTS
 void check_surfaces(const SurfacePair& surfaces, const StretchParameters& parameters);
 

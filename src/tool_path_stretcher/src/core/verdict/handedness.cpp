@@ -79,16 +79,22 @@ Surface all_sides(const Surface& reference) {
   return whole;
 }
 
-/// Whether all sides of the mirror image explain the object wholly better than all sides of the
-/// reference: the sides that hide behind others where the reference lies best are not those that
-/// hide where its image does.
-bool is_better_with_all_sides(const SurfacePair& surfaces, const Mapping& image,
-                              const Mapping& best, double inlier_distance) {
+/// A mapping of the mirror image, and one of the reference, with what each explains.
+struct Hands {
+  const Fitted& image;
+  const Fitted& itself;
+};
+
+/// Whether the mirror image is wholly better. Of a closed reference all sides are compared, on the
+/// object's points alone: a view does not hide the same sides of the part and of its image.
+bool is_other_hand(const SurfacePair& surfaces, const Hands& hands, double inlier_distance) {
   const auto& [reference, object] = surfaces;
+  if (!reference.whole) return is_wholly_better(hands.image.explanation, hands.itself.explanation);
+  if (hands.image.explanation.inlier_ratio <= hands.itself.explanation.inlier_ratio) return false;
   const Surface whole = all_sides(reference);
   const Surface mirror_image = mirrored(whole);
-  Explanation first = explain({mirror_image, object}, image, inlier_distance);
-  Explanation second = explain({whole, object}, best, inlier_distance);
+  Explanation first = explain({mirror_image, object}, hands.image.mapping, inlier_distance);
+  Explanation second = explain({whole, object}, hands.itself.mapping, inlier_distance);
   first.reference = second.reference = {};  // no scan shows them all
   return is_wholly_better(first, second);
 }
@@ -128,20 +134,16 @@ void check_handedness(const SurfacePair& surfaces, const Fitted& best,
   const Mapping followed = fit_deformation(image, found->mapping.similarity, parameters.prior.scale,
                                            parameters.deformation_level);
   const bool bent = !followed.graph.empty();
-  const Explanation other =
-      bent ? explain(image, followed, parameters.inlier_distance) : found->explanation;
-  if (other.inlier_ratio < parameters.min_inlier_ratio) return;
-  const Mapping& as_image = bent ? followed : found->mapping;
-  const bool is_better = surfaces.reference.whole
-                             ? other.inlier_ratio > best.explanation.inlier_ratio &&
-                                   is_better_with_all_sides(surfaces, as_image, best.mapping,
-                                                            parameters.inlier_distance)
-                             : is_wholly_better(other, best.explanation);
-  if (is_better) refuse_mirrored(other, best.explanation);
-  if (bent || best.mapping.graph.empty() || clearly_better(best.explanation, other)) return;
-  const Explanation undeformed =
-      explain(surfaces, {best.mapping.similarity, {}}, parameters.inlier_distance);
-  if (is_wholly_better(other, undeformed)) refuse_mirrored(other, undeformed);
+  const Fitted other = bent ? fitted(image, followed, parameters.inlier_distance) : *found;
+  if (other.explanation.inlier_ratio < parameters.min_inlier_ratio) return;
+  if (is_other_hand(surfaces, {other, best}, parameters.inlier_distance))
+    refuse_mirrored(other.explanation, best.explanation);
+  if (bent || best.mapping.graph.empty() || clearly_better(best.explanation, other.explanation))
+    return;
+  const Fitted undeformed =
+      fitted(surfaces, {best.mapping.similarity, {}}, parameters.inlier_distance);
+  if (is_other_hand(surfaces, {other, undeformed}, parameters.inlier_distance))
+    refuse_mirrored(other.explanation, undeformed.explanation);
 }
 
 }  // namespace tool_path_stretcher

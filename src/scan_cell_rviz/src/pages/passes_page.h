@@ -1,0 +1,62 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <scan_cell_msgs/CheckProgramResponse.h>
+#include <scan_cell_msgs/EditProgramResponse.h>
+#include <scan_cell_msgs/RecipeState.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QWidget>
+#include <vector>
+
+#include "passes/pass_session.h"
+
+namespace scan_cell_rviz {
+
+/// The scan program of a recipe: its passes, their poses and whether the robot can scan them. The
+/// poses of the pass that is chosen are dragged in the view.
+class PassesPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PassesPage(PassSession& session, QWidget* parent = nullptr);
+
+  void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
+  void show_program(const QString& recipe, const scan_cell_msgs::EditProgramResponse& program);
+  void show_checked(const std::vector<scan_cell_msgs::CheckProgramResponse>& answers);
+  void show_end(const QString& message);
+
+ Q_SIGNALS:
+  void programWanted(QString recipe);
+  void checkWanted();                                             ///< of the session's passes
+  void saveWanted(QString recipe);                                ///< of the session's passes
+  void placeChosen(double x, double y, double z, QString frame);  ///< [m]
+  void toolWanted(QString name);                                  ///< of rviz
+
+ private:
+  void lay_out();
+  void fill();
+  void show_reach();
+  void show_selection();
+  void take_selection();
+  void update_buttons();
+
+  PassSession& session_;
+  QComboBox* recipe_;
+  QTableWidget* poses_;
+  QPushButton* view_;
+  QPushButton* undo_;
+  QPushButton* redo_;
+  QPushButton* check_;
+  QPushButton* save_;
+  QLabel* reach_;
+  QLabel* end_;
+  std::vector<PassPose> rows_;  // of the table
+  bool showing_ = false;        // the table follows the session, not the person
+};
+
+}  // namespace scan_cell_rviz

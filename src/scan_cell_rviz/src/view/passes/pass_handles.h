@@ -1,0 +1,48 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <interactive_markers/interactive_marker_server.h>
+#include <ros/ros.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <QObject>
+#include <memory>
+#include <string>
+
+#include "passes/pass_session.h"
+
+namespace scan_cell_rviz {
+
+/// The passes as markers: blue where the robot can scan them, red, thick and with the reason where
+/// it cannot, grey where nobody knows; arcs as arcs.
+visualization_msgs::MarkerArray pass_markers(const PassSession& session);
+
+/// The passes in the view, on the topic ~passes of this node, and arrows and rings at each pose of
+/// the pass that is chosen: interactive markers on ~pass_poses.
+class PassHandles : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PassHandles(PassSession& session);
+
+  void show(bool shown);
+  const std::string& topic() const { return topic_; }      ///< of the markers
+  const std::string& handles() const { return handles_; }  ///< of the interactive markers
+
+ private:
+  using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
+
+  void draw();
+  void draw_handles();
+  void on_feedback(std::size_t pass, std::size_t pose, const Feedback& feedback);
+
+  PassSession& session_;
+  const std::string topic_, handles_;
+  bool shown_ = false;
+  ros::NodeHandle node_;
+  ros::Publisher passes_;
+  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;
+};
+
+}  // namespace scan_cell_rviz
