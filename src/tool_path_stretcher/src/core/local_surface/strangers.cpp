@@ -85,7 +85,7 @@ std::vector<std::size_t> Strangers::column(const Eigen::Vector3d& at, const Eige
                                            double radius) const {
   constexpr double kReach = 4;     // radii; chosen
   constexpr double kAlong = 0.1;   // cosine: 84 degrees; chosen
-  constexpr double kFacing = 0.5;  // cosine: 60 degrees; chosen
+  constexpr double kFacing = 0.9;  // cosine: 26 degrees; chosen
   constexpr double kCovers = 1.2;  // radii of spheres one radius apart, which fill the column
   const double towards = facing(normal, viewers_);
   const Eigen::Vector3d out = std::copysign(1.0, towards) * normal;

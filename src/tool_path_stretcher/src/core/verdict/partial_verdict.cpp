@@ -46,7 +46,7 @@ void check_rivals(const ToolPath& path, const SurfacePair& surfaces, const Mappi
   constexpr double kContradicted = 0.008;  // of the points known; chosen
   constexpr double kAgreeing = 0.98;       // of the points known; chosen
   constexpr double kShare = 0.25;          // of what contradicts the best; chosen
-  constexpr double kWhole = 0.985;         // of the object's points; chosen
+  constexpr double kWhole = 0.98;          // of the object's points; chosen
   const Agreement agreement = search.agreement(best);
   const double contradicted = agreement.contradicted(agreement.noise);
   const bool doubtful = contradicted >= kContradicted;
