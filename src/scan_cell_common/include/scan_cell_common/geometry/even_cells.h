@@ -19,7 +19,7 @@ namespace scan_cell_common {
 ///
 /// Two neighbours are one piece if their means are less than half a cell apart across their border
 /// and hardly along it, or if one has few points beside the other and is less than a cell apart;
-/// but only across a border along which the fuller one does not fill its cell.
+/// but only with enough points to tell, and across a border along which neither fills its cell.
 /// @param entries as sort_into_grid() gives them, with this grid
 /// @param position of a point by its index [m]
 /// @return the same points in the same cells, ordered as sort_into_grid() does; of cells whose

@@ -19,7 +19,9 @@ constexpr double kSame = 0.5;    // of a cell between two means across their bor
 constexpr double kBeside = 0.3;  // of a cell between them along it: noise moves none there; chosen
 constexpr double kThin = 0.23;   // of a cell, deviation of its points: 0.29 fill it; chosen
 constexpr double kBroad = 0.15;  // of a cell, deviation of points of a surface along it; chosen
-constexpr double kFew = 0.2;     // of the neighbour's points: what noise carries over; chosen
+constexpr double kUneven = 4;    // of two deviations: noise cut in two has up to 3; chosen
+constexpr std::size_t kLeast = 9;  // points of both: fewer tell little of how they spread; chosen
+constexpr double kFew = 0.2;       // of the neighbour's points: what noise carries over; chosen
 
 /// The entries of a cell, and what is known of their points.
 struct FilledCell {
@@ -103,13 +105,17 @@ class Joiner {
   void meet(std::size_t one, std::size_t other, int axis) {
     if (cells_[one].count() > cells_[other].count()) std::swap(one, other);
     const FilledCell& fuller = cells_[other];
-    if (fuller.deviation[axis] > kThin * grid_.leaf[axis]) return;
+    const auto [thinner, thicker] =
+        std::minmax(fuller.deviation[axis], cells_[one].deviation[axis]);
+    if (thicker > kThin * grid_.leaf[axis]) return;
+    if (fuller.count() + cells_[one].count() < kLeast) return;
     Eigen::Vector3d off = (cells_[one].mean - fuller.mean).cwiseQuotient(grid_.leaf);
     const double distance = std::abs(off[axis]);
     off[axis] = 0;
     const bool few =
         static_cast<double>(cells_[one].count()) < kFew * static_cast<double>(fuller.count());
-    const bool same = distance < kSame && off.norm() < kBeside && is_broad(cells_[one], axis);
+    const bool same = distance < kSame && off.norm() < kBeside && is_broad(cells_[one], axis) &&
+                      thicker <= kUneven * thinner;
     if (!(few && distance < 1) && !same) return;
     if (distance >= nearest_[one]) return;
     nearest_[one] = distance;

@@ -25,7 +25,8 @@ LocalSurfaceFitter::LocalSurfaceFitter(const SurfacePair& surfaces, const Mappin
   along.reserve(residuals_.size());
   for (const Residual& residual : residuals_)
     along.push_back(mapping.similarity.scale * residual.along_normal);
-  noise_ = robust_deviation(std::move(along));
+  constexpr double kExact = 1e-9;  // [m] two clouds of the same bytes have a noise above 0; chosen
+  noise_ = std::max(robust_deviation(std::move(along)), kExact);
 }
 
 std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
@@ -58,15 +59,13 @@ std::vector<LocalSurfaceFitter::Height> LocalSurfaceFitter::heights_of(
 void LocalSurfaceFitter::weigh_down_edges(std::vector<Height>& heights) const {
   constexpr double kDeviations = 3;  // the farthest of eight neighbours on a face
   constexpr double kTypical = 2;     // medians: as on the rest of a curved face; chosen
-  constexpr double kExact = 1e-9;    // [m] a deviation above 0; chosen
   std::vector<double> blurs;
   for (const Height& each : heights)
     blurs.push_back(each.blur);
-  const double noise = std::max(noise_, kExact);
-  const double usual = std::max(kDeviations * noise, kTypical * quantile(std::move(blurs), 0.5));
+  const double usual = std::max(kDeviations * noise_, kTypical * quantile(std::move(blurs), 0.5));
   for (Height& each : heights) {
     const double beyond = std::max(0.0, each.blur - usual);
-    each.weight *= noise * noise / (noise * noise + beyond * beyond);
+    each.weight *= noise_ * noise_ / (noise_ * noise_ + beyond * beyond);
   }
 }
 

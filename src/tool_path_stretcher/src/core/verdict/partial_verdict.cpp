@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kNoisier = 1.5;    // times the noise of the best; chosen
 constexpr double kFewMore = 0.004;  // of the points known; chosen
+constexpr int kIterations = 30;     // at most; chosen
 
 /// Refuses where the other pose puts the path elsewhere.
 void refuse_another(const ToolPath& path, const SurfacePair& surfaces, const Mapping& best,
@@ -27,7 +28,6 @@ std::optional<Similarity> pose_of_partial_reference(const ToolPath& path,
                                                     PartialSearch& search,
                                                     const StretchParameters& parameters) {
   constexpr double kCostlier = 1.3;  // beyond, it shares too little to be a rival; chosen
-  constexpr int kIterations = 30;    // at most; chosen
   if (!search.is_certain()) return {};
   const Candidate& best = search.fits().front();
   const double noise = best.agreement->noise;
@@ -53,11 +53,17 @@ void check_rivals(const ToolPath& path, const SurfacePair& surfaces, const Mappi
   const bool partial = agreement.object_known < kWhole;
   if (!doubtful && !partial && best.graph.empty()) return;
   const double most = doubtful && !partial ? kShare * contradicted : contradicted + kFewMore;
+  const auto is_as_good = [&](const Agreement& other) {
+    return other.agreeing >= kAgreeing && other.noise <= kNoisier * agreement.noise &&
+           other.contradicted(agreement.noise) <= most;
+  };
   for (const Candidate& other : search.fits()) {
-    if (other.agreement->agreeing < kAgreeing) continue;
-    if (other.agreement->noise > kNoisier * agreement.noise) continue;
-    if (other.agreement->contradicted(agreement.noise) > most) continue;
-    refuse_another(path, surfaces, best, other.similarity, parameters);
+    if (!is_as_good(*other.agreement)) continue;
+    // Not wholly refined, it may be the best one beside its place.
+    const Similarity refined =
+        refine(surfaces, other.similarity, parameters.prior.scale, Density::kMany, kIterations);
+    if (is_as_good(search.agreement({refined, {}})))
+      refuse_another(path, surfaces, best, refined, parameters);
   }
 }
 
