@@ -19,33 +19,43 @@ constexpr double kSame = 0.5;    // of a cell between two means across their bor
 constexpr double kBeside = 0.3;  // of a cell between them along it: noise moves none there; chosen
 constexpr double kThin = 0.23;   // of a cell, deviation of its points: 0.29 fill it; chosen
 constexpr double kBroad = 0.15;  // of a cell, deviation of points of a surface along it; chosen
+constexpr double kFlat = 0.02;   // of a cell: no deviation, but for rounding; chosen
 constexpr double kUneven = 4;    // of two deviations: noise cut in two has up to 3; chosen
-constexpr std::size_t kLeast = 9;  // points of both: fewer tell little of how they spread; chosen
+constexpr std::size_t kLeast = 9;  // places in both: fewer tell little of how they spread; chosen
 constexpr double kFew = 0.2;       // of the neighbour's points: what noise carries over; chosen
 
 /// The entries of a cell, and what is known of their points.
 struct FilledCell {
   std::size_t begin, end;
+  std::size_t places;         // in which they lie: copies of a point say no more than it
   Eigen::Vector3d mean;       // [m]
   Eigen::Vector3d deviation;  // [m]
 
   std::size_t count() const { return end - begin; }
 };
 
+std::size_t places_of(std::vector<Eigen::Vector3d>& points) {
+  const auto before = [](const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+    return std::lexicographical_compare(one.begin(), one.end(), other.begin(), other.end());
+  };
+  std::sort(points.begin(), points.end(), before);
+  const auto end = std::unique(points.begin(), points.end());
+  return static_cast<std::size_t>(end - points.begin());
+}
+
 FilledCell filled(const std::vector<GridEntry>& entries, std::size_t begin, std::size_t end,
                   const Position& position) {
-  const Eigen::Vector3d origin =
-      position(entries[begin].point);  // far out, squares lose all digits
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
-  for (std::size_t i = begin; i != end; ++i) {
-    const Eigen::Vector3d off = position(entries[i].point) - origin;
-    sum += off;
-    squares += off.cwiseAbs2();
-  }
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = begin; i != end; ++i)
+    points.push_back(position(entries[i].point));
   const double count = static_cast<double>(end - begin);
-  const Eigen::Vector3d mean = sum / count;
-  return {begin, end, origin + mean, (squares / count - mean.cwiseAbs2()).cwiseMax(0).cwiseSqrt()};
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : points)
+    mean += point / count;
+  Eigen::Vector3d variance = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : points)
+    variance += (point - mean).cwiseAbs2() / count;
+  return {begin, end, places_of(points), mean, variance.cwiseSqrt()};
 }
 
 /// Finds for each cell the one that it goes with.
@@ -108,14 +118,14 @@ class Joiner {
     const auto [thinner, thicker] =
         std::minmax(fuller.deviation[axis], cells_[one].deviation[axis]);
     if (thicker > kThin * grid_.leaf[axis]) return;
-    if (fuller.count() + cells_[one].count() < kLeast) return;
+    if (fuller.places + cells_[one].places < kLeast) return;
     Eigen::Vector3d off = (cells_[one].mean - fuller.mean).cwiseQuotient(grid_.leaf);
     const double distance = std::abs(off[axis]);
     off[axis] = 0;
     const bool few =
         static_cast<double>(cells_[one].count()) < kFew * static_cast<double>(fuller.count());
     const bool same = distance < kSame && off.norm() < kBeside && is_broad(cells_[one], axis) &&
-                      thicker <= kUneven * thinner;
+                      thicker <= std::max(kUneven * thinner, kFlat * grid_.leaf[axis]);
     if (!(few && distance < 1) && !same) return;
     if (distance >= nearest_[one]) return;
     nearest_[one] = distance;
