@@ -80,10 +80,9 @@ bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
   return rviz::Panel::eventFilter(object, event);
 }
 
-/// The display that is there, as of a saved configuration, or a new one.
+/// The display that is there, as of a saved configuration; null: there is none.
 /// @param name where there may be several of the type; empty: any
-rviz::Display* SeatPanel::display_of(const QString& type, const QString& name,
-                                     const QString& title) {
+rviz::Display* SeatPanel::found_display(const QString& type, const QString& name) {
   std::vector<rviz::DisplayGroup*> groups = {vis_manager_->getRootDisplayGroup()};
   while (!groups.empty()) {
     rviz::DisplayGroup* const group = groups.back();
@@ -95,7 +94,23 @@ rviz::Display* SeatPanel::display_of(const QString& type, const QString& name,
       if (rviz::DisplayGroup* const inner = group->getGroupAt(i)) groups.push_back(inner);
     }
   }
-  return vis_manager_->createDisplay(type, title, true);
+  return nullptr;
+}
+
+/// The display that is there, or a new one.
+rviz::Display* SeatPanel::display_of(const QString& type, const QString& name,
+                                     const QString& title) {
+  rviz::Display* const found = found_display(type, name);
+  return found != nullptr ? found : vis_manager_->createDisplay(type, title, true);
+}
+
+/// Shows a topic, or hides it where it is shown.
+void SeatPanel::show_topic(const TopicDisplay& topic, bool shown) {
+  rviz::Display* const display = shown ? display_of(topic.type, topic.title, topic.title)
+                                       : found_display(topic.type, topic.title);
+  if (display == nullptr) return;
+  display->subProp(topic.property)->setValue(topic.topic);
+  display->setEnabled(shown);
 }
 
 void SeatPanel::show_handles(const QString& title, const std::string& topic) {
@@ -119,33 +134,17 @@ void SeatPanel::show_pose(int pose) {
 /// The reference, the picks and the path through them; only beside their page, for the reference
 /// would lie over the part.
 void SeatPanel::show_design(bool shown) {
-  if (shown == design_shown_) return;
-  design_shown_ = shown;
-  struct Part {
-    const char* type;
-    const char* topic_property;
-    const char* topic;
-    QString title;
-  };
-  const Part parts[] = {
-      {"rviz/Marker", "Marker Topic", "/part_recipes/reference", tr("new path, reference")},
-      {"rviz/Marker", "Marker Topic", "/part_recipes/picks", tr("new path, picks")},
-      {"rviz/Path", "Topic", "/part_recipes/designed_path", tr("new path")}};
-  for (const Part& part : parts) {
-    rviz::Display* const display = display_of(part.type, part.title, part.title);
-    display->subProp(part.topic_property)->setValue(part.topic);
-    display->setEnabled(shown);
-  }
+  show_topic({"rviz/Marker", "Marker Topic", "/part_recipes/reference", tr("new path, reference")},
+             shown);
+  show_topic({"rviz/Marker", "Marker Topic", "/part_recipes/picks", tr("new path, picks")}, shown);
+  show_topic({"rviz/Path", "Topic", "/part_recipes/designed_path", tr("new path")}, shown);
 }
 
 /// Only beside their page: they lie over the part.
 void SeatPanel::show_passes(bool shown) {
-  if (shown == passes_shown_) return;
-  passes_shown_ = shown;
-  rviz::Display* const display =
-      display_of("rviz/MarkerArray", tr("passes of the scan"), tr("passes of the scan"));
-  display->subProp("Marker Topic")->setValue(QString::fromStdString(passes_->topic()));
-  display->setEnabled(shown);
+  show_topic({"rviz/MarkerArray", "Marker Topic", QString::fromStdString(passes_->topic()),
+              tr("passes of the scan")},
+             shown);
   passes_->show(shown);
 }
 

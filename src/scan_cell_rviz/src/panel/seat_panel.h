@@ -5,7 +5,6 @@
 #include <rviz/panel.h>
 
 #include <memory>
-#include <optional>
 
 #include "link/seat_links.h"
 #include "seat/seat.h"
@@ -32,12 +31,22 @@ class SeatPanel : public rviz::Panel {
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
+  /// A display of rviz that shows a topic.
+  struct TopicDisplay {
+    const char* type;
+    const char* property;  // that names the topic
+    QString topic;
+    QString title;
+  };
+
   /// @return whether the window may close
   bool may_close();
   void apply_config();
   void use_tool(const QString& name);
+  rviz::Display* found_display(const QString& type, const QString& name);
   rviz::Display* display_of(const QString& type, const QString& name, const QString& title);
   void show_handles(const QString& title, const std::string& topic);
+  void show_topic(const TopicDisplay& topic, bool shown);
   void show_path();
   void show_pose(int pose);
   void show_design(bool shown);
@@ -49,8 +58,6 @@ class SeatPanel : public rviz::Panel {
   std::unique_ptr<WaypointHandles> waypoint_;
   std::unique_ptr<PassHandles> passes_;
   Seat* seat_ = nullptr;
-  std::optional<bool> design_shown_;  // none: not known, as of a saved configuration
-  std::optional<bool> passes_shown_;
   QString person_;
   QString pose_file_;
 };
