@@ -118,13 +118,7 @@ Busy CellLink::busy() const {
 /// Runs a task aside; what it throws becomes failed().
 template <class Task>
 void CellLink::ask(Worker& worker, Task task) {
-  worker.add([this, task] {
-    try {
-      task();
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromStdString(error.what()));
-    }
-  });
+  worker.add(task, [this](const QString& message) { Q_EMIT failed(message); });
 }
 
 void CellLink::list_recipes() {

@@ -34,17 +34,14 @@ void DesignLink::start() {
 
 void DesignLink::design(const scan_cell_msgs::DesignPathRequest& request) {
   const int number = ++latest_;
-  worker_->add([this, request, number] {
+  const auto task = [this, request, number] {
     // What is to be saved is saved, whatever was asked for since.
     if (number != latest_ && request.save_as.empty()) return;
-    try {
-      auto answer = scan_cell::ask<scan_cell_msgs::DesignPath>(names_.recipes + "/design", request,
-                                                               kDesignTimeout);
-      Q_EMIT designed(request, answer);
-    } catch (const std::exception& error) {
-      Q_EMIT refused(QString::fromStdString(error.what()));
-    }
-  });
+    const auto answer = scan_cell::ask<scan_cell_msgs::DesignPath>(names_.recipes + "/design",
+                                                                   request, kDesignTimeout);
+    Q_EMIT designed(request, answer);
+  };
+  worker_->add(task, [this](const QString& message) { Q_EMIT refused(message); });
 }
 
 }  // namespace scan_cell_rviz

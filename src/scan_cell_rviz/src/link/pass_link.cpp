@@ -29,33 +29,30 @@ PassLink::~PassLink() {
 }
 
 void PassLink::load(const QString& recipe) {
-  worker_->add([this, recipe] {
-    try {
-      EditProgram::Request request;
-      request.recipe = recipe.toStdString();
-      Q_EMIT programCame(recipe, scan_cell::call<EditProgram>(names_.recipes + "/program", request,
-                                                              kProgramTimeout));
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromStdString(error.what()));
-    }
+  EditProgram::Request request;
+  request.recipe = recipe.toStdString();
+  edit(request, [this, recipe](const EditProgram::Response& program) {
+    Q_EMIT programCame(recipe, program);
   });
 }
 
 void PassLink::save(const QString& recipe, const std::string& frame,
                     const std::vector<scan_cell_msgs::ScanPass>& passes) {
-  worker_->add([=] {
-    try {
-      EditProgram::Request request;
-      request.recipe = recipe.toStdString();
-      request.set = 1;
-      request.frame = frame;
-      request.passes = passes;
-      scan_cell::call<EditProgram>(names_.recipes + "/program", request, kProgramTimeout);
-      Q_EMIT programSaved(recipe);
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromStdString(error.what()));
-    }
-  });
+  EditProgram::Request request;
+  request.recipe = recipe.toStdString();
+  request.set = 1;
+  request.frame = frame;
+  request.passes = passes;
+  edit(request, [this, recipe](const EditProgram::Response&) { Q_EMIT programSaved(recipe); });
+}
+
+/// @param end gets the answer
+template <class End>
+void PassLink::edit(const scan_cell_msgs::EditProgramRequest& request, const End& end) {
+  const auto task = [this, request, end] {
+    end(scan_cell::call<EditProgram>(names_.recipes + "/program", request, kProgramTimeout));
+  };
+  worker_->add(task, [this](const QString& message) { Q_EMIT failed(message); });
 }
 
 void PassLink::check(const std::string& frame,

@@ -44,6 +44,9 @@ class PassLink : public QObject {
   void failed(QString message);
 
  private:
+  template <class End>
+  void edit(const scan_cell_msgs::EditProgramRequest& request, const End& end);
+
   const NodeNames names_;
   std::atomic<int> latest_{0};  // of the checks
   std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();

@@ -51,17 +51,14 @@ void TeachLink::start() {
 }
 
 void TeachLink::record(const QString& file) {
-  worker_->add([this, file] {
-    try {
-      scan_cell_msgs::RecordPose::Request request;
-      request.file = file.toStdString();
-      const auto answer = scan_cell::call<scan_cell_msgs::RecordPose>(names_.cell + "/record_pose",
-                                                                      request, kRecordTimeout);
-      Q_EMIT recorded(words_of(answer, file));
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromStdString(error.what()));
-    }
-  });
+  const auto task = [this, file] {
+    scan_cell_msgs::RecordPose::Request request;
+    request.file = file.toStdString();
+    const auto answer = scan_cell::call<scan_cell_msgs::RecordPose>(names_.cell + "/record_pose",
+                                                                    request, kRecordTimeout);
+    Q_EMIT recorded(words_of(answer, file));
+  };
+  worker_->add(task, [this](const QString& message) { Q_EMIT failed(message); });
 }
 
 void TeachLink::tell_joints() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/worker.h"
 
+#include <exception>
 #include <utility>
 
 namespace scan_cell_rviz {
@@ -24,6 +25,16 @@ void Worker::add(std::function<void()> task) {
     tasks_.push_back(std::move(task));
   }
   changed_.notify_one();
+}
+
+void Worker::add(std::function<void()> task, std::function<void(QString message)> failed) {
+  add([task = std::move(task), failed = std::move(failed)] {
+    try {
+      task();
+    } catch (const std::exception& error) {
+      failed(QString::fromStdString(error.what()));
+    }
+  });
 }
 
 void Worker::work() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QString>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -20,6 +21,9 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   void add(std::function<void()> task);
+
+  /// @param failed gets what the task throws, by the worker's thread
+  void add(std::function<void()> task, std::function<void(QString message)> failed);
 
  private:
   void work();

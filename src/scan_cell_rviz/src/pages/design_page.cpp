@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pages/design_page.h"
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QScrollArea>
@@ -10,6 +12,7 @@
 
 #include "scan_cell_common/pose/units.h"
 #include "widgets/labels_and_buttons.h"
+#include "widgets/recipe_box.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -117,12 +120,7 @@ unsigned char DesignPage::way() const {
 }
 
 void DesignPage::show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes) {
-  const QString before = recipe_->currentText();
-  recipe_->clear();
-  for (const auto& recipe : recipes)
-    recipe_->addItem(QString::fromStdString(recipe.name));
-  recipe_->setCurrentIndex(recipe_->findText(before));  // -1: none is chosen
-  if (recipe_->currentText() != before) choose_recipe();
+  if (list_recipes(recipes, *recipe_)) choose_recipe();
   update_buttons();
 }
 
@@ -159,13 +157,8 @@ void DesignPage::ask(bool make, const QString& save_as) {
     request.parameter_values.push_back(value);
   }
   if (request.way == DesignPathRequest::PICKS)
-    for (const Eigen::Vector3d& pick : session_.picks()) {
-      geometry_msgs::Point point;
-      point.x = pick.x();
-      point.y = pick.y();
-      point.z = pick.z();
-      request.picks.push_back(point);
-    }
+    for (const Eigen::Vector3d& pick : session_.picks())
+      request.picks.push_back(tf2::toMsg(pick));
   request.save_as = save_as.toStdString();
   saving_ = saving_ || !save_as.isEmpty();
   update_buttons();

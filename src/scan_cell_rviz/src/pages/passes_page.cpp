@@ -9,6 +9,7 @@
 
 #include "scan_cell_common/pose/units.h"
 #include "widgets/labels_and_buttons.h"
+#include "widgets/recipe_box.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -92,12 +93,7 @@ void PassesPage::lay_out() {
 }
 
 void PassesPage::show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes) {
-  const QString before = recipe_->currentText();
-  recipe_->clear();
-  for (const auto& recipe : recipes)
-    recipe_->addItem(QString::fromStdString(recipe.name));
-  recipe_->setCurrentIndex(recipe_->findText(before));  // -1: none is chosen
-  if (recipe_->currentText() != before) session_.open("", {});
+  if (list_recipes(recipes, *recipe_)) session_.open("", {});
   update_buttons();
 }
 

@@ -3,6 +3,7 @@
 #include "view/passes/pass_handles.h"
 
 #include <ros/this_node.h>
+#include <tf2_eigen/tf2_eigen.h>
 
 #include <QTimer>
 #include <cmath>
@@ -51,14 +52,10 @@ std::vector<Vector3d> arc_through(const Vector3d& start, const Vector3d& via, co
   return points;
 }
 
-Vector3d place_of(const geometry_msgs::Pose& pose) {
-  return {pose.position.x, pose.position.y, pose.position.z};
-}
-
 std::vector<Vector3d> way_of(const ScanPass& pass) {
   std::vector<Vector3d> places;
   for (const geometry_msgs::Pose& pose : pass.poses)
-    places.push_back(place_of(pose));
+    tf2::fromMsg(pose.position, places.emplace_back());
   constexpr std::size_t kOfAnArc = 3;
   return pass.kind == ScanPass::ARC && places.size() == kOfAnArc
              ? arc_through(places[0], places[1], places[2])
@@ -81,14 +78,6 @@ Marker marker_of(const PassSession& session, std::size_t pass, const char* name,
   return marker;
 }
 
-geometry_msgs::Point to_point(const Vector3d& place) {
-  geometry_msgs::Point point;
-  point.x = place.x();
-  point.y = place.y();
-  point.z = place.z();
-  return point;
-}
-
 std::string words_of(const PassSession& session, std::size_t pass) {
   const std::string& name = session.passes()[pass].name;
   const std::string shown = name.empty() ? std::to_string(pass + 1) : name;
@@ -107,7 +96,7 @@ MarkerArray pass_markers(const PassSession& session) {
   for (std::size_t i = 0; i < session.passes().size(); ++i) {
     Marker line = marker_of(session, i, "passes", Marker::LINE_STRIP);
     for (const Vector3d& place : way_of(session.passes()[i]))
-      line.points.push_back(to_point(place));
+      line.points.push_back(tf2::toMsg(place));
     if (line.points.empty()) continue;
     Marker poses = marker_of(session, i, "poses", Marker::SPHERE_LIST);
     poses.scale.x = poses.scale.y = poses.scale.z = kBall;

@@ -14,7 +14,8 @@ struct SurfacePair {
   const Surface& object;
 };
 
-/// [m] of a surface, from its size: a box's, filled evenly, whose variances are w^2 / 12.
+/// [m] diagonal of the box in which evenly spread points would lie as far apart as the surface's:
+/// the variances of one are w^2 / 12. Limits that are a share of the part are one of this.
 inline double length_of(const Surface& surface) {
   return std::sqrt(12.0) * surface.size;
 }
