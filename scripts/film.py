@@ -9,7 +9,8 @@ import tempfile
 
 from PIL import Image
 
-STAGES = ['part', 'scan', 'refused', 'clean', 'fit', 'not_worked', 'work', 'history']  # as test_shift.cpp takes them
+STAGES = ['part', 'teach', 'scan', 'refused', 'clean', 'fit', 'path', 'not_worked', 'work', 'history', 'new_path',
+          'passes']  # as test_shift.cpp takes them
 SECONDS = 2.5  # for each; chosen
 COLOURS = 64  # enough for widgets; keeps the file small
 MAX_BYTES = 3e6

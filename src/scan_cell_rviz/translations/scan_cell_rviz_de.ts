@@ -341,6 +341,14 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>%1 points stay</source>
         <translation>%1 Punkte bleiben</translation>
     </message>
+    <message>
+        <source>being drawn</source>
+        <translation>wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>; %1 % of all are drawn, as many as this computer draws in time</source>
+        <translation>; %1 % aller Punkte sind gezeichnet: so viele, wie dieser Rechner rechtzeitig zeichnet</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::EditSession</name>
@@ -922,6 +930,14 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>&amp;9 Passes</source>
         <translation>&amp;9 Scanbahnen</translation>
+    </message>
+    <message>
+        <source>F&amp;it the view</source>
+        <translation>In die &amp;Mitte holen</translation>
+    </message>
+    <message>
+        <source>Brings what the page is about into the middle of the 3D view</source>
+        <translation>Bringt das, worum es auf der Seite geht, in die Mitte der 3D-Ansicht</translation>
     </message>
 </context>
 <context>

@@ -127,13 +127,13 @@ MarkerArray expected_markers(const RunView& view, const std_msgs::Header& header
 
 MarkerArray sign_markers(const RunView& view, const std::vector<DeviationMark>& marks,
                          const Eigen::AlignedBox3d& object, const std_msgs::Header& header) {
-  constexpr double kLetters = 0.04;  // of the object's diagonal; chosen
+  constexpr double kLetters = 0.04, kAbove = 0.3;  // of the object's diagonal; chosen
   MarkerArray all;
   all.markers = {none_of("verdict", header)};
   if (object.isEmpty()) return all;
   const double height = kLetters * object.diagonal().norm();
   const Eigen::Vector3d above(object.center().x(), object.center().y(),
-                              object.max().z() + 4 * height);
+                              object.max().z() + kAbove * object.diagonal().norm());
   all.markers.push_back(text_at("verdict", 0, above, in_lines(view.verdict), height, header));
   if (view.tolerance > 0) add_scale(view.tolerance, object, height, header, all);
   for (std::size_t i = 0; i < marks.size(); ++i)

@@ -55,11 +55,12 @@ void PickSession::close() {
   clear();
 }
 
-Vector3d PickSession::middle() const {
+Eigen::AlignedBox3d PickSession::box() const {
   Eigen::AlignedBox3d box;
+  if (!is_open()) return box;
   for (const geometry_msgs::Point& corner : reference_->points)
     box.extend(position(corner));
-  return box.center();
+  return box;
 }
 
 bool PickSession::pick(const Ray& ray) {

@@ -4,6 +4,7 @@
 
 #include <visualization_msgs/Marker.h>
 
+#include <Eigen/Geometry>
 #include <QObject>
 #include <optional>
 #include <string>
@@ -35,7 +36,7 @@ class PickSession : public QObject {
   void clear();  ///< and nothing can be undone
 
   bool is_open() const { return reference_ != nullptr && !reference_->points.empty(); }
-  Eigen::Vector3d middle() const;  ///< [m] of the reference
+  Eigen::AlignedBox3d box() const;  ///< [m] around the reference; empty: none is in view
   std::string frame() const { return is_open() ? reference_->header.frame_id : ""; }
   const std::vector<Eigen::Vector3d>& picks() const { return picks_; }  ///< [m]
   bool can_redo() const { return !undone_.empty(); }

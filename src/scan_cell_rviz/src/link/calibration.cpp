@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "link/cell_link.h"
-#include "link/signs.h"
 #include "scan_cell_common/files/sha256.h"
+#include "signs/signs.h"
 
 namespace scan_cell_rviz {
 

@@ -7,11 +7,12 @@
 #include <scan_cell_msgs/PreviewRun.h>
 
 #include <QMetaType>
+#include <algorithm>
 #include <utility>
 
-#include "link/signs.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/node_process.h"
+#include "signs/signs.h"
 
 namespace scan_cell_rviz {
 
@@ -20,6 +21,7 @@ using scan_cell_msgs::RunRecipeResult;
 
 namespace {
 
+constexpr const char *kRun = "/run", *kScan = "/scan", *kWork = "/work";  // actions
 constexpr double kLook = 0.25;          // [s] between two looks at what is there; chosen
 constexpr int kLooksAList = 4;          // while there is none: every second; chosen
 constexpr int kLooksAPresence = 4;      // that is every second; chosen
@@ -62,7 +64,7 @@ bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
 CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_) {
   register_types();
   node_.setCallbackQueue(&queue_);
-  client_ = std::make_unique<Client>(node_, names_.recipes + "/run");
+  client_ = std::make_unique<Client>(node_, names_.recipes + kRun);
   robot_ = node_.subscribe<scan_cell_msgs::RobotStatus>(
       names_.robot + "/status", 10,
       [this](const auto& robot) { hear(Device::kRobot, sign_of(*robot)); });
@@ -73,14 +75,18 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
       names_.cell + "/state", 10,
       [this](const auto& cell) { hear(Device::kCell, sign_of(*cell)); });
   diagnostics_ = node_.subscribe("/diagnostics", 10, &CellLink::on_diagnostics, this);
-  status_ = node_.subscribe(names_.recipes + "/run/status", 10, &CellLink::on_status, this);
+  follow(names_.recipes + kRun);
+  for (const char* const action : {kScan, kWork})  // by other programs than the recipes' node, too
+    follow(names_.cell + action);
+  cancel_scan_ = node_.advertise<actionlib_msgs::GoalID>(names_.cell + kScan + "/cancel", 1);
+  cancel_work_ = node_.advertise<actionlib_msgs::GoalID>(names_.cell + kWork + "/cancel", 1);
   raw_ = node_.subscribe<sensor_msgs::PointCloud2>(
       names_.recipes + "/raw", 1, [this](const auto& raw) { Q_EMIT rawCame(raw); });
   preview_ = node_.subscribe<scan_cell_msgs::WorkPreview>(
       names_.cell + "/work_preview", 10,
       [this](const auto& preview) { Q_EMIT previewed(preview); });
   feedback_.push_back(node_.subscribe<scan_cell_msgs::ScanActionFeedback>(
-      names_.cell + "/scan/feedback", 10, [this](const auto& news) {
+      names_.cell + kScan + "/feedback", 10, [this](const auto& news) {
         const auto& scan = news->feedback;
         Q_EMIT progressed(tr("%1, %2 frames, %3 points")
                               .arg(QString::fromStdString(scan.step_name))
@@ -89,7 +95,7 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
                           scan.progress);
       }));
   feedback_.push_back(node_.subscribe<scan_cell_msgs::WorkActionFeedback>(
-      names_.cell + "/work/feedback", 10, [this](const auto& news) {
+      names_.cell + kWork + "/feedback", 10, [this](const auto& news) {
         const auto& work = news->feedback;
         Q_EMIT progressed(
             tr("%1, %2 waypoints").arg(QString::fromStdString(work.doing)).arg(work.passed),
@@ -112,7 +118,7 @@ void CellLink::start() {
 Busy CellLink::busy() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (ours_) return Busy::kOurs;
-  return others_ ? Busy::kOthers : Busy::kFree;
+  return under_way_.empty() ? Busy::kFree : Busy::kOthers;
 }
 
 /// Runs a task aside; what it throws becomes failed().
@@ -253,8 +259,15 @@ void CellLink::send(const RunRecipeGoal& goal) {
       [this](const auto& news) { Q_EMIT progressed(QString::fromStdString(news.stage), -1); });
 }
 
+/// The recipes' node ends what it began in the cell by itself, and knows then why it ended.
 void CellLink::stop() {
   client_->cancel_all();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (ours_ || under_way_.count(names_.recipes + kRun) > 0) return;
+  }
+  cancel_scan_.publish(actionlib_msgs::GoalID());
+  cancel_work_.publish(actionlib_msgs::GoalID());
 }
 
 void CellLink::end(const RunRecipeResult& result) {
@@ -263,20 +276,28 @@ void CellLink::end(const RunRecipeResult& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!ours_) return;
     ours_ = false;
+    under_way_.clear();  // by this goal; what others do is told again
     was = doing_;
   }
   Q_EMIT runEnded(result, was);
   Q_EMIT busyChanged(busy());
 }
 
-void CellLink::on_status(const actionlib_msgs::GoalStatusArray& status) {
-  bool any = false;
-  for (const actionlib_msgs::GoalStatus& goal : status.status_list)
-    any = any || is_under_way(goal);
+void CellLink::follow(const std::string& action) {
+  status_[action] = node_.subscribe<actionlib_msgs::GoalStatusArray>(
+      action + "/status", 10, [this, action](const auto& status) { on_status(action, *status); });
+}
+
+void CellLink::on_status(const std::string& action, const actionlib_msgs::GoalStatusArray& status) {
+  const auto& goals = status.status_list;
+  const bool any = std::any_of(goals.begin(), goals.end(), is_under_way);
   const Busy before = busy();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    others_ = any && !ours_;
+    if (any)
+      under_way_.insert(action);
+    else
+      under_way_.erase(action);
   }
   if (busy() != before) Q_EMIT busyChanged(busy());
 }
@@ -324,7 +345,8 @@ void CellLink::show_presence(Device device, const ros::Subscriber& subscriber) {
 void CellLink::look_for_nodes() {
   if (looking_.exchange(true)) return;
   presence_worker_->add([this] {
-    for (const ros::Subscriber* const subscriber : {&robot_, &trigger_, &cell_, &status_}) {
+    ros::Subscriber* const recipes = &status_.at(names_.recipes + kRun);
+    for (ros::Subscriber* const subscriber : {&robot_, &trigger_, &cell_, recipes}) {
       const std::string topic = subscriber->getTopic();
       const std::optional<bool> there = scan_cell_common::is_published(topic);
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -347,8 +369,11 @@ void CellLink::look() {
   show_presence(Device::kCell, cell_);
   if ((ros::WallTime::now() - camera_seen_).toSec() > kCameraSilent)
     show(Device::kCamera, {Level::kGone, names_.camera + " tells nothing on /diagnostics"});
-  if (is_missed(status_)) {
-    on_status({});
+  if (is_missed(cell_))
+    for (const char* const action : {kScan, kWork})
+      on_status(names_.cell + action, {});
+  if (is_missed(status_.at(names_.recipes + kRun))) {
+    on_status(names_.recipes + kRun, {});
     listed_ = false;
     if (!std::exchange(recipes_missed_, true))
       Q_EMIT recipesMissed(tr("%1 is not running: start the cell with recipes:=FOLDER")

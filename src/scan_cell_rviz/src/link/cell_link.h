@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <actionlib_msgs/GoalID.h>
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/callback_queue.h>
@@ -23,6 +24,7 @@
 #include <QString>
 #include <array>
 #include <atomic>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,9 +33,9 @@
 #include <vector>
 
 #include "link/node_names.h"
-#include "link/sign.h"
 #include "link/worker.h"
 #include "scan_cell_common/ros/goal_client.h"
+#include "signs/sign.h"
 
 namespace scan_cell_rviz {
 
@@ -120,7 +122,8 @@ class CellLink : public QObject {
   void show_presence(Device device, const ros::Subscriber& subscriber);
   void look_for_nodes();
   bool is_missed(const ros::Subscriber& subscriber) const;
-  void on_status(const actionlib_msgs::GoalStatusArray& status);
+  void follow(const std::string& action);
+  void on_status(const std::string& action, const actionlib_msgs::GoalStatusArray& status);
   void on_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics);
   template <class Task>
   void ask(Worker& worker, Task task);
@@ -130,7 +133,9 @@ class CellLink : public QObject {
   ros::NodeHandle node_;
   std::unique_ptr<Client> client_;
   std::vector<ros::Subscriber> feedback_;
-  ros::Subscriber robot_, trigger_, cell_, diagnostics_, status_, raw_, preview_;
+  ros::Subscriber robot_, trigger_, cell_, diagnostics_, raw_, preview_;
+  std::map<std::string, ros::Subscriber> status_;  // of each action
+  ros::Publisher cancel_scan_, cancel_work_;
   ros::WallTimer timer_;
 
   mutable std::mutex mutex_;
@@ -138,7 +143,7 @@ class CellLink : public QObject {
   std::array<std::optional<Sign>, kDevices> heard_;  // what each said last
   std::set<std::string> missed_;                     // topics that nobody publishes
   bool ours_ = false;                                // a goal of this seat is under way
-  bool others_ = false;                              // one of another's is
+  std::set<std::string> under_way_;                  // actions that have a goal, anybody's
   Doing doing_ = Doing::kRun;                        // the goal of this seat
   int goal_ = 0;                 // counts, so that a late end of an old one is told apart
   ros::WallTime sent_, unseen_;  // unseen: since when the server is gone; zero: it is there

@@ -36,6 +36,7 @@ void SeatPanel::onInitialize() {
       *links_,
       {shared_edit_session(), shared_path_session(), shared_pick_session(), shared_pass_session()},
       this);
+  views_ = std::make_unique<StageViews>(*vis_manager_);
   apply_config();
   layout()->addWidget(seat_);
   connect(seat_, &Seat::personChanged, this, &SeatPanel::configChanged);
@@ -43,8 +44,10 @@ void SeatPanel::onInitialize() {
   connect(seat_, &Seat::placeChosen, this, &SeatPanel::look_at);
   connect(seat_, &Seat::toolWanted, this, &SeatPanel::use_tool);
   connect(seat_, &Seat::poseChosen, this, &SeatPanel::show_pose);
-  connect(seat_, &Seat::designShown, this, &SeatPanel::show_design);
-  connect(seat_, &Seat::passesShown, this, &SeatPanel::show_passes);
+  connect(seat_, &Seat::pageShown, this, &SeatPanel::show_page);
+  connect(seat_, &Seat::placeCame, this, &SeatPanel::fit_view_once);
+  connect(seat_, &Seat::placeWanted, this, &SeatPanel::fit_view);
+  connect(&shared_edit_session(), &EditSession::changed, this, &SeatPanel::fit_view_once);
   box_ = std::make_unique<BoxHandles>(shared_edit_session());
   connect(seat_, &Seat::boxWanted, box_.get(), &BoxHandles::apply);
   waypoint_ = std::make_unique<WaypointHandles>(shared_path_session());
@@ -57,6 +60,7 @@ void SeatPanel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
   config.mapGetString("Person", &person_);
   config.mapGetString("Pose File", &pose_file_);
+  kept_views_.copy(config.mapGetChild("Views by Page"));
   if (seat_ != nullptr) apply_config();
 }
 
@@ -65,11 +69,14 @@ void SeatPanel::save(rviz::Config config) const {
   if (seat_ == nullptr) return;
   config.mapSetValue("Person", seat_->person());
   config.mapSetValue("Pose File", seat_->pose_file());
+  views_->save(config.mapMakeChild("Views by Page"));
 }
 
 void SeatPanel::apply_config() {
   seat_->set_person(person_);
   if (!pose_file_.isEmpty()) seat_->set_pose_file(pose_file_);
+  views_->load(kept_views_);
+  views_->show(seat_->page());
 }
 
 bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
@@ -165,6 +172,24 @@ void SeatPanel::use_tool(const QString& name) {
   for (int i = 0; i < tools->numTools(); ++i)
     if (tools->getTool(i)->getClassId() == wanted) return tools->setCurrentTool(tools->getTool(i));
   tools->setCurrentTool(tools->addTool(wanted));
+}
+
+void SeatPanel::show_page(Page page) {
+  views_->show(page);
+  show_design(page == Page::kDesign);
+  show_passes(page == Page::kPasses);
+  fit_view_once();
+}
+
+void SeatPanel::fit_view() {
+  if (const auto place = seat_->place()) views_->fit(*place);
+}
+
+/// As long as nobody has chosen from where the page is seen. The first page and the robot's are
+/// about the cell.
+void SeatPanel::fit_view_once() {
+  const Page page = seat_->page();
+  if (page != Page::kPart && page != Page::kTeach && !views_->has_view()) fit_view();
 }
 
 /// Turns the view; where the frame is not known to rviz, it stays.

@@ -11,6 +11,7 @@
 #include "view/passes/pass_handles.h"
 #include "view/path/waypoint_handles.h"
 #include "view/scan/box_handles.h"
+#include "view/stage/stage_views.h"
 
 namespace rviz {
 class Display;
@@ -51,15 +52,20 @@ class SeatPanel : public rviz::Panel {
   void show_pose(int pose);
   void show_design(bool shown);
   void show_passes(bool shown);
+  void show_page(Page page);
+  void fit_view();
+  void fit_view_once();
   void look_at(double x, double y, double z, const QString& frame);
 
   std::unique_ptr<SeatLinks> links_;
   std::unique_ptr<BoxHandles> box_;
   std::unique_ptr<WaypointHandles> waypoint_;
   std::unique_ptr<PassHandles> passes_;
+  std::unique_ptr<StageViews> views_;
   Seat* seat_ = nullptr;
   QString person_;
   QString pose_file_;
+  rviz::Config kept_views_;  // as the settings have them
 };
 
 }  // namespace scan_cell_rviz

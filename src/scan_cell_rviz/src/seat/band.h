@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <array>
 
-#include "link/sign.h"
+#include "signs/sign.h"
 
 namespace scan_cell_rviz {
 

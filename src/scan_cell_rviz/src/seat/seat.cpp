@@ -5,6 +5,8 @@
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -30,6 +32,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
       designs_(links.design),
       pass_link_(links.passes),
       edits_(sessions.edits),
+      path_session_(sessions.path),
       picks_(sessions.picks),
       pass_session_(sessions.passes),
       band_(new Band(this)),
@@ -46,17 +49,19 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
       doing_(text_label("doing", this)),
       progress_(new QProgressBar(this)),
       stop_(new QPushButton(tr("S&top"), this)),
+      look_(named_button("look", tr("F&it the view"), this)),
       trouble_(text_label("trouble", this)) {
+  look_->setToolTip(tr("Brings what the page is about into the middle of the 3D view"));
   pages_->setObjectName("pages");
-  pages_->addTab(part_, tr("&1 Part"));
-  pages_->addTab(clean_, tr("&2 Clean"));
-  pages_->addTab(fit_, tr("&3 Fit"));
-  pages_->addTab(path_, tr("&4 Path"));
-  pages_->addTab(work_, tr("&5 Work"));
-  pages_->addTab(history_, tr("&6 History"));
-  pages_->addTab(teach_, tr("&7 Teach"));
-  pages_->addTab(design_, tr("&8 New path"));
-  pages_->addTab(passes_, tr("&9 Passes"));
+  add_page(part_, tr("&1 Part"));
+  add_page(clean_, tr("&2 Clean"));
+  add_page(fit_, tr("&3 Fit"));
+  add_page(path_, tr("&4 Path"));
+  add_page(work_, tr("&5 Work"));
+  add_page(history_, tr("&6 History"));
+  add_page(teach_, tr("&7 Teach"));
+  add_page(design_, tr("&8 New path"));
+  add_page(passes_, tr("&9 Passes"));
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
@@ -65,6 +70,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   auto* const under_way = new QHBoxLayout;
   under_way->addWidget(progress_, 1);
   under_way->addWidget(stop_);
+  under_way->addWidget(look_);
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(band_);
   layout->addWidget(doing_);
@@ -80,6 +86,22 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   connect_passes();
   show_busy(link_.busy());
   tell(QString());
+}
+
+/// A low screen shows a part of it.
+void Seat::add_page(QWidget* page, const QString& title) {
+  auto* const scrolled = new QScrollArea(this);
+  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scrolled->setMinimumWidth(page->minimumSizeHint().width() +
+                            scrolled->verticalScrollBar()->sizeHint().width());
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setWidgetResizable(true);
+  scrolled->setWidget(page);
+  pages_->addTab(scrolled, title);
+}
+
+void Seat::show_page(Page page) {
+  pages_->setCurrentIndex(static_cast<int>(page));
 }
 
 void Seat::connect_link() {
@@ -100,6 +122,7 @@ void Seat::connect_link() {
     fit_->show_run(run);
     path_->show_run(run);
     work_->show_run(run.run);
+    Q_EMIT placeCame();
   });
 }
 
@@ -132,15 +155,15 @@ void Seat::connect_pages() {
   connect(teach_, &TeachPage::fileChanged, this, &Seat::poseFileChanged);
   connect(history_, &HistoryPage::refreshWanted, &link_, &CellLink::list_runs);
   connect(history_, &HistoryPage::runChosen, this, [this](const QString& run) {
-    pages_->setCurrentWidget(fit_);
+    show_page(Page::kFit);
     link_.describe(run);
   });
   connect(pages_, &QTabWidget::currentChanged, this, [this] {
-    if (pages_->currentWidget() == history_) link_.list_runs();
-    Q_EMIT designShown(pages_->currentWidget() == design_);
-    Q_EMIT passesShown(pages_->currentWidget() == passes_);
+    if (page() == Page::kHistory) link_.list_runs();
+    Q_EMIT pageShown(page());
   });
   connect(stop_, &QPushButton::clicked, &link_, &CellLink::stop);
+  connect(look_, &QPushButton::clicked, this, &Seat::placeWanted);
 }
 
 void Seat::connect_clean() {
@@ -165,6 +188,13 @@ void Seat::connect_clean() {
   connect(clean_, &CleanPage::boxWanted, this, &Seat::boxWanted);
 }
 
+std::optional<PlaceInView> Seat::place() const {
+  if (page() == Page::kDesign) return place_of(picks_);
+  if (page() == Page::kPasses) return place_of(pass_session_);
+  const auto path = place_of(path_session_);
+  return path ? path : place_of(edits_);
+}
+
 void Seat::connect_path() {
   connect(path_, &PathPage::saveWanted, this,
           [this](const QString& run, const QString& edits, const QString& note) {
@@ -178,11 +208,8 @@ void Seat::connect_path() {
 void Seat::connect_design() {
   connect(&designs_, &DesignLink::referenceCame, this, [this](const auto& reference) {
     if (reference->text != design_->recipe()) return;  // another seat's
-    const bool was_open = picks_.is_open();
     picks_.open(reference);
-    if (was_open || pages_->currentWidget() != design_ || !picks_.is_open()) return;
-    const Eigen::Vector3d middle = picks_.middle();
-    Q_EMIT placeChosen(middle.x(), middle.y(), middle.z(), QString::fromStdString(picks_.frame()));
+    Q_EMIT placeCame();
   });
   connect(&designs_, &DesignLink::designed, design_, &DesignPage::show_answer);
   connect(&designs_, &DesignLink::refused, design_, &DesignPage::show_end);
@@ -193,6 +220,7 @@ void Seat::connect_design() {
 
 void Seat::connect_passes() {
   connect(&pass_link_, &PassLink::programCame, passes_, &PassesPage::show_program);
+  connect(&pass_link_, &PassLink::programCame, this, &Seat::placeCame);
   connect(&pass_link_, &PassLink::checked, passes_, &PassesPage::show_checked);
   connect(&pass_link_, &PassLink::failed, passes_, &PassesPage::show_end);
   connect(&pass_link_, &PassLink::programSaved, this, [this](const QString& recipe) {
@@ -241,7 +269,7 @@ void Seat::show_end(const RunRecipeResult& result, Doing was) {
     work_->show_end((result.worked != 0 ? tr("Done. %1") : tr("Not worked: %1"))
                         .arg(QString::fromStdString(result.work_message)));
   else
-    pages_->setCurrentWidget(fit_);
+    show_page(Page::kFit);
   link_.describe(id);
 }
 

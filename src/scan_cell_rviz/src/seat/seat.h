@@ -7,20 +7,23 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <QWidget>
+#include <optional>
 
 #include "design/pick_session.h"
 #include "edit/edit_session.h"
 #include "link/seat_links.h"
-#include "pages/clean_page.h"
-#include "pages/design_page.h"
-#include "pages/fit_page.h"
-#include "pages/history_page.h"
-#include "pages/part_page.h"
-#include "pages/passes_page.h"
-#include "pages/path_page.h"
-#include "pages/teach_page.h"
-#include "pages/work_page.h"
+#include "pages/preparation/design_page.h"
+#include "pages/preparation/passes_page.h"
+#include "pages/preparation/teach_page.h"
+#include "pages/shift/clean_page.h"
+#include "pages/shift/fit_page.h"
+#include "pages/shift/history_page.h"
+#include "pages/shift/part_page.h"
+#include "pages/shift/path_page.h"
+#include "pages/shift/work_page.h"
 #include "seat/band.h"
+#include "seat/page.h"
+#include "seat/place_in_view.h"
 
 namespace scan_cell_rviz {
 
@@ -45,6 +48,9 @@ class Seat : public QWidget {
   void set_person(const QString& name) { fit_->set_person(name); }
   QString pose_file() const { return teach_->file(); }
   void set_pose_file(const QString& file) { teach_->set_file(file); }
+  Page page() const { return static_cast<Page>(pages_->currentIndex()); }
+  /// What the page is about: a run by its path, or by its scan where it has none.
+  std::optional<PlaceInView> place() const;
 
  Q_SIGNALS:
   void personChanged();
@@ -53,10 +59,13 @@ class Seat : public QWidget {
   void toolWanted(QString name);                                  ///< as CleanPage
   void boxWanted();                                               ///< likewise
   void poseChosen(int pose);                                      ///< of the preview, to be shown
-  void designShown(bool shown);                                   ///< the page of new paths
-  void passesShown(bool shown);                                   ///< the page of passes
+  void pageShown(Page page);
+  void placeCame();    ///< place() is another one
+  void placeWanted();  ///< in the middle of the view
 
  private:
+  void add_page(QWidget* page, const QString& title);
+  void show_page(Page page);
   void connect_link();
   void connect_pages();
   void connect_clean();
@@ -72,6 +81,7 @@ class Seat : public QWidget {
   DesignLink& designs_;
   PassLink& pass_link_;
   EditSession& edits_;
+  PathSession& path_session_;
   PickSession& picks_;
   PassSession& pass_session_;
   Band* band_;
@@ -88,6 +98,7 @@ class Seat : public QWidget {
   QLabel* doing_;
   QProgressBar* progress_;
   QPushButton* stop_;
+  QPushButton* look_;
   QLabel* trouble_;
 };
 

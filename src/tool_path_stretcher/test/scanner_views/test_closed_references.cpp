@@ -220,3 +220,15 @@ TEST(ClosedReferences, OfAGearAreNotLaidOnTheWrongTeeth) {
 TEST(ClosedReferences, OfAPlateAreNotTurnedOver) {
   expect_right("moved: slotted plate, moved");
 }
+
+TEST(ClosedReferences, OfTheOtherHandAreRefusedThoughAViewHidesOtherSidesOfThem) {
+  EXPECT_EQ(run_ours(view_of_case("to refuse: mounting base, mirrored", 8)).verdict,
+            "mirrored_part");
+}
+
+TEST(ClosedReferences, AreRefusedForARibAcrossThePathOfWhichOnlyTheTopIsSeen) {
+  EXPECT_EQ(run_ours(view_of_case(
+                         "to refuse: ribbed bracket with one rib elsewhere, for ribbed bracket", 8))
+                .verdict,
+            "wrong_part");
+}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/scan/edit_display.h"
 
+#include <OgreRoot.h>
 #include <OgreSceneNode.h>
 #include <rviz/properties/float_property.h>
 
@@ -15,35 +16,37 @@ namespace scan_cell_rviz {
 namespace {
 
 constexpr float kPixels = 3;  // of a point; chosen
-const Ogre::ColourValue kKept(0.85F, 0.85F, 0.85F);
+const Ogre::ColourValue kKept(0.95F, 0.95F, 0.95F);
 const Ogre::ColourValue kTaken(0.90F, 0.45F, 0.05F);  // orange: told from grey by all eyes
 
-/// Of each point of the source that stays, as long as no later edit takes it.
-std::vector<Ogre::ColourValue> colours_of(const EditedView& view) {
-  std::vector<Ogre::ColourValue> colours(view.source->size(), kKept);
-  for (const StageView& stage : view.stages) {
-    const auto* const colour =
-        std::find_if(kStageColours.begin(), kStageColours.end(),
-                     [&](const StageColour& known) { return stage.name == known.stage; });
-    if (colour == kStageColours.end()) continue;
-    for (const std::uint32_t i : stage.points)
-      colours[i] = Ogre::ColourValue(colour->red, colour->green, colour->blue);
-  }
-  return colours;
+// In the order of colours().
+enum Look : std::uint8_t { kNotDrawn, kStays, kWasTaken, kFirstStage };
+
+std::vector<Ogre::ColourValue> colours() {
+  std::vector<Ogre::ColourValue> all = {kKept, kTaken};
+  for (const StageColour& colour : kStageColours)
+    all.emplace_back(colour.red, colour.green, colour.blue);
+  return all;
 }
 
-/// @param colour_of a point of the source
-template <class ColourOf>
-void fill(rviz::PointCloud& shown, const EditedView& view,
-          const cloud_preprocess::EditedCloud::Indices& points, const ColourOf& colour_of) {
-  std::vector<rviz::PointCloud::Point> drawn;
-  drawn.reserve(points.size());
-  for (const std::uint32_t i : points) {
-    const auto& point = (*view.source)[i];
-    drawn.push_back({Ogre::Vector3(point.x, point.y, point.z), colour_of(i)});
+/// Of each point of the source. What a stage would take is marked as long as no later edit takes
+/// it.
+CloudPieces::Looks looks_of(const EditedView& view) {
+  CloudPieces::Looks looks(view.source->size(), kNotDrawn);
+  for (const std::uint32_t i : view.shown)
+    looks[i] = kStays;
+  std::uint8_t look = kFirstStage;
+  for (const StageColour& colour : kStageColours) {
+    for (const StageView& stage : view.stages) {
+      if (stage.name != colour.stage) continue;
+      for (const std::uint32_t i : stage.points)
+        if (looks[i] != kNotDrawn) looks[i] = look;
+    }
+    ++look;
   }
-  shown.clear();
-  if (!drawn.empty()) shown.addPoints(drawn.data(), static_cast<std::uint32_t>(drawn.size()));
+  for (const std::uint32_t i : view.last)
+    looks[i] = kWasTaken;
+  return looks;
 }
 
 }  // namespace
@@ -54,32 +57,22 @@ EditDisplay::EditDisplay() {
 }
 
 EditDisplay::~EditDisplay() {
-  for (const auto& cloud : {kept_.get(), taken_.get()})
-    if (cloud != nullptr && scene_node_ != nullptr) scene_node_->detachObject(cloud);
+  if (pieces_) Ogre::Root::getSingleton().removeFrameListener(this);
 }
 
 void EditDisplay::onInitialize() {
-  for (auto* const cloud : {&kept_, &taken_}) {
-    *cloud = std::make_unique<rviz::PointCloud>();
-    (*cloud)->setName(cloud == &kept_ ? "kept" : "taken");  // Ogre tells them apart by it
-    (*cloud)->setRenderMode(rviz::PointCloud::RM_POINTS);
-    scene_node_->attachObject(cloud->get());
-  }
+  pieces_ = std::make_unique<CloudPieces>(*scene_node_, colours());
+  Ogre::Root::getSingleton().addFrameListener(this);
   connect(&shared_edit_session(), &EditSession::changed, this, &EditDisplay::show);
   show();
 }
 
 void EditDisplay::show() {
-  if (!kept_ || !isEnabled()) return;  // millions of points that nobody sees
-  view_ = shared_edit_session().view();
-  for (auto* const cloud : {kept_.get(), taken_.get()})
-    cloud->setDimensions(size_->getFloat(), size_->getFloat(), size_->getFloat());
-  if (view_) {
-    const std::vector<Ogre::ColourValue> colours = colours_of(*view_);
-    fill(*kept_, *view_, view_->shown, [&](std::uint32_t i) { return colours[i]; });
-    fill(*taken_, *view_, view_->last, [](std::uint32_t) { return kTaken; });
-  }
-  context_->queueRender();
+  if (!pieces_ || !isEnabled()) return;  // millions of points that nobody sees
+  pieces_->set_size(size_->getFloat());
+  const EditedViewPtr view = shared_edit_session().view();
+  if (view) pieces_->show(view->source, looks_of(*view));
+  view_ = view;
 }
 
 void EditDisplay::update(float, float) {
@@ -90,7 +83,24 @@ void EditDisplay::update(float, float) {
                      QString::fromStdString("frame '" + view_->frame + "' is not known to rviz"));
   scene_node_->setPosition(frame->position);
   scene_node_->setOrientation(frame->orientation);
-  setStatus(rviz::StatusProperty::Ok, "Scan", tr("%1 points stay").arg(view_->kept.size()));
+  if (!pieces_->draw()) return setStatus(rviz::StatusProperty::Ok, "Scan", tr("being drawn"));
+  QString words = tr("%1 points stay").arg(view_->kept.size());
+  constexpr double kPercent = 100;
+  if (pieces_->share() < 1)
+    words += tr("; %1 % of all are drawn, as many as this computer draws in time")
+                 .arg(kPercent * pieces_->share(), 0, 'f', 0);
+  setStatus(rviz::StatusProperty::Ok, "Scan", words);
+}
+
+bool EditDisplay::frameStarted(const Ogre::FrameEvent&) {
+  picture_began_ = std::chrono::steady_clock::now();
+  return true;
+}
+
+bool EditDisplay::frameEnded(const Ogre::FrameEvent&) {
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - picture_began_;
+  if (isEnabled()) pieces_->follow(took.count());
+  return true;
 }
 
 void EditDisplay::reset() {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <OgreFrameListener.h>
 #include <rviz/display.h>
-#include <rviz/ogre_helpers/point_cloud.h>
 
+#include <chrono>
 #include <memory>
 
 #include "edit/edit_session.h"
+#include "view/scan/cloud_pieces.h"
 
 namespace rviz {
 class FloatProperty;
@@ -16,8 +18,9 @@ class FloatProperty;
 namespace scan_cell_rviz {
 
 /// The cloud that is cleaned by hand: what stays, and each in a colour of its own what the
-/// automatic stages would take and what the last edit took.
-class EditDisplay : public rviz::Display {
+/// automatic stages would take and what the last edit took. Where the computer is too slow for all
+/// points, some are drawn, and the status says how many.
+class EditDisplay : public rviz::Display, private Ogre::FrameListener {
   Q_OBJECT
 
  public:
@@ -35,10 +38,13 @@ class EditDisplay : public rviz::Display {
   void show();
 
  private:
+  bool frameStarted(const Ogre::FrameEvent& event) override;
+  bool frameEnded(const Ogre::FrameEvent& event) override;
+
   rviz::FloatProperty* size_;
-  std::unique_ptr<rviz::PointCloud> kept_;
-  std::unique_ptr<rviz::PointCloud> taken_;
-  EditedViewPtr view_;  // that is drawn
+  std::unique_ptr<CloudPieces> pieces_;
+  EditedViewPtr view_;  // that is drawn, or will be
+  std::chrono::steady_clock::time_point picture_began_;
 };
 
 }  // namespace scan_cell_rviz

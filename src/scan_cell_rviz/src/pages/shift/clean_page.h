@@ -1,0 +1,65 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QWidget>
+
+#include "edit/edit_session.h"
+#include "pages/shift/stages_box.h"
+
+namespace scan_cell_rviz {
+
+/// Cleaning by hand: how the next edit is made, which there are, and what they leave.
+class CleanPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  CleanPage(EditSession& session, QWidget* parent = nullptr);
+
+  /// The part type whose scan is in view; empty: none.
+  /// @param cleaning its settings, in YAML; empty: all as by default
+  void set_recipe(const QString& recipe, const QString& cleaning);
+
+  void show_end(const QString& message);  ///< of what was saved, or why not
+
+ Q_SIGNALS:
+  void toolWanted(QString name);  ///< of a tool of rviz, such as polygon; box, view
+  void boxWanted();               ///< the edit by the box in the view
+  void saveWanted(QString recipe, QString edits);         ///< YAML
+  void stagesSaveWanted(QString recipe, QString stages);  ///< YAML
+
+ private:
+  void lay_out();
+  void show_view();
+  static QString count_text(const EditedView& view);
+  void take_settings();
+  QDoubleSpinBox* length_box(const char* name, double metres, const QString& meaning);
+
+  EditSession& session_;
+  QString recipe_;
+  cloud_preprocess::CleanParameters given_;  // of the recipe
+  QStringList shown_edits_;
+  QLabel* count_;
+  QComboBox* what_;
+  QDoubleSpinBox* depth_;
+  QDoubleSpinBox* radius_;
+  QDoubleSpinBox* gap_;
+  QListWidget* edits_;
+  QPushButton* undo_;
+  QPushButton* redo_;
+  QPushButton* drop_;
+  QPushButton* show_;
+  QPushButton* take_over_;
+  QPushButton* save_;
+  StagesBox* stages_;
+  QLabel* end_;
+};
+
+}  // namespace scan_cell_rviz
+
+Q_DECLARE_METATYPE(scan_cell_rviz::EditAct)

@@ -1,0 +1,146 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A day at the seat with a fake node of recipes: run after run, each scanned, cleaned, approved and
+// worked.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QTest>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <vector>
+
+#include "fixtures/fake_recipes.h"
+#include "seat/seat.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+using scan_cell_msgs::RunSummary;
+
+constexpr int kPatience = 20000;  // [ms]
+constexpr int kSide = 50;         // of each scan: 125,000 points
+constexpr double kMegabyte = 1e6;
+constexpr double kMostGrowth =
+    25;  // [MB] from the first third to the last; a scan and its edits are 4
+
+/// [MB] that this process holds.
+double resident() {
+  std::ifstream statm("/proc/self/statm");
+  double all = 0, held = 0;
+  statm >> all >> held;
+  return held * static_cast<double>(sysconf(_SC_PAGESIZE)) / kMegabyte;
+}
+
+class ADay : public testing::Test {
+ protected:
+  ADay() {
+    recipes_.give_each_run_a_scan(kSide);
+    links_.start();
+    seat_.show();
+    EXPECT_TRUE(comes([this] { return list()->count() == 2 && link_.busy() == Busy::kFree; }));
+    list()->setCurrentRow(0);
+  }
+
+  static bool comes(const std::function<bool()>& condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+  QListWidget* list() const { return seat_.findChild<QListWidget*>("recipes"); }
+  std::string text(const char* label) const {
+    return seat_.findChild<QLabel*>(label)->text().toStdString();
+  }
+  void click(const char* name) const {
+    auto* const button = seat_.findChild<QPushButton*>(name);
+    ASSERT_TRUE(comes([&] { return button->isEnabled(); })) << name << ": " << text("trouble");
+    button->click();
+  }
+
+  /// Once the goal has come: the server may not be connected yet.
+  void begin(const char* button) {
+    const int before = recipes_.goals();
+    ASSERT_TRUE(comes([&] {
+      auto* const one = seat_.findChild<QPushButton*>(button);
+      if (link_.busy() == Busy::kFree && one->isEnabled()) one->click();
+      QTest::qWait(20);
+      return recipes_.goals() > before;
+    })) << button
+        << ": " << text("trouble");
+  }
+
+  /// Whenever a run is described its scan comes.
+  void wait_for_scan() {
+    ASSERT_TRUE(comes([this] {
+      const EditedViewPtr view = edits_.view();
+      return view && view->source != scan_;
+    })) << text("trouble");
+    scan_ = edits_.view()->source;
+  }
+
+  void clean_by_hand() {
+    cloud_preprocess::HalfSpace upper;
+    upper.point.z() = 0.5e-3 * kSide;
+    const std::size_t all = std::size_t{kSide} * kSide * kSide;
+    edits_.add({false, upper});
+    ASSERT_TRUE(comes([&] { return edits_.view()->kept.size() < all; }));
+    edits_.undo();
+    ASSERT_TRUE(comes([&] { return edits_.view()->kept.size() == all; }));
+  }
+
+  void run_one() {
+    begin("run");
+    recipes_.finish(RunSummary::ACCEPTED);
+    ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kFree; })) << text("trouble");
+    wait_for_scan();
+    clean_by_hand();
+    click("approve");
+    wait_for_scan();
+    ASSERT_TRUE(comes([this] { return text("decision").find("Approved") == 0; }));
+    begin("dry_run");
+    recipes_.finish(RunSummary::ACCEPTED);
+    ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kFree; })) << text("trouble");
+    wait_for_scan();
+  }
+
+  FakeRecipes recipes_;
+  SeatLinks links_{NodeNames()};
+  CellLink& link_ = links_.cell;
+  EditSession edits_;
+  PathSession path_;
+  PickSession picks_;
+  PassSession passes_;
+  Seat seat_{links_, {edits_, path_, picks_, passes_}};
+  std::shared_ptr<const cloud_preprocess::Cloud> scan_;  // that came last
+};
+
+TEST_F(ADay, DoesNotFillTheMemory) {
+  const int runs = ros::param::param("~runs", 60);
+  seat_.set_person("Ada");
+  std::vector<double> held;
+  for (int run = 1; run <= runs; ++run) {
+    run_one();
+    ASSERT_FALSE(HasFatalFailure()) << "run " << run;
+    held.push_back(resident());
+    if (run % 10 == 0) std::printf("%d of %d runs: %.1f MB\n", run, runs, held.back());
+    std::fflush(stdout);
+  }
+  const auto third = static_cast<std::ptrdiff_t>(held.size() / 3);
+  const double first = *std::max_element(held.begin(), held.begin() + third);
+  const double last = *std::max_element(held.end() - third, held.end());
+  EXPECT_LT(last, first + kMostGrowth);
+}
+
+}  // namespace
+}  // namespace scan_cell_rviz
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  ros::init(argc, argv, "test_day");
+  const QApplication application(argc, argv);
+  ros::AsyncSpinner spinner(2);  // the fake's
+  spinner.start();
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,120 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The seat as a panel of a view of rviz.
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QTimer>
+
+#include "fixtures/fake_recipes.h"
+#include "fixtures/rviz_view.h"
+#include "panel/seat_panel.h"
+
+namespace scan_cell_rviz {
+namespace {
+
+class ASeatPanel : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    view_ = new RvizView;
+    view_->manager.getViewManager()->setCurrentViewControllerType("rviz/Orbit");
+    live_ = view_->manager.createDisplay("rviz/Axes", "growing cloud", true);
+    run_ = view_->manager.createDisplay("rviz/Axes", "run, adapted path", false);
+    ASSERT_TRUE(view_->start());
+  }
+  static void TearDownTestSuite() { delete view_; }
+
+  ASeatPanel() {
+    live_->setEnabled(true);
+    run_->setEnabled(false);
+    panel_.initialize(&view_->manager);
+    panel_.show();
+  }
+
+  template <class Widget>
+  static Widget* find(const SeatPanel& panel, const char* name) {
+    return panel.findChild<Widget*>(name);
+  }
+  QTabWidget* pages() const { return find<QTabWidget>(panel_, "pages"); }
+
+  /// A scan is under way.
+  void scan() {
+    auto* const list = find<QListWidget>(panel_, "recipes");
+    ASSERT_TRUE(comes([&] { return list->count() == 2; }));
+    list->setCurrentRow(0);
+    ASSERT_TRUE(comes([&] {
+      QTest::mouseClick(find<QPushButton>(panel_, "run"), Qt::LeftButton);
+      QTest::qWait(50);
+      return recipes_.goals() == 1;
+    }));
+  }
+
+  static RvizView* view_;
+  static rviz::Display *live_, *run_;
+  FakeRecipes recipes_;
+  SeatPanel panel_;
+};
+
+RvizView* ASeatPanel::view_ = nullptr;
+rviz::Display* ASeatPanel::live_ = nullptr;
+rviz::Display* ASeatPanel::run_ = nullptr;
+
+/// Closes the window and answers the question that it asks.
+void close_and_answer(QWidget& window, const QString& answer) {
+  bool answered = false;
+  QTimer::singleShot(0, [&] {
+    auto* const question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr) << "it did not ask";
+    for (QAbstractButton* const button : question->buttons()) {
+      if (button->text() != answer) continue;
+      answered = true;
+      button->click();
+      return;
+    }
+    question->reject();
+  });
+  window.close();
+  EXPECT_TRUE(answered) << answer.toStdString();
+}
+
+TEST_F(ASeatPanel, AsksBeforeItClosesAmidAScanAndStopsItIfTold) {
+  scan();
+  close_and_answer(panel_, "&Do not close");
+  EXPECT_TRUE(panel_.isVisible());
+  EXPECT_FALSE(recipes_.was_cancelled());
+  close_and_answer(panel_, "&Stop it and close");
+  EXPECT_FALSE(panel_.isVisible());
+  EXPECT_TRUE(comes([this] { return recipes_.was_cancelled(); }));
+}
+
+TEST_F(ASeatPanel, ShowsWhatThePageIsAboutInTheView) {
+  scan();
+  EXPECT_TRUE(live_->isEnabled());
+  recipes_.finish(scan_cell_msgs::RunSummary::ACCEPTED);
+  EXPECT_TRUE(comes([] { return run_->isEnabled(); })) << "the page of the fit comes by itself";
+  EXPECT_FALSE(live_->isEnabled());
+  pages()->setCurrentIndex(static_cast<int>(Page::kPart));
+  EXPECT_TRUE(live_->isEnabled());
+}
+
+TEST_F(ASeatPanel, KeepsPersonFileAndViewsWithTheSettingsOfRviz) {
+  find<QLineEdit>(panel_, "person")->setText("Jörg");
+  find<QLineEdit>(panel_, "pose_file")->setText("/tmp/tip.csv");
+  pages()->setCurrentIndex(static_cast<int>(Page::kFit));
+  live_->setEnabled(true);  // a person wants both
+  rviz::Config config;
+  panel_.save(config);
+  live_->setEnabled(false);
+  SeatPanel other;
+  other.load(config);
+  other.initialize(&view_->manager);
+  EXPECT_EQ(find<QLineEdit>(other, "person")->text(), "Jörg");
+  EXPECT_EQ(find<QLineEdit>(other, "pose_file")->text(), "/tmp/tip.csv");
+  find<QTabWidget>(other, "pages")->setCurrentIndex(static_cast<int>(Page::kFit));
+  EXPECT_TRUE(live_->isEnabled());
+}
+
+}  // namespace
+}  // namespace scan_cell_rviz
