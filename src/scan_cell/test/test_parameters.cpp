@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "devices/parameters.h"
+#include "parameters/parameters.h"
 #include "replay_parameters.h"
 #include "scan_cell_common/testing/parameter_test.h"
 #include "videe/videe_parameters.h"

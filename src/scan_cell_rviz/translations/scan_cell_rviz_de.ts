@@ -943,14 +943,6 @@ Der Roboter kommt nicht dorthin.</translation>
 <context>
     <name>scan_cell_rviz::SeatPanel</name>
     <message>
-        <source>box of the seat</source>
-        <translation>Quader des Platzes</translation>
-    </message>
-    <message>
-        <source>what the robot would do</source>
-        <translation>was der Roboter täte</translation>
-    </message>
-    <message>
         <source>The cell is at work</source>
         <translation>Die Zelle arbeitet</translation>
     </message>
@@ -969,34 +961,6 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>&amp;Do not close</source>
         <translation>&amp;Nicht schließen</translation>
-    </message>
-    <message>
-        <source>path edited by hand</source>
-        <translation>von Hand bearbeiteter Pfad</translation>
-    </message>
-    <message>
-        <source>waypoint of the seat</source>
-        <translation>Wegpunkt des Platzes</translation>
-    </message>
-    <message>
-        <source>new path, reference</source>
-        <translation>neue Bahn, Referenz</translation>
-    </message>
-    <message>
-        <source>new path, picks</source>
-        <translation>neue Bahn, gewählte Stellen</translation>
-    </message>
-    <message>
-        <source>new path</source>
-        <translation>neue Bahn</translation>
-    </message>
-    <message>
-        <source>passes of the scan</source>
-        <translation>Bahnen des Scans</translation>
-    </message>
-    <message>
-        <source>poses of the pass</source>
-        <translation>Posen der Bahn</translation>
     </message>
 </context>
 <context>

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "degree.h"
-#include "robot/arc.h"
 #include "robot/motion_check_test.h"
+#include "robot/paths/arc.h"
 
 using c4g_driver::Arc;
 using Eigen::AngleAxisd;

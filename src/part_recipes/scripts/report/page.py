@@ -9,7 +9,7 @@ from markupsafe import Markup
 from . import colours, pictures, sections, view_data, waypoints
 from .scene import Scene
 
-HERE = os.path.dirname(os.path.realpath(__file__))
+BROWSER = os.path.join(os.path.dirname(os.path.realpath(__file__)), 'browser')
 SCRIPTS = ('packed.js', 'camera.js', 'layers.js', 'view.js', 'waypoints.js')
 
 
@@ -55,9 +55,9 @@ def render(run, tools, three):
     """The page as text.
 
     run: a RunFolder; tools: folder of report_scene; three: path of three.min.js"""
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(BROWSER), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-    with open(os.path.join(HERE, 'page.css'), encoding='utf-8') as file:
+    with open(os.path.join(BROWSER, 'page.css'), encoding='utf-8') as file:
         style = Markup(file.read())
-    scripts = [script(os.path.join(HERE, name)) for name in SCRIPTS]
+    scripts = [script(os.path.join(BROWSER, name)) for name in SCRIPTS]
     return environment.get_template('page.html').render(style=style, scripts=scripts, **content(run, tools, three))

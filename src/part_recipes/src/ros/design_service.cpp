@@ -3,7 +3,6 @@
 #include "design_service.h"
 
 #include <fmt/format.h>
-#include <nav_msgs/Path.h>
 #include <tf2_eigen/tf2_eigen.h>
 
 #include "design/recipe_path.h"
@@ -77,6 +76,16 @@ tool_paths::Points corners_of(const path_design::PartMesh& mesh) {
   return corners;
 }
 
+/// Both ends of each line; none leads from segment to segment.
+tool_paths::Points lines_along(const tool_paths::ToolPath& path) {
+  tool_paths::Points ends;
+  for (const tool_paths::Segment& segment : path.segments)
+    for (std::size_t i = 1; i < segment.waypoints.size(); ++i)
+      for (const std::size_t end : {i - 1, i})
+        ends.push_back(segment.waypoints[end].pose.translation());
+  return ends;
+}
+
 std_msgs::Header header_in(const std::string& frame) {
   std_msgs::Header header;
   header.frame_id = frame;
@@ -89,7 +98,7 @@ std_msgs::Header header_in(const std::string& frame) {
 DesignService::DesignService(ros::NodeHandle node, const RecipeParameters& parameters)
     : parameters_(parameters),
       reference_(node.advertise<Marker>("reference", 1, true)),
-      path_(node.advertise<nav_msgs::Path>("designed_path", 1, true)),
+      path_(node.advertise<Marker>("designed_path", 1, true)),
       picks_(node.advertise<Marker>("picks", 1, true)) {
   node.setCallbackQueue(&queue_);
   service_ = node.advertiseService("design", &DesignService::design, this);
@@ -154,9 +163,10 @@ void DesignService::show_reference(const Recipe& recipe, const Request& request)
 
 void DesignService::show(const tool_paths::ToolPath& path, const tool_paths::Points& picks,
                          const std_msgs::Header& header) {
-  constexpr Rgb kRed = {1, 0, 0};
+  constexpr Rgb kRed = {1, 0, 0}, kGreen = {0.1F, 0.6F, 0.2F};
   constexpr double kDiameter = 0.004;  // [m] as waypoints of a verdict
-  path_.publish(tool_path_stretcher::to_path_message(path, header));
+  constexpr double kWide = 0.001;      // [m] chosen
+  path_.publish(marker_of("path", Marker::LINE_LIST, lines_along(path), kWide, kGreen, header));
   picks_.publish(marker_of("picks", Marker::SPHERE_LIST, picks, kDiameter, kRed, header));
 }
 

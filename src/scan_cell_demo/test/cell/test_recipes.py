@@ -15,7 +15,6 @@ import rosbag
 import rospy
 import rostest
 from geometry_msgs.msg import Point
-from nav_msgs.msg import Path
 from scan_cell_msgs.msg import CellState, RecipeState, RunRecipeAction, RunRecipeGoal, RunRecipeResult, TriggerState
 from scan_cell_msgs.srv import (ApproveRun, CheckProgram, DescribeRun, DesignPath, DesignPathRequest, EditProgram,
                                 ListRecipes)
@@ -283,8 +282,8 @@ class Recipes(unittest.TestCase):
         reference = rospy.wait_for_message('/part_recipes/reference', Marker, PATIENCE)
         self.assertGreater(len(reference.points), 3 * 1000, 'triangles')
         self.assertEqual(reference.header.frame_id, answer.frame)
-        shown = rospy.wait_for_message('/part_recipes/designed_path', Path, PATIENCE)
-        self.assertEqual(len(shown.poses), len(answer.path.segments[0].waypoints))
+        shown = rospy.wait_for_message('/part_recipes/designed_path', Marker, PATIENCE)
+        self.assertEqual(len(shown.points), 2 * (len(answer.path.segments[0].waypoints) - 1), 'ends of lines')
         self.assertEqual(len(rospy.wait_for_message('/part_recipes/picks', Marker, PATIENCE).points), len(picks))
         request.save_as = 'picked'
         self.assertTrue(design(request).success)

@@ -20,10 +20,11 @@
 
 #include "fixtures/rviz_view.h"
 #include "hold_ups.h"
+#include "panel/seat_panel.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/testing/child_process.h"
 #include "scan_cell_common/tools/tool_main.h"
-#include "seat/seat.h"
+#include "view/scan/edit_display.h"
 
 using namespace scan_cell_rviz;  // NOLINT
 using Eigen::Vector3d;
@@ -61,11 +62,14 @@ class Workplace {
     world.transform.rotation.w = 1;
     frames_.sendTransform(world);
     view_.manager.getViewManager()->getCurrent()->subProp("Scale")->setValue(kScale);
-    display_ = view_.manager.createDisplay("scan_cell_rviz/EditedScan", "scan", true);
+    display_ = dynamic_cast<EditDisplay*>(
+        view_.manager.createDisplay("scan_cell_rviz/EditedScan", "scan", true));
     if (!view_.start())
       throw scan_cell_common::Refused("view", "does not know the frame 'world'", "try again");
+    seat_.initialize(&view_.manager);
     seat_.resize(500, 900);  // [pixels]
     seat_.show();
+    seat_.findChild<QTabWidget*>("pages")->setCurrentIndex(static_cast<int>(Page::kClean));
   }
 
   /// Prints how it went.
@@ -88,26 +92,26 @@ class Workplace {
         "nothing, an empty view", [] {}, [] { return true; });
     act(
         "a scan comes", [this] { edits().open(scan_, "world"); },
-        [this] { return seen().size() == scan_->size(); });
+        [this] { return seen() == scan_->size(); });
     act(
         "nothing, the scan in view", [] {}, [] { return true; });
     edit_acts();
     stage_acts();
     page_acts();
+    seat_.findChild<QTabWidget*>("pages")->setCurrentIndex(static_cast<int>(Page::kClean));
+    serve_until([this] { return is_drawn(); }, kPatienceAct);
     std::printf("\nThe view says: %s\n", qPrintable(status_of(*display_, "Scan")));
   }
 
  private:
   static EditSession& edits() { return shared_edit_session(); }
-  static const cloud_preprocess::EditedCloud::Indices& seen() {
-    static const cloud_preprocess::EditedCloud::Indices none;
+  static std::size_t seen() {
     const EditedViewPtr view = edits().view();
-    return view ? view->shown : none;
+    return view ? view->shown.size() : 0;
   }
   bool is_drawn() const {
     const EditedViewPtr view = edits().view();
-    return !view || status_of(*display_, "Scan")
-                        .startsWith(QString("%1 points stay").arg(view->kept.size()));
+    return !view || !display_->isEnabled() || display_->drawn() == view;
   }
 
   rviz::Tool* use(const char* name) {
@@ -173,10 +177,9 @@ class Workplace {
         [&] {
           click(cluster, {0, 0, 0.03});
         },
-        [this] { return seen().size() < scan_->size(); });
+        [this] { return seen() < scan_->size(); });
     act(
-        "show hidden", [] { edits().show_all(); },
-        [this] { return seen().size() == scan_->size(); });
+        "show hidden", [] { edits().show_all(); }, [this] { return seen() == scan_->size(); });
     set(EditAct::kDelete);
   }
 
@@ -209,10 +212,8 @@ class Workplace {
   std::shared_ptr<cloud_preprocess::Cloud> scan_;
   tf2_ros::StaticTransformBroadcaster frames_;
   RvizView view_;
-  rviz::Display* display_ = nullptr;
-  SeatLinks links_{NodeNames()};
-  Seat seat_{links_,
-             {edits(), shared_path_session(), shared_pick_session(), shared_pass_session()}};
+  EditDisplay* display_ = nullptr;
+  SeatPanel seat_;
   HoldUps hold_ups_;
 };
 

@@ -21,7 +21,8 @@ using scan_cell_msgs::RunRecipeResult;
 
 namespace {
 
-constexpr const char *kRun = "/run", *kScan = "/scan", *kWork = "/work";  // actions
+constexpr const char* const kOfCell[] = {"/scan", "/work", "/calibrate"};  // its actions
+constexpr double kStop = 1;             // [s] for the recipes' node to stop the cell; chosen
 constexpr double kLook = 0.25;          // [s] between two looks at what is there; chosen
 constexpr int kLooksAList = 4;          // while there is none: every second; chosen
 constexpr int kLooksAPresence = 4;      // that is every second; chosen
@@ -64,7 +65,7 @@ bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
 CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_) {
   register_types();
   node_.setCallbackQueue(&queue_);
-  client_ = std::make_unique<Client>(node_, names_.recipes + kRun);
+  client_ = std::make_unique<Client>(node_, run_);
   robot_ = node_.subscribe<scan_cell_msgs::RobotStatus>(
       names_.robot + "/status", 10,
       [this](const auto& robot) { hear(Device::kRobot, sign_of(*robot)); });
@@ -75,18 +76,16 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
       names_.cell + "/state", 10,
       [this](const auto& cell) { hear(Device::kCell, sign_of(*cell)); });
   diagnostics_ = node_.subscribe("/diagnostics", 10, &CellLink::on_diagnostics, this);
-  follow(names_.recipes + kRun);
-  for (const char* const action : {kScan, kWork})  // by other programs than the recipes' node, too
+  follow(run_);
+  for (const char* const action : kOfCell)  // by other programs than the recipes' node, too
     follow(names_.cell + action);
-  cancel_scan_ = node_.advertise<actionlib_msgs::GoalID>(names_.cell + kScan + "/cancel", 1);
-  cancel_work_ = node_.advertise<actionlib_msgs::GoalID>(names_.cell + kWork + "/cancel", 1);
   raw_ = node_.subscribe<sensor_msgs::PointCloud2>(
       names_.recipes + "/raw", 1, [this](const auto& raw) { Q_EMIT rawCame(raw); });
   preview_ = node_.subscribe<scan_cell_msgs::WorkPreview>(
       names_.cell + "/work_preview", 10,
       [this](const auto& preview) { Q_EMIT previewed(preview); });
   feedback_.push_back(node_.subscribe<scan_cell_msgs::ScanActionFeedback>(
-      names_.cell + kScan + "/feedback", 10, [this](const auto& news) {
+      names_.cell + "/scan/feedback", 10, [this](const auto& news) {
         const auto& scan = news->feedback;
         Q_EMIT progressed(tr("%1, %2 frames, %3 points")
                               .arg(QString::fromStdString(scan.step_name))
@@ -95,7 +94,7 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
                           scan.progress);
       }));
   feedback_.push_back(node_.subscribe<scan_cell_msgs::WorkActionFeedback>(
-      names_.cell + kWork + "/feedback", 10, [this](const auto& news) {
+      names_.cell + "/work/feedback", 10, [this](const auto& news) {
         const auto& work = news->feedback;
         Q_EMIT progressed(
             tr("%1, %2 waypoints").arg(QString::fromStdString(work.doing)).arg(work.passed),
@@ -118,7 +117,9 @@ void CellLink::start() {
 Busy CellLink::busy() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (ours_) return Busy::kOurs;
-  return under_way_.empty() ? Busy::kFree : Busy::kOthers;
+  const bool any = std::any_of(actions_.begin(), actions_.end(),
+                               [](const auto& action) { return action.second.under_way; });
+  return any ? Busy::kOthers : Busy::kFree;
 }
 
 /// Runs a task aside; what it throws becomes failed().
@@ -259,15 +260,25 @@ void CellLink::send(const RunRecipeGoal& goal) {
       [this](const auto& news) { Q_EMIT progressed(QString::fromStdString(news.stage), -1); });
 }
 
-/// The recipes' node ends what it began in the cell by itself, and knows then why it ended.
+/// The recipes' node ends what it began in the cell by itself, and knows then why it ended. Where
+/// it does not, the cell is told.
 void CellLink::stop() {
   client_->cancel_all();
+  const ros::Time now = ros::Time::now();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (ours_ || under_way_.count(names_.recipes + kRun) > 0) return;
+    stopped_ = now;
+    if (ours_ || actions_.at(run_).under_way) return;
   }
-  cancel_scan_.publish(actionlib_msgs::GoalID());
-  cancel_work_.publish(actionlib_msgs::GoalID());
+  stop_cell(now);
+}
+
+/// Goals that were asked for later go on.
+void CellLink::stop_cell(const ros::Time& until) {
+  actionlib_msgs::GoalID goals;
+  goals.stamp = until;
+  for (const char* const action : kOfCell)
+    actions_.at(names_.cell + action).cancel.publish(goals);
 }
 
 void CellLink::end(const RunRecipeResult& result) {
@@ -276,7 +287,8 @@ void CellLink::end(const RunRecipeResult& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!ours_) return;
     ours_ = false;
-    under_way_.clear();  // by this goal; what others do is told again
+    for (auto& [name, action] : actions_)
+      action.under_way = false;  // by this goal; what others do is told again
     was = doing_;
   }
   Q_EMIT runEnded(result, was);
@@ -284,20 +296,18 @@ void CellLink::end(const RunRecipeResult& result) {
 }
 
 void CellLink::follow(const std::string& action) {
-  status_[action] = node_.subscribe<actionlib_msgs::GoalStatusArray>(
+  Action& followed = actions_[action];
+  followed.cancel = node_.advertise<actionlib_msgs::GoalID>(action + "/cancel", 1);
+  followed.status = node_.subscribe<actionlib_msgs::GoalStatusArray>(
       action + "/status", 10, [this, action](const auto& status) { on_status(action, *status); });
 }
 
 void CellLink::on_status(const std::string& action, const actionlib_msgs::GoalStatusArray& status) {
   const auto& goals = status.status_list;
-  const bool any = std::any_of(goals.begin(), goals.end(), is_under_way);
   const Busy before = busy();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (any)
-      under_way_.insert(action);
-    else
-      under_way_.erase(action);
+    actions_.at(action).under_way = std::any_of(goals.begin(), goals.end(), is_under_way);
   }
   if (busy() != before) Q_EMIT busyChanged(busy());
 }
@@ -345,8 +355,8 @@ void CellLink::show_presence(Device device, const ros::Subscriber& subscriber) {
 void CellLink::look_for_nodes() {
   if (looking_.exchange(true)) return;
   presence_worker_->add([this] {
-    ros::Subscriber* const recipes = &status_.at(names_.recipes + kRun);
-    for (ros::Subscriber* const subscriber : {&robot_, &trigger_, &cell_, recipes}) {
+    for (ros::Subscriber* const subscriber :
+         {&robot_, &trigger_, &cell_, &actions_.at(run_).status}) {
       const std::string topic = subscriber->getTopic();
       const std::optional<bool> there = scan_cell_common::is_published(topic);
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -369,11 +379,9 @@ void CellLink::look() {
   show_presence(Device::kCell, cell_);
   if ((ros::WallTime::now() - camera_seen_).toSec() > kCameraSilent)
     show(Device::kCamera, {Level::kGone, names_.camera + " tells nothing on /diagnostics"});
-  if (is_missed(cell_))
-    for (const char* const action : {kScan, kWork})
-      on_status(names_.cell + action, {});
-  if (is_missed(status_.at(names_.recipes + kRun))) {
-    on_status(names_.recipes + kRun, {});
+  look_at_cell();
+  if (is_missed(actions_.at(run_).status)) {
+    on_status(run_, {});
     listed_ = false;
     if (!std::exchange(recipes_missed_, true))
       Q_EMIT recipesMissed(tr("%1 is not running: start the cell with recipes:=FOLDER")
@@ -384,6 +392,24 @@ void CellLink::look() {
   }
   if (looks_++ % kLooksACalibration == 0) worker_->add([this] { look_at_calibration(); });
   look_at_run();
+}
+
+/// A cell that is gone does nothing. One that goes on after Stop, because the recipes' node hangs
+/// or has nothing to do with it, is stopped.
+void CellLink::look_at_cell() {
+  if (is_missed(cell_))
+    for (const char* const action : kOfCell)
+      on_status(names_.cell + action, {});
+  const ros::Time stopped = stopped_at();
+  if (stopped.isZero() || (ros::Time::now() - stopped).toSec() < kStop) return;
+  stop_cell(stopped);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (stopped_ == stopped) stopped_ = ros::Time();
+}
+
+ros::Time CellLink::stopped_at() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return stopped_;
 }
 
 /// Gives a goal up whose server is gone or does not take it: the cell itself ends what its tool

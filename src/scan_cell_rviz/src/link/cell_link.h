@@ -109,18 +109,26 @@ class CellLink : public QObject {
   void runEnded(scan_cell_msgs::RunRecipeResult result, scan_cell_rviz::Doing was);
 
  private:
+  /// One that moves the robot, whoever asks for it.
+  struct Action {
+    ros::Subscriber status;
+    ros::Publisher cancel;
+    bool under_way = false;  // a goal of anybody
+  };
   using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
 
   void change(const QString& recipe, scan_cell_msgs::EditRecipeRequest request);
   void send(const scan_cell_msgs::RunRecipeGoal& goal);
   void end(const scan_cell_msgs::RunRecipeResult& result);
   void look();
+  void look_at_cell();
   void look_at_run();
   void look_at_calibration();
   void show(Device device, const Sign& sign);
   void hear(Device device, const Sign& sign);
   void show_presence(Device device, const ros::Subscriber& subscriber);
   void look_for_nodes();
+  ros::Time stopped_at() const;
   bool is_missed(const ros::Subscriber& subscriber) const;
   void follow(const std::string& action);
   void on_status(const std::string& action, const actionlib_msgs::GoalStatusArray& status);
@@ -128,14 +136,16 @@ class CellLink : public QObject {
   template <class Task>
   void ask(Worker& worker, Task task);
 
+  void stop_cell(const ros::Time& until);
+
   const NodeNames names_;
+  const std::string run_ = names_.recipes + "/run";  // the action
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   std::unique_ptr<Client> client_;
   std::vector<ros::Subscriber> feedback_;
   ros::Subscriber robot_, trigger_, cell_, diagnostics_, raw_, preview_;
-  std::map<std::string, ros::Subscriber> status_;  // of each action
-  ros::Publisher cancel_scan_, cancel_work_;
+  std::map<std::string, Action> actions_;  // by name: run_ and those of the cell
   ros::WallTimer timer_;
 
   mutable std::mutex mutex_;
@@ -143,7 +153,7 @@ class CellLink : public QObject {
   std::array<std::optional<Sign>, kDevices> heard_;  // what each said last
   std::set<std::string> missed_;                     // topics that nobody publishes
   bool ours_ = false;                                // a goal of this seat is under way
-  std::set<std::string> under_way_;                  // actions that have a goal, anybody's
+  ros::Time stopped_;                                // Stop was pressed; zero: long ago
   Doing doing_ = Doing::kRun;                        // the goal of this seat
   int goal_ = 0;                 // counts, so that a late end of an old one is told apart
   ros::WallTime sent_, unseen_;  // unseen: since when the server is gone; zero: it is there

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "panel/seat_panel.h"
 
-#include <OgreQuaternion.h>
-#include <OgreVector3.h>
 #include <rviz/display.h>
-#include <rviz/display_group.h>
-#include <rviz/frame_manager.h>
 #include <rviz/tool.h>
 #include <rviz/tool_manager.h>
 #include <rviz/view_controller.h>
@@ -18,9 +14,11 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
-#include <vector>
+#include <utility>
 
 #include "seat/translation.h"
+#include "view/cloud_frame.h"
+#include "view/stage/displays.h"
 
 namespace scan_cell_rviz {
 
@@ -87,72 +85,28 @@ bool SeatPanel::eventFilter(QObject* object, QEvent* event) {
   return rviz::Panel::eventFilter(object, event);
 }
 
-/// The display that is there, as of a saved configuration; null: there is none.
-/// @param name where there may be several of the type; empty: any
-rviz::Display* SeatPanel::found_display(const QString& type, const QString& name) {
-  std::vector<rviz::DisplayGroup*> groups = {vis_manager_->getRootDisplayGroup()};
-  while (!groups.empty()) {
-    rviz::DisplayGroup* const group = groups.back();
-    groups.pop_back();
-    for (int i = 0; i < group->numDisplays(); ++i) {
-      rviz::Display* const display = group->getDisplayAt(i);
-      if (display->getClassId() == type && (name.isEmpty() || display->getName() == name))
-        return display;
-      if (rviz::DisplayGroup* const inner = group->getGroupAt(i)) groups.push_back(inner);
-    }
-  }
-  return nullptr;
+/// Shows a topic where no display does; whether it is seen goes by the page.
+void SeatPanel::show_topic(const QString& type, const char* name, const char* property,
+                           const std::string& topic) {
+  display_of(*vis_manager_, type, name).subProp(property)->setValue(QString::fromStdString(topic));
 }
 
-/// The display that is there, or a new one.
-rviz::Display* SeatPanel::display_of(const QString& type, const QString& name,
-                                     const QString& title) {
-  rviz::Display* const found = found_display(type, name);
-  return found != nullptr ? found : vis_manager_->createDisplay(type, title, true);
-}
-
-/// Shows a topic, or hides it where it is shown.
-void SeatPanel::show_topic(const TopicDisplay& topic, bool shown) {
-  rviz::Display* const display = shown ? display_of(topic.type, topic.title, topic.title)
-                                       : found_display(topic.type, topic.title);
-  if (display == nullptr) return;
-  display->subProp(topic.property)->setValue(topic.topic);
-  display->setEnabled(shown);
-}
-
-void SeatPanel::show_handles(const QString& title, const std::string& topic) {
-  rviz::Display* const display = display_of("rviz/InteractiveMarkers", title, title);
-  display->subProp("Update Topic")->setValue(QString::fromStdString(topic + "/update"));
+void SeatPanel::show_handles(const char* name, const std::string& topic) {
+  show_topic("rviz/InteractiveMarkers", name, "Update Topic", topic + "/update");
 }
 
 void SeatPanel::show_path() {
-  display_of("scan_cell_rviz/EditedPath", {}, tr("path edited by hand"))->setEnabled(true);
-  show_handles(tr("waypoint of the seat"), waypoint_->topic());
+  display_of(*vis_manager_, "scan_cell_rviz/EditedPath", "path edited by hand", true)
+      .setEnabled(true);
+  show_handles(display_names::kWaypoint, waypoint_->topic());
   waypoint_->show();
 }
 
 void SeatPanel::show_pose(int pose) {
-  rviz::Display* const display =
-      display_of("scan_cell_rviz/WorkPreview", {}, tr("what the robot would do"));
-  display->setEnabled(true);
-  display->subProp("Pose")->setValue(pose);
-}
-
-/// The reference, the picks and the path through them; only beside their page, for the reference
-/// would lie over the part.
-void SeatPanel::show_design(bool shown) {
-  show_topic({"rviz/Marker", "Marker Topic", "/part_recipes/reference", tr("new path, reference")},
-             shown);
-  show_topic({"rviz/Marker", "Marker Topic", "/part_recipes/picks", tr("new path, picks")}, shown);
-  show_topic({"rviz/Path", "Topic", "/part_recipes/designed_path", tr("new path")}, shown);
-}
-
-/// Only beside their page: they lie over the part.
-void SeatPanel::show_passes(bool shown) {
-  show_topic({"rviz/MarkerArray", "Marker Topic", QString::fromStdString(passes_->topic()),
-              tr("passes of the scan")},
-             shown);
-  passes_->show(shown);
+  if (seat_->page() != Page::kWork) return;  // another seat's preview
+  display_of(*vis_manager_, "scan_cell_rviz/WorkPreview", "what the robot would do", true)
+      .subProp("Pose")
+      ->setValue(pose);
 }
 
 /// @param name of a tool of this package, such as polygon; box, passes and view go with rviz's own,
@@ -160,11 +114,11 @@ void SeatPanel::show_passes(bool shown) {
 void SeatPanel::use_tool(const QString& name) {
   rviz::ToolManager* const tools = vis_manager_->getToolManager();
   if (name == "box") {
-    show_handles(tr("box of the seat"), box_->topic());
+    show_handles(display_names::kBox, box_->topic());
     box_->show();
   }
   if (name == "waypoint") show_path();
-  if (name == "passes") show_handles(tr("poses of the pass"), passes_->handles());
+  if (name == "passes") show_handles(display_names::kPoses, passes_->handles());
   if (name == "view") box_->hide();
   if (name == "box" || name == "passes" || name == "view")
     return tools->setCurrentTool(tools->getDefaultTool());
@@ -174,10 +128,20 @@ void SeatPanel::use_tool(const QString& name) {
   tools->setCurrentTool(tools->addTool(wanted));
 }
 
+/// A tool that edits the scan must not edit it beside a page where it is not seen.
 void SeatPanel::show_page(Page page) {
-  views_->show(page);
-  show_design(page == Page::kDesign);
-  show_passes(page == Page::kPasses);
+  use_tool("view");
+  views_->show(page, !seat_->is_free());
+  passes_->show(page == Page::kPasses);
+  if (page == Page::kPasses)
+    show_topic("rviz/MarkerArray", display_names::kPasses, "Marker Topic", passes_->topic());
+  if (page == Page::kDesign) {
+    const std::string recipes = NodeNames().recipes;
+    for (const auto& [name, topic] : {std::pair(display_names::kDesignReference, "/reference"),
+                                      std::pair(display_names::kDesignPicks, "/picks"),
+                                      std::pair(display_names::kDesign, "/designed_path")})
+      show_topic("rviz/Marker", name, "Marker Topic", recipes + topic);
+  }
   fit_view_once();
 }
 
@@ -194,14 +158,10 @@ void SeatPanel::fit_view_once() {
 
 /// Turns the view; where the frame is not known to rviz, it stays.
 void SeatPanel::look_at(double x, double y, double z, const QString& frame) {
-  Ogre::Vector3 origin;
-  Ogre::Quaternion turn;
-  rviz::ViewController* const view = vis_manager_->getViewManager()->getCurrent();
-  if (view == nullptr || !vis_manager_->getFrameManager()->getTransform(frame.toStdString(),
-                                                                        ros::Time(), origin, turn))
-    return;
-  const Ogre::Vector3 place(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-  view->lookAt(origin + turn * place);
+  const auto pose = frame_in_view(*vis_manager_, frame.toStdString());
+  if (pose)
+    vis_manager_->getViewManager()->getCurrent()->lookAt(pose->position +
+                                                         pose->orientation * to_ogre({x, y, z}));
 }
 
 bool SeatPanel::may_close() {

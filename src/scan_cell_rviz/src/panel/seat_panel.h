@@ -5,6 +5,7 @@
 #include <rviz/panel.h>
 
 #include <memory>
+#include <string>
 
 #include "link/seat_links.h"
 #include "seat/seat.h"
@@ -12,10 +13,6 @@
 #include "view/path/waypoint_handles.h"
 #include "view/scan/box_handles.h"
 #include "view/stage/stage_views.h"
-
-namespace rviz {
-class Display;
-}
 
 namespace scan_cell_rviz {
 
@@ -32,26 +29,15 @@ class SeatPanel : public rviz::Panel {
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
-  /// A display of rviz that shows a topic.
-  struct TopicDisplay {
-    const char* type;
-    const char* property;  // that names the topic
-    QString topic;
-    QString title;
-  };
-
   /// @return whether the window may close
   bool may_close();
   void apply_config();
   void use_tool(const QString& name);
-  rviz::Display* found_display(const QString& type, const QString& name);
-  rviz::Display* display_of(const QString& type, const QString& name, const QString& title);
-  void show_handles(const QString& title, const std::string& topic);
-  void show_topic(const TopicDisplay& topic, bool shown);
+  void show_handles(const char* name, const std::string& topic);
+  void show_topic(const QString& type, const char* name, const char* property,
+                  const std::string& topic);
   void show_path();
   void show_pose(int pose);
-  void show_design(bool shown);
-  void show_passes(bool shown);
   void show_page(Page page);
   void fit_view();
   void fit_view_once();

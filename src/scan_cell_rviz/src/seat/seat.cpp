@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seat/seat.h"
 
+#include <QApplication>
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -12,6 +13,7 @@
 
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "widgets/labels_and_buttons.h"
+#include "widgets/wheel_guard.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -96,12 +98,23 @@ void Seat::add_page(QWidget* page, const QString& title) {
                             scrolled->verticalScrollBar()->sizeHint().width());
   scrolled->setFrameShape(QFrame::NoFrame);
   scrolled->setWidgetResizable(true);
+  scrolled->setFocusPolicy(Qt::NoFocus);
   scrolled->setWidget(page);
+  new WheelGuard(page);
+  connect(qApp, &QApplication::focusChanged, scrolled, [=](QWidget*, QWidget* now) {
+    if (now != nullptr && page->isAncestorOf(now)) scrolled->ensureWidgetVisible(now);
+  });
   pages_->addTab(scrolled, title);
 }
 
 void Seat::show_page(Page page) {
   pages_->setCurrentIndex(static_cast<int>(page));
+}
+
+/// The view waits for it, too.
+void Seat::open_run(const QString& run) {
+  run_is_awaited_ = true;
+  link_.describe(run);
 }
 
 void Seat::connect_link() {
@@ -113,7 +126,10 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::recipesMissed, part_, &PartPage::show_missed);
   connect(&link_, &CellLink::runsListed, history_, &HistoryPage::show_runs);
   connect(&link_, &CellLink::progressed, this, &Seat::show_progress);
-  connect(&link_, &CellLink::failed, this, &Seat::tell);
+  connect(&link_, &CellLink::failed, this, [this](const QString& message) {
+    run_is_awaited_ = false;
+    tell(message);
+  });
   connect(&link_, &CellLink::runEnded, this, &Seat::show_end);
   connect(&link_, &CellLink::failed, work_, &WorkPage::give_up_preview);
   connect(&link_, &CellLink::previewed, work_, &WorkPage::show_preview);
@@ -122,6 +138,7 @@ void Seat::connect_link() {
     fit_->show_run(run);
     path_->show_run(run);
     work_->show_run(run.run);
+    run_is_awaited_ = false;
     Q_EMIT placeCame();
   });
 }
@@ -155,8 +172,8 @@ void Seat::connect_pages() {
   connect(teach_, &TeachPage::fileChanged, this, &Seat::poseFileChanged);
   connect(history_, &HistoryPage::refreshWanted, &link_, &CellLink::list_runs);
   connect(history_, &HistoryPage::runChosen, this, [this](const QString& run) {
+    open_run(run);
     show_page(Page::kFit);
-    link_.describe(run);
   });
   connect(pages_, &QTabWidget::currentChanged, this, [this] {
     if (page() == Page::kHistory) link_.list_runs();
@@ -191,6 +208,7 @@ void Seat::connect_clean() {
 std::optional<PlaceInView> Seat::place() const {
   if (page() == Page::kDesign) return place_of(picks_);
   if (page() == Page::kPasses) return place_of(pass_session_);
+  if (run_is_awaited_) return std::nullopt;
   const auto path = place_of(path_session_);
   return path ? path : place_of(edits_);
 }
@@ -265,12 +283,12 @@ void Seat::show_end(const RunRecipeResult& result, Doing was) {
   if (was == Doing::kEdit && result.outcome != RunRecipeResult::ACCEPTED)
     return path_->show_end(QString::fromStdString(result.message));  // the edits stay
   tell(QString::fromStdString(result.warning));
+  open_run(id);
   if (was_work)
     work_->show_end((result.worked != 0 ? tr("Done. %1") : tr("Not worked: %1"))
                         .arg(QString::fromStdString(result.work_message)));
   else
     show_page(Page::kFit);
-  link_.describe(id);
 }
 
 void Seat::tell(const QString& message) {

@@ -44,12 +44,14 @@ class Seat : public QWidget {
 
   /// A scan or work of this seat is under way.
   bool is_busy() const { return link_.busy() == Busy::kOurs; }
+  bool is_free() const { return link_.busy() == Busy::kFree; }  ///< nor is one of anybody else's
   QString person() const { return fit_->person(); }
   void set_person(const QString& name) { fit_->set_person(name); }
   QString pose_file() const { return teach_->file(); }
   void set_pose_file(const QString& file) { teach_->set_file(file); }
   Page page() const { return static_cast<Page>(pages_->currentIndex()); }
-  /// What the page is about: a run by its path, or by its scan where it has none.
+  /// What the page is about: a run by its path, or by its scan where it has none. None while a run
+  /// is awaited.
   std::optional<PlaceInView> place() const;
 
  Q_SIGNALS:
@@ -66,6 +68,7 @@ class Seat : public QWidget {
  private:
   void add_page(QWidget* page, const QString& title);
   void show_page(Page page);
+  void open_run(const QString& run);
   void connect_link();
   void connect_pages();
   void connect_clean();
@@ -100,6 +103,7 @@ class Seat : public QWidget {
   QPushButton* stop_;
   QPushButton* look_;
   QLabel* trouble_;
+  bool run_is_awaited_ = false;
 };
 
 }  // namespace scan_cell_rviz

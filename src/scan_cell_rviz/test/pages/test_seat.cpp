@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 #include <csignal>
 #include <functional>
 
@@ -65,6 +66,24 @@ TEST_F(ASeat, TellsOfAScanThatAnyProgramBeganAndStopsIt) {
   status.publish(actionlib_msgs::GoalStatusArray());
   EXPECT_TRUE(comes([this] { return text("doing") == "Nothing is under way."; })) << text("doing");
   EXPECT_TRUE(button("run")->isEnabled());
+}
+
+TEST_F(ASeat, ChangesNoValueForWhoScrollsOverAPage) {
+  find<QTabWidget>("pages")->setCurrentIndex(1);
+  auto* const depth = find<QDoubleSpinBox>("edit_depth");
+  const double before = depth->value();
+  const auto turn = [&] {
+    QWheelEvent event(QPointF(2, 2), depth->mapToGlobal(QPoint(2, 2)), {}, QPoint(0, 120),
+                      Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(depth, &event);
+  };
+  turn();
+  EXPECT_EQ(depth->value(), before);
+  QApplication::setActiveWindow(&seat_);
+  depth->setFocus();
+  ASSERT_TRUE(comes([&] { return depth->hasFocus(); }));
+  turn();
+  EXPECT_GT(depth->value(), before) << "this one was chosen";
 }
 
 TEST_F(ASeat, CleansTheScanInViewByHandAndSavesItIntoTheRecipe) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seat as a panel of a view of rviz.
 #include <gtest/gtest.h>
+#include <rviz/tool_manager.h>
 
 #include <QLineEdit>
 #include <QListWidget>
@@ -97,6 +98,15 @@ TEST_F(ASeatPanel, ShowsWhatThePageIsAboutInTheView) {
   EXPECT_FALSE(live_->isEnabled());
   pages()->setCurrentIndex(static_cast<int>(Page::kPart));
   EXPECT_TRUE(live_->isEnabled());
+}
+
+TEST_F(ASeatPanel, LaysAToolDownThatEditsTheScanWhereItIsNotSeen) {
+  pages()->setCurrentIndex(static_cast<int>(Page::kClean));
+  QTest::mouseClick(find<QPushButton>(panel_, "tool_brush"), Qt::LeftButton);
+  rviz::ToolManager& tools = *view_->manager.getToolManager();
+  EXPECT_EQ(tools.getCurrentTool()->getClassId(), "scan_cell_rviz/Brush");
+  pages()->setCurrentIndex(static_cast<int>(Page::kFit));
+  EXPECT_EQ(tools.getCurrentTool(), tools.getDefaultTool());
 }
 
 TEST_F(ASeatPanel, KeepsPersonFileAndViewsWithTheSettingsOfRviz) {

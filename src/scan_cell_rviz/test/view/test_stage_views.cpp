@@ -3,7 +3,10 @@
 // What a view of rviz shows beside each page, and from where.
 #include <gtest/gtest.h>
 
+#include <QFile>
+
 #include "fixtures/rviz_view.h"
+#include "view/stage/displays.h"
 #include "view/stage/stage_views.h"
 
 namespace scan_cell_rviz {
@@ -127,6 +130,49 @@ void ViewsByPage::expect_fit(const QSize& window) {
 TEST_F(ViewsByPage, FitThePartIntoAnyWindow) {
   expect_fit({800, 600});
   expect_fit({500, 800});
+}
+
+TEST_F(ViewsByPage, AreNotChosenByWhoOnlyPassesBy) {
+  stages_.show(Page::kFit);
+  stages_.show(Page::kClean);
+  stages_.show(Page::kFit);
+  EXPECT_FALSE(stages_.has_view()) << "the part comes later, and the view is to go there";
+}
+
+TEST_F(ViewsByPage, LetTheCloudGrowOnWhileItIsScanned) {
+  stages_.show(Page::kClean, true);
+  EXPECT_TRUE(live_->isEnabled()) << "switched off, it would begin anew";
+  stages_.show(Page::kFit);
+  EXPECT_FALSE(live_->isEnabled());
+  stages_.show(Page::kClean);
+  EXPECT_FALSE(live_->isEnabled());
+}
+
+TEST_F(ViewsByPage, TakeAwayWhatTheSeatMadeForAnotherPage) {
+  stages_.show(Page::kPasses);
+  rviz::Display* const made =
+      view_->manager.createDisplay("rviz/Axes", display_names::kPasses, true);
+  stages_.show(Page::kPart);
+  EXPECT_FALSE(made->isEnabled());
+  stages_.show(Page::kPasses);
+  EXPECT_TRUE(made->isEnabled());
+  delete made;
+}
+
+TEST(KnownDisplays, AreThoseOfTheCellsSettingsAndOfTheSeat) {
+  const QStringList of_seat = {display_names::kBox,
+                               display_names::kWaypoint,
+                               display_names::kPoses,
+                               display_names::kPasses,
+                               display_names::kDesign,
+                               display_names::kDesignPicks,
+                               display_names::kDesignReference};
+  QFile settings(RVIZ_SETTINGS);
+  ASSERT_TRUE(settings.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(settings.readAll());
+  for (const QString& name : StageViews::known_displays())
+    EXPECT_TRUE(of_seat.contains(name) || text.contains("      Name: " + name + "\n"))
+        << name.toStdString();
 }
 
 TEST_F(ViewsByPage, StayWhereTheFrameIsNotKnown) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scan_cell_common/pose/euler_angles.h"
-#include "urscript_reader/rotation_vector.h"
+#include "text/rotation_vector.h"
 
 namespace tool_path_programs {
 namespace {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "c4g_driver/flange_way.h"
 
-#include "robot/arc.h"
-#include "robot/line.h"
 #include "robot/path_check.h"
+#include "robot/paths/arc.h"
+#include "robot/paths/line.h"
 
 namespace c4g_driver {
 namespace {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/arc.h"
 #include "robot/inverse_kinematics.h"
-#include "robot/line.h"
 #include "robot/path_check.h"
+#include "robot/paths/arc.h"
+#include "robot/paths/line.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace c4g_driver {

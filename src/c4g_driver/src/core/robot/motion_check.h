@@ -5,7 +5,7 @@
 #include <string>
 
 #include "c4g_driver/motion.h"
-#include "robot/path.h"
+#include "robot/paths/path.h"
 
 namespace c4g_driver {
 

@@ -7,7 +7,7 @@
 
 #include "c4g_driver/limits.h"
 #include "c4g_driver/robot_model.h"
-#include "robot/path.h"
+#include "robot/paths/path.h"
 
 namespace c4g_driver {
 

@@ -11,10 +11,10 @@
 #include "recipe/recipe.h"
 #include "record/run_record.h"
 #include "run/calls/stage_calls.h"
-#include "run/waypoints_concerned.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "tool_path_stretcher/reported_verdict.h"
+#include "view/waypoints_concerned.h"
 
 namespace part_recipes {
 namespace {

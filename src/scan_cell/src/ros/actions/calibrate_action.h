@@ -10,7 +10,7 @@
 
 #include "actions/cell_action.h"
 #include "actions/cell_devices.h"
-#include "devices/parameters.h"
+#include "parameters/parameters.h"
 #include "scan_calibration/calibration_run.h"
 #include "scan_calibration/session_recorder.h"
 #include "sequence/session_sequence.h"

@@ -15,8 +15,8 @@
 
 #include "actions/cell_action.h"
 #include "actions/cell_devices.h"
-#include "devices/parameters.h"
 #include "devices/ros_stages.h"
+#include "parameters/parameters.h"
 #include "sequence/program_check.h"
 #include "sequence/scan_sequence.h"
 

@@ -9,8 +9,8 @@
 
 #include "actions/cell_action.h"
 #include "actions/cell_devices.h"
-#include "devices/parameters.h"
 #include "devices/work_planner.h"
+#include "parameters/parameters.h"
 #include "work/work_permit.h"
 #include "work/work_record.h"
 #include "work/work_sequence.h"

@@ -19,7 +19,7 @@
 #include <string>
 
 #include "devices/last_heard.h"
-#include "devices/parameters.h"
+#include "parameters/parameters.h"
 #include "scan_cell_common/ros/goal_client.h"
 #include "sequence/devices.h"
 #include "work/follower.h"

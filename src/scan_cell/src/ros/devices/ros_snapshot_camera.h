@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-#include "devices/parameters.h"
+#include "parameters/parameters.h"
 #include "sequence/devices.h"
 
 namespace scan_cell {

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "devices/parameters.h"
+#include "parameters/parameters.h"
 #include "tool_path_programs/accepted_report.h"
 #include "work/work_plan.h"
 

@@ -6,7 +6,7 @@
 #include <scan_cell_msgs/GrabImage.h>
 
 #include "actions/cell_in_use.h"
-#include "devices/parameters.h"
+#include "parameters/parameters.h"
 
 namespace scan_cell {
 

@@ -37,9 +37,8 @@ void CloudPieces::set_size(float pixels) {
 void CloudPieces::show(std::shared_ptr<const Cloud> cloud, Looks looks) {
   if (cloud == cloud_ && looks == looks_) return;
   if (cloud != cloud_) {
+    set_count(0);  // no piece of the cloud before beside one of this
     set_count((cloud->size() + kPoints - 1) / kPoints);
-    for (const Piece& piece : pieces_)  // none of the cloud before beside one of this
-      piece.points->clear();
   }
   for (Piece& piece : pieces_)
     piece.is_current = false;
@@ -49,7 +48,7 @@ void CloudPieces::show(std::shared_ptr<const Cloud> cloud, Looks looks) {
 
 void CloudPieces::set_count(std::size_t count) {
   while (pieces_.size() > count) {
-    node_.detachObject(pieces_.back().points.get());
+    if (pieces_.back().points->isAttached()) node_.detachObject(pieces_.back().points.get());
     pieces_.pop_back();
   }
   while (pieces_.size() < count) {
@@ -58,7 +57,6 @@ void CloudPieces::set_count(std::size_t count) {
     piece.points->setName("piece " + std::to_string(pieces_.size()));  // Ogre tells them by it
     piece.points->setRenderMode(rviz::PointCloud::RM_POINTS);
     piece.points->setDimensions(size_, size_, size_);
-    node_.attachObject(piece.points.get());
   }
 }
 
@@ -67,7 +65,9 @@ bool CloudPieces::draw() {
   bool is_current = true;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const bool is_drawn = i < drawn_;
-    pieces_[i].points->setVisible(is_drawn);
+    if (!is_drawn && pieces_[i].points->isAttached()) node_.detachObject(pieces_[i].points.get());
+    if (is_drawn && pieces_[i].is_current && !pieces_[i].points->isAttached())
+      node_.attachObject(pieces_[i].points.get());
     if (!is_drawn || pieces_[i].is_current) continue;
     if (std::chrono::steady_clock::now() < until)
       fill(i);
@@ -93,6 +93,8 @@ double CloudPieces::share() const {
          static_cast<double>(pieces_.size());
 }
 
+/// Detached: rviz would attach each of its buffers as well, and draw them twice, whether the piece
+/// is seen or not.
 void CloudPieces::fill(std::size_t piece) {
   std::vector<rviz::PointCloud::Point> drawn;
   drawn.reserve(kPoints);
@@ -103,8 +105,10 @@ void CloudPieces::fill(std::size_t piece) {
     drawn.push_back({Ogre::Vector3(point.x, point.y, point.z), colours_[looks_[i] - 1U]});
   }
   rviz::PointCloud& shown = *pieces_[piece].points;
+  if (shown.isAttached()) node_.detachObject(&shown);
   shown.clear();
   if (!drawn.empty()) shown.addPoints(drawn.data(), static_cast<std::uint32_t>(drawn.size()));
+  node_.attachObject(&shown);
   pieces_[piece].is_current = true;
 }
 

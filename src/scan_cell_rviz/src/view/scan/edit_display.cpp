@@ -73,6 +73,7 @@ void EditDisplay::show() {
   const EditedViewPtr view = shared_edit_session().view();
   if (view) pieces_->show(view->source, looks_of(*view));
   view_ = view;
+  is_drawn_ = false;
 }
 
 void EditDisplay::update(float, float) {
@@ -83,7 +84,8 @@ void EditDisplay::update(float, float) {
                      QString::fromStdString("frame '" + view_->frame + "' is not known to rviz"));
   scene_node_->setPosition(frame->position);
   scene_node_->setOrientation(frame->orientation);
-  if (!pieces_->draw()) return setStatus(rviz::StatusProperty::Ok, "Scan", tr("being drawn"));
+  is_drawn_ = pieces_->draw();
+  if (!is_drawn_) return setStatus(rviz::StatusProperty::Ok, "Scan", tr("being drawn"));
   QString words = tr("%1 points stay").arg(view_->kept.size());
   constexpr double kPercent = 100;
   if (pieces_->share() < 1)

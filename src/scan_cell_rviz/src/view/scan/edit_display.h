@@ -27,6 +27,9 @@ class EditDisplay : public rviz::Display, private Ogre::FrameListener {
   EditDisplay();
   ~EditDisplay() override;
 
+  /// What the view shows, as far as this computer draws it; null: it is still being drawn.
+  EditedViewPtr drawn() const { return is_drawn_ ? view_ : nullptr; }
+
   void update(float wall_dt, float ros_dt) override;
   void reset() override;
 
@@ -44,6 +47,7 @@ class EditDisplay : public rviz::Display, private Ogre::FrameListener {
   rviz::FloatProperty* size_;
   std::unique_ptr<CloudPieces> pieces_;
   EditedViewPtr view_;  // that is drawn, or will be
+  bool is_drawn_ = false;
   std::chrono::steady_clock::time_point picture_began_;
 };
 

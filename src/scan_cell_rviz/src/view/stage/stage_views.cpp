@@ -2,138 +2,182 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/stage/stage_views.h"
 
+#include <OgreCamera.h>
 #include <OgreQuaternion.h>
 #include <OgreVector3.h>
 #include <rviz/display.h>
-#include <rviz/display_group.h>
-#include <rviz/frame_manager.h>
 #include <rviz/render_panel.h>
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 #include <rviz/visualization_manager.h>
+#include <rviz/yaml_config_writer.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <utility>
 #include <vector>
 
 #include "view/cloud_frame.h"
+#include "view/stage/displays.h"
 
 namespace scan_cell_rviz {
 namespace {
 
-/// A display of the cell's settings by its name, or of this package by its class.
+constexpr const char* kGrowing = "growing cloud";
+
+/// A display of the cell's settings or of the seat by its name, or of this package by its class.
 struct Known {
   const char* display;
-  std::vector<Page> pages;  // whose it is; on the first one rviz's own settings hold
+  std::vector<Page> pages;     // whose it is; on the first one rviz's own settings hold
+  const char* part = nullptr;  // that is switched in its place: the display takes long to load
 };
 
-const std::array<Known, 22> kKnown = {{
-    {"board", {Page::kTeach}},
-    {"robot", {Page::kWork, Page::kTeach, Page::kPasses}},
-    {"frames", {Page::kTeach}},
-    {"sheets of light", {Page::kTeach, Page::kPasses}},
-    {"growing cloud", {}},
-    {"clean cloud", {}},
-    {"reference", {}},
-    {"object", {}},
-    {"reference as mapped onto the object", {}},
-    {"path on the reference", {}},
-    {"adapted path", {}},
-    {"correspondences, expected errors, refused waypoints", {}},
-    {"run, object by its deviation", {Page::kFit, Page::kPath, Page::kWork, Page::kHistory}},
-    {"run, proven path where the part lies", {Page::kFit, Page::kHistory}},
-    {"run, adapted path", {Page::kFit, Page::kPath, Page::kHistory}},
-    {"run, waypoints that the verdict is about", {Page::kFit, Page::kPath, Page::kHistory}},
-    {"run, how far off the adapted path may be, tool", {Page::kFit, Page::kHistory}},
-    {"run, verdict and scale of the deviations", {Page::kFit, Page::kHistory}},
-    {"run, waypoints that the scan could not see", {Page::kFit, Page::kHistory}},
-    {"scan_cell_rviz/EditedScan", {Page::kClean}},
-    {"scan_cell_rviz/WorkPreview", {Page::kWork}},
-    {"scan_cell_rviz/EditedPath", {Page::kPath}},
-}};
-
-void for_each_display(rviz::DisplayGroup& group,
-                      const std::function<void(rviz::Display& display)>& look) {
-  for (int i = 0; i < group.numDisplays(); ++i) {
-    look(*group.getDisplayAt(i));
-    if (rviz::DisplayGroup* const inner = group.getGroupAt(i)) for_each_display(*inner, look);
-  }
+const std::vector<Known>& known() {
+  using namespace display_names;  // NOLINT
+  static const std::vector<Known> all = {
+      {"board", {Page::kTeach}},
+      {"robot", {Page::kWork, Page::kTeach, Page::kPasses}, "Visual Enabled"},
+      {"frames", {Page::kTeach}},
+      {"sheets of light", {Page::kTeach, Page::kPasses}},
+      {kGrowing, {}},
+      {"clean cloud", {}},
+      {"reference", {}},
+      {"object", {}},
+      {"reference as mapped onto the object", {}},
+      {"path on the reference", {}},
+      {"adapted path", {}},
+      {"correspondences, expected errors, refused waypoints", {}},
+      {"run, object by its deviation", {Page::kFit, Page::kPath, Page::kWork, Page::kHistory}},
+      {"run, proven path where the part lies", {Page::kFit, Page::kHistory}},
+      {"run, adapted path", {Page::kFit, Page::kPath, Page::kHistory}},
+      {"run, waypoints that the verdict is about", {Page::kFit, Page::kPath, Page::kHistory}},
+      {"run, how far off the adapted path may be, tool", {Page::kFit, Page::kHistory}},
+      {"run, verdict and scale of the deviations", {Page::kFit, Page::kHistory}},
+      {"run, waypoints that the scan could not see", {Page::kFit, Page::kHistory}},
+      {"scan_cell_rviz/EditedScan", {Page::kClean}},
+      {"scan_cell_rviz/WorkPreview", {Page::kWork}},
+      {"scan_cell_rviz/EditedPath", {Page::kPath}},
+      {kBox, {Page::kClean}},
+      {kWaypoint, {Page::kPath}},
+      {kPoses, {Page::kPasses}},
+      {kPasses, {Page::kPasses}},
+      {kDesignReference, {Page::kDesign}},
+      {kDesignPicks, {Page::kDesign}},
+      {kDesign, {Page::kDesign}}};
+  return all;
 }
 
-/// Null: it has none.
-rviz::Property* property_of(const rviz::Property& owner, const QString& name) {
-  for (int i = 0; i < owner.numChildren(); ++i)
-    if (owner.childAt(i)->getName() == name) return owner.childAt(i);
-  return nullptr;
+/// @return null: it is a person's own
+const Known* known_of(const QString& name) {
+  const auto found = std::find_if(known().begin(), known().end(),
+                                  [&name](const Known& each) { return name == each.display; });
+  return found == known().end() ? nullptr : &*found;
+}
+
+bool is_of(const Known& display, Page page) {
+  return std::find(display.pages.begin(), display.pages.end(), page) != display.pages.end();
+}
+
+QString written(const rviz::ViewController& view) {
+  rviz::Config config;
+  view.save(config);
+  return rviz::YamlConfigWriter().writeString(config);
+}
+
+void load_view(rviz::VisualizationManager& manager, const rviz::Config& view) {
+  QString type;
+  if (!view.mapGetString("Class", &type)) return;
+  rviz::ViewManager& views = *manager.getViewManager();
+  if (views.getCurrent()->getClassId() != type) views.setCurrentViewControllerType(type);
+  views.getCurrent()->load(view);
 }
 
 }  // namespace
 
-void StageViews::show(Page page) {
+/// Displays of this package go by their class: there is one of each. Where several have one name,
+/// each after the first has a number.
+void StageViews::for_each_switch(
+    const std::function<void(const QString& name, rviz::Property& shown)>& look) const {
+  QMap<QString, int> times;
+  for_each_display(manager_, [&](rviz::Display& display) {
+    const bool is_ours = known_of(display.getClassId()) != nullptr;
+    QString name = is_ours ? display.getClassId() : display.getName();
+    const Known* const known = known_of(name);
+    if (const int before = times[name]++; before > 0) name += QString(" #%1").arg(before + 1);
+    rviz::Property* const part =
+        known != nullptr && known->part != nullptr ? property_of(display, known->part) : nullptr;
+    look(name, part != nullptr ? *part : display);
+  });
+}
+
+QStringList StageViews::known_displays() {
+  QStringList names;
+  for (const Known& each : known())
+    if (!QString(each.display).startsWith("scan_cell_rviz/")) names.append(each.display);
+  return names;
+}
+
+void StageViews::show(Page page, bool scanning) {
   if (page_ == page) return;
-  if (page_) stages_[*page_] = seen();
   const bool is_first = !page_;
+  if (page_) stages_[*page_] = seen();
   page_ = page;
-  has_view_ = is_first || stages_.contains(page);
-  if (stages_.contains(page)) return restore(stages_[page]);
-  if (!is_first) show_first(page);
+  scanning_ = scanning;
+  const bool was_left = stages_.contains(page);
+  if (was_left || !is_first) restore(stages_.value(page));
+  if (!was_left && page == Page::kTeach) load_view(manager_, stages_.value(Page::kPart).view);
+  has_view_ = stages_.value(page).has_view;
+  view_when_came_ = written(*manager_.getViewManager()->getCurrent());
+}
+
+bool StageViews::has_view() const {
+  return has_view_ || written(*manager_.getViewManager()->getCurrent()) != view_when_came_;
 }
 
 StageViews::Stage StageViews::seen() const {
   Stage stage;
-  for_each_display(*manager_.getRootDisplayGroup(), [&stage](const rviz::Display& display) {
-    stage.enabled[display.getName()] = display.isEnabled();
+  for_each_switch([&](const QString& name, const rviz::Property& shown) {
+    if (!scanning_ || name != kGrowing) stage.shown[name] = shown.getValue().toBool();
   });
   manager_.getViewManager()->getCurrent()->save(stage.view);
+  stage.has_view = has_view();
   return stage;
 }
 
+/// What was not there when a person left the page goes by whose it is.
 void StageViews::restore(const Stage& stage) {
-  for_each_display(*manager_.getRootDisplayGroup(), [&stage](rviz::Display& display) {
-    const auto kept = stage.enabled.find(display.getName());
-    if (kept != stage.enabled.end()) display.setEnabled(*kept);
+  for_each_switch([&](const QString& name, rviz::Property& shown) {
+    if (scanning_ && name == kGrowing) return;
+    const Known* const display = known_of(name);
+    if (stage.shown.contains(name))
+      shown.setValue(stage.shown[name]);
+    else if (display != nullptr)
+      shown.setValue(is_of(*display, *page_));
   });
-  rviz::ViewManager& views = *manager_.getViewManager();
-  QString type;
-  if (!stage.view.mapGetString("Class", &type)) return;
-  if (views.getCurrent()->getClassId() != type) views.setCurrentViewControllerType(type);
-  views.getCurrent()->load(stage.view);
-}
-
-void StageViews::show_first(Page page) {
-  for_each_display(*manager_.getRootDisplayGroup(), [page](rviz::Display& display) {
-    const auto known = std::find_if(kKnown.begin(), kKnown.end(), [&display](const Known& each) {
-      return display.getName() == each.display || display.getClassId() == each.display;
-    });
-    if (known == kKnown.end()) return;
-    const std::vector<Page>& pages = known->pages;
-    display.setEnabled(std::find(pages.begin(), pages.end(), page) != pages.end());
-  });
+  load_view(manager_, stage.view);
 }
 
 bool StageViews::fit(const PlaceInView& place) {
   const auto pose = frame_in_view(manager_, place.frame.toStdString());
   if (!pose) return false;
+  constexpr double kNearest = 0.02;  // [m] radius of a place: a path may be one point; chosen
+  const double radius = std::max(place.radius, kNearest);
   rviz::ViewController& view = *manager_.getViewManager()->getCurrent();
-  std::array<std::pair<rviz::Property*, QVariant>, 2> kept;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    kept[i].first = property_of(view, i == 0 ? "Yaw" : "Pitch");
-    if (kept[i].first != nullptr) kept[i].second = kept[i].first->getValue();
-  }
+  rviz::Property* const distance =
+      property_of(view, "Distance");  // of one that turns about a point
+  const QVariant yaw = distance != nullptr ? view.subProp("Yaw")->getValue() : QVariant();
+  const QVariant pitch = distance != nullptr ? view.subProp("Pitch")->getValue() : QVariant();
   view.lookAt(pose->position + pose->orientation * to_ogre(place.middle));  // from where it was
-  for (const auto& [property, value] : kept)
-    if (property != nullptr) property->setValue(value);
   const rviz::RenderPanel& panel = *manager_.getRenderPanel();
-  const double narrower = std::min(1.0, static_cast<double>(panel.width()) / panel.height());
-  constexpr double kHalfHeight = M_PI / 8;  // [rad] that the camera sees; Ogre's default
-  const double half_sight = std::atan(narrower * std::tan(kHalfHeight));
-  if (rviz::Property* const distance = property_of(view, "Distance"))
-    distance->setValue(place.radius / std::sin(half_sight));
+  const int width = std::max(1, panel.width()), height = std::max(1, panel.height());
+  if (distance != nullptr) {
+    view.subProp("Yaw")->setValue(yaw);
+    view.subProp("Pitch")->setValue(pitch);
+    const double half_height = view.getCamera()->getFOVy().valueRadians() / 2;
+    const double narrower = std::min(1.0, static_cast<double>(width) / height);
+    distance->setValue(radius / std::sin(std::atan(narrower * std::tan(half_height))));
+  }
   if (rviz::Property* const scale = property_of(view, "Scale"))  // [pixels/m]
-    scale->setValue(std::min(panel.width(), panel.height()) / (2 * place.radius));
+    scale->setValue(std::min(width, height) / (2 * radius));
   has_view_ = true;
   return true;
 }
@@ -147,9 +191,10 @@ void StageViews::load(const rviz::Config& config) {
     if (!kept.mapGetInt("Page", &page) || page < 0 || page > static_cast<int>(Page::kPasses))
       continue;
     Stage& stage = stages_[static_cast<Page>(page)];
-    const rviz::Config enabled = kept.mapGetChild("Displays");
-    for (auto each = enabled.mapIterator(); each.isValid(); each.advance())
-      stage.enabled[each.currentKey()] = each.currentChild().getValue().toBool();
+    kept.mapGetBool("Chosen", &stage.has_view);
+    const rviz::Config shown = kept.mapGetChild("Displays");
+    for (auto each = shown.mapIterator(); each.isValid(); each.advance())
+      stage.shown[each.currentKey()] = each.currentChild().getValue().toBool();
     stage.view.copy(kept.mapGetChild("View"));
   }
 }
@@ -160,9 +205,10 @@ void StageViews::save(rviz::Config config) const {
   for (auto each = all.begin(); each != all.end(); ++each) {
     rviz::Config kept = config.listAppendNew();
     kept.mapSetValue("Page", static_cast<int>(each.key()));
-    rviz::Config enabled = kept.mapMakeChild("Displays");
-    for (auto display = each->enabled.begin(); display != each->enabled.end(); ++display)
-      enabled.mapSetValue(display.key(), display.value());
+    kept.mapSetValue("Chosen", each->has_view);
+    rviz::Config shown = kept.mapMakeChild("Displays");
+    for (auto display = each->shown.begin(); display != each->shown.end(); ++display)
+      shown.mapSetValue(display.key(), display.value());
     kept.mapMakeChild("View").copy(each->view);
   }
 }

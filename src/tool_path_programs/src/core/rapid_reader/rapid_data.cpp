@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rapid_reader/rapid_data.h"
 
-#include "rapid_reader/rapid_values.h"
+#include "rapid_reader/source/rapid_values.h"
 #include "scan_cell_common/errors/text.h"
 
 namespace tool_path_programs {

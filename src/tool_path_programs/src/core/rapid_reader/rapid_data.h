@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "rapid_reader/rapid_source.h"
-#include "rapid_reader/rapid_statement.h"
+#include "rapid_reader/source/rapid_source.h"
+#include "rapid_reader/source/rapid_statement.h"
 #include "tool_path_programs/language.h"
 
 namespace tool_path_programs {

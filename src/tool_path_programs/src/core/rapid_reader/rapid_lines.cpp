@@ -3,7 +3,7 @@
 #include "rapid_reader/rapid_instructions.h"
 #include "rapid_reader/rapid_places.h"
 #include "rapid_reader/rapid_reader.h"
-#include "rapid_reader/rapid_statement.h"
+#include "rapid_reader/source/rapid_statement.h"
 #include "text/arc_statement.h"
 #include "text/number_text.h"
 

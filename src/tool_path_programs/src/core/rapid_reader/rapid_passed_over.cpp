@@ -3,8 +3,8 @@
 #include "rapid_reader/rapid_passed_over.h"
 
 #include "rapid_reader/rapid_instructions.h"
-#include "rapid_reader/rapid_statement.h"
-#include "rapid_reader/rapid_values.h"
+#include "rapid_reader/source/rapid_statement.h"
+#include "rapid_reader/source/rapid_values.h"
 #include "scan_cell_common/errors/text.h"
 
 namespace tool_path_programs {

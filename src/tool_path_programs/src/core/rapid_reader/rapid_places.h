@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "rapid_reader/rapid_values.h"
+#include "rapid_reader/source/rapid_values.h"
 
 namespace tool_path_programs {
 

@@ -7,7 +7,7 @@
 
 #include "rapid_reader/rapid_instructions.h"
 #include "rapid_reader/rapid_passed_over.h"
-#include "rapid_reader/rapid_values.h"
+#include "rapid_reader/source/rapid_values.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 

@@ -9,8 +9,8 @@
 
 #include "scan_cell_common/errors/errors.h"
 #include "text/number_text.h"
+#include "text/rotation_vector.h"
 #include "urscript/urscript_limits.h"
-#include "urscript_reader/rotation_vector.h"
 
 namespace tool_path_programs {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scan_cell_common/errors/text.h"
-#include "urscript_reader/rotation_vector.h"
+#include "text/rotation_vector.h"
 
 namespace tool_path_programs {
 namespace {

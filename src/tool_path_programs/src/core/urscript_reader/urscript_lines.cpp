@@ -8,8 +8,8 @@
 
 #include "text/arc_statement.h"
 #include "text/number_text.h"
+#include "text/rotation_vector.h"
 #include "text/token_reader.h"
-#include "urscript_reader/rotation_vector.h"
 #include "urscript_reader/urscript_reader.h"
 
 namespace tool_path_programs {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "text/number_text.h"
+#include "text/rotation_vector.h"
 #include "text/token_reader.h"
 #include "tool_path_programs/source_text.h"
-#include "urscript_reader/rotation_vector.h"
 #include "urscript_reader/urscript_reader.h"
 
 namespace tool_path_programs {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot/arc.h"
+#include "robot/paths/arc.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rapid_reader/rapid_source.h"
+#include "rapid_reader/source/rapid_source.h"
 
-#include "rapid_reader/rapid_values.h"
+#include "rapid_reader/source/rapid_values.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/errors/text.h"
 

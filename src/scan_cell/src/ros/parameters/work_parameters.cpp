@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "devices/work_parameters.h"
+#include "parameters/work_parameters.h"
 
 #include "scan_cell_common/parameters/parameter_table.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "robot/path.h"
+#include "robot/paths/path.h"
 
 namespace c4g_driver {
 

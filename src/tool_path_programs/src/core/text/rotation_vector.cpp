@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urscript_reader/rotation_vector.h"
+#include "text/rotation_vector.h"
 
 #include <Eigen/Geometry>
 

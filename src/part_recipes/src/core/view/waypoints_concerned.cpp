@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/waypoints_concerned.h"
+#include "view/waypoints_concerned.h"
 
 #include <nlohmann/json.hpp>
 

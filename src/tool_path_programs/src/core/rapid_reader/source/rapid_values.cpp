@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rapid_reader/rapid_values.h"
+#include "rapid_reader/source/rapid_values.h"
 
 #include <algorithm>
 #include <map>

@@ -1,11 +1,11 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rapid_reader/rapid_statement.h"
+#include "rapid_reader/source/rapid_statement.h"
 
 #include <algorithm>
 #include <array>
 
-#include "rapid_reader/rapid_values.h"
+#include "rapid_reader/source/rapid_values.h"
 #include "scan_cell_common/errors/text.h"
 
 namespace tool_path_programs {

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot/line.h"
+#include "robot/paths/line.h"
 
 #include <cmath>
 

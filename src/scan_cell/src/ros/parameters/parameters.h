@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "devices/work_parameters.h"
+#include "parameters/work_parameters.h"
 #include "scan_calibration/calibration_run.h"
 #include "scan_cell/scan_request.h"
 #include "sequence/scan_sequence.h"
