@@ -94,10 +94,6 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>%1, %2 Bilder, %3 Punkte</translation>
     </message>
     <message>
-        <source>%1, %2 waypoints</source>
-        <translation>%1, %2 Bahnpunkte</translation>
-    </message>
-    <message>
         <source>The cell is busy: wait until it is free.</source>
         <translation>Die Zelle ist belegt: warten, bis sie frei ist.</translation>
     </message>
@@ -108,6 +104,14 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>%1 is not running: start the cell with recipes:=FOLDER</source>
         <translation>%1 läuft nicht: die Zelle mit recipes:=ORDNER starten</translation>
+    </message>
+    <message>
+        <source>dry run: %1</source>
+        <translation>Trockenlauf: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 waypoints passed</source>
+        <translation>%1, %2 Wegpunkte durchfahren</translation>
     </message>
 </context>
 <context>
@@ -458,6 +462,14 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>waypoint %1 at %2, %3, %4 mm</source>
         <translation>Bahnpunkt %1 bei %2, %3, %4 mm</translation>
     </message>
+    <message>
+        <source>The path may be worked; type your name first</source>
+        <translation>Der Pfad darf gefahren werden; zuerst den Namen eintragen</translation>
+    </message>
+    <message>
+        <source>The path may not be worked; type your name first</source>
+        <translation>Der Pfad darf nicht gefahren werden; zuerst den Namen eintragen</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::HistoryPage</name>
@@ -637,6 +649,10 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>%1 has no scan program.</source>
         <translation>%1 hat kein Scanprogramm.</translation>
+    </message>
+    <message>
+        <source>asked once nothing is under way</source>
+        <translation>wird gefragt, sobald nichts mehr läuft</translation>
     </message>
 </context>
 <context>
@@ -838,6 +854,10 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>No reference is in view: choose a recipe on the page of new paths.</source>
         <translation>Keine Referenz zu sehen: auf der Seite für neue Bahnen ein Rezept wählen.</translation>
     </message>
+    <message>
+        <source>Nothing of the reference was there. Click on it.</source>
+        <translation>Dort war nichts von der Referenz. Bitte auf sie klicken.</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::PlaneTool</name>
@@ -900,10 +920,6 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>Ein anderer Platz oder ein Programm hat die Zelle.</translation>
     </message>
     <message>
-        <source>Not worked: %1</source>
-        <translation>Nicht gearbeitet: %1</translation>
-    </message>
-    <message>
         <source>Done. %1</source>
         <translation>Fertig. %1</translation>
     </message>
@@ -939,6 +955,22 @@ Der Roboter kommt nicht dorthin.</translation>
         <source>Brings what the page is about into the middle of the 3D view</source>
         <translation>Bringt das, worum es auf der Seite geht, in die Mitte der 3D-Ansicht</translation>
     </message>
+    <message>
+        <source>edits of the scan (page 2)</source>
+        <translation>Bearbeitungen des Scans (Seite 2)</translation>
+    </message>
+    <message>
+        <source>edits of the path (page 4)</source>
+        <translation>Bearbeitungen des Pfads (Seite 4)</translation>
+    </message>
+    <message>
+        <source>Not done to the end: %1</source>
+        <translation>Nicht bis zum Ende ausgeführt: %1</translation>
+    </message>
+    <message>
+        <source>Done, the dry run. %1</source>
+        <translation>Trockenlauf fertig. %1</translation>
+    </message>
 </context>
 <context>
     <name>scan_cell_rviz::SeatPanel</name>
@@ -961,6 +993,18 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>&amp;Do not close</source>
         <translation>&amp;Nicht schließen</translation>
+    </message>
+    <message>
+        <source>Edits are not saved</source>
+        <translation>Bearbeitungen sind nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Not saved: %1.</source>
+        <translation>Nicht gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Close without them</source>
+        <translation>Ohne sie s&amp;chließen</translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1239,30 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>%1: approve it first</source>
         <translation>%1: erst freigeben</translation>
+    </message>
+    <message>
+        <source>Work it again?</source>
+        <translation>Noch einmal bearbeiten?</translation>
+    </message>
+    <message>
+        <source>The part of this run was worked already (%1).</source>
+        <translation>Das Teil dieses Laufs wurde schon bearbeitet (%1).</translation>
+    </message>
+    <message>
+        <source>Dry runs: %1. Worked: %2.</source>
+        <translation>Trockenläufe: %1. Bearbeitet: %2.</translation>
+    </message>
+    <message>
+        <source> The last one ended early, after %1 waypoints.</source>
+        <translation> Die letzte Bearbeitung endete vorzeitig, nach %1 Wegpunkten.</translation>
+    </message>
+    <message>
+        <source>%1: its path was not accepted</source>
+        <translation>%1: sein Pfad wurde nicht angenommen</translation>
+    </message>
+    <message>
+        <source>%1: refused by %2</source>
+        <translation>%1: abgelehnt von %2</translation>
     </message>
 </context>
 </TS>

@@ -14,6 +14,7 @@
 #include "recipe/proof.h"
 #include "recipe/recipe.h"
 #include "recipe/recipe_edits.h"
+#include "record/work_records.h"
 #include "run/recipe_picture.h"
 #include "run/run_recipe.h"
 #include "scan_cell/ros/scan_goal.h"
@@ -176,6 +177,13 @@ bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
     response.expected_errors = view.expected;
     for (const Eigen::Vector3d& position : view.positions)
       response.waypoint_positions.push_back(tf2::toMsg(position));
+    response.dry_runs = static_cast<std::uint32_t>(work_records(folder, true).size());
+    const std::vector<WorkRecord> works = work_records(folder, false);
+    response.works = static_cast<std::uint32_t>(works.size());
+    if (!works.empty()) {
+      response.last_finished = static_cast<unsigned char>(works.back().finished);
+      response.last_passed = static_cast<std::uint32_t>(works.back().passed);
+    }
     display_.show(folder, view);
   });
 }

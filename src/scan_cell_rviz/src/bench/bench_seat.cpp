@@ -236,8 +236,9 @@ int run_all(const std::string& program, std::size_t points) {
   setenv("ROS_IP", "127.0.0.1", 1);
   setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
   const ChildProcess master({"rosmaster", "--core", "-p", port}, true);
-  ChildProcess run({"xvfb-run", "--auto-servernum", "--server-args", "-screen 0 1600x1000x24",
-                    program, "--inside", "--points", fmt::format("{}", points)});
+  ChildProcess run({"xvfb-run", "--auto-servernum", "--server-num", "180", "--server-args",
+                    "-screen 0 1600x1000x24", program, "--inside", "--points",
+                    fmt::format("{}", points)});
   return run.wait();
 }
 

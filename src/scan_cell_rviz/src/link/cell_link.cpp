@@ -7,7 +7,6 @@
 #include <scan_cell_msgs/PreviewRun.h>
 
 #include <QMetaType>
-#include <algorithm>
 #include <utility>
 
 #include "scan_cell/ros/service_call.h"
@@ -21,8 +20,6 @@ using scan_cell_msgs::RunRecipeResult;
 
 namespace {
 
-constexpr const char* const kOfCell[] = {"/scan", "/work", "/calibrate"};  // its actions
-constexpr double kStop = 1;             // [s] for the recipes' node to stop the cell; chosen
 constexpr double kLook = 0.25;          // [s] between two looks at what is there; chosen
 constexpr int kLooksAList = 4;          // while there is none: every second; chosen
 constexpr int kLooksAPresence = 4;      // that is every second; chosen
@@ -48,16 +45,16 @@ void register_types() {
   qRegisterMetaType<scan_cell_msgs::WorkPreviewConstPtr>("scan_cell_msgs::WorkPreviewConstPtr");
 }
 
+Doing doing_of(const RunRecipeGoal& goal) {
+  if (goal.run.empty()) return Doing::kRun;
+  if (!goal.path_edits.empty()) return Doing::kEdit;
+  return goal.work == RunRecipeGoal::DRY_RUN ? Doing::kDryRun : Doing::kWork;
+}
+
 RunRecipeResult result_without_run(const std::string& message) {
   RunRecipeResult result;
   result.message = message;
   return result;
-}
-
-bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
-  using actionlib_msgs::GoalStatus;
-  return goal.status == GoalStatus::PENDING || goal.status == GoalStatus::ACTIVE ||
-         goal.status == GoalStatus::PREEMPTING || goal.status == GoalStatus::RECALLING;
 }
 
 }  // namespace
@@ -65,7 +62,7 @@ bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
 CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_) {
   register_types();
   node_.setCallbackQueue(&queue_);
-  client_ = std::make_unique<Client>(node_, run_);
+  client_ = std::make_unique<Client>(node_, names_.recipes + "/run");
   robot_ = node_.subscribe<scan_cell_msgs::RobotStatus>(
       names_.robot + "/status", 10,
       [this](const auto& robot) { hear(Device::kRobot, sign_of(*robot)); });
@@ -76,9 +73,7 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
       names_.cell + "/state", 10,
       [this](const auto& cell) { hear(Device::kCell, sign_of(*cell)); });
   diagnostics_ = node_.subscribe("/diagnostics", 10, &CellLink::on_diagnostics, this);
-  follow(run_);
-  for (const char* const action : kOfCell)  // by other programs than the recipes' node, too
-    follow(names_.cell + action);
+  actions_ = std::make_unique<CellActions>(node_, names_, [this] { tell_busy(); });
   raw_ = node_.subscribe<sensor_msgs::PointCloud2>(
       names_.recipes + "/raw", 1, [this](const auto& raw) { Q_EMIT rawCame(raw); });
   preview_ = node_.subscribe<scan_cell_msgs::WorkPreview>(
@@ -96,9 +91,9 @@ CellLink::CellLink(const NodeNames& names) : names_(names), spinner_(1, &queue_)
   feedback_.push_back(node_.subscribe<scan_cell_msgs::WorkActionFeedback>(
       names_.cell + "/work/feedback", 10, [this](const auto& news) {
         const auto& work = news->feedback;
-        Q_EMIT progressed(
-            tr("%1, %2 waypoints").arg(QString::fromStdString(work.doing)).arg(work.passed),
-            work.progress);
+        const QString doing =
+            (is_dry_run() ? tr("dry run: %1") : "%1").arg(QString::fromStdString(work.doing));
+        Q_EMIT progressed(tr("%1, %2 waypoints passed").arg(doing).arg(work.passed), work.progress);
       }));
   timer_ = node_.createWallTimer(ros::WallDuration(kLook), [this](const auto&) { look(); });
 }
@@ -117,9 +112,7 @@ void CellLink::start() {
 Busy CellLink::busy() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (ours_) return Busy::kOurs;
-  const bool any = std::any_of(actions_.begin(), actions_.end(),
-                               [](const auto& action) { return action.second.under_way; });
-  return any ? Busy::kOthers : Busy::kFree;
+  return actions_->any() ? Busy::kOthers : Busy::kFree;
 }
 
 /// Runs a task aside; what it throws becomes failed().
@@ -240,11 +233,11 @@ void CellLink::send(const RunRecipeGoal& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ours_ = true;
-    doing_ = goal.run.empty() ? Doing::kRun : goal.path_edits.empty() ? Doing::kWork : Doing::kEdit;
+    doing_ = doing_of(goal);
     sent_ = ros::WallTime::now();
     number = ++goal_;
   }
-  Q_EMIT busyChanged(busy());
+  tell_busy();
   const auto is_ours = [this, number] {
     const std::lock_guard<std::mutex> lock(mutex_);
     return ours_ && number == goal_;
@@ -260,25 +253,9 @@ void CellLink::send(const RunRecipeGoal& goal) {
       [this](const auto& news) { Q_EMIT progressed(QString::fromStdString(news.stage), -1); });
 }
 
-/// The recipes' node ends what it began in the cell by itself, and knows then why it ended. Where
-/// it does not, the cell is told.
 void CellLink::stop() {
   client_->cancel_all();
-  const ros::Time now = ros::Time::now();
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopped_ = now;
-    if (ours_ || actions_.at(run_).under_way) return;
-  }
-  stop_cell(now);
-}
-
-/// Goals that were asked for later go on.
-void CellLink::stop_cell(const ros::Time& until) {
-  actionlib_msgs::GoalID goals;
-  goals.stamp = until;
-  for (const char* const action : kOfCell)
-    actions_.at(names_.cell + action).cancel.publish(goals);
+  actions_->stop(busy() == Busy::kOurs);
 }
 
 void CellLink::end(const RunRecipeResult& result) {
@@ -287,29 +264,26 @@ void CellLink::end(const RunRecipeResult& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!ours_) return;
     ours_ = false;
-    for (auto& [name, action] : actions_)
-      action.under_way = false;  // by this goal; what others do is told again
     was = doing_;
   }
+  actions_->forget();  // they were of this goal; what others do is told again
+  tell_busy();
   Q_EMIT runEnded(result, was);
-  Q_EMIT busyChanged(busy());
 }
 
-void CellLink::follow(const std::string& action) {
-  Action& followed = actions_[action];
-  followed.cancel = node_.advertise<actionlib_msgs::GoalID>(action + "/cancel", 1);
-  followed.status = node_.subscribe<actionlib_msgs::GoalStatusArray>(
-      action + "/status", 10, [this, action](const auto& status) { on_status(action, *status); });
+/// Of this seat.
+bool CellLink::is_dry_run() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return ours_ && doing_ == Doing::kDryRun;
 }
 
-void CellLink::on_status(const std::string& action, const actionlib_msgs::GoalStatusArray& status) {
-  const auto& goals = status.status_list;
-  const Busy before = busy();
+void CellLink::tell_busy() {
+  const Busy now = busy();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    actions_.at(action).under_way = std::any_of(goals.begin(), goals.end(), is_under_way);
+    if (std::exchange(told_, now) == now) return;
   }
-  if (busy() != before) Q_EMIT busyChanged(busy());
+  Q_EMIT busyChanged(now);
 }
 
 void CellLink::on_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics) {
@@ -355,8 +329,8 @@ void CellLink::show_presence(Device device, const ros::Subscriber& subscriber) {
 void CellLink::look_for_nodes() {
   if (looking_.exchange(true)) return;
   presence_worker_->add([this] {
-    for (ros::Subscriber* const subscriber :
-         {&robot_, &trigger_, &cell_, &actions_.at(run_).status}) {
+    const ros::Subscriber* const all[] = {&robot_, &trigger_, &cell_, &actions_->of_recipes()};
+    for (const ros::Subscriber* const subscriber : all) {
       const std::string topic = subscriber->getTopic();
       const std::optional<bool> there = scan_cell_common::is_published(topic);
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -379,9 +353,10 @@ void CellLink::look() {
   show_presence(Device::kCell, cell_);
   if ((ros::WallTime::now() - camera_seen_).toSec() > kCameraSilent)
     show(Device::kCamera, {Level::kGone, names_.camera + " tells nothing on /diagnostics"});
-  look_at_cell();
-  if (is_missed(actions_.at(run_).status)) {
-    on_status(run_, {});
+  if (is_missed(cell_)) actions_->forget_cell();
+  actions_->look();
+  if (is_missed(actions_->of_recipes())) {
+    actions_->forget_recipes();
     listed_ = false;
     if (!std::exchange(recipes_missed_, true))
       Q_EMIT recipesMissed(tr("%1 is not running: start the cell with recipes:=FOLDER")
@@ -392,24 +367,6 @@ void CellLink::look() {
   }
   if (looks_++ % kLooksACalibration == 0) worker_->add([this] { look_at_calibration(); });
   look_at_run();
-}
-
-/// A cell that is gone does nothing. One that goes on after Stop, because the recipes' node hangs
-/// or has nothing to do with it, is stopped.
-void CellLink::look_at_cell() {
-  if (is_missed(cell_))
-    for (const char* const action : kOfCell)
-      on_status(names_.cell + action, {});
-  const ros::Time stopped = stopped_at();
-  if (stopped.isZero() || (ros::Time::now() - stopped).toSec() < kStop) return;
-  stop_cell(stopped);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (stopped_ == stopped) stopped_ = ros::Time();
-}
-
-ros::Time CellLink::stopped_at() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return stopped_;
 }
 
 /// Gives a goal up whose server is gone or does not take it: the cell itself ends what its tool

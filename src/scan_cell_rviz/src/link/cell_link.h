@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib_msgs/GoalID.h>
-#include <actionlib_msgs/GoalStatusArray.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -24,7 +22,6 @@
 #include <QString>
 #include <array>
 #include <atomic>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -32,6 +29,7 @@
 #include <string>
 #include <vector>
 
+#include "link/cell_actions.h"
 #include "link/node_names.h"
 #include "link/worker.h"
 #include "scan_cell_common/ros/goal_client.h"
@@ -43,7 +41,7 @@ namespace scan_cell_rviz {
 enum class Busy { kFree, kOurs, kOthers };
 
 /// What a goal of this seat asks for.
-enum class Doing { kRun, kWork, kEdit };
+enum class Doing { kRun, kDryRun, kWork, kEdit };
 
 /// The cell as the seat knows it: what a person does there becomes a goal or a call, and what comes
 /// back a signal. Nothing blocks: topics and actions are served by a thread of its own, calls are
@@ -109,52 +107,41 @@ class CellLink : public QObject {
   void runEnded(scan_cell_msgs::RunRecipeResult result, scan_cell_rviz::Doing was);
 
  private:
-  /// One that moves the robot, whoever asks for it.
-  struct Action {
-    ros::Subscriber status;
-    ros::Publisher cancel;
-    bool under_way = false;  // a goal of anybody
-  };
   using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
 
   void change(const QString& recipe, scan_cell_msgs::EditRecipeRequest request);
   void send(const scan_cell_msgs::RunRecipeGoal& goal);
   void end(const scan_cell_msgs::RunRecipeResult& result);
+  bool is_dry_run() const;
+  void tell_busy();
   void look();
-  void look_at_cell();
   void look_at_run();
   void look_at_calibration();
   void show(Device device, const Sign& sign);
   void hear(Device device, const Sign& sign);
   void show_presence(Device device, const ros::Subscriber& subscriber);
   void look_for_nodes();
-  ros::Time stopped_at() const;
   bool is_missed(const ros::Subscriber& subscriber) const;
-  void follow(const std::string& action);
-  void on_status(const std::string& action, const actionlib_msgs::GoalStatusArray& status);
   void on_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics);
   template <class Task>
   void ask(Worker& worker, Task task);
 
-  void stop_cell(const ros::Time& until);
-
   const NodeNames names_;
-  const std::string run_ = names_.recipes + "/run";  // the action
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   std::unique_ptr<Client> client_;
+  std::unique_ptr<CellActions> actions_;
   std::vector<ros::Subscriber> feedback_;
   ros::Subscriber robot_, trigger_, cell_, diagnostics_, raw_, preview_;
-  std::map<std::string, Action> actions_;  // by name: run_ and those of the cell
   ros::WallTimer timer_;
 
   mutable std::mutex mutex_;
   std::array<Sign, kDevices> signs_;
   std::array<std::optional<Sign>, kDevices> heard_;  // what each said last
   std::set<std::string> missed_;                     // topics that nobody publishes
-  bool ours_ = false;                                // a goal of this seat is under way
-  ros::Time stopped_;                                // Stop was pressed; zero: long ago
-  Doing doing_ = Doing::kRun;                        // the goal of this seat
+  Busy told_ = Busy::kFree;
+  bool ours_ = false;            // a goal of this seat is under way
+  Doing doing_ = Doing::kRun;    // the goal of this seat
   int goal_ = 0;                 // counts, so that a late end of an old one is told apart
   ros::WallTime sent_, unseen_;  // unseen: since when the server is gone; zero: it is there
   ros::WallTime camera_seen_;

@@ -133,6 +133,7 @@ void SeatPanel::show_page(Page page) {
   use_tool("view");
   views_->show(page, !seat_->is_free());
   passes_->show(page == Page::kPasses);
+  if (page == Page::kPath) show_path();
   if (page == Page::kPasses)
     show_topic("rviz/MarkerArray", display_names::kPasses, "Marker Topic", passes_->topic());
   if (page == Page::kDesign) {
@@ -164,8 +165,23 @@ void SeatPanel::look_at(double x, double y, double z, const QString& frame) {
                                                          pose->orientation * to_ogre({x, y, z}));
 }
 
+/// What a person did by hand is not lost without a word.
+bool SeatPanel::may_lose_edits() {
+  const QStringList unsaved = seat_->unsaved();
+  if (unsaved.isEmpty()) return true;
+  QMessageBox question(QMessageBox::Question, tr("Edits are not saved"),
+                       tr("Not saved: %1.").arg(unsaved.join(", ")), QMessageBox::NoButton, this);
+  QPushButton* const lose =
+      question.addButton(tr("&Close without them"), QMessageBox::DestructiveRole);
+  question.addButton(tr("&Do not close"), QMessageBox::RejectRole);
+  question.exec();
+  return question.clickedButton() == lose;
+}
+
 bool SeatPanel::may_close() {
-  if (seat_ == nullptr || !seat_->is_busy()) return true;
+  if (seat_ == nullptr) return true;
+  if (!may_lose_edits()) return false;
+  if (!seat_->is_busy()) return true;
   QMessageBox question(QMessageBox::Question, tr("The cell is at work"),
                        tr("What this seat began is still under way."), QMessageBox::NoButton, this);
   QPushButton* const stop = question.addButton(tr("&Stop it and close"), QMessageBox::AcceptRole);

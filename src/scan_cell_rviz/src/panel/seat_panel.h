@@ -31,6 +31,7 @@ class SeatPanel : public rviz::Panel {
  private:
   /// @return whether the window may close
   bool may_close();
+  bool may_lose_edits();
   void apply_config();
   void use_tool(const QString& name);
   void show_handles(const char* name, const std::string& topic);

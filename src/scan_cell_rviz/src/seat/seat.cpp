@@ -55,6 +55,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
       trouble_(text_label("trouble", this)) {
   look_->setToolTip(tr("Brings what the page is about into the middle of the 3D view"));
   pages_->setObjectName("pages");
+  pages_->setStyleSheet("QTabBar::tab { padding: 4px 5px; }");  // all nine are in view
   add_page(part_, tr("&1 Part"));
   add_page(clean_, tr("&2 Clean"));
   add_page(fit_, tr("&3 Fit"));
@@ -77,8 +78,8 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   layout->addWidget(band_);
   layout->addWidget(doing_);
   layout->addLayout(under_way);
-  layout->addWidget(trouble_);
   layout->addWidget(pages_, 1);
+  layout->addWidget(in_fixed_height(trouble_));
 
   connect_link();
   connect_pages();
@@ -88,6 +89,19 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   connect_passes();
   show_busy(link_.busy());
   tell(QString());
+}
+
+/// Of so many lines at any time: buttons must not move under the pointer when a message comes.
+QWidget* Seat::in_fixed_height(QLabel* label) {
+  constexpr int kLines = 3;
+  auto* const scrolled = new QScrollArea(this);
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setFocusPolicy(Qt::NoFocus);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFixedHeight(kLines * label->fontMetrics().lineSpacing() + 2);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  scrolled->setWidget(label);
+  return scrolled;
 }
 
 /// A low screen shows a part of it.
@@ -137,7 +151,7 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::described, this, [this](const auto& run) {
     fit_->show_run(run);
     path_->show_run(run);
-    work_->show_run(run.run);
+    work_->show_run(run);
     run_is_awaited_ = false;
     Q_EMIT placeCame();
   });
@@ -200,6 +214,8 @@ void Seat::connect_clean() {
     link_.list_recipes();
   });
   connect(clean_, &CleanPage::saveWanted, &link_, &CellLink::edit);
+  connect(clean_, &CleanPage::saveWanted, this,
+          [this](const QString&, const QString& edits) { saved_edits_ = edits; });
   connect(clean_, &CleanPage::stagesSaveWanted, &link_, &CellLink::set_stages);
   connect(clean_, &CleanPage::toolWanted, this, &Seat::toolWanted);
   connect(clean_, &CleanPage::boxWanted, this, &Seat::boxWanted);
@@ -211,6 +227,15 @@ std::optional<PlaceInView> Seat::place() const {
   if (run_is_awaited_) return std::nullopt;
   const auto path = place_of(path_session_);
   return path ? path : place_of(edits_);
+}
+
+QStringList Seat::unsaved() const {
+  QStringList all;
+  const EditedViewPtr scan = edits_.view();
+  if (scan && !scan->edits.isEmpty() && scan->yaml != saved_edits_)
+    all.append(tr("edits of the scan (page 2)"));
+  if (path_session_.can_undo()) all.append(tr("edits of the path (page 4)"));
+  return all;
 }
 
 void Seat::connect_path() {
@@ -260,6 +285,7 @@ void Seat::show_busy(Busy busy) {
   part_->set_free(busy == Busy::kFree);
   work_->set_free(busy == Busy::kFree);
   teach_->set_free(busy == Busy::kFree);
+  passes_->set_free(busy == Busy::kFree);
   stop_->setEnabled(busy != Busy::kFree);  // whoever sits nearest may stop the robot
   if (busy == Busy::kFree) show_progress(tr("Nothing is under way."), 0);
   if (busy == Busy::kOthers) show_progress(tr("Another seat or program has the cell."), -1);
@@ -272,11 +298,12 @@ void Seat::show_progress(const QString& doing, double share) {
 }
 
 void Seat::show_end(const RunRecipeResult& result, Doing was) {
-  const bool was_work = was == Doing::kWork;
+  const bool was_work = was == Doing::kWork || was == Doing::kDryRun;
   const QString id = id_of(result);
   if (result.outcome == RunRecipeResult::NONE) {
     tell(QString::fromStdString(result.message));
-    if (was_work) work_->show_end(tr("Not worked: %1").arg(QString::fromStdString(result.message)));
+    if (was_work)
+      work_->show_end(tr("Not done to the end: %1").arg(QString::fromStdString(result.message)));
     if (was == Doing::kEdit) path_->show_end(QString::fromStdString(result.message));
     return;
   }
@@ -284,8 +311,9 @@ void Seat::show_end(const RunRecipeResult& result, Doing was) {
     return path_->show_end(QString::fromStdString(result.message));  // the edits stay
   tell(QString::fromStdString(result.warning));
   open_run(id);
+  const QString done = was == Doing::kDryRun ? tr("Done, the dry run. %1") : tr("Done. %1");
   if (was_work)
-    work_->show_end((result.worked != 0 ? tr("Done. %1") : tr("Not worked: %1"))
+    work_->show_end((result.worked != 0 ? done : tr("Not done to the end: %1"))
                         .arg(QString::fromStdString(result.work_message)));
   else
     show_page(Page::kFit);
@@ -293,7 +321,6 @@ void Seat::show_end(const RunRecipeResult& result, Doing was) {
 
 void Seat::tell(const QString& message) {
   trouble_->setText(message);
-  trouble_->setVisible(!message.isEmpty());
 }
 
 }  // namespace scan_cell_rviz

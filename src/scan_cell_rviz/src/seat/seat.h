@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStringList>
 #include <QTabWidget>
 #include <QWidget>
 #include <optional>
@@ -49,6 +50,8 @@ class Seat : public QWidget {
   void set_person(const QString& name) { fit_->set_person(name); }
   QString pose_file() const { return teach_->file(); }
   void set_pose_file(const QString& file) { teach_->set_file(file); }
+  /// Edits that would be lost with this seat, in words.
+  QStringList unsaved() const;
   Page page() const { return static_cast<Page>(pages_->currentIndex()); }
   /// What the page is about: a run by its path, or by its scan where it has none. None while a run
   /// is awaited.
@@ -66,6 +69,7 @@ class Seat : public QWidget {
   void placeWanted();  ///< in the middle of the view
 
  private:
+  QWidget* in_fixed_height(QLabel* label);
   void add_page(QWidget* page, const QString& title);
   void show_page(Page page);
   void open_run(const QString& run);
@@ -104,6 +108,7 @@ class Seat : public QWidget {
   QPushButton* look_;
   QLabel* trouble_;
   bool run_is_awaited_ = false;
+  QString saved_edits_;  // of the scan, in YAML
 };
 
 }  // namespace scan_cell_rviz

@@ -7,8 +7,10 @@
 #include <scan_cell_msgs/TriggerState.h>
 
 #include <QApplication>
+#include <QMessageBox>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QWheelEvent>
 #include <csignal>
 #include <functional>
@@ -66,6 +68,47 @@ TEST_F(ASeat, TellsOfAScanThatAnyProgramBeganAndStopsIt) {
   status.publish(actionlib_msgs::GoalStatusArray());
   EXPECT_TRUE(comes([this] { return text("doing") == "Nothing is under way."; })) << text("doing");
   EXPECT_TRUE(button("run")->isEnabled());
+}
+
+TEST_F(ASeat, AsksBeforeAPartIsWorkedAgain) {
+  recipes_->set_works(2);
+  scan_to(RunSummary::ACCEPTED);
+  find<QLineEdit>("person")->setText("Ada");
+  click("approve");
+  ASSERT_TRUE(comes([this] { return button("work")->isEnabled(); }));
+  EXPECT_NE(text("work_part").find("Worked: 2."), std::string::npos) << text("work_part");
+  const int before = recipes_->goals();
+  bool asked = false;
+  QTimer::singleShot(0, [&] {
+    auto* const question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    asked = question != nullptr;
+    if (asked) question->button(QMessageBox::No)->click();
+  });
+  button("work")->click();
+  EXPECT_TRUE(asked);
+  QTest::qWait(200);
+  EXPECT_EQ(recipes_->goals(), before);
+}
+
+TEST_F(ASeat, StopsTheCellItselfWhereItGoesOnAfterStop) {
+  ros::NodeHandle node;
+  const ros::Publisher cell = node.advertise<scan_cell_msgs::CellState>("/scan_cell/state", 1);
+  ros::Publisher status =
+      node.advertise<actionlib_msgs::GoalStatusArray>("/scan_cell/scan/status", 1);
+  bool cancelled = false;
+  const ros::Subscriber cancel = node.subscribe<actionlib_msgs::GoalID>(
+      "/scan_cell/scan/cancel", 1, [&](const auto&) { cancelled = true; });
+  ASSERT_TRUE(comes([&] { return cancel.getNumPublishers() > 0; }));
+  scan();
+  actionlib_msgs::GoalStatusArray goals;
+  goals.status_list.resize(1);
+  goals.status_list[0].status = actionlib_msgs::GoalStatus::ACTIVE;
+  click("stop");
+  EXPECT_TRUE(comes([&] {
+    status.publish(goals);  // as an action server does, several times a second
+    QTest::qWait(50);
+    return cancelled;
+  }));
 }
 
 TEST_F(ASeat, ChangesNoValueForWhoScrollsOverAPage) {
@@ -235,7 +278,9 @@ TEST_F(ASeat, LetsAPersonWithANameApproveAnAcceptedRunAndThenWork) {
   EXPECT_EQ(recipes_->last_goal().run, "run_1");
   EXPECT_EQ(recipes_->last_goal().work, scan_cell_msgs::RunRecipeGoal::DRY_RUN);
   recipes_->finish(RunSummary::ACCEPTED);
-  EXPECT_TRUE(comes([this] { return text("work_end") == "Done. all waypoints were passed"; }));
+  EXPECT_TRUE(comes([this] {
+    return text("work_end") == "Done, the dry run. all waypoints were passed";
+  })) << text("work_end");
 }
 
 TEST_F(ASeat, PreviewsTheWorkBeforeAnythingMoves) {

@@ -18,7 +18,7 @@ ASKED = '/part_recipes/run/status'  # by the seat alone
 
 class InRviz(unittest.TestCase):
     def start_rviz(self):
-        screen = ['xvfb-run', '--auto-servernum', '--server-args', '-screen 0 1600x1000x24']
+        screen = ['xvfb-run', '--auto-servernum', '--server-num', '100', '--server-args', '-screen 0 1600x1000x24']
         rviz = subprocess.Popen(screen + ['/usr/bin/rosrun', 'rviz', 'rviz', '-d', SETTINGS, '__name:=rviz'],
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
                                 env=dict(os.environ, LIBGL_ALWAYS_SOFTWARE='1'))

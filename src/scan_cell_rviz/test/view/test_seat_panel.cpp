@@ -90,6 +90,27 @@ TEST_F(ASeatPanel, AsksBeforeItClosesAmidAScanAndStopsItIfTold) {
   EXPECT_TRUE(comes([this] { return recipes_.was_cancelled(); }));
 }
 
+TEST_F(ASeatPanel, AsksBeforeEditsAreLost) {
+  auto cloud = std::make_shared<cloud_preprocess::Cloud>();
+  for (int i = 0; i < 10; ++i)
+    cloud->push_back({0.01F * static_cast<float>(i), 0, 0});
+  shared_edit_session().open(cloud, "world");
+  cloud_preprocess::HalfSpace half;
+  half.point.x() = 0.05;
+  half.normal = Eigen::Vector3d::UnitX();
+  shared_edit_session().add({false, half});
+  ASSERT_TRUE(comes([] {
+    const EditedViewPtr view = shared_edit_session().view();
+    return view && view->edits.size() == 1;
+  }));
+  close_and_answer(panel_, "&Do not close");
+  EXPECT_TRUE(panel_.isVisible());
+  close_and_answer(panel_, "&Close without them");
+  EXPECT_FALSE(panel_.isVisible());
+  shared_edit_session().drop_all();
+  EXPECT_TRUE(comes([] { return shared_edit_session().view()->edits.isEmpty(); }));
+}
+
 TEST_F(ASeatPanel, ShowsWhatThePageIsAboutInTheView) {
   scan();
   EXPECT_TRUE(live_->isEnabled());

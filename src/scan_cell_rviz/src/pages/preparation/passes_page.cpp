@@ -67,11 +67,11 @@ PassesPage::PassesPage(PassSession& session, QWidget* parent)
   connect(view_, &QPushButton::clicked, this, [this] { Q_EMIT toolWanted("passes"); });
   connect(undo_, &QPushButton::clicked, &session_, &PassSession::undo);
   connect(redo_, &QPushButton::clicked, &session_, &PassSession::redo);
-  connect(check_, &QPushButton::clicked, this, &PassesPage::checkWanted);
+  connect(check_, &QPushButton::clicked, this, &PassesPage::check);
   connect(save_, &QPushButton::clicked, this,
           [this] { Q_EMIT saveWanted(recipe_->currentText()); });
   connect(&session_, &PassSession::changed, this, &PassesPage::fill);
-  connect(&session_, &PassSession::changed, this, &PassesPage::checkWanted);
+  connect(&session_, &PassSession::changed, this, &PassesPage::check);
   connect(&session_, &PassSession::reachChanged, this, &PassesPage::show_reach);
   connect(&session_, &PassSession::selectionChanged, this, &PassesPage::show_selection);
   update_buttons();
@@ -102,6 +102,21 @@ void PassesPage::show_program(const QString& recipe,
   if (recipe != recipe_->currentText()) return;
   session_.open(program.frame, program.passes);
   show_end(program.passes.empty() ? tr("%1 has no scan program.").arg(recipe) : QString());
+}
+
+void PassesPage::check() {
+  to_be_checked_ = !free_;
+  if (free_) {
+    Q_EMIT checkWanted();
+    return;
+  }
+  const PassReach unknown{Reach::kUnknown, tr("asked once nothing is under way")};
+  session_.show_reach(std::vector<PassReach>(session_.passes().size(), unknown));
+}
+
+void PassesPage::set_free(bool free) {
+  free_ = free;
+  if (free_ && to_be_checked_) check();
 }
 
 void PassesPage::show_checked(const std::vector<scan_cell_msgs::CheckProgramResponse>& answers) {

@@ -29,6 +29,8 @@ class PassesPage : public QWidget {
   void show_program(const QString& recipe, const scan_cell_msgs::EditProgramResponse& program);
   void show_checked(const std::vector<scan_cell_msgs::CheckProgramResponse>& answers);
   void show_end(const QString& message);
+  /// While the robot moves the cell cannot say what it can do: it is asked afterwards.
+  void set_free(bool free);
 
  Q_SIGNALS:
   void programWanted(QString recipe);
@@ -40,6 +42,7 @@ class PassesPage : public QWidget {
  private:
   void lay_out();
   void fill();
+  void check();
   void show_reach();
   void show_selection();
   void take_selection();
@@ -57,6 +60,8 @@ class PassesPage : public QWidget {
   QLabel* end_;
   std::vector<PassPose> rows_;  // of the table
   bool showing_ = false;        // the table follows the session, not the person
+  bool free_ = true;
+  bool to_be_checked_ = false;  // once it is free
 };
 
 }  // namespace scan_cell_rviz

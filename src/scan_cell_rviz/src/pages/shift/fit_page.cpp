@@ -71,6 +71,8 @@ FitPage::FitPage(QWidget* parent)
   person_->setToolTip(tr("Who decides; kept with the run"));
   note_->setObjectName("decision_note");
   note_->setToolTip(tr("Why; kept with the run"));
+  approve_->setToolTip(tr("The path may be worked; type your name first"));
+  refuse_->setToolTip(tr("The path may not be worked; type your name first"));
   approve_->setObjectName("approve");
   refuse_->setObjectName("refuse");
   report_->setObjectName("report");
@@ -113,7 +115,8 @@ void FitPage::show_run(const scan_cell_msgs::DescribeRunResponse& run) {
   figures_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) {
     const auto i = static_cast<std::size_t>(row);
-    figures_->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(run.figure_names[i])));
+    const QString name = QString::fromStdString(run.figure_names[i]).replace('_', ' ');
+    figures_->setItem(row, 0, new QTableWidgetItem(name));
     figures_->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(run.figure_values[i])));
   }
   decision_->setText(decision_of(run.run));

@@ -34,7 +34,7 @@ HistoryPage::HistoryPage(QWidget* parent) : QWidget(parent), runs_(new QTableWid
   runs_->setObjectName("runs");
   runs_->setHorizontalHeaderLabels(
       {tr("Started (UTC)"), tr("Part"), tr("Verdict"), tr("Decision")});
-  runs_->horizontalHeader()->setStretchLastSection(true);
+  runs_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   runs_->verticalHeader()->hide();
   runs_->setSelectionBehavior(QAbstractItemView::SelectRows);
   runs_->setEditTriggers(QAbstractItemView::NoEditTriggers);

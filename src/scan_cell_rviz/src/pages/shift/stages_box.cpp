@@ -93,7 +93,7 @@ void StagesBox::add_row(const Parameter& parameter, const ParameterValue& value)
   const bool is_switch = std::holds_alternative<bool>(value);
   const bool is_limit = parameter.also == scan_cell_common::Also::kNone;
   if (forms_.count(stage) == 0 || is_limit || (!number && !is_switch)) return;
-  if (number && *number <= 0) return;  // no decades are around it
+  if (number && !(*number > 0 && std::isfinite(*number))) return;  // no decades are around it
   Row& row = rows_[parameter.name];
   const std::string& full = parameter.name;
   const std::string widget = stage + "_" + name;

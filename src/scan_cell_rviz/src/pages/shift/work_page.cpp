@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QMessageBox>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -36,13 +37,14 @@ WorkPage::WorkPage(QWidget* parent)
          "the path was run dry once."));
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(part_);
-  layout->addLayout(preview_box());
   layout->addWidget(dry_);
   layout->addWidget(work_);
+  layout->addLayout(preview_box());  // its words are of any length: nothing to press is below
   layout->addWidget(end_);
   layout->addStretch();
   for (QPushButton* const button : {dry_, work_}) {
     connect(button, &QPushButton::clicked, this, [this, button] {
+      if (button == work_ && !may_work_again()) return;
       end_->clear();  // it told of the last time
       Q_EMIT workWanted(QString::fromStdString(run_.id), button == dry_);
     });
@@ -140,7 +142,26 @@ void WorkPage::show_fault(int row) {
   Q_EMIT placeChosen(place.x, place.y, place.z, QString::fromStdString(shown_->header.frame_id));
 }
 
-void WorkPage::show_run(const RunSummary& run) {
+/// A part that was worked before may not bear it twice.
+bool WorkPage::may_work_again() {
+  if (works_ == 0) return true;
+  return QMessageBox::question(this, tr("Work it again?"),
+                               tr("The part of this run was worked already (%1).").arg(works_) +
+                                   "\n" + tr("Work it again?"),
+                               QMessageBox::Yes | QMessageBox::No,
+                               QMessageBox::No) == QMessageBox::Yes;
+}
+
+QString WorkPage::words_of_works(const scan_cell_msgs::DescribeRunResponse& run) {
+  QString words = tr("Dry runs: %1. Worked: %2.").arg(run.dry_runs).arg(run.works);
+  if (run.works > 0 && run.last_finished == 0)
+    words += tr(" The last one ended early, after %1 waypoints.").arg(run.last_passed);
+  return words;
+}
+
+void WorkPage::show_run(const scan_cell_msgs::DescribeRunResponse& described) {
+  const RunSummary& run = described.run;
+  works_ = described.works;
   if (run.id != run_.id) {
     end_->clear();
     forget_preview();
@@ -150,7 +171,12 @@ void WorkPage::show_run(const RunSummary& run) {
   if (run.id.empty())
     part_->setText(tr("Scan a part first."));
   else if (run.decision == RunSummary::APPROVED_BY)
-    part_->setText(tr("%1: approved by %2").arg(name, QString::fromStdString(run.decided_by)));
+    part_->setText(tr("%1: approved by %2").arg(name, QString::fromStdString(run.decided_by)) +
+                   "\n" + words_of_works(described));
+  else if (run.state != RunSummary::ACCEPTED)
+    part_->setText(tr("%1: its path was not accepted").arg(name));
+  else if (run.decision == RunSummary::REFUSED_BY)
+    part_->setText(tr("%1: refused by %2").arg(name, QString::fromStdString(run.decided_by)));
   else
     part_->setText(tr("%1: approve it first").arg(name));
   update_buttons();

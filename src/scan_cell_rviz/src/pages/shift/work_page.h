@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <scan_cell_msgs/RunSummary.h>
+#include <scan_cell_msgs/DescribeRun.h>
 #include <scan_cell_msgs/WorkPreview.h>
 
 #include <QLabel>
@@ -21,7 +21,7 @@ class WorkPage : public QWidget {
  public:
   explicit WorkPage(QWidget* parent = nullptr);
 
-  void show_run(const scan_cell_msgs::RunSummary& run);
+  void show_run(const scan_cell_msgs::DescribeRunResponse& run);
   void show_end(const QString& message);  ///< how the work ended
   void set_free(bool free);               ///< whether the robot may begin
   /// Of the run in view; others are not shown.
@@ -35,6 +35,8 @@ class WorkPage : public QWidget {
   void placeChosen(double x, double y, double z, QString frame);  ///< [m] of a fault
 
  private:
+  static QString words_of_works(const scan_cell_msgs::DescribeRunResponse& run);
+  bool may_work_again();
   QLayout* preview_box();
   void ask_for_preview(bool dry);
   void forget_preview();
@@ -43,6 +45,7 @@ class WorkPage : public QWidget {
   void update_buttons();
 
   scan_cell_msgs::RunSummary run_;
+  unsigned works_ = 0;  // of its path, with the tool
   QLabel* part_;
   QLabel* end_;
   QPushButton* preview_;

@@ -27,8 +27,11 @@ bool PickTool::pick(rviz::ViewportMouseEvent& event) {
 }
 
 int PickTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
-  if (!event.leftDown() || event.alt() || !pick(event))
-    context_->getViewManager()->getCurrent()->handleMouseEvent(event);
+  const bool is_click = event.leftDown() && !event.alt();
+  if (is_click) missed_ = !pick(event);
+  if (!is_click || missed_) context_->getViewManager()->getCurrent()->handleMouseEvent(event);
+  activate();  // in place of what the view says of the left button
+  if (missed_) setStatus(tr("Nothing of the reference was there. Click on it."));
   return Render;
 }
 

@@ -20,6 +20,8 @@ class PickTool : public rviz::Tool {
 
  private:
   bool pick(rviz::ViewportMouseEvent& event);
+
+  bool missed_ = false;  // the last click
 };
 
 }  // namespace scan_cell_rviz

@@ -29,6 +29,7 @@ CloudPieces::~CloudPieces() {
 }
 
 void CloudPieces::set_size(float pixels) {
+  if (pixels == size_) return;
   size_ = pixels;
   for (const Piece& piece : pieces_)
     piece.points->setDimensions(size_, size_, size_);

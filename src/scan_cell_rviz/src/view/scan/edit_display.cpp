@@ -7,6 +7,7 @@
 #include <rviz/properties/float_property.h>
 
 #include <algorithm>
+#include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "edit/stage_colours.h"
@@ -69,7 +70,6 @@ void EditDisplay::onInitialize() {
 
 void EditDisplay::show() {
   if (!pieces_ || !isEnabled()) return;  // millions of points that nobody sees
-  pieces_->set_size(size_->getFloat());
   const EditedViewPtr view = shared_edit_session().view();
   if (view) pieces_->show(view->source, looks_of(*view));
   view_ = view;
@@ -84,6 +84,9 @@ void EditDisplay::update(float, float) {
                      QString::fromStdString("frame '" + view_->frame + "' is not known to rviz"));
   scene_node_->setPosition(frame->position);
   scene_node_->setOrientation(frame->orientation);
+  constexpr double kLargest = 2;  // times the size, so that a thinned surface stays one; chosen
+  const double larger = std::min(kLargest, std::sqrt(1 / pieces_->share()));
+  pieces_->set_size(std::round(size_->getFloat() * static_cast<float>(larger)));
   is_drawn_ = pieces_->draw();
   if (!is_drawn_) return setStatus(rviz::StatusProperty::Ok, "Scan", tr("being drawn"));
   QString words = tr("%1 points stay").arg(view_->kept.size());

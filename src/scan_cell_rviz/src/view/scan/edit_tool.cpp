@@ -49,6 +49,7 @@ int EditTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   const bool by_left = event.left() || event.leftUp();
   if (!by_left || event.alt()) {
     context_->getViewManager()->getCurrent()->handleMouseEvent(event);
+    setStatus(help());  // in place of what the view says of the left button
     return Render;
   }
   attempt([&] {
