@@ -191,6 +191,8 @@ void Seat::connect_pages() {
   });
   connect(pages_, &QTabWidget::currentChanged, this, [this] {
     if (page() == Page::kHistory) link_.list_runs();
+    if (page() == Page::kDesign) design_->suggest(part_->chosen());
+    if (page() == Page::kPasses) passes_->suggest(part_->chosen());
     Q_EMIT pageShown(page());
   });
   connect(stop_, &QPushButton::clicked, &link_, &CellLink::stop);

@@ -20,4 +20,12 @@ inline bool list_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes
   return box.currentText() != before;
 }
 
+/// @return whether nothing was chosen before, and this is now
+inline bool choose_in_empty(QComboBox& box, const QString& recipe) {
+  const int row = box.findText(recipe);
+  if (!box.currentText().isEmpty() || row < 0) return false;
+  box.setCurrentIndex(row);
+  return true;
+}
+
 }  // namespace scan_cell_rviz

@@ -124,6 +124,10 @@ void DesignPage::show_recipes(const std::vector<scan_cell_msgs::RecipeState>& re
   update_buttons();
 }
 
+void DesignPage::suggest(const QString& recipe) {
+  if (choose_in_empty(*recipe_, recipe)) choose_recipe();
+}
+
 /// Picks on another reference are of no use.
 void DesignPage::choose_recipe() {
   if (recipe_->currentText() != chosen_) {

@@ -28,6 +28,8 @@ class DesignPage : public QWidget {
   explicit DesignPage(PickSession& session, QWidget* parent = nullptr);
 
   std::string recipe() const { return recipe_->currentText().toStdString(); }  ///< that is chosen
+  /// Chooses it where nobody has chosen one.
+  void suggest(const QString& recipe);
   void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
   void show_answer(const scan_cell_msgs::DesignPathRequest& request,
                    const scan_cell_msgs::DesignPathResponse& answer);

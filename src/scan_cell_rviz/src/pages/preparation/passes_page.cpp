@@ -97,6 +97,10 @@ void PassesPage::show_recipes(const std::vector<scan_cell_msgs::RecipeState>& re
   update_buttons();
 }
 
+void PassesPage::suggest(const QString& recipe) {
+  if (choose_in_empty(*recipe_, recipe)) Q_EMIT programWanted(recipe);
+}
+
 void PassesPage::show_program(const QString& recipe,
                               const scan_cell_msgs::EditProgramResponse& program) {
   if (recipe != recipe_->currentText()) return;

@@ -25,6 +25,8 @@ class PassesPage : public QWidget {
  public:
   explicit PassesPage(PassSession& session, QWidget* parent = nullptr);
 
+  /// Chooses it where nobody has chosen one.
+  void suggest(const QString& recipe);
   void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
   void show_program(const QString& recipe, const scan_cell_msgs::EditProgramResponse& program);
   void show_checked(const std::vector<scan_cell_msgs::CheckProgramResponse>& answers);

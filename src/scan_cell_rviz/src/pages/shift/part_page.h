@@ -24,6 +24,7 @@ class PartPage : public QWidget {
   void show_recipes(const std::vector<scan_cell_msgs::RecipeState>& recipes);
   void show_missed(const QString& why);  ///< the recipes could not be listed
   void set_free(bool free);              ///< whether a scan may begin
+  QString chosen() const;                ///< recipe; empty: none
 
  Q_SIGNALS:
   void refreshWanted();
@@ -31,7 +32,6 @@ class PartPage : public QWidget {
 
  private:
   void update_button();
-  QString chosen() const;
 
   QListWidget* recipes_;
   QLabel* missed_;

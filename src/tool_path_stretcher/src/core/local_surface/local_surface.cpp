@@ -180,10 +180,11 @@ LocalSurface LocalSurfaceFitter::fit(const Eigen::Vector3d& point,
   const Eigen::Vector3d bitangent = local.normal.cross(tangent);
   std::vector<KdTree::Neighbour> neighbours;
   object_.tree->within(mapping_ * local.base, radius_, neighbours);
-  local.strangers = strangers_.beside(
-      mapping_ * local.base, mapping_.turn(local.base, local.normal) * local.normal, radius_);
   const std::vector<Height> heights = heights_of(neighbours, local, tangent, bitangent);
   local.support = heights.size();
+  local.strangers = strangers_.beside(mapping_ * local.base,
+                                      mapping_.turn(local.base, local.normal) * local.normal,
+                                      radius_, local.support >= min_support_);
   if (local.support < min_support_) return local;
 
   const LinearFit fit = fit_linearly(heights, radius_);

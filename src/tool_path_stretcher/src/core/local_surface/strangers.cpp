@@ -82,40 +82,41 @@ Strangers::Strangers(const SurfacePair& surfaces, const Mapping& mapping,
 }
 
 std::vector<std::size_t> Strangers::column(const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
-                                           double radius) const {
+                                           double radius, bool is_seen) const {
   constexpr double kReach = 4;     // radii; chosen
   constexpr double kAlong = 0.1;   // cosine: 84 degrees; chosen
   constexpr double kFacing = 0.9;  // cosine: 26 degrees; chosen
   constexpr double kCovers = 1.2;  // radii of spheres one radius apart, which fill the column
+  constexpr double kOver = 0.5;    // radii: far up, what is beside the place is not over it; chosen
   const double towards = facing(normal, viewers_);
   const Eigen::Vector3d out = std::copysign(1.0, towards) * normal;
   std::vector<KdTree::Neighbour> neighbours;
   std::vector<std::size_t> indices;
-  const auto add = [&](const Eigen::Vector3d& middle, double reach) {
+  const auto add = [&](const Eigen::Vector3d& middle, double reach, double beside) {
     points_->within(middle, reach, neighbours);
     for (const KdTree::Neighbour& neighbour : neighbours) {
       const Eigen::Vector3d way = points_->points()[neighbour.index] - at;
       const bool is_under = std::abs(towards) >= kAlong && way.dot(out) < 0;
-      if ((way - way.dot(normal) * normal).norm() < radius && (under_counts_ || !is_under))
+      if ((way - way.dot(normal) * normal).norm() < beside && (under_counts_ || !is_under))
         indices.push_back(neighbour.index);
     }
   };
-  add(at, kReach * radius);
+  add(at, kReach * radius, radius);
   const double farthest =
       std::min(length_, (box_.center() - at).norm() + box_.diagonal().norm() / 2);
-  if (std::abs(towards) >= kFacing)
+  if (!is_seen && std::abs(towards) >= kFacing)
     for (double over = kReach * radius; over < farthest; over += radius)
-      add(at + over * out, kCovers * radius);
+      add(at + over * out, kCovers * radius, kOver * radius);
   std::sort(indices.begin(), indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   return indices;
 }
 
 Strangers::Beside Strangers::beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
-                                    double radius) const {
+                                    double radius, bool is_seen) const {
   Beside found;
   if (!points_) return found;
-  const std::vector<std::size_t> indices = column(at, normal, radius);
+  const std::vector<std::size_t> indices = column(at, normal, radius, is_seen);
   if (indices.empty()) return found;
   std::vector<std::size_t> counts(patches_.size(), 0);
   for (const std::size_t index : indices)

@@ -32,17 +32,19 @@ class Strangers {
   };
 
   /// Within a radius, and up to several times as far over and under it: what stands there hides the
-  /// surface itself. Where the surface faces those who saw it, as far over it as the part is long:
-  /// of a high rib a scan may show the top alone. Not under it where the reference is a scan: that
-  /// one may not have shown it.
+  /// surface itself. Where nothing of the surface was seen although it faces those who looked, as
+  /// far over it as the part is long: of a high rib a scan may show the top alone. Not under it
+  /// where the reference is a scan: that one may not have shown it.
   /// @param at [m, object]
   /// @param normal unit length, of the surface there
-  Beside beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal, double radius) const;
+  /// @param is_seen the surface itself was scanned there: nothing stands on it
+  Beside beside(const Eigen::Vector3d& at, const Eigen::Vector3d& normal, double radius,
+                bool is_seen) const;
 
  private:
   /// Those points of the tree.
   std::vector<std::size_t> column(const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
-                                  double radius) const;
+                                  double radius, bool is_seen) const;
 
   std::vector<StrangerPatch> patches_;
   std::vector<std::size_t> patch_of_;     // each point of the tree
