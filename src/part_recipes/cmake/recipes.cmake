@@ -2,7 +2,7 @@ add_library(${PROJECT_NAME}_core
   src/core/approval/approval.cpp src/core/clock/utc_time.cpp src/core/disk/folder_lock.cpp
   src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp src/core/recipe/places_file.cpp
   src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_edits.cpp
-  src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp src/core/record/run_record.cpp src/core/record/work_records.cpp
+  src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp src/core/record/record_names.cpp src/core/record/run_record.cpp src/core/record/work_records.cpp
   src/core/replay/job_folder.cpp src/core/replay/replay.cpp src/core/run/again.cpp
   src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp src/core/run/figures.cpp
   src/core/run/place_check.cpp src/core/run/prove.cpp src/core/run/recipe_picture.cpp

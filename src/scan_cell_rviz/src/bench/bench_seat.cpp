@@ -18,8 +18,8 @@
 #include <filesystem>
 #include <functional>
 
+#include "fixtures/hold_ups.h"
 #include "fixtures/rviz_view.h"
-#include "hold_ups.h"
 #include "panel/seat_panel.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/testing/child_process.h"

@@ -8,17 +8,13 @@
 #include <iterator>
 #include <utility>
 
+#include "scan_cell_common/ros/goal_status.h"
+
 namespace scan_cell_rviz {
 namespace {
 
 constexpr const char* const kOfCell[] = {"/scan", "/work", "/calibrate"};
 constexpr double kPatience = 1;  // [s] for the recipes' node to stop the cell; chosen
-
-bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
-  using actionlib_msgs::GoalStatus;
-  return goal.status == GoalStatus::PENDING || goal.status == GoalStatus::ACTIVE ||
-         goal.status == GoalStatus::PREEMPTING || goal.status == GoalStatus::RECALLING;
-}
 
 }  // namespace
 
@@ -38,7 +34,7 @@ void CellActions::follow(ros::NodeHandle& node, const std::string& action) {
   followed.status = node.subscribe<actionlib_msgs::GoalStatusArray>(
       action + "/status", 10, [this, action](const auto& status) {
         const auto& goals = status->status_list;
-        set(action, std::any_of(goals.begin(), goals.end(), is_under_way));
+        set(action, std::any_of(goals.begin(), goals.end(), scan_cell_common::is_under_way));
       });
 }
 

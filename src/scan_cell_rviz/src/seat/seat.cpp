@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seat/seat.h"
 
-#include <QApplication>
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "scan_cell_common/ros/cloud_messages.h"
 #include "widgets/labels_and_buttons.h"
-#include "widgets/wheel_guard.h"
+#include "widgets/scrolled.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -21,6 +18,7 @@ namespace {
 using scan_cell_msgs::RunRecipeResult;
 
 constexpr int kPerMille = 1000;
+constexpr int kTroubleLines = 3;  // chosen
 
 QString id_of(const RunRecipeResult& result) {
   return QFileInfo(QString::fromStdString(result.folder)).fileName();
@@ -56,15 +54,15 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   look_->setToolTip(tr("Brings what the page is about into the middle of the 3D view"));
   pages_->setObjectName("pages");
   pages_->setStyleSheet("QTabBar::tab { padding: 4px 5px; }");  // all nine are in view
-  add_page(part_, tr("&1 Part"));
-  add_page(clean_, tr("&2 Clean"));
-  add_page(fit_, tr("&3 Fit"));
-  add_page(path_, tr("&4 Path"));
-  add_page(work_, tr("&5 Work"));
-  add_page(history_, tr("&6 History"));
-  add_page(teach_, tr("&7 Teach"));
-  add_page(design_, tr("&8 New path"));
-  add_page(passes_, tr("&9 Passes"));
+  pages_->addTab(scrolled_page(part_, this), tr("&1 Part"));
+  pages_->addTab(scrolled_page(clean_, this), tr("&2 Clean"));
+  pages_->addTab(scrolled_page(fit_, this), tr("&3 Fit"));
+  pages_->addTab(scrolled_page(path_, this), tr("&4 Path"));
+  pages_->addTab(scrolled_page(work_, this), tr("&5 Work"));
+  pages_->addTab(scrolled_page(history_, this), tr("&6 History"));
+  pages_->addTab(scrolled_page(teach_, this), tr("&7 Teach"));
+  pages_->addTab(scrolled_page(design_, this), tr("&8 New path"));
+  pages_->addTab(scrolled_page(passes_, this), tr("&9 Passes"));
   progress_->setObjectName("progress");
   progress_->setMaximum(kPerMille);
   stop_->setObjectName("stop");
@@ -79,7 +77,7 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   layout->addWidget(doing_);
   layout->addLayout(under_way);
   layout->addWidget(pages_, 1);
-  layout->addWidget(in_fixed_height(trouble_));
+  layout->addWidget(in_lines(trouble_, kTroubleLines, this));
 
   connect_link();
   connect_pages();
@@ -89,36 +87,6 @@ Seat::Seat(SeatLinks& links, const SeatSessions& sessions, QWidget* parent)
   connect_passes();
   show_busy(link_.busy());
   tell(QString());
-}
-
-/// Of so many lines at any time: buttons must not move under the pointer when a message comes.
-QWidget* Seat::in_fixed_height(QLabel* label) {
-  constexpr int kLines = 3;
-  auto* const scrolled = new QScrollArea(this);
-  scrolled->setFrameShape(QFrame::NoFrame);
-  scrolled->setFocusPolicy(Qt::NoFocus);
-  scrolled->setWidgetResizable(true);
-  scrolled->setFixedHeight(kLines * label->fontMetrics().lineSpacing() + 2);
-  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  scrolled->setWidget(label);
-  return scrolled;
-}
-
-/// A low screen shows a part of it.
-void Seat::add_page(QWidget* page, const QString& title) {
-  auto* const scrolled = new QScrollArea(this);
-  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scrolled->setMinimumWidth(page->minimumSizeHint().width() +
-                            scrolled->verticalScrollBar()->sizeHint().width());
-  scrolled->setFrameShape(QFrame::NoFrame);
-  scrolled->setWidgetResizable(true);
-  scrolled->setFocusPolicy(Qt::NoFocus);
-  scrolled->setWidget(page);
-  new WheelGuard(page);
-  connect(qApp, &QApplication::focusChanged, scrolled, [=](QWidget*, QWidget* now) {
-    if (now != nullptr && page->isAncestorOf(now)) scrolled->ensureWidgetVisible(now);
-  });
-  pages_->addTab(scrolled, title);
 }
 
 void Seat::show_page(Page page) {

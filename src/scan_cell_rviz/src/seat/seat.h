@@ -69,8 +69,6 @@ class Seat : public QWidget {
   void placeWanted();  ///< in the middle of the view
 
  private:
-  QWidget* in_fixed_height(QLabel* label);
-  void add_page(QWidget* page, const QString& title);
   void show_page(Page page);
   void open_run(const QString& run);
   void connect_link();

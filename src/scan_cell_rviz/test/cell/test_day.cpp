@@ -13,16 +13,14 @@
 #include <functional>
 #include <vector>
 
-#include "fixtures/fake_recipes.h"
-#include "seat/seat.h"
+#include "fixtures/a_seat.h"
 
 namespace scan_cell_rviz {
 namespace {
 
 using scan_cell_msgs::RunSummary;
 
-constexpr int kPatience = 20000;  // [ms]
-constexpr int kSide = 50;         // of each scan: 125,000 points
+constexpr int kSide = 50;  // of each scan: 125,000 points
 constexpr double kMegabyte = 1e6;
 constexpr double kMostGrowth =
     25;  // [MB] from the first third to the last; a scan and its edits are 4
@@ -35,38 +33,26 @@ double resident() {
   return held * static_cast<double>(sysconf(_SC_PAGESIZE)) / kMegabyte;
 }
 
-class ADay : public testing::Test {
+class ADay : public ASeat {
  protected:
   ADay() {
-    recipes_.give_each_run_a_scan(kSide);
-    links_.start();
-    seat_.show();
-    EXPECT_TRUE(comes([this] { return list()->count() == 2 && link_.busy() == Busy::kFree; }));
-    list()->setCurrentRow(0);
+    recipes_->give_each_run_a_scan(kSide);
+    choose_frame();
   }
 
-  static bool comes(const std::function<bool()>& condition) {
-    return QTest::qWaitFor(condition, kPatience);
-  }
-  QListWidget* list() const { return seat_.findChild<QListWidget*>("recipes"); }
-  std::string text(const char* label) const {
-    return seat_.findChild<QLabel*>(label)->text().toStdString();
-  }
-  void click(const char* name) const {
-    auto* const button = seat_.findChild<QPushButton*>(name);
-    ASSERT_TRUE(comes([&] { return button->isEnabled(); })) << name << ": " << text("trouble");
-    button->click();
+  void press(const char* name) const {
+    ASSERT_TRUE(comes([&] { return button(name)->isEnabled(); })) << name << ": " << trouble();
+    button(name)->click();
   }
 
   /// Once the goal has come: the server may not be connected yet.
-  void begin(const char* button) {
-    const int before = recipes_.goals();
+  void begin(const char* name) {
+    const int before = recipes_->goals();
     ASSERT_TRUE(comes([&] {
-      auto* const one = seat_.findChild<QPushButton*>(button);
-      if (link_.busy() == Busy::kFree && one->isEnabled()) one->click();
+      if (link_.busy() == Busy::kFree && button(name)->isEnabled()) button(name)->click();
       QTest::qWait(20);
-      return recipes_.goals() > before;
-    })) << button
+      return recipes_->goals() > before;
+    })) << name
         << ": " << text("trouble");
   }
 
@@ -91,27 +77,19 @@ class ADay : public testing::Test {
 
   void run_one() {
     begin("run");
-    recipes_.finish(RunSummary::ACCEPTED);
+    recipes_->finish(RunSummary::ACCEPTED);
     ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kFree; })) << text("trouble");
     wait_for_scan();
     clean_by_hand();
-    click("approve");
+    press("approve");
     wait_for_scan();
     ASSERT_TRUE(comes([this] { return text("decision").find("Approved") == 0; }));
     begin("dry_run");
-    recipes_.finish(RunSummary::ACCEPTED);
+    recipes_->finish(RunSummary::ACCEPTED);
     ASSERT_TRUE(comes([this] { return link_.busy() == Busy::kFree; })) << text("trouble");
     wait_for_scan();
   }
 
-  FakeRecipes recipes_;
-  SeatLinks links_{NodeNames()};
-  CellLink& link_ = links_.cell;
-  EditSession edits_;
-  PathSession path_;
-  PickSession picks_;
-  PassSession passes_;
-  Seat seat_{links_, {edits_, path_, picks_, passes_}};
   std::shared_ptr<const cloud_preprocess::Cloud> scan_;  // that came last
 };
 

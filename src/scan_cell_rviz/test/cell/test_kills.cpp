@@ -4,17 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QTest>
-#include <QTimer>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <random>
 
+#include "fixtures/hold_ups.h"
+#include "fixtures/open_seat.h"
 #include "scan_cell_common/ros/node_process.h"
-#include "seat/seat.h"
 
 namespace scan_cell_rviz {
 namespace {
@@ -23,7 +22,7 @@ using scan_cell_common::process_of;
 
 constexpr int kPatience = 60000;  // [ms] a node is started again after some seconds
 constexpr unsigned kSeed = 20261126;
-constexpr qint64 kMostHeldUp =
+constexpr double kMostHeldUp =
     1000;  // [ms] a person waits; on a machine that does all else besides
 
 /// A node, the label that tells of it, and what that says when it is gone.
@@ -38,26 +37,17 @@ constexpr Victim kVictims[] = {{"/c4g_driver", "sign_robot", "not running"},
                                {"/scan_cell", "sign_cell", "not running"},
                                {"/part_recipes", "missed", "not running"}};
 
-class ASeatInTheCell : public testing::Test {
+class ASeatInTheCell : public testing::Test, protected OpenSeat {
  protected:
   ASeatInTheCell() {
     links_.start();
     seat_.show();
-    beat_.setInterval(5);
-    QObject::connect(&beat_, &QTimer::timeout, [this] {
-      held_up_ = std::max(held_up_, since_beat_.isValid() ? since_beat_.elapsed() : 0);
-      since_beat_.restart();
-    });
-    beat_.start();
   }
 
   static bool comes(const std::function<bool()>& condition) {
     return QTest::qWaitFor(condition, kPatience);
   }
 
-  std::string text(const char* label) const {
-    return seat_.findChild<QLabel*>(label)->text().toStdString();
-  }
   bool is_gone(const Victim& victim) const {
     const auto* const label = seat_.findChild<QLabel*>(victim.label);
     return !label->isHidden() && label->text().contains(victim.gone);
@@ -79,16 +69,7 @@ class ASeatInTheCell : public testing::Test {
         << victim.node << ": " << text(victim.label);
   }
 
-  SeatLinks links_{NodeNames()};
-  CellLink& link_ = links_.cell;
-  EditSession edits_;
-  PathSession path_;
-  PickSession picks_;
-  PassSession passes_;
-  Seat seat_{links_, {edits_, path_, picks_, passes_}};
-  QTimer beat_;
-  QElapsedTimer since_beat_;
-  qint64 held_up_ = 0;  // [ms] longest time that the window did nothing
+  HoldUps hold_ups_;
 };
 
 TEST_F(ASeatInTheCell, LivesWhicheverNodeIsKilledInWhicheverPageAndSaysSo) {
@@ -101,12 +82,12 @@ TEST_F(ASeatInTheCell, LivesWhicheverNodeIsKilledInWhicheverPageAndSaysSo) {
     const Victim& victim = kVictims[static_cast<std::size_t>(i) % std::size(kVictims)];
     const int page = static_cast<int>(random() % static_cast<unsigned>(pages->count()));
     pages->setCurrentIndex(page);
-    held_up_ = 0;
+    hold_ups_.reset();
     kill_one(victim);
     if (HasFatalFailure()) return;
-    EXPECT_LT(held_up_, kMostHeldUp) << victim.node << ", page " << page;
-    std::printf("%d of %d: %s killed, page %d: the window was held up for %lld ms at most\n", i + 1,
-                kills, victim.node, page + 1, static_cast<long long>(held_up_));
+    EXPECT_LT(hold_ups_.longest(), kMostHeldUp) << victim.node << ", page " << page;
+    std::printf("%d of %d: %s killed, page %d: the window was held up for %.0f ms at most\n", i + 1,
+                kills, victim.node, page + 1, hold_ups_.longest());
     std::fflush(stdout);
   }
 }

@@ -330,21 +330,16 @@ TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
 
 TEST_F(ASeat, WatchesWhileAnotherSeatHasTheCell) {
   scan();
-  SeatLinks others((NodeNames()));
-  CellLink& other = others.cell;
-  EditSession its_edits;
-  PathSession its_path;
-  PickSession its_picks;
-  PassSession its_passes;
-  Seat watching(others, {its_edits, its_path, its_picks, its_passes});
-  others.start();
+  OpenSeat other;
+  const Seat& watching = other.seat_;
+  other.links_.start();
   auto* const doing = watching.findChild<QLabel*>("doing");
   ASSERT_TRUE(comes([&] { return doing->text().startsWith("Another seat"); }));
   watching.findChild<QListWidget*>("recipes")->setCurrentRow(0);
   EXPECT_FALSE(watching.findChild<QPushButton*>("run")->isEnabled());
   QTest::mouseClick(watching.findChild<QPushButton*>("stop"), Qt::LeftButton);
   EXPECT_TRUE(comes([this] { return recipes_->was_cancelled(); })) << "anybody may stop the robot";
-  EXPECT_TRUE(comes([&] { return other.busy() == Busy::kFree; }));
+  EXPECT_TRUE(comes([&] { return other.link_.busy() == Busy::kFree; }));
 }
 
 TEST_F(ASeat, GoesOnWhereTheNodeIsKilledAmidAScanAndComesBack) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "record/record_names.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 
@@ -23,15 +24,11 @@ WorkRecord read_work(const std::string& file) {
 }  // namespace
 
 std::vector<WorkRecord> work_records(const fs::path& run, bool dry) {
-  const std::string wanted = run.string() + (dry ? ".dry_run" : ".work");
   std::vector<WorkRecord> records;
-  std::string name = wanted;  // the names that free_name() gives, in their order
-  for (int i = 2; fs::exists(name + ".json") || fs::exists(name + ".log"); ++i) {
-    if (fs::exists(name + ".json")) {
-      const WorkRecord record = read_work(name + ".json");
-      if (record.passed > 0) records.push_back(record);
-    }
-    name = wanted + "_" + std::to_string(i);
+  for (const std::string& name : taken_names(run.string() + (dry ? ".dry_run" : ".work"))) {
+    if (!fs::exists(name + ".json")) continue;  // the tool did not get that far
+    const WorkRecord record = read_work(name + ".json");
+    if (record.passed > 0) records.push_back(record);
   }
   return records;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clock/utc_time.h"
+#include "record/record_names.h"
 #include "run/calls/stage_calls.h"
 #include "run/calls/tool_call.h"
 #include "run/run_folder.h"
@@ -144,13 +145,6 @@ class Check {
 };
 
 }  // namespace
-
-std::string free_name(const std::string& wanted) {
-  std::string name = wanted;
-  for (int i = 2; fs::exists(name + ".json") || fs::exists(name + ".log"); ++i)
-    name = wanted + "_" + std::to_string(i);
-  return name;
-}
 
 PlaceCheck check_place(const Recipe& recipe, const fs::path& run, const RunRequest& request,
                        const StageBegins& begins, const std::optional<fs::path>& scan) {

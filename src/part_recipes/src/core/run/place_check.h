@@ -30,8 +30,4 @@ PlaceCheck check_place(const Recipe& recipe, const std::filesystem::path& run,
                        const RunRequest& request, const StageBegins& begins,
                        const std::optional<std::filesystem::path>& scan = std::nullopt);
 
-/// The first of NAME, NAME_2, NAME_3 ... that no .json and no .log has: no record takes the place
-/// of another.
-std::string free_name(const std::string& wanted);
-
 }  // namespace part_recipes

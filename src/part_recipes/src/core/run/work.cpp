@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 
+#include "record/record_names.h"
 #include "run/calls/stage_calls.h"
 #include "run/calls/tool_call.h"
 #include "run/place_check.h"

@@ -8,17 +8,12 @@
 #include <optional>
 
 #include "scan_cell_common/errors/errors.h"
+#include "scan_cell_common/ros/goal_status.h"
 
 namespace scan_cell {
 namespace {
 
 constexpr double kLook = 0.01;  // [s] between two looks; chosen
-
-bool is_under_way(const actionlib_msgs::GoalStatus& goal) {
-  using Status = actionlib_msgs::GoalStatus;
-  return goal.status == Status::PENDING || goal.status == Status::ACTIVE ||
-         goal.status == Status::PREEMPTING || goal.status == Status::RECALLING;
-}
 
 }  // namespace
 
@@ -32,7 +27,7 @@ void GoalsUnderWay::on_status(const actionlib_msgs::GoalStatusArray& status) {
   ++heard_;
   under_way_.clear();
   for (const auto& goal : status.status_list) {
-    if (is_under_way(goal)) under_way_.insert(goal.goal_id.id);
+    if (scan_cell_common::is_under_way(goal)) under_way_.insert(goal.goal_id.id);
   }
 }
 
