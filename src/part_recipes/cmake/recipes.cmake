@@ -32,7 +32,7 @@ install(TARGETS ${PROJECT_NAME}_core ${PROJECT_NAME}_design ${PROJECT_NAME}_view
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 
 scan_cell_benchmark(bench_replay
-  test/replay/bench_replay.cpp test/run/test_work_records.cpp test/temporary_folder.cpp)
+  test/replay/bench_replay.cpp test/temporary_folder.cpp)
 target_link_libraries(bench_replay ${PROJECT_NAME}_core CLI11::CLI11)
 
 scan_cell_fuzzer(fuzz_recipes
@@ -48,7 +48,8 @@ if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(test_${PROJECT_NAME}_run
     test/made_up_part.cpp test/run/test_place_check.cpp test/run/test_recipe_edits.cpp
     test/run/test_run.cpp
-    test/run/test_run_folder.cpp test/run/test_sight.cpp test/temporary_folder.cpp
+    test/run/test_run_folder.cpp test/run/test_sight.cpp test/run/test_work_records.cpp
+    test/temporary_folder.cpp
     test/view/test_deviation_colours.cpp test/view/test_run_view.cpp)
   target_link_libraries(test_${PROJECT_NAME}_run
     ${PROJECT_NAME}_view scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_clouds

@@ -11,9 +11,26 @@ macro(scan_cell_package)
   # A library whose source changed is not linked again into all that use it.
   set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
   add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
+  if(CATKIN_ENABLE_TESTING)
+    cmake_language(DEFER CALL _scan_cell_check_tests)  # before their sources are batches
+  endif()
   scan_cell_batches()
   scan_cell_precompile(${ARGN})
 endmacro()
+
+# Refuses a test/**/test_*.cpp of the calling package that no test is made of: it would pass by never running.
+function(_scan_cell_check_tests)
+  file(GLOB_RECURSE tests RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} test/test_*.cpp)
+  get_directory_property(targets BUILDSYSTEM_TARGETS)
+  list(FILTER targets INCLUDE REGEX "^test_")
+  foreach(target ${targets})
+    get_target_property(sources ${target} SOURCES)
+    list(REMOVE_ITEM tests ${sources})
+  endforeach()
+  if(tests)
+    message(FATAL_ERROR "${PROJECT_NAME}: no target test_... has these tests among its sources: ${tests}")
+  endif()
+endfunction()
 
 # scan_cell_find_core(PACKAGE...): makes the targets scan_cell::... of these packages' libraries without ROS known: of this
 # workspace, or installed.
