@@ -15,7 +15,7 @@ def verdict(run):
     reason = outcome.get('reason') or report.get('reason')
     return {'state': state if meaning_known else 'unusable', 'name': name, 'mark': mark, 'meaning': meaning,
             'reason': words.plain(reason), 'message': words.plain(outcome.get('message') or report.get('message')),
-            'cure': words.cure_of(reason)}
+            'cure': words.cure_of(reason, report.get('cleaned_away'))}
 
 
 def identity(run):

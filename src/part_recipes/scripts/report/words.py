@@ -28,10 +28,15 @@ CURES = {
     'fold_over': 'Check part and scan, or lower deformation_level.',
     'cancelled': 'Run again.',
 }
+CLEANED_AWAY = ('Change the cleaning settings: they took the points at the marked waypoints. Scan where the scan had none, or '
+                'split the path.')
 NOT_RECORDED = 'not recorded'
 
 
-def cure_of(reason):
+def cure_of(reason, cleaned_away=None):
+    """cleaned_away: waypoints at which the cleaning took the points of the scan."""
+    if reason == 'path_not_scanned' and cleaned_away:
+        return CLEANED_AWAY
     if reason in CURES:
         return CURES[reason]
     if isinstance(reason, str) and reason.endswith('_failed'):

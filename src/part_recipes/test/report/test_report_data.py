@@ -116,6 +116,12 @@ class Words(unittest.TestCase):
             self.assertNotEqual(words.cure_of(reason), 'See the message.')
         self.assertIn('stages/clean.log', words.cure_of('clean_failed'))
 
+    def test_the_cure_is_the_cleaning_where_that_took_the_points(self):
+        refused = types.SimpleNamespace(record={'outcome': {'state': 'refused', 'reason': 'path_not_scanned'}}, report={})
+        self.assertNotIn('cleaning', sections.verdict(refused)['cure'])
+        refused.report = {'cleaned_away': [3, 4]}
+        self.assertIn('cleaning', sections.verdict(refused)['cure'])
+
 
 class Sections(unittest.TestCase):
     def test_tell_how_a_scan_by_the_cell_was_bound_and_how_its_passes_agree(self):

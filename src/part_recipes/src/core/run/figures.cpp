@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/figures.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "scan_cell_common/errors/errors.h"
@@ -48,6 +50,11 @@ void add_scan(Json& report, const Json& scan) {
   }
 }
 
+void save(const Json& all, const std::filesystem::path& report) {
+  constexpr int kIndent = 2;
+  scan_cell_common::save_text(report.string(), all.dump(kIndent) + "\n");
+}
+
 }  // namespace
 
 void settle_report(const std::filesystem::path& report,
@@ -57,8 +64,21 @@ void settle_report(const std::filesystem::path& report,
     all.erase("seconds");
     all.erase("seconds_of");
     if (scan) read(*scan, [&all](const Json& told) { add_scan(all, told); });
-    constexpr int kIndent = 2;
-    scan_cell_common::save_text(report.string(), all.dump(kIndent) + "\n");
+    save(all, report);
+  });
+}
+
+void tell_cleaned_away(const std::filesystem::path& report, const std::vector<std::size_t>& taken,
+                       RunRecord& record) {
+  if (taken.empty()) return;
+  read(report, [&](Json all) {
+    record.message += fmt::format(
+        "; the scan has points at {} of the {} waypoints, cleaning took them: look at "
+        "the cleaning (page 2 of the seat) before you scan anew",
+        taken.size(), all.at("waypoints_concerned").size());
+    all["message"] = record.message;
+    all["cleaned_away"] = taken;
+    save(all, report);
   });
 }
 

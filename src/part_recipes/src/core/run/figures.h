@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +20,14 @@ namespace part_recipes {
 /// @throw scan_cell_common::UnusableInput if one of them is no such file
 void settle_report(const std::filesystem::path& report,
                    const std::optional<std::filesystem::path>& scan, RunRecord& record);
+
+/// Adds to the message of a refusal, in the report and in the record, that the scan had points
+/// where the clean cloud has none, and to the report the numbers of these waypoints
+/// (`cleaned_away`). Nothing is added where there are none.
+/// @param taken waypoints at which the cleaning took the points
+/// @throw scan_cell_common::UnusableInput if the report is none
+void tell_cleaned_away(const std::filesystem::path& report, const std::vector<std::size_t>& taken,
+                       RunRecord& record);
 
 /// Takes reason, message and figures from a report that was settled.
 /// @throw scan_cell_common::UnusableInput if it is none

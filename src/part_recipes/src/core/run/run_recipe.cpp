@@ -10,6 +10,7 @@
 #include "recipe/places_file.h"
 #include "recipe/proof.h"
 #include "run/calls/stage_calls.h"
+#include "run/cleaned_away.h"
 #include "run/figures.h"
 #include "run/run_folder.h"
 #include "scan_cell_common/errors/errors.h"
@@ -17,6 +18,7 @@
 #include "scan_cell_common/files/sha256.h"
 #include "scan_cell_common/tools/tool_main.h"
 #include "scan_cell_common/tools/version.h"
+#include "tool_path_stretcher/verdict.h"
 
 namespace part_recipes {
 namespace {
@@ -183,8 +185,22 @@ class Run {
       return RunState::kUnusable;
     }
     settle_report(report, scan_record(), record_);
+    if (record_.reason == to_string(tool_path_stretcher::Reason::kPathNotScanned))
+      look_at_cleaning(report);
     if (code == 0) return RunState::kAccepted;
     return code == kRefused ? RunState::kRefused : RunState::kUnusable;
+  }
+
+  /// Where it was not scanned, or the cleaning took it. A run without that is a run.
+  void look_at_cleaning(const fs::path& report) {
+    try {
+      const auto taken =
+          waypoints_cleaned_away(recipe_, {inputs(), inputs() / scan_name(), record_.scan_units,
+                                           folder_.path() / "object.ply", report});
+      tell_cleaned_away(report, taken, record_);
+    } catch (const scan_cell_common::Error& error) {
+      ended_.warn(std::string("not known whether the cleaning took it: ") + error.what());
+    }
   }
 
   /// Which waypoints the scan could see, and why not the others. A run without it is a run.

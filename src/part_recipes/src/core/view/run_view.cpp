@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/run_view.h"
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "deviation/adapted_part.h"
-#include "deviation/scene/path_reading.h"
 #include "recipe/recipe.h"
 #include "record/run_record.h"
 #include "run/calls/stage_calls.h"
+#include "run/recipe_reading.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"
 #include "tool_path_stretcher/reported_verdict.h"
@@ -20,24 +18,6 @@ namespace part_recipes {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// As the tools of the run read it, from the same options.
-PathReading reading_of(const RecipeFile& path) {
-  CLI::App app;
-  PathReadingOptions options;
-  options.units = path.units;
-  add_reading_options(app, options);
-  ToolCall call;
-  add_options(call, path.options);
-  std::reverse(call.command.begin(), call.command.end());  // as CLI11 takes them
-  try {
-    app.parse(call.command);
-  } catch (const CLI::ParseError& error) {
-    throw scan_cell_common::UnusableInput(path.file, error.what(),
-                                          "look at the options of the path in recipe.yaml");
-  }
-  return options.typed();
-}
 
 tool_paths::ToolPath placed(tool_paths::ToolPath path, const AdaptedPart& part) {
   if (!part.similarity) return path;

@@ -1,0 +1,16 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "recipe/recipe.h"
+#include "tool_path_stretcher/stretch_parameters.h"
+
+namespace part_recipes {
+
+/// The parameters by which stretch judges a part of the recipe: as it gives them, else their
+/// defaults.
+/// @throw scan_cell_common::UnusableInput if one that it gives is of the wrong kind
+/// @throw scan_cell_common::InvalidParameter if one is out of its range
+tool_path_stretcher::StretchParameters stretch_parameters_of(const Recipe& recipe);
+
+}  // namespace part_recipes

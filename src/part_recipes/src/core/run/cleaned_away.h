@@ -1,0 +1,43 @@
+// Copyright 2026 the scan cell developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "recipe/recipe.h"
+#include "tool_path_stretcher/similarity.h"
+
+namespace part_recipes {
+
+/// Of places, those that the cleaning left bare.
+/// @param places [m] on the object's surface
+/// @param raw cloud [m] before the cleaning; what is not finite is left out
+/// @param clean cloud [m] after it, at least 20 points
+/// @param near [m] of a point that counts as at the place
+/// @return indices of the places near which the raw cloud has a point and the clean one has none;
+/// the latter also counts up to two of its own spacings: it is thinner
+/// @throw scan_cell_common::UnusableInput if the clean cloud is too small
+std::vector<std::size_t> cleaned_away(const tool_path_stretcher::Points& places,
+                                      const tool_path_stretcher::Points& raw,
+                                      const tool_path_stretcher::Points& clean, double near);
+
+/// A run whose adaptation was refused.
+struct RefusedRun {
+  std::filesystem::path inputs;  //!< folder with the recipe's files
+  std::filesystem::path scan;    //!< raw cloud
+  std::string scan_units;        //!< of that: m, mm or inch
+  std::filesystem::path clean;   //!< clean cloud, in metres
+  std::filesystem::path report;  //!< of stretch
+};
+
+/// Waypoints that the verdict is about and at which the cleaning took the points of the scan, each
+/// looked at where the part's pose puts the reference beside it. As near as a waypoint must be to
+/// the surface (`tolerance` of stretch) counts.
+/// @return numbers, counted over all segments; none where the report has no pose, or numbers other
+/// waypoints than the path has
+/// @throw scan_cell_common::Error of whoever reads the files
+std::vector<std::size_t> waypoints_cleaned_away(const Recipe& recipe, const RefusedRun& run);
+
+}  // namespace part_recipes
