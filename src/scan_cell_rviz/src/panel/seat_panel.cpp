@@ -13,14 +13,40 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <utility>
+#include <vector>
 
 #include "seat/translation.h"
 #include "view/cloud_frame.h"
 #include "view/stage/displays.h"
 
 namespace scan_cell_rviz {
+namespace {
+
+struct Answer {
+  QString text;
+  QMessageBox::ButtonRole role;
+};
+
+/// Asks before the window closes.
+/// @return which of the answers was given; none: it shall not close
+std::optional<std::size_t> ask(QWidget* parent, const QString& title, const QString& text,
+                               const std::vector<Answer>& answers) {
+  QMessageBox question(QMessageBox::Question, title, text, QMessageBox::NoButton, parent);
+  std::vector<const QAbstractButton*> buttons;
+  for (const Answer& answer : answers)
+    buttons.push_back(question.addButton(answer.text, answer.role));
+  question.addButton(SeatPanel::tr("&Do not close"), QMessageBox::RejectRole);
+  question.exec();
+  const auto clicked = std::find(buttons.begin(), buttons.end(), question.clickedButton());
+  if (clicked == buttons.end()) return std::nullopt;
+  return static_cast<std::size_t>(clicked - buttons.begin());
+}
+
+}  // namespace
 
 SeatPanel::SeatPanel(QWidget* parent) : rviz::Panel(parent) {
   install_translation();  // before there is any text
@@ -168,32 +194,22 @@ void SeatPanel::look_at(double x, double y, double z, const QString& frame) {
 /// What a person did by hand is not lost without a word.
 bool SeatPanel::may_lose_edits() {
   const QStringList unsaved = seat_->unsaved();
-  if (unsaved.isEmpty()) return true;
-  QMessageBox question(QMessageBox::Question, tr("Edits are not saved"),
-                       tr("Not saved: %1.").arg(unsaved.join(", ")), QMessageBox::NoButton, this);
-  QPushButton* const lose =
-      question.addButton(tr("&Close without them"), QMessageBox::DestructiveRole);
-  question.addButton(tr("&Do not close"), QMessageBox::RejectRole);
-  question.exec();
-  return question.clickedButton() == lose;
+  return unsaved.isEmpty() ||
+         ask(this, tr("Edits are not saved"), tr("Not saved: %1.").arg(unsaved.join(", ")),
+             {{tr("&Close without them"), QMessageBox::DestructiveRole}})
+             .has_value();
 }
 
 bool SeatPanel::may_close() {
   if (seat_ == nullptr) return true;
   if (!may_lose_edits()) return false;
   if (!seat_->is_busy()) return true;
-  QMessageBox question(QMessageBox::Question, tr("The cell is at work"),
-                       tr("What this seat began is still under way."), QMessageBox::NoButton, this);
-  QPushButton* const stop = question.addButton(tr("&Stop it and close"), QMessageBox::AcceptRole);
-  QPushButton* const leave =
-      question.addButton(tr("&Leave it running and close"), QMessageBox::DestructiveRole);
-  question.addButton(tr("&Do not close"), QMessageBox::RejectRole);
-  question.exec();
-  if (question.clickedButton() == stop) {
-    links_->cell.stop();
-    return true;
-  }
-  return question.clickedButton() == leave;
+  const auto answer =
+      ask(this, tr("The cell is at work"), tr("What this seat began is still under way."),
+          {{tr("&Stop it and close"), QMessageBox::AcceptRole},
+           {tr("&Leave it running and close"), QMessageBox::DestructiveRole}});
+  if (answer == 0) links_->cell.stop();
+  return answer.has_value();
 }
 
 }  // namespace scan_cell_rviz
