@@ -47,6 +47,17 @@ Der Roboter kommt nicht dorthin.</translation>
     </message>
 </context>
 <context>
+    <name>Signs</name>
+    <message>
+        <source>1 day</source>
+        <translation>1 Tag</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
+    </message>
+</context>
+<context>
     <name>UnitsShown</name>
     <message>
         <source> mm</source>

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace scan_cell_rviz {
@@ -49,14 +52,20 @@ Sign sign_of(const DiagnosticStatus& camera) {
   return {camera.level == DiagnosticStatus::WARN ? Level::kNotice : Level::kBad, camera.message};
 }
 
+QString age_text(double age) {
+  constexpr double kDay = 86400;
+  const long days = std::lround(std::max(0.0, age) / kDay);
+  return days == 1 ? QCoreApplication::translate("Signs", "1 day")
+                   : QCoreApplication::translate("Signs", "%1 days").arg(days);
+}
+
 Sign calibration_sign(const std::string& file, const std::string& sha256, double age) {
   if (file.empty()) return {Level::kBad, "the cell names no scanner model"};
   const std::string name = std::filesystem::path(file).filename().string();
   if (sha256.empty()) return {Level::kNotice, name + ", not on this machine"};
-  constexpr double kDay = 86400;
   constexpr std::size_t kDigits = 8;
-  return {Level::kGood, fmt::format("{} {}, {:.0f} days", name, sha256.substr(0, kDigits),
-                                    std::max(0.0, age) / kDay)};
+  return {Level::kGood,
+          fmt::format("{} {}, {}", name, sha256.substr(0, kDigits), age_text(age).toStdString())};
 }
 
 }  // namespace scan_cell_rviz

@@ -7,6 +7,8 @@
 #include <scan_cell_msgs/RobotStatus.h>
 #include <scan_cell_msgs/TriggerState.h>
 
+#include <QString>
+
 #include "signs/sign.h"
 
 namespace scan_cell_rviz {
@@ -21,6 +23,10 @@ Sign sign_of(const scan_cell_msgs::CellState& cell);
 
 /// Of the camera.
 Sign sign_of(const diagnostic_msgs::DiagnosticStatus& camera);
+
+/// In whole days.
+/// @param age [s]
+QString age_text(double age);
 
 /// Of the scanner model: its name, the first digits of its hash, and its age.
 /// @param sha256 empty: the file cannot be read here

@@ -64,6 +64,9 @@ TEST(Signs, OfACameraAndACellThatFailGiveTheirReason) {
 TEST(Signs, OfTheCalibrationTellFileHashAndAge) {
   EXPECT_EQ(calibration_sign("/data/scanner.yaml", "0123456789abcdef", 3 * 86400 + 5).text,
             "scanner.yaml 01234567, 3 days");
+  EXPECT_EQ(calibration_sign("/data/scanner.yaml", "0123456789abcdef", 86400 + 5).text,
+            "scanner.yaml 01234567, 1 day");
+  EXPECT_EQ(age_text(0), "0 days");
   EXPECT_EQ(calibration_sign("/data/scanner.yaml", "", 0).level, Level::kNotice);
   EXPECT_EQ(calibration_sign("", "", 0).level, Level::kBad);
 }
