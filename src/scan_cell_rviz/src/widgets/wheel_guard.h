@@ -3,8 +3,8 @@
 #pragma once
 
 #include <QAbstractSpinBox>
+#include <QChildEvent>
 #include <QComboBox>
-#include <QEvent>
 #include <QSlider>
 #include <QWidget>
 
@@ -14,23 +14,33 @@ namespace scan_cell_rviz {
 /// wheel turns only what a person has chosen.
 class WheelGuard : public QObject {
  public:
-  /// Of what is on the page now.
-  explicit WheelGuard(QWidget* page) : QObject(page) {
-    for (QWidget* const widget : page->findChildren<QWidget*>()) {
-      const bool turns = qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
-                         qobject_cast<QComboBox*>(widget) != nullptr ||
-                         qobject_cast<QSlider*>(widget) != nullptr;
-      if (!turns) continue;
-      widget->setFocusPolicy(Qt::StrongFocus);
-      widget->installEventFilter(this);
-    }
-  }
+  /// Of what is on the page, and of what comes later.
+  explicit WheelGuard(QWidget* page) : QObject(page) { guard(*page); }
 
   bool eventFilter(QObject* object, QEvent* event) override {
-    const bool turns =
-        event->type() == QEvent::Wheel && !qobject_cast<QWidget*>(object)->hasFocus();
+    if (event->type() == QEvent::ChildPolished) {  // a child that was added is no spin box yet
+      auto* const child = static_cast<QChildEvent*>(event)->child();
+      if (child->isWidgetType()) guard(*static_cast<QWidget*>(child));
+    }
+    const auto* const widget = qobject_cast<QWidget*>(object);
+    const bool turns = event->type() == QEvent::Wheel && widget != nullptr && is_turned(*widget) &&
+                       !widget->hasFocus();
     if (turns) event->ignore();  // the page scrolls
     return turns;
+  }
+
+ private:
+  static bool is_turned(const QWidget& widget) {
+    return qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
+           qobject_cast<const QComboBox*>(&widget) != nullptr ||
+           qobject_cast<const QSlider*>(&widget) != nullptr;
+  }
+
+  void guard(QWidget& widget) {
+    if (is_turned(widget)) widget.setFocusPolicy(Qt::StrongFocus);
+    widget.installEventFilter(this);  // once, however often it is asked for
+    for (QObject* const child : widget.children())
+      if (child->isWidgetType()) guard(*static_cast<QWidget*>(child));
   }
 };
 

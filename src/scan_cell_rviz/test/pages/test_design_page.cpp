@@ -1,5 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include <QApplication>
+#include <QWheelEvent>
+
 #include "fixtures/a_seat.h"
 
 namespace scan_cell_rviz {
@@ -70,6 +73,26 @@ TEST_F(ADesignPage, GivesTheToolWhatDiffersFromTheDefaultsInItsUnits) {
   EXPECT_EQ(find<QLineEdit>("parameter_max_step")->text(), "2.5") << "it is still there";
   EXPECT_TRUE(recipes_->last_design().picks.empty()) << "an edge has none";
   EXPECT_TRUE(button("make_path")->isEnabled());
+}
+
+TEST_F(ADesignPage, ChangesNoParameterForWhoScrollsOverOneThatCameLater) {
+  ASSERT_TRUE(comes([this] {
+    const auto* const box = seat_.findChild<QComboBox*>("parameter_closed");
+    return box != nullptr && box->isVisible();
+  }));
+  auto* const closed = find<QComboBox>("parameter_closed");
+  const auto turn = [closed] {
+    QWheelEvent event(QPointF(2, 2), closed->mapToGlobal(QPoint(2, 2)), {}, QPoint(0, -120),
+                      Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(closed, &event);
+  };
+  turn();
+  EXPECT_EQ(closed->currentText(), "false");
+  QApplication::setActiveWindow(&seat_);
+  closed->setFocus();
+  ASSERT_TRUE(comes([closed] { return closed->hasFocus(); }));
+  turn();
+  EXPECT_EQ(closed->currentText(), "true") << "this one was chosen";
 }
 
 TEST_F(ADesignPage, SaysWhichPickIsOfNoUse) {
