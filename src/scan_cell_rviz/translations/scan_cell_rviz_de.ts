@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>JointTurn</name>
+    <message>
+        <source>%1 turns most along the path: from %2 to %3 degrees</source>
+        <translation>%1 dreht auf der Bahn am weitesten: von %2 bis %3 Grad</translation>
+    </message>
+    <message>
+        <source>; it can from %1 to %2.</source>
+        <translation>; möglich sind %1 bis %2.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>all outputs off</source>

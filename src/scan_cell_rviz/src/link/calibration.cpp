@@ -26,4 +26,13 @@ void CellLink::look_at_calibration() {
   show(Device::kCalibration, calibration_sign(file, hash, age));
 }
 
+/// Aside, likewise.
+void CellLink::look_at_robot() {
+  std::string urdf;
+  ros::param::get("/robot_description", urdf);
+  if (urdf == robot_description_) return;
+  robot_description_ = urdf;
+  Q_EMIT limitsCame(limits_in(urdf));
+}
+
 }  // namespace scan_cell_rviz

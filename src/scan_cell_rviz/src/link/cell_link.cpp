@@ -43,6 +43,7 @@ void register_types() {
   qRegisterMetaType<RunRecipeResult>("scan_cell_msgs::RunRecipeResult");
   qRegisterMetaType<sensor_msgs::PointCloud2ConstPtr>("sensor_msgs::PointCloud2ConstPtr");
   qRegisterMetaType<scan_cell_msgs::WorkPreviewConstPtr>("scan_cell_msgs::WorkPreviewConstPtr");
+  qRegisterMetaType<RobotLimits>("scan_cell_rviz::RobotLimits");
 }
 
 Doing doing_of(const RunRecipeGoal& goal) {
@@ -365,7 +366,10 @@ void CellLink::look() {
     recipes_missed_ = false;
     if (!listed_ && looks_ % kLooksAList == 0) list_recipes();
   }
-  if (looks_++ % kLooksACalibration == 0) worker_->add([this] { look_at_calibration(); });
+  if (looks_++ % kLooksACalibration == 0) {
+    worker_->add([this] { look_at_calibration(); });
+    worker_->add([this] { look_at_robot(); });
+  }
   look_at_run();
 }
 

@@ -32,6 +32,7 @@
 #include "link/cell_actions.h"
 #include "link/node_names.h"
 #include "link/worker.h"
+#include "preview/joint_turn.h"
 #include "scan_cell_common/ros/goal_client.h"
 #include "signs/sign.h"
 
@@ -102,6 +103,7 @@ class CellLink : public QObject {
   void edited(QString recipe);
   void rawCame(sensor_msgs::PointCloud2ConstPtr raw);           ///< of the run that was described
   void previewed(scan_cell_msgs::WorkPreviewConstPtr preview);  ///< whoever asked for it
+  void limitsCame(scan_cell_rviz::RobotLimits limits);          ///< of the robot's joints
   void failed(QString message);
   void progressed(QString doing, double share);  ///< share below 0: not known
   void runEnded(scan_cell_msgs::RunRecipeResult result, scan_cell_rviz::Doing was);
@@ -117,6 +119,7 @@ class CellLink : public QObject {
   void look();
   void look_at_run();
   void look_at_calibration();
+  void look_at_robot();
   void show(Device device, const Sign& sign);
   void hear(Device device, const Sign& sign);
   void show_presence(Device device, const ros::Subscriber& subscriber);
@@ -150,6 +153,7 @@ class CellLink : public QObject {
   bool recipes_missed_ = false;      // and that was said
   std::atomic<bool> listed_{false};  // the recipes of the node that is there
   std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();
+  std::string robot_description_;     // as it was when it was looked at last; by worker_
   std::atomic<bool> looking_{false};  // for nodes
   std::unique_ptr<Worker> presence_worker_ = std::make_unique<Worker>();
   std::unique_ptr<Worker> preview_worker_ = std::make_unique<Worker>();  // others need not wait

@@ -26,6 +26,8 @@
 namespace scan_cell_rviz {
 namespace {
 
+constexpr const char* kPreview = "scan_cell_rviz/WorkPreview";
+
 struct Answer {
   QString text;
   QMessageBox::ButtonRole role;
@@ -68,6 +70,7 @@ void SeatPanel::onInitialize() {
   connect(seat_, &Seat::placeChosen, this, &SeatPanel::look_at);
   connect(seat_, &Seat::toolWanted, this, &SeatPanel::use_tool);
   connect(seat_, &Seat::poseChosen, this, &SeatPanel::show_pose);
+  connect(seat_, &Seat::runShown, this, &SeatPanel::show_run);
   connect(seat_, &Seat::pageShown, this, &SeatPanel::show_page);
   connect(seat_, &Seat::placeCame, this, &SeatPanel::fit_view_once);
   connect(seat_, &Seat::placeWanted, this, &SeatPanel::fit_view);
@@ -130,9 +133,17 @@ void SeatPanel::show_path() {
 
 void SeatPanel::show_pose(int pose) {
   if (seat_->page() != Page::kWork) return;  // another seat's preview
-  display_of(*vis_manager_, "scan_cell_rviz/WorkPreview", "what the robot would do", true)
-      .subProp("Pose")
-      ->setValue(pose);
+  rviz::Display& preview = display_of(*vis_manager_, kPreview, "what the robot would do", true);
+  preview.subProp("Run")->setValue(run_);
+  preview.subProp("Pose")->setValue(pose);
+}
+
+/// The preview of another run is not drawn beside this one.
+void SeatPanel::show_run(const QString& run) {
+  run_ = run;
+  for_each_display(*vis_manager_, [&run](rviz::Display& display) {
+    if (display.getClassId() == kPreview) display.subProp("Run")->setValue(run);
+  });
 }
 
 /// @param name of a tool of this package, such as polygon; box, passes and view go with rviz's own,

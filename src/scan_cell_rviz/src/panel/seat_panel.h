@@ -39,6 +39,7 @@ class SeatPanel : public rviz::Panel {
                   const std::string& topic);
   void show_path();
   void show_pose(int pose);
+  void show_run(const QString& run);
   void show_page(Page page);
   void fit_view();
   void fit_view_once();
@@ -50,6 +51,7 @@ class SeatPanel : public rviz::Panel {
   std::unique_ptr<PassHandles> passes_;
   std::unique_ptr<StageViews> views_;
   Seat* seat_ = nullptr;
+  QString run_;  // in view
   QString person_;
   QString pose_file_;
   rviz::Config kept_views_;  // as the settings have them

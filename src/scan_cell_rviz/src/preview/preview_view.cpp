@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "preview/preview_view.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
@@ -24,6 +26,10 @@ QString outputs_of(std::uint32_t outputs) {
 }
 
 }  // namespace
+
+bool is_of_run(const WorkPreview& preview, const QString& run) {
+  return QFileInfo(QString::fromStdString(preview.path)).dir().dirName() == run;
+}
 
 std::map<std::string, double> joints_at(const WorkPreview& preview, std::size_t pose) {
   const std::size_t count = preview.joint_names.size();

@@ -14,6 +14,9 @@
 /// What a preview of the work shows of one of its poses.
 namespace scan_cell_rviz {
 
+/// Whether it is of the path of that run.
+bool is_of_run(const scan_cell_msgs::WorkPreview& preview, const QString& run);
+
 /// [rad] by name; empty: the robot does not get there, or there is no such pose.
 std::map<std::string, double> joints_at(const scan_cell_msgs::WorkPreview& preview,
                                         std::size_t pose);

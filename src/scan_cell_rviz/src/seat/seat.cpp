@@ -115,12 +115,14 @@ void Seat::connect_link() {
   connect(&link_, &CellLink::runEnded, this, &Seat::show_end);
   connect(&link_, &CellLink::failed, work_, &WorkPage::give_up_preview);
   connect(&link_, &CellLink::previewed, work_, &WorkPage::show_preview);
+  connect(&link_, &CellLink::limitsCame, work_, &WorkPage::set_limits);
   connect(&link_, &CellLink::decided, &link_, &CellLink::describe);
   connect(&link_, &CellLink::described, this, [this](const auto& run) {
     fit_->show_run(run);
     path_->show_run(run);
     work_->show_run(run);
     run_is_awaited_ = false;
+    Q_EMIT runShown(QString::fromStdString(run.run.id));
     Q_EMIT placeCame();
   });
 }

@@ -65,8 +65,9 @@ class Seat : public QWidget {
   void boxWanted();                                               ///< likewise
   void poseChosen(int pose);                                      ///< of the preview, to be shown
   void pageShown(Page page);
-  void placeCame();    ///< place() is another one
-  void placeWanted();  ///< in the middle of the view
+  void runShown(QString run);  ///< is in view now
+  void placeCame();            ///< place() is another one
+  void placeWanted();          ///< in the middle of the view
 
  private:
   void show_page(Page page);

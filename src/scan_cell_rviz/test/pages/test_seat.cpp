@@ -25,6 +25,9 @@ namespace {
 using scan_cell_msgs::RobotStatus;
 using scan_cell_msgs::RunSummary;
 
+constexpr const char* kRobot = R"(<robot name="arm"><link name="a"/><link name="b"/>
+  <joint name="J2" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+    <limit lower="-2" upper="2" velocity="1" effort="1"/></joint></robot>)";
 constexpr const char* kPlayRecipes = "--play-recipes";
 
 TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
@@ -310,6 +313,18 @@ TEST_F(ASeat, PreviewsTheWorkBeforeAnythingMoves) {
   EXPECT_EQ(place.at(0).at(0).toDouble(), 0.4);
 }
 
+TEST_F(ASeat, TellsBeforeTheWorkWhichJointTurnsMost) {
+  scan_to(RunSummary::ACCEPTED);
+  find<QTabWidget>("pages")->setCurrentIndex(4);
+  EXPECT_EQ(text("most_turned"), "");
+  ASSERT_TRUE(comes([this] { return button("preview")->isEnabled(); }));
+  click("preview");
+  // The fake's J2 goes from -0.2 to -0.6 rad
+  const std::string turn = "J2 turns most along the path: from -11 to -34 degrees";
+  EXPECT_TRUE(comes([&] { return text("most_turned") == turn + "; it can from -115 to 115."; }))
+      << text("most_turned");
+}
+
 TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {
   seat_.set_person("Ada");
   scan_to(RunSummary::REFUSED);
@@ -427,6 +442,7 @@ int main(int argc, char** argv) {
   }
   ros::AsyncSpinner spinner(4);
   spinner.start();
+  ros::param::set("robot_description", scan_cell_rviz::kRobot);
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -133,6 +133,25 @@ TEST_F(Preview, OutlivesNamesThatAreNoneAndForgetsWhatCameByAnother) {
   EXPECT_TRUE(display_->ghost("flange").has_value());
 }
 
+TEST_F(Preview, DrawsThatOfTheRunInViewAlone) {
+  scan_cell_msgs::WorkPreview preview = two_poses(0.21);
+  preview.path = "/runs/run_1/adapted_path.csv";
+  show(preview, "210 mm/s");
+  ASSERT_TRUE(comes([] { return display_->ghost("flange").has_value(); }));
+  display_->subProp("Run")->setValue("run_2");
+  EXPECT_FALSE(display_->ghost("flange").has_value()) << "it is of another run";
+  EXPECT_TRUE(comes([] { return status_of(*display_, "Way") == "none was asked for"; }));
+  display_->subProp("Run")->setValue("run_1");
+  EXPECT_TRUE(comes([] { return display_->ghost("flange").has_value(); })) << "it is latched";
+  scan_cell_msgs::WorkPreview other = two_poses(0.22);
+  other.path = "/runs/run_3/adapted_path.csv";
+  shown_.publish(other);
+  preview.waypoints[0].speed = preview.waypoints[1].speed = preview.waypoints[2].speed = 0.23;
+  show(preview, "230 mm/s");
+  display_->subProp("Run")->setValue("");
+  EXPECT_TRUE(comes([] { return display_->ghost("flange").has_value(); })) << "any will do";
+}
+
 TEST_F(Preview, DrawsNothingWhileItIsHidden) {
   show(two_poses(0.19), "190 mm/s");
   display_->setEnabled(false);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QSlider>
 #include <QTimer>
 
 #include "fixtures/fake_recipes.h"
@@ -119,6 +120,28 @@ TEST_F(ASeatPanel, ShowsWhatThePageIsAboutInTheView) {
   EXPECT_FALSE(live_->isEnabled());
   pages()->setCurrentIndex(static_cast<int>(Page::kPart));
   EXPECT_TRUE(live_->isEnabled());
+}
+
+TEST_F(ASeatPanel, TakesThePreviewAwayWhereAnotherRunIsChosen) {
+  scan();
+  recipes_.finish(scan_cell_msgs::RunSummary::ACCEPTED);
+  auto* const preview = find<QPushButton>(panel_, "preview");
+  ASSERT_TRUE(comes([&] { return preview->isEnabled(); }));
+  pages()->setCurrentIndex(static_cast<int>(Page::kWork));
+  rviz::Display* const drawn =
+      view_->manager.createDisplay("scan_cell_rviz/WorkPreview", "preview", true);
+  const auto way = [drawn] { return status_of(*drawn, "Way"); };
+  ASSERT_TRUE(comes([&] {  // the display may not be connected yet
+    if (preview->isEnabled()) preview->click();
+    QTest::qWait(50);
+    return way().contains("out of reach");
+  })) << way().toStdString();
+  auto* const pose = find<QSlider>(panel_, "pose");
+  EXPECT_TRUE(pose->isEnabled());
+  Q_EMIT panel_.findChild<HistoryPage*>()->runChosen("run_2");
+  EXPECT_TRUE(comes([&] { return !pose->isEnabled(); }));
+  pages()->setCurrentIndex(static_cast<int>(Page::kWork));
+  EXPECT_TRUE(comes([&] { return way() == "none was asked for"; })) << way().toStdString();
 }
 
 TEST_F(ASeatPanel, LaysAToolDownThatEditsTheScanWhereItIsNotSeen) {

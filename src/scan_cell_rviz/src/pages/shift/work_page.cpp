@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pages/shift/work_page.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QSignalBlocker>
@@ -26,6 +24,7 @@ WorkPage::WorkPage(QWidget* parent)
       preview_dry_(new QPushButton(tr("Preview the dr&y run"), this)),
       pose_(new QSlider(Qt::Horizontal, this)),
       at_pose_(text_label("at_pose", this)),
+      turn_(text_label("most_turned", this)),
       faults_(new QListWidget(this)),
       dry_(new QPushButton(tr("&Dry run"), this)),
       work_(new QPushButton(tr("&Work"), this)) {
@@ -80,6 +79,7 @@ QLayout* WorkPage::preview_box() {
   box->addLayout(buttons);
   box->addWidget(pose_);
   box->addWidget(at_pose_);
+  box->addWidget(turn_);
   box->addWidget(faults_);
   pose_->setEnabled(false);
   faults_->hide();
@@ -97,6 +97,7 @@ void WorkPage::forget_preview() {
   shown_.reset();
   pose_->setEnabled(false);
   at_pose_->clear();
+  turn_->clear();
   faults_->clear();
   faults_->hide();
 }
@@ -107,8 +108,8 @@ void WorkPage::give_up_preview() {
 }
 
 void WorkPage::show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
-  const QFileInfo file(QString::fromStdString(preview->path));
-  if (run_.id.empty() || file.dir().dirName() != QString::fromStdString(run_.id)) return;
+  came_ = preview;
+  if (run_.id.empty() || !is_of_run(*preview, QString::fromStdString(run_.id))) return;
   forget_preview();
   shown_ = preview;
   {
@@ -120,8 +121,19 @@ void WorkPage::show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview) 
     faults_->addItem(QString::fromStdString(fault.message));
   faults_->setVisible(!preview->faults.empty());
   show_pose(pose_->value());
+  show_turn();
   if (std::exchange(asked_, false)) Q_EMIT poseChosen(pose_->value());
   update_buttons();
+}
+
+void WorkPage::set_limits(const RobotLimits& limits) {
+  limits_ = limits;
+  show_turn();
+}
+
+void WorkPage::show_turn() {
+  const auto turn = shown_ ? most_turned(*shown_) : std::nullopt;
+  turn_->setText(turn ? text_of(*turn, limits_) : QString());
 }
 
 void WorkPage::show_pose(int pose) {
@@ -162,7 +174,8 @@ QString WorkPage::words_of_works(const scan_cell_msgs::DescribeRunResponse& run)
 void WorkPage::show_run(const scan_cell_msgs::DescribeRunResponse& described) {
   const RunSummary& run = described.run;
   works_ = described.works;
-  if (run.id != run_.id) {
+  const bool is_another = run.id != run_.id;
+  if (is_another) {
     end_->clear();
     forget_preview();
   }
@@ -180,6 +193,7 @@ void WorkPage::show_run(const scan_cell_msgs::DescribeRunResponse& described) {
   else
     part_->setText(tr("%1: approve it first").arg(name));
   update_buttons();
+  if (is_another && came_) show_preview(came_);  // the view shows it, too, where it is of this run
 }
 
 void WorkPage::show_end(const QString& message) {

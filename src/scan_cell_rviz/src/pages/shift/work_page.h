@@ -11,6 +11,8 @@
 #include <QSlider>
 #include <QWidget>
 
+#include "preview/joint_turn.h"
+
 namespace scan_cell_rviz {
 
 /// The robot follows the path of an approved run: looked at before, then dry, then with the tool
@@ -26,7 +28,8 @@ class WorkPage : public QWidget {
   void set_free(bool free);               ///< whether the robot may begin
   /// Of the run in view; others are not shown.
   void show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview);
-  void give_up_preview();  ///< what was asked for does not come
+  void set_limits(const scan_cell_rviz::RobotLimits& limits);  ///< of the robot's joints
+  void give_up_preview();                                      ///< what was asked for does not come
 
  Q_SIGNALS:
   void workWanted(QString run, bool dry);
@@ -41,6 +44,7 @@ class WorkPage : public QWidget {
   void ask_for_preview(bool dry);
   void forget_preview();
   void show_pose(int pose);
+  void show_turn();
   void show_fault(int row);
   void update_buttons();
 
@@ -52,10 +56,13 @@ class WorkPage : public QWidget {
   QPushButton* preview_dry_;
   QSlider* pose_;
   QLabel* at_pose_;
+  QLabel* turn_;
   QListWidget* faults_;
   QPushButton* dry_;
   QPushButton* work_;
-  scan_cell_msgs::WorkPreviewConstPtr shown_;
+  scan_cell_msgs::WorkPreviewConstPtr came_;   // last, be it of another run
+  scan_cell_msgs::WorkPreviewConstPtr shown_;  // of this one
+  RobotLimits limits_;
   bool asked_ = false;  // for a preview that has neither come nor failed
   bool free_ = false;
 };

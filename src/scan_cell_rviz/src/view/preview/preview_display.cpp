@@ -54,6 +54,10 @@ PreviewDisplay::PreviewDisplay() {
   description_ =
       new rviz::StringProperty("Robot Description", "robot_description",
                                "parameter with the robot's URDF", this, SLOT(load_robot()));
+  run_ = new rviz::StringProperty("Run", "",
+                                  "whose preview alone is drawn, its id; empty: that of any", this,
+                                  SLOT(subscribe()));
+  run_->setShouldBeSaved(false);  // it is the one that is chosen in the seat
   pose_ = new rviz::IntProperty("Pose", 0, "of the tip, counted from 0, where the ghost stands",
                                 this, SLOT(place_ghost()));
   pose_->setMin(0);
@@ -84,7 +88,7 @@ void PreviewDisplay::onDisable() {
   forget();
 }
 
-/// What came by another topic, or before it was hidden, is no longer true.
+/// What came by another topic, of another run, or before it was hidden, is no longer true.
 void PreviewDisplay::forget() {
   subscriber_.shutdown();
   preview_.reset();
@@ -96,7 +100,7 @@ void PreviewDisplay::subscribe() {
   if (!isEnabled()) return;
   forget();
   try {
-    subscriber_ = update_nh_.subscribe(topic_->getTopicStd(), 1, &PreviewDisplay::show, this);
+    subscriber_ = update_nh_.subscribe(topic_->getTopicStd(), 10, &PreviewDisplay::show, this);
     deleteStatus("Topic");
   } catch (const ros::Exception& error) {  // of a name that is none
     setStatus(StatusProperty::Error, "Topic", error.what());
@@ -121,6 +125,8 @@ void PreviewDisplay::load_robot() {
 }
 
 void PreviewDisplay::show(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
+  const QString run = run_->getString();
+  if (!run.isEmpty() && !is_of_run(*preview, run)) return;
   preview_ = preview;
   drawing_->draw(*preview);
   if (preview->faults.empty())

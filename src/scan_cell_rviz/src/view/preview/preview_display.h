@@ -54,6 +54,7 @@ class PreviewDisplay : public rviz::Display {
 
   rviz::RosTopicProperty* topic_;
   rviz::StringProperty* description_;
+  rviz::StringProperty* run_;
   rviz::IntProperty* pose_;
   rviz::FloatProperty* alpha_;
   ros::Subscriber subscriber_;
