@@ -124,6 +124,12 @@ class LaunchFiles(unittest.TestCase):
             for name in files:
                 self.assertTrue(os.path.isfile(name), '%s: no %s' % (what, name))
 
+    def test_open_rviz_with_a_persons_own_settings(self):
+        opened = [node for _, config in loaded() for node in config.nodes if 'rviz' in node.type]
+        self.assertTrue(opened)
+        for node in opened:
+            self.assertEqual((node.package, node.type), ('scan_cell_rviz', 'own_rviz.py'))
+
     def test_never_give_a_node_an_empty_file_name(self):
         for what, config in loaded():
             for name, param in config.params.items():

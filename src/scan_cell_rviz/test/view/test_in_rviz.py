@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The panel in rviz itself, on a screen that nobody sees, with the settings that the cell's launch file opens."""
+"""The panel in rviz itself, on a screen that nobody sees, opened as the cell's launch file does."""
 import os
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -17,11 +18,16 @@ ASKED = '/part_recipes/run/status'  # by the seat alone
 
 
 class InRviz(unittest.TestCase):
+    def setUp(self):
+        home = tempfile.TemporaryDirectory()
+        self.addCleanup(home.cleanup)
+        self.home = home.name
+
     def start_rviz(self):
         screen = ['xvfb-run', '--auto-servernum', '--server-num', '100', '--server-args', '-screen 0 1600x1000x24']
-        rviz = subprocess.Popen(screen + ['/usr/bin/rosrun', 'rviz', 'rviz', '-d', SETTINGS, '__name:=rviz'],
+        rviz = subprocess.Popen(screen + ['/usr/bin/rosrun', 'scan_cell_rviz', 'own_rviz.py', SETTINGS, '__name:=rviz'],
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
-                                env=dict(os.environ, LIBGL_ALWAYS_SOFTWARE='1'))
+                                env=dict(os.environ, LIBGL_ALWAYS_SOFTWARE='1', ROS_HOME=self.home))
         self.addCleanup(self.end, rviz)
         return rviz
 
@@ -52,6 +58,7 @@ class InRviz(unittest.TestCase):
         self.assertEqual(rviz.returncode, 0, log)
         self.assertNotIn('Segmentation', log)
         self.assertNotIn('failed to load', log.lower())
+        self.assertTrue(os.path.isfile(os.path.join(self.home, 'scan_cell_rviz', 'cell.rviz')), log)
 
 
 if __name__ == '__main__':
