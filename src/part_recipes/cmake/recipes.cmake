@@ -19,7 +19,8 @@ target_link_libraries(${PROJECT_NAME}_core
     nlohmann_json::nlohmann_json Boost::filesystem)
 
 # What is shown of a run
-add_library(${PROJECT_NAME}_view src/core/view/deviation_colours.cpp src/core/view/run_view.cpp)
+add_library(${PROJECT_NAME}_view
+  src/core/view/deviation_colours.cpp src/core/view/judged_figures.cpp src/core/view/run_view.cpp)
 target_link_libraries(${PROJECT_NAME}_view
   PUBLIC ${PROJECT_NAME}_core ${PROJECT_NAME}_deviation
   PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
@@ -53,7 +54,8 @@ if(CATKIN_ENABLE_TESTING)
     test/run/test_run.cpp
     test/run/test_run_folder.cpp test/run/test_sight.cpp test/run/test_work_records.cpp
     test/temporary_folder.cpp
-    test/view/test_deviation_colours.cpp test/view/test_run_view.cpp)
+    test/view/test_deviation_colours.cpp test/view/test_judged_figures.cpp
+    test/view/test_run_view.cpp)
   target_link_libraries(test_${PROJECT_NAME}_run
     ${PROJECT_NAME}_view scan_cell::cloud_preprocess_core scan_cell::scan_cell_common_clouds
     scan_cell::scan_cell_core nlohmann_json::nlohmann_json gtest_main)

@@ -124,16 +124,20 @@ Der Roboter kommt nicht dorthin.</translation>
         <translation>%1 läuft nicht: die Zelle mit recipes:=ORDNER starten.</translation>
     </message>
     <message>
-        <source>%1 is not running: start the cell with recipes:=FOLDER</source>
-        <translation>%1 läuft nicht: die Zelle mit recipes:=ORDNER starten</translation>
-    </message>
-    <message>
         <source>dry run: %1</source>
         <translation>Trockenlauf: %1</translation>
     </message>
     <message>
         <source>%1, %2 waypoints passed</source>
         <translation>%1, %2 Wegpunkte durchfahren</translation>
+    </message>
+    <message>
+        <source>There is no recipe in %1 yet. This command makes that of the demo&apos;s part; then press Refresh. Step 4 of the README says what it needs.</source>
+        <translation>In %1 gibt es noch kein Rezept. Dieser Befehl macht das für das Teil der Demo; dann „Neu laden“ drücken. Schritt 4 der README sagt, was er braucht.</translation>
+    </message>
+    <message>
+        <source>%1 is not running: start the cell with recipes:=FOLDER. The folder need not be there: this command makes it, with the recipe of the demo&apos;s part. Step 4 of the README says what it needs.</source>
+        <translation>%1 läuft nicht: die Zelle mit recipes:=ORDNER starten. Den Ordner muss es nicht geben: dieser Befehl macht ihn, mit dem Rezept für das Teil der Demo. Schritt 4 der README sagt, was er braucht.</translation>
     </message>
 </context>
 <context>
@@ -491,6 +495,10 @@ Der Roboter kommt nicht dorthin.</translation>
     <message>
         <source>The path may not be worked; type your name first</source>
         <translation>Der Pfad darf nicht gefahren werden; zuerst den Namen eintragen</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
     </message>
 </context>
 <context>

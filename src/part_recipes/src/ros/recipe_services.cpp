@@ -21,6 +21,7 @@
 #include "scan_cell_common/errors/errors.h"
 #include "service_answer.h"
 #include "tool_path_stretcher/ros/conversions.h"
+#include "view/judged_figures.h"
 
 namespace part_recipes {
 namespace {
@@ -102,7 +103,7 @@ fs::path RecipeServices::folder_of(const std::string& run) const {
 bool RecipeServices::list(scan_cell_msgs::ListRecipes::Request&,
                           scan_cell_msgs::ListRecipes::Response& response) {
   try {
-    for (const std::string& name : recipe_names(parameters_.recipes))
+    for (const std::string& name : recipe_names_so_far(parameters_.recipes))
       response.recipes.push_back(state_of(parameters_.recipes, name));
     return true;
   } catch (const scan_cell_common::Error& error) {
@@ -164,9 +165,10 @@ bool RecipeServices::describe(scan_cell_msgs::DescribeRun::Request& request,
     response.recipe = fs::path(record.recipe_folder).filename().string();
     response.cleaning = cleaning_settings(parameters_.recipes, response.recipe);
     if (fs::exists(folder / kReportPage)) response.report = (folder / kReportPage).string();
-    for (const auto& [name, value] : texts_of(record.figures)) {
-      response.figure_names.push_back(name);
-      response.figure_values.push_back(value);
+    for (const JudgedFigure& figure : judged_figures(folder, record, texts_of(record.figures))) {
+      response.figure_names.push_back(figure.name);
+      response.figure_values.push_back(figure.value);
+      response.figure_limits.push_back(figure.limit);
     }
     const RunView view = view_of(folder);
     response.frame = view.frame;

@@ -131,5 +131,13 @@ TEST(ARecipeThatIsNotThere, IsRefusedWithThoseThatAre) {
   }
 }
 
+TEST(RecipeNames, AreNoneWhereTheFirstRecipeHasYetToMakeTheFolder) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(recipe_names_so_far(folder.path() / "recipes").empty());
+  EXPECT_THROW(recipe_names(folder.path() / "recipes"), scan_cell_common::FileError);
+  scan_cell_common::save_text((folder.path() / "file").string(), "no folder");
+  EXPECT_THROW(recipe_names_so_far(folder.path() / "file"), scan_cell_common::FileError);
+}
+
 }  // namespace
 }  // namespace part_recipes

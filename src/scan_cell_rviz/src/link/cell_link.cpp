@@ -30,6 +30,12 @@ constexpr double kTaken = 10;           // [s] for a goal to be taken where nobo
 constexpr double kGone = 3;             // [s] without the server until its goal is given up
 constexpr double kCameraSilent = 5;     // [s] diagnostics come every second
 
+/// As the README has it.
+constexpr const char* kFirstRecipe =
+    "rosrun part_recipes recipe new frame --reference out/reference.ply --path out/tool_path.csv "
+    "--program $(rospack find scan_cell)/config/both_lasers.yaml --work waypoint_z=into_part "
+    "--robot-program frame.src --program-option waypoint_z=into_part";
+
 void register_types() {
   qRegisterMetaType<Device>("scan_cell_rviz::Device");
   qRegisterMetaType<Sign>("scan_cell_rviz::Sign");
@@ -129,10 +135,21 @@ void CellLink::list_recipes() {
           scan_cell::ask<scan_cell_msgs::ListRecipes>(names_.recipes + "/list", {}, kCallTimeout);
       listed_ = true;
       Q_EMIT recipesListed(answer.recipes);
+      if (answer.recipes.empty()) Q_EMIT recipesMissed(words_of_no_recipe());
     } catch (const std::exception& error) {
       Q_EMIT recipesMissed(QString::fromStdString(error.what()));
     }
   });
+}
+
+/// What a person does then.
+QString CellLink::words_of_no_recipe() const {
+  std::string folder;
+  ros::param::get(names_.recipes + "/recipes", folder);
+  return tr("There is no recipe in %1 yet. This command makes that of the demo's part; then press "
+            "Refresh. Step 4 of the README says what it needs.")
+             .arg(QString::fromStdString(folder)) +
+         "\n\n" + kFirstRecipe;
 }
 
 void CellLink::list_runs() {
@@ -360,8 +377,11 @@ void CellLink::look() {
     actions_->forget_recipes();
     listed_ = false;
     if (!std::exchange(recipes_missed_, true))
-      Q_EMIT recipesMissed(tr("%1 is not running: start the cell with recipes:=FOLDER")
-                               .arg(QString::fromStdString(names_.recipes)));
+      Q_EMIT recipesMissed(tr("%1 is not running: start the cell with recipes:=FOLDER. The folder "
+                              "need not be there: this command makes it, with the recipe of the "
+                              "demo's part. Step 4 of the README says what it needs.")
+                               .arg(QString::fromStdString(names_.recipes)) +
+                           "\n\n" + kFirstRecipe);
   } else {
     recipes_missed_ = false;
     if (!listed_ && looks_ % kLooksAList == 0) list_recipes();

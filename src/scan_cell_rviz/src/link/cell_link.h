@@ -111,6 +111,7 @@ class CellLink : public QObject {
  private:
   using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
 
+  QString words_of_no_recipe() const;
   void change(const QString& recipe, scan_cell_msgs::EditRecipeRequest request);
   void send(const scan_cell_msgs::RunRecipeGoal& goal);
   void end(const scan_cell_msgs::RunRecipeResult& result);

@@ -7,6 +7,7 @@
 #include <scan_cell_msgs/TriggerState.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QTest>
@@ -46,6 +47,8 @@ TEST_F(ASeat, ScansTheChosenPartAndShowsVerdictAndFigures) {
   auto* const figures = find<QTableWidget>("figures");
   ASSERT_EQ(figures->rowCount(), 2);
   EXPECT_EQ(figures->item(1, 1)->text(), "0.0213 mm");
+  EXPECT_EQ(figures->item(0, 2)->text(), "0.45 to 2.2") << "what it is judged by";
+  EXPECT_EQ(figures->item(1, 2)->text(), "");
   EXPECT_TRUE(comes([this] { return button("run")->isEnabled(); }));
   EXPECT_TRUE(button("jog_plus_1")->isEnabled());
 }
@@ -245,6 +248,28 @@ TEST_F(ASeat, ShowsWhatTheStagesWouldTakeAndSavesThemIntoTheRecipe) {
   EXPECT_EQ(parameters.isolate.min_points, 1000);
   EXPECT_DOUBLE_EQ(parameters.isolate.gap, 0.0125);
   EXPECT_EQ(parameters.floor.margin, cloud_preprocess::FloorParameters().margin);
+}
+
+TEST_F(ASeat, SaysWhatMakesTheFirstRecipeWhereThereIsNone) {
+  QFile file(README);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString readme = QString::fromUtf8(file.readAll()).replace('\\', ' ').simplified();
+  const auto gives_command = [&] {
+    const QString said = find<QLabel>("missed")->text();
+    const QString command = said.section("\n\n", 1);
+    return command.startsWith("rosrun part_recipes recipe new ") && readme.contains(command);
+  };
+  EXPECT_FALSE(find<QLabel>("missed")->isVisible()) << "there are recipes";
+  recipes_->take_recipes_away();
+  click("refresh");
+  EXPECT_TRUE(comes([&] { return recipe_list()->count() == 0 && gives_command(); }))
+      << text("missed");
+  EXPECT_TRUE(find<QLabel>("missed")->isVisible());
+  EXPECT_EQ(text("missed").find("There is no recipe in "), 0u) << text("missed");
+  recipes_.reset();
+  EXPECT_TRUE(comes([&] { return text("missed").find("is not running") != std::string::npos; }))
+      << text("missed");
+  EXPECT_TRUE(gives_command()) << text("missed");
 }
 
 TEST_F(ASeat, RefusesAPartTypeThatIsOutOfDateAndSaysWhy) {

@@ -89,6 +89,10 @@ std::filesystem::path find_recipe(const std::filesystem::path& recipes, const st
 /// @throw scan_cell_common::FileError if the folder cannot be read
 std::vector<std::string> recipe_names(const std::filesystem::path& recipes);
 
+/// The same; none where there is no such folder yet, which the first recipe makes.
+/// @throw scan_cell_common::FileError if it is there and cannot be read
+std::vector<std::string> recipe_names_so_far(const std::filesystem::path& recipes);
+
 /// @throw scan_cell_common::InvalidParameter unless the text can be the name of a folder: no
 /// slashes, no dot in front, no control characters, at most 100 bytes
 void check_name(const std::string& name);

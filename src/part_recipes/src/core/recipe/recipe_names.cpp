@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "recipe/recipe.h"
 #include "scan_cell_common/errors/errors.h"
@@ -43,6 +44,12 @@ std::vector<std::string> recipe_names(const fs::path& recipes) {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::vector<std::string> recipe_names_so_far(const fs::path& recipes) {
+  std::error_code unreadable;  // then recipe_names() says why
+  const bool is_missing = !fs::exists(recipes, unreadable) && !unreadable;
+  return is_missing ? std::vector<std::string>() : recipe_names(recipes);
 }
 
 fs::path find_recipe(const fs::path& recipes, const std::string& name) {

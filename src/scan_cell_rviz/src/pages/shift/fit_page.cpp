@@ -48,7 +48,7 @@ FitPage::FitPage(QWidget* parent)
     : QWidget(parent),
       verdict_(selectable_label("verdict", this)),
       message_(selectable_label("message", this)),
-      figures_(new QTableWidget(0, 2, this)),
+      figures_(new QTableWidget(0, 3, this)),
       waypoints_(new QListWidget(this)),
       decision_(selectable_label("decision", this)),
       person_(new QLineEdit(this)),
@@ -60,7 +60,7 @@ FitPage::FitPage(QWidget* parent)
   large.setPointSizeF(large.pointSizeF() * 1.5);
   verdict_->setFont(large);
   figures_->setObjectName("figures");
-  figures_->setHorizontalHeaderLabels({tr("Figure"), tr("Value")});
+  figures_->setHorizontalHeaderLabels({tr("Figure"), tr("Value"), tr("Limit")});
   figures_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   figures_->verticalHeader()->hide();
   figures_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -118,6 +118,11 @@ void FitPage::show_run(const scan_cell_msgs::DescribeRunResponse& run) {
     const QString name = QString::fromStdString(run.figure_names[i]).replace('_', ' ');
     figures_->setItem(row, 0, new QTableWidgetItem(name));
     figures_->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(run.figure_values[i])));
+    const QString limit =
+        i < run.figure_limits.size() ? QString::fromStdString(run.figure_limits[i]) : QString();
+    auto* const judged_by = new QTableWidgetItem(limit);
+    judged_by->setToolTip(limit);
+    figures_->setItem(row, 2, judged_by);
   }
   decision_->setText(decision_of(run.run));
   update_buttons();

@@ -41,6 +41,7 @@ PartPage::PartPage(QWidget* parent)
   recipes_->setWordWrap(true);
   recipes_->setAccessibleName(tr("Part types"));
   note_->setObjectName("run_note");
+  missed_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   note_->setToolTip(tr("Kept with the run, such as the part's serial number"));
   run_->setObjectName("run");
   run_->setToolTip(
