@@ -96,7 +96,7 @@ bool paths(const std::shared_ptr<const RobotModel>& robot, int number) {
 int main(int argc, char** argv) {
   double seconds = 120;
   int number = 10000;
-  int number_of_paths = 1000;
+  int number_of_paths = 100;  // two seconds each, most of them motion
   CLI::App app("The driver's client against the emulated controller over a bad wire");
   app.add_option("--seconds", seconds, "of the position stream")->capture_default_str();
   app.add_option("--commands", number, "")->check(CLI::Range(1, 10000))->capture_default_str();
