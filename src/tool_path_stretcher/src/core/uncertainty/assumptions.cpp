@@ -63,15 +63,20 @@ PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, c
           std::min(reference.size, uniform * prior.pose->distance / mapping.similarity.scale)};
 }
 
-NormalEquations assumptions(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
-                            const Eigen::Vector3d& centre) {
+NormalEquations knowledge(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
+                          const Eigen::Vector3d& centre) {
   constexpr double kGrowth = 0.5;  // of the scale, one standard deviation; chosen
-  const Strain strain = strain_of(mapping.graph);
   GraphEquations equations(mapping.graph, centre);
-  equations.add_rigidity(strain.along, strain.across);
   equations.add_prior(prior.scale, mapping.similarity.scale);
   equations.add_observation({equations.matrix().rows() - 1}, {1.0}, 0, kGrowth);
   add_pose(mapping.graph, pose.angle, pose.distance, equations);
+  return {equations.matrix().selfadjointView<Eigen::Lower>(), equations.right_side()};
+}
+
+NormalEquations rigidity(const Mapping& mapping, const Eigen::Vector3d& centre) {
+  const Strain strain = strain_of(mapping.graph);
+  GraphEquations equations(mapping.graph, centre);
+  equations.add_rigidity(strain.along, strain.across);
   return {equations.matrix().selfadjointView<Eigen::Lower>(), equations.right_side()};
 }
 

@@ -20,9 +20,12 @@ struct PoseDeviation {
 };
 PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, const Prior& prior);
 
-/// What is taken for granted: that the part is stiff, and what was known before.
+/// What was known before.
 /// @param centre [m, reference] about which the object grows
-NormalEquations assumptions(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
-                            const Eigen::Vector3d& centre);
+NormalEquations knowledge(const Mapping& mapping, const Prior& prior, const PoseDeviation& pose,
+                          const Eigen::Vector3d& centre);
+
+/// That the part is stiff: a link is strained no farther than the links were seen to be.
+NormalEquations rigidity(const Mapping& mapping, const Eigen::Vector3d& centre);
 
 }  // namespace tool_path_stretcher

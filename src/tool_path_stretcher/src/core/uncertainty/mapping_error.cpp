@@ -58,11 +58,15 @@ MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, 
       held_by(seen.normals, unsteady, share / std::pow(seen.normal_deviation, 2), turns),
       held_by(seen.rims, unsteady_rims, rim_share / std::pow(seen.rim_deviation, 2), turns),
       reference.oriented, turns, pose);
-  const NormalEquations assumed = assumptions(mapping_, prior, pose, centre_);
+  // A part that was not seen to be deformed is as stiff as its links.
+  const bool is_deformed = !mapping.graph.empty();
+  assumed_ = SoftPrior(knowledge(mapping_, prior, pose, centre_), rigidity(mapping_, centre_),
+                       is_deformed ? smooth_modes(mapping_.graph) : Eigen::MatrixXd(),
+                       mapping_.graph.links().size());
+  const NormalEquations assumed = assumed_.equations();
   const NormalEquations measured = measurements(mapping_, seen, share, centre_);
   const Eigen::MatrixXd all = assumed.matrix + measured.matrix;
   covariance_ = all.llt().solve(Eigen::MatrixXd::Identity(all.rows(), all.cols()));
-  assumed_ = assumed.matrix.sparseView();
   pull_ = covariance_ * (assumed.right_side + measured.right_side);
   common_ = kCommon * mapping.similarity.scale * seen.normal_deviation;
 }
@@ -94,12 +98,12 @@ MappingError::Motion MappingError::motion_of(const Eigen::Vector3d& point) const
 
 MappingError::Covariance MappingError::at(const Eigen::Vector3d& point) const {
   const Motion motion = motion_of(point);
-  const Eigen::MatrixXd spread =
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> spread =
       covariance_(Eigen::all, motion.unknowns) * motion.jacobian.transpose();
   const Eigen::Vector3d pull = motion.jacobian * pull_(motion.unknowns);
   Covariance result;
   result.all = motion.jacobian * spread(motion.unknowns, Eigen::all) + pull * pull.transpose();
-  result.assumed = spread.transpose() * (assumed_ * spread);
+  result.assumed = assumed_.held(spread);
   const Similarity& outer = mapping_.similarity;
   const Motions rigid = outer.scale * outer.rotation * rigid_motions(point, {centre_, size_});
   const Eigen::Matrix3d slack = rigid * slack_ * rigid.transpose();

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/SparseCore>
-
 #include "mapping/graph_equations.h"
 #include "surface/surface_pair.h"
 #include "tool_path_stretcher/prior.h"
+#include "uncertainty/soft_prior.h"
 
 namespace tool_path_stretcher {
 
@@ -64,10 +63,10 @@ class MappingError {
   Mapping mapping_;
   Eigen::Vector3d centre_;  // [m, reference] about which the object grows
   Eigen::MatrixXd covariance_;
-  Eigen::SparseMatrix<double> assumed_;  // normal equations of all priors
-  Eigen::VectorXd pull_;                 // to where the graph would settle
-  Eigen::Matrix<double, 6, 6> slack_;    // of rigid motions that only noise seems to hold
-  double size_;                          // [m, reference] of the arm of those turns
+  SoftPrior assumed_;
+  Eigen::VectorXd pull_;               // to where the graph would settle
+  Eigen::Matrix<double, 6, 6> slack_;  // of rigid motions that only noise seems to hold
+  double size_;                        // [m, reference] of the arm of those turns
   double common_;
 };
 
