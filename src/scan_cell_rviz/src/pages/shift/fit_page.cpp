@@ -62,6 +62,7 @@ FitPage::FitPage(QWidget* parent)
   figures_->setObjectName("figures");
   figures_->setHorizontalHeaderLabels({tr("Figure"), tr("Value"), tr("Limit")});
   figures_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  figures_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   figures_->verticalHeader()->hide();
   figures_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   waypoints_->setObjectName("waypoints");
