@@ -3,13 +3,13 @@ add_library(${PROJECT_NAME}_core
   src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp src/core/recipe/places_file.cpp
   src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_edits.cpp
   src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp
-  src/core/recipe/stretch_given.cpp src/core/record/record_names.cpp src/core/record/run_record.cpp
+  src/core/record/record_names.cpp src/core/record/run_record.cpp
   src/core/record/work_records.cpp src/core/replay/job_folder.cpp src/core/replay/replay.cpp
   src/core/run/again.cpp src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp
   src/core/run/cleaned_away.cpp src/core/run/figures.cpp src/core/run/place_check.cpp
   src/core/run/prove.cpp src/core/run/recipe_picture.cpp src/core/run/recipe_reading.cpp
-  src/core/run/run_folder.cpp src/core/run/run_recipe.cpp src/core/run/work.cpp
-  src/core/view/waypoints_concerned.cpp)
+  src/core/run/run_folder.cpp src/core/run/run_recipe.cpp src/core/run/stretch_given.cpp
+  src/core/run/work.cpp src/core/view/waypoints_concerned.cpp)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC
     ${PROJECT_NAME}_deviation scan_cell::scan_cell_common_core scan_cell::scan_cell_core

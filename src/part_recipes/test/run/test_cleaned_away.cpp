@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "made_up_recipe.h"
-#include "recipe/stretch_given.h"
 #include "run/again.h"
 #include "run/cleaned_away.h"
+#include "run/stretch_given.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {
@@ -56,9 +56,19 @@ TEST(StretchGiven, IsWhatTheRecipeGivesElseTheDefault) {
   EXPECT_EQ(parameters.method, tool_path_stretcher::Method::kAffine);
   EXPECT_EQ(parameters.min_overlap, tool_path_stretcher::StretchParameters().min_overlap);
   recipe.stretch = {{"tolerance", "2 mm"}};
-  EXPECT_THROW(stretch_parameters_of(recipe), scan_cell_common::UnusableInput);
+  EXPECT_THROW(stretch_parameters_of(recipe), scan_cell_common::InvalidParameter);
   recipe.stretch = {{"tolerance", "-1"}};
   EXPECT_THROW(stretch_parameters_of(recipe), scan_cell_common::InvalidParameter);
+}
+
+TEST(StretchGiven, IsReadAsStretchReadsItsCommandLine) {
+  Recipe recipe;
+  recipe.stretch = {{"min-points", "3e2"}, {"max-position-error", "+1e-4"}, {"units", "mm"}};
+  const auto parameters = stretch_parameters_of(recipe);
+  EXPECT_EQ(parameters.min_points, 300);
+  EXPECT_EQ(parameters.max_position_error, 1e-4);
+  recipe.stretch = {{"tolerance", "true"}};  // the option alone
+  EXPECT_THROW(stretch_parameters_of(recipe), scan_cell_common::UnusableInput);
 }
 
 using ACleanedPart = MadeUpRecipe;

@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "deviation/deviations.h"
-#include "recipe/stretch_given.h"
 #include "run/recipe_reading.h"
+#include "run/stretch_given.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/geometry/point_tree.h"
 #include "scan_cell_common/pose/units.h"

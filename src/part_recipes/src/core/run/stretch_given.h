@@ -7,10 +7,10 @@
 
 namespace part_recipes {
 
-/// The parameters by which stretch judges a part of the recipe: as it gives them, else their
-/// defaults.
-/// @throw scan_cell_common::UnusableInput if one that it gives is of the wrong kind
-/// @throw scan_cell_common::InvalidParameter if one is out of its range
+/// The parameters by which stretch judges a part of the recipe: as it gives them, read as stretch
+/// reads its command line, else their defaults.
+/// @throw scan_cell_common::UnusableInput if that is no command line
+/// @throw scan_cell_common::InvalidParameter if one is of the wrong kind, or out of its range
 tool_path_stretcher::StretchParameters stretch_parameters_of(const Recipe& recipe);
 
 }  // namespace part_recipes
