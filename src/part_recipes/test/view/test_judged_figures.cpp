@@ -54,6 +54,20 @@ TEST_F(JudgedFigures, StandBesideTheLimitsThatTheRecipeGivesElseTheDefaults) {
   EXPECT_EQ(find("rms").limit, "");
 }
 
+TEST_F(JudgedFigures, HaveTheRangeOfAScaleThatIsKnown) {
+  const auto scale_with = [this](const std::string& stretch) {
+    save("inputs/recipe.yaml",
+         "recipe: 1\nname: plate\nreference: {file: plate.stl, units: mm}\n"
+         "path: {file: path.csv, units: m}\ntolerance: 0.0005\nstretch: " +
+             stretch + "\n");
+    return find("scale").limit;
+  };
+  EXPECT_EQ(scale_with("{scale: 1, scale_deviation: 0.01}"), "0.96 to 1.04");
+  EXPECT_EQ(scale_with("{scale: 1, scale-deviation: 0.01, max-scale: 1.02}"), "0.96 to 1.02");
+  EXPECT_EQ(scale_with("{scale: 1.5}"), "exactly 1.5");
+  EXPECT_EQ(scale_with("{scale: 3}").substr(0, 4), "none");
+}
+
 TEST_F(JudgedFigures, HaveNoLimitByWhichTheyAreNotJudged) {
   save("inputs/recipe.yaml",
        "recipe: 1\nname: plate\nreference: {file: plate.xyz, units: mm}\n"

@@ -29,11 +29,21 @@ std::string millimetres(double metres) {
   return fmt::format("{:.4g} mm", metres * scan_cell_common::kMillimetres);
 }
 
+/// What is allowed at all, and not refused by what is known of the size.
+std::string scales_of(const StretchParameters& parameters) {
+  const auto known = parameters.prior.scale.range();
+  const double least = std::max(parameters.min_scale, known.least);
+  const double most = std::min(parameters.max_scale, known.most);
+  if (least > most) return "none: the one that is known is out of min_scale to max_scale";
+  if (least == most) return fmt::format("exactly {:.4g}", least);
+  return fmt::format("{:.4g} to {:.4g}", least, most);
+}
+
 /// @param edges_are_known the reference is a mesh: nothing else is refused by its place along
 /// itself
 Limits limits_of(const StretchParameters& parameters, bool edges_are_known) {
   Limits limits = {
-      {"scale", fmt::format("{:.4g} to {:.4g}", parameters.min_scale, parameters.max_scale)},
+      {"scale", scales_of(parameters)},
       {"largest_displacement", fmt::format("at most {:.4g} % of the part's length",
                                            kPercent * parameters.max_displacement_ratio)},
       {"expected_error_orientation",
