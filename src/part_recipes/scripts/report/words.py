@@ -28,13 +28,13 @@ CURES = {
     'fold_over': 'Check part and scan, or lower deformation_level.',
     'cancelled': 'Run again.',
 }
-CLEANED_AWAY = ('Change the cleaning settings: they took the points at the marked waypoints. Scan where the scan had none, or '
-                'split the path.')
+CLEANED_AWAY = ('Look at the cleaning: the raw scan has points at marked waypoints that the clean cloud does not have. Change its '
+                'settings if they are of the part. If they are of what is beneath it, scan the region, or split the path.')
 NOT_RECORDED = 'not recorded'
 
 
 def cure_of(reason, cleaned_away=None):
-    """cleaned_away: waypoints at which the cleaning took the points of the scan."""
+    """cleaned_away: waypoints at which the raw scan has points that the clean cloud does not have."""
     if reason == 'path_not_scanned' and cleaned_away:
         return CLEANED_AWAY
     if reason in CURES:

@@ -47,6 +47,17 @@ TEST(CleanedAway, TakesNoThinnedCloudForABareOne) {
   EXPECT_TRUE(cleaned_away(places, square(), thin, 0.001).empty());
 }
 
+TEST(CleanedAway, CountsBetweenThePointsOfACoarseScan) {
+  const Points places = {{0.0155, 0.0005, 0}};  // 0.7 mm from four points
+  Points clean;
+  for (const Eigen::Vector3d& point : square())
+    if (point.x() < 0) clean.push_back(point);
+  EXPECT_EQ(cleaned_away(places, square(), clean, 0.0002), std::vector<std::size_t>{0});
+  EXPECT_TRUE(cleaned_away(places, square(), square(), 0.0002).empty());
+  const Points over = {{0.0155, 0.0005, 0.005}};
+  EXPECT_TRUE(cleaned_away(over, square(), clean, 0.0002).empty()) << "5 mm off is not there";
+}
+
 TEST(StretchGiven, IsWhatTheRecipeGivesElseTheDefault) {
   Recipe recipe;
   recipe.stretch = {{"tolerance", "0.0015"}, {"min_points", "300"}, {"method", "affine"}};
@@ -82,12 +93,12 @@ TEST_F(ACleanedPart, ThatLacksItsPathIsToldFromOneThatWasNotScannedThere) {
   const EndedRun run = run_recipe(make(), request("whole.ply"), {});
   ASSERT_EQ(run.record.reason, "path_not_scanned") << run.record.message;
   const auto report = nlohmann::json::parse(text_of(run.folder / "report.json"));
-  const std::string words = fmt::format("the scan has points at {0} of the {0} waypoints, cleaning",
+  const std::string words = fmt::format("at {0} of the {0} waypoints the raw scan has points that",
                                         report.at("waypoints_concerned").size());
   EXPECT_NE(run.record.message.find(words), std::string::npos) << run.record.message;
   EXPECT_EQ(report.at("message"), run.record.message);
   EXPECT_EQ(report.at("cleaned_away"), report.at("waypoints_concerned"));
-  EXPECT_NE(text_of(run.folder / "report.html").find("cleaning took them"), std::string::npos);
+  EXPECT_NE(text_of(run.folder / "report.html").find("look at the cleaning"), std::string::npos);
   EXPECT_EQ(differences(run.folder, run_again(run.folder, folder_.path() / "again", {}).folder),
             std::vector<std::string>());
   // What is left is the scan of another run

@@ -57,6 +57,14 @@ Points surface_beside(const Points& waypoints, const Points& reference,
   return places;
 }
 
+/// [m] Of a point of a scan that counts as at a place: one between its points may be nearly their
+/// spacing from each.
+/// @param scanned points around the places
+double reach_of_scan(const Points& scanned, double near) {
+  constexpr std::size_t kEnough = 20;  // for spacing_of()
+  return scanned.size() < kEnough ? near : std::max(near, spacing_of(scanned));
+}
+
 Points load_points(const std::filesystem::path& file, double metres_per_unit) {
   return tool_path_stretcher::to_points(
       scan_cell_common::load_cloud(file.string(), metres_per_unit));
@@ -67,15 +75,17 @@ Points load_points(const std::filesystem::path& file, double metres_per_unit) {
 std::vector<std::size_t> cleaned_away(const Points& places, const Points& raw, const Points& clean,
                                       double near) {
   constexpr double kSpacings = 2;  // the grid's cells are wider than the scan's spacing; chosen
+  constexpr double kAround = 4;    // as far, so that the spacing is that of a region; chosen
   if (places.empty()) return {};
-  const Points scanned = around(places, raw, near);
-  if (scanned.empty()) return {};
   const double bare = std::max(near, kSpacings * spacing_of(clean));
+  const Points scanned = around(places, raw, kAround * bare);
+  if (scanned.empty()) return {};
+  const double there = std::min(bare, reach_of_scan(scanned, near));
   const PointTree before(scanned);
   const PointTree after(clean);
   std::vector<std::size_t> taken;
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (has_near(before, places[i], near) && !has_near(after, places[i], bare)) taken.push_back(i);
+    if (has_near(before, places[i], there) && !has_near(after, places[i], bare)) taken.push_back(i);
   return taken;
 }
 

@@ -11,13 +11,15 @@
 
 namespace part_recipes {
 
-/// Of places, those that the cleaning left bare.
+/// Of places, those that the cleaning left bare. Whether it took points of the part there, or of
+/// something beneath it, is not known.
 /// @param places [m] on the object's surface
 /// @param raw cloud [m] before the cleaning; what is not finite is left out
 /// @param clean cloud [m] after it, at least 20 points
 /// @param near [m] of a point that counts as at the place
 /// @return indices of the places near which the raw cloud has a point and the clean one has none;
-/// the latter also counts up to two of its own spacings: it is thinner
+/// also counts up to one spacing of the raw cloud there, and up to two of the clean one, which is
+/// thinner
 /// @throw scan_cell_common::UnusableInput if the clean cloud is too small
 std::vector<std::size_t> cleaned_away(const tool_path_stretcher::Points& places,
                                       const tool_path_stretcher::Points& raw,
@@ -32,9 +34,9 @@ struct RefusedRun {
   std::filesystem::path report;  //!< of stretch
 };
 
-/// Waypoints that the verdict is about and at which the cleaning took the points of the scan, each
-/// looked at where the part's pose puts the reference beside it. As near as a waypoint must be to
-/// the surface (`tolerance` of stretch) counts.
+/// Waypoints that the verdict is about and at which the raw scan has points that the clean cloud
+/// does not have, each looked at where the part's pose puts the reference beside it. As near as a
+/// waypoint must be to the surface (`tolerance` of stretch) counts.
 /// @return numbers, counted over all segments; none where the report has no pose, or numbers other
 /// waypoints than the path has
 /// @throw scan_cell_common::Error of whoever reads the files

@@ -73,8 +73,9 @@ void tell_cleaned_away(const std::filesystem::path& report, const std::vector<st
   if (taken.empty()) return;
   read(report, [&](Json all) {
     record.message += fmt::format(
-        "; the scan has points at {} of the {} waypoints, cleaning took them: look at "
-        "the cleaning (page 2 of the seat) before you scan anew",
+        "; at {} of the {} waypoints the raw scan has points that the clean cloud does not have, "
+        "of the part or of what is beneath it: look at the cleaning (page 2 of the seat) before "
+        "you scan anew",
         taken.size(), all.at("waypoints_concerned").size());
     all["message"] = record.message;
     all["cleaned_away"] = taken;

@@ -24,7 +24,7 @@ void settle_report(const std::filesystem::path& report,
 /// Adds to the message of a refusal, in the report and in the record, that the scan had points
 /// where the clean cloud has none, and to the report the numbers of these waypoints
 /// (`cleaned_away`). Nothing is added where there are none.
-/// @param taken waypoints at which the cleaning took the points
+/// @param taken waypoints at which the clean cloud lacks the points of the scan
 /// @throw scan_cell_common::UnusableInput if the report is none
 void tell_cleaned_away(const std::filesystem::path& report, const std::vector<std::size_t>& taken,
                        RunRecord& record);
