@@ -9,6 +9,7 @@
 #include <QMetaType>
 #include <utility>
 
+#include "link/first_recipe.h"
 #include "scan_cell/ros/service_call.h"
 #include "scan_cell_common/ros/node_process.h"
 #include "signs/signs.h"
@@ -29,12 +30,6 @@ constexpr double kPreviewTimeout = 20;  // [s] a tool is started, and it waits f
 constexpr double kTaken = 10;           // [s] for a goal to be taken where nobody else has the cell
 constexpr double kGone = 3;             // [s] without the server until its goal is given up
 constexpr double kCameraSilent = 5;     // [s] diagnostics come every second
-
-/// As the README has it.
-constexpr const char* kFirstRecipe =
-    "rosrun part_recipes recipe new frame --reference out/reference.ply --path out/tool_path.csv "
-    "--program $(rospack find scan_cell)/config/both_lasers.yaml --work waypoint_z=into_part "
-    "--robot-program frame.src --program-option waypoint_z=into_part";
 
 void register_types() {
   qRegisterMetaType<Device>("scan_cell_rviz::Device");
@@ -149,7 +144,7 @@ QString CellLink::words_of_no_recipe() const {
   return tr("There is no recipe in %1 yet. This command makes that of the demo's part; then press "
             "Refresh. Step 4 of the README says what it needs.")
              .arg(QString::fromStdString(folder)) +
-         "\n\n" + kFirstRecipe;
+         "\n\n" + QString::fromStdString(first_recipe_command(folder));
 }
 
 void CellLink::list_runs() {
@@ -381,7 +376,7 @@ void CellLink::look() {
                               "need not be there: this command makes it, with the recipe of the "
                               "demo's part. Step 4 of the README says what it needs.")
                                .arg(QString::fromStdString(names_.recipes)) +
-                           "\n\n" + kFirstRecipe);
+                           "\n\n" + QString::fromStdString(first_recipe_command({})));
   } else {
     recipes_missed_ = false;
     if (!listed_ && looks_ % kLooksAList == 0) list_recipes();

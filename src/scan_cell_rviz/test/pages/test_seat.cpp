@@ -254,22 +254,27 @@ TEST_F(ASeat, SaysWhatMakesTheFirstRecipeWhereThereIsNone) {
   QFile file(README);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const QString readme = QString::fromUtf8(file.readAll()).replace('\\', ' ').simplified();
-  const auto gives_command = [&] {
+  const auto gives_command = [&](const QString& folder) {
     const QString said = find<QLabel>("missed")->text();
-    const QString command = said.section("\n\n", 1);
-    return command.startsWith("rosrun part_recipes recipe new ") && readme.contains(command);
+    const QString command = said.section("\n\n", 1), where = " --recipes " + folder;
+    return command.startsWith("rosrun part_recipes recipe new ") && command.endsWith(where) &&
+           readme.contains(command.chopped(where.size()));
   };
+  ros::param::set("/part_recipes/recipes", "/the parts' recipes");
   EXPECT_FALSE(find<QLabel>("missed")->isVisible()) << "there are recipes";
   recipes_->take_recipes_away();
   click("refresh");
-  EXPECT_TRUE(comes([&] { return recipe_list()->count() == 0 && gives_command(); }))
-      << text("missed");
+  EXPECT_TRUE(comes([&] {
+    return recipe_list()->count() == 0 && gives_command(R"('/the parts'\'' recipes')");
+  })) << text("missed");
   EXPECT_TRUE(find<QLabel>("missed")->isVisible());
-  EXPECT_EQ(text("missed").find("There is no recipe in "), 0u) << text("missed");
+  EXPECT_EQ(text("missed").find("There is no recipe in /the parts' recipes yet"), 0u)
+      << text("missed");
   recipes_.reset();
   EXPECT_TRUE(comes([&] { return text("missed").find("is not running") != std::string::npos; }))
       << text("missed");
-  EXPECT_TRUE(gives_command()) << text("missed");
+  EXPECT_TRUE(gives_command("FOLDER")) << text("missed");
+  ros::param::del("/part_recipes/recipes");
 }
 
 TEST_F(ASeat, RefusesAPartTypeThatIsOutOfDateAndSaysWhy) {
