@@ -8,8 +8,8 @@
         <translation>%1 dreht auf der Bahn am weitesten: von %2 bis %3 Grad</translation>
     </message>
     <message>
-        <source>; it can from %1 to %2.</source>
-        <translation>; möglich sind %1 bis %2.</translation>
+        <source>; its range is %1 to %2 degrees.</source>
+        <translation>; sein Bereich ist %1 bis %2 Grad.</translation>
     </message>
 </context>
 <context>

@@ -29,10 +29,15 @@ void CellLink::look_at_calibration() {
 /// Aside, likewise.
 void CellLink::look_at_robot() {
   std::string urdf;
+  RobotLimits limits;
   ros::param::get("/robot_description", urdf);
-  if (urdf == robot_description_) return;
-  robot_description_ = urdf;
-  Q_EMIT limitsCame(limits_in(urdf));
+  ros::param::get(names_.robot + "/joint_lower", limits.lower);
+  ros::param::get(names_.robot + "/joint_upper", limits.upper);
+  const RobotLimitsGiven given{urdf, limits.lower, limits.upper};
+  if (given == limits_given_) return;
+  limits_given_ = given;  // what is wrong with it is told once
+  limits.of_robot = limits_in(urdf);
+  Q_EMIT limitsCame(limits);
 }
 
 }  // namespace scan_cell_rviz

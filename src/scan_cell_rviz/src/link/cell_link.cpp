@@ -383,7 +383,7 @@ void CellLink::look() {
   }
   if (looks_++ % kLooksACalibration == 0) {
     worker_->add([this] { look_at_calibration(); });
-    worker_->add([this] { look_at_robot(); });
+    ask(*worker_, [this] { look_at_robot(); });
   }
   look_at_run();
 }

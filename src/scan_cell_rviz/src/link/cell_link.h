@@ -27,6 +27,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "link/cell_actions.h"
@@ -110,6 +111,8 @@ class CellLink : public QObject {
 
  private:
   using Client = scan_cell_common::GoalClient<scan_cell_msgs::RunRecipeAction>;
+  /// A URDF, and what the driver's parameters joint_lower and joint_upper have.
+  using RobotLimitsGiven = std::tuple<std::string, std::vector<double>, std::vector<double>>;
 
   QString words_of_no_recipe() const;
   void change(const QString& recipe, scan_cell_msgs::EditRecipeRequest request);
@@ -154,7 +157,7 @@ class CellLink : public QObject {
   bool recipes_missed_ = false;      // and that was said
   std::atomic<bool> listed_{false};  // the recipes of the node that is there
   std::unique_ptr<Worker> worker_ = std::make_unique<Worker>();
-  std::string robot_description_;     // as it was when it was looked at last; by worker_
+  RobotLimitsGiven limits_given_;     // when they were looked at last; by worker_
   std::atomic<bool> looking_{false};  // for nodes
   std::unique_ptr<Worker> presence_worker_ = std::make_unique<Worker>();
   std::unique_ptr<Worker> preview_worker_ = std::make_unique<Worker>();  // others need not wait

@@ -23,10 +23,27 @@ QString degrees_of(double angle) {
   return QString::number(angle * scan_cell_common::kDegrees, 'f', 0);
 }
 
+/// The robot's own, as narrow as its driver makes it.
+std::optional<JointLimits> range_of(const JointTurn& turn, const RobotLimits& limits) {
+  const auto found = limits.of_robot.find(turn.joint);
+  if (found == limits.of_robot.end()) return std::nullopt;
+  JointLimits range = found->second;
+  if (turn.place < limits.lower.size())
+    range.lower = std::max(range.lower, limits.lower[turn.place]);
+  if (turn.place < limits.upper.size())
+    range.upper = std::min(range.upper, limits.upper[turn.place]);
+  return range;
+}
+
+std::size_t place_of(const std::string& joint, const WorkPreview& preview) {
+  const auto& names = preview.joint_names;
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), joint) - names.begin());
+}
+
 }  // namespace
 
-RobotLimits limits_in(const std::string& urdf) {
-  RobotLimits limits;
+std::map<std::string, JointLimits> limits_in(const std::string& urdf) {
+  std::map<std::string, JointLimits> limits;
   urdf::Model model;
   if (urdf.empty() || !model.initString(urdf)) return limits;
   for (const auto& [name, joint] : model.joints_)
@@ -52,8 +69,9 @@ std::optional<JointTurn> most_turned(const WorkPreview& preview) {
     const bool more = !most || greatest.first - least.first > std::abs(most->to - most->from);
     if (least.second == greatest.second || !more) continue;
     const bool upwards = least.second < greatest.second;
-    most = upwards ? JointTurn{joint, least.first, greatest.first}
-                   : JointTurn{joint, greatest.first, least.first};
+    const std::size_t place = place_of(joint, preview);
+    most = upwards ? JointTurn{joint, place, least.first, greatest.first}
+                   : JointTurn{joint, place, greatest.first, least.first};
   }
   return most;
 }
@@ -63,10 +81,10 @@ QString text_of(const JointTurn& turn, const RobotLimits& limits) {
       QCoreApplication::translate("JointTurn",
                                   "%1 turns most along the path: from %2 to %3 degrees")
           .arg(QString::fromStdString(turn.joint), degrees_of(turn.from), degrees_of(turn.to));
-  const auto found = limits.find(turn.joint);
-  if (found == limits.end()) return text + ".";
-  return text + QCoreApplication::translate("JointTurn", "; it can from %1 to %2.")
-                    .arg(degrees_of(found->second.lower), degrees_of(found->second.upper));
+  const auto range = range_of(turn, limits);
+  if (!range) return text + ".";
+  return text + QCoreApplication::translate("JointTurn", "; its range is %1 to %2 degrees.")
+                    .arg(degrees_of(range->lower), degrees_of(range->upper));
 }
 
 }  // namespace scan_cell_rviz

@@ -24,6 +24,7 @@ TEST(JointTurn, IsOfTheJointThatTurnsMostAlongThePathItself) {
   const auto turn = most_turned(a_round());
   ASSERT_TRUE(turn);
   EXPECT_EQ(turn->joint, "J2");
+  EXPECT_EQ(turn->place, 1u);
   EXPECT_DOUBLE_EQ(turn->from, 0.5);
   EXPECT_DOUBLE_EQ(turn->to, 0.5 - kTurn);
 }
@@ -38,19 +39,26 @@ TEST(JointTurn, IsNoneWhereTheRobotDoesNotGetOrNothingTurns) {
   EXPECT_FALSE(most_turned(preview));
 }
 
-TEST(JointTurn, IsToldWithTheLimitsThatTheRobotHas) {
-  const JointTurn turn{"J6", -0.5, -0.5 + kTurn};
+TEST(JointTurn, IsToldWithTheRangeThatTheRobotHasAndItsDriverNarrows) {
+  const JointTurn turn{"J6", 1, -0.5, -0.5 + kTurn};
   EXPECT_EQ(text_of(turn, {}).toStdString(),
             "J6 turns most along the path: from -29 to 331 degrees.");
-  const RobotLimits limits = limits_in(
+  RobotLimits limits;
+  limits.of_robot = limits_in(
       R"(<robot name="arm"><link name="a"/><link name="b"/><link name="c"/>
            <joint name="J6" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
              <limit lower="-6.2831853" upper="3.1415927" velocity="1" effort="1"/></joint>
            <joint name="J7" type="continuous"><parent link="b"/><child link="c"/>
              <axis xyz="0 0 1"/></joint></robot>)");
-  EXPECT_EQ(limits.size(), 1u);
-  EXPECT_EQ(text_of(turn, limits).toStdString(),
-            "J6 turns most along the path: from -29 to 331 degrees; it can from -360 to 180.");
+  EXPECT_EQ(limits.of_robot.size(), 1u);
+  const std::string turns = "J6 turns most along the path: from -29 to 331 degrees; its range is ";
+  EXPECT_EQ(text_of(turn, limits).toStdString(), turns + "-360 to 180 degrees.");
+  limits.lower = {-0.1, -M_PI};
+  EXPECT_EQ(text_of(turn, limits).toStdString(), turns + "-180 to 180 degrees.");
+  limits.upper = {0.1, 7};
+  EXPECT_EQ(text_of(turn, limits).toStdString(), turns + "-180 to 180 degrees.") << "wider";
+  limits.upper = {0.1, M_PI / 2};
+  EXPECT_EQ(text_of(turn, limits).toStdString(), turns + "-180 to 90 degrees.");
   EXPECT_TRUE(limits_in("no URDF").empty());
 }
 
