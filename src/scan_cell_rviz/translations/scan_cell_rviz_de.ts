@@ -56,6 +56,14 @@ Der Roboter kommt nicht dorthin.</translation>
         <source> of the dry run</source>
         <translation> des Trockenlaufs</translation>
     </message>
+    <message>
+        <source>none was asked for</source>
+        <translation>es wurde keine verlangt</translation>
+    </message>
+    <message>
+        <source>one came of %1, not of this run</source>
+        <translation>es kam eine von %1, nicht von diesem Lauf</translation>
+    </message>
 </context>
 <context>
     <name>Signs</name>

@@ -140,7 +140,10 @@ TEST_F(Preview, DrawsThatOfTheRunInViewAlone) {
   ASSERT_TRUE(comes([] { return display_->ghost("flange").has_value(); }));
   display_->subProp("Run")->setValue("run_2");
   EXPECT_FALSE(display_->ghost("flange").has_value()) << "it is of another run";
-  EXPECT_TRUE(comes([] { return status_of(*display_, "Way") == "none was asked for"; }));
+  EXPECT_TRUE(comes([] {
+    return status_of(*display_, "Way") ==
+           "one came of /runs/run_1/adapted_path.csv, not of this run";
+  })) << status_of(*display_, "Way").toStdString();
   display_->subProp("Run")->setValue("run_1");
   EXPECT_TRUE(comes([] { return display_->ghost("flange").has_value(); })) << "it is latched";
   scan_cell_msgs::WorkPreview other = two_poses(0.22);

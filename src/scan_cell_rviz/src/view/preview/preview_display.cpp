@@ -92,6 +92,7 @@ void PreviewDisplay::onDisable() {
 void PreviewDisplay::forget() {
   subscriber_.shutdown();
   preview_.reset();
+  left_out_.clear();
   drawing_->clear();
   place_ghost();
 }
@@ -126,7 +127,10 @@ void PreviewDisplay::load_robot() {
 
 void PreviewDisplay::show(const scan_cell_msgs::WorkPreviewConstPtr& preview) {
   const QString run = run_->getString();
-  if (!run.isEmpty() && !is_of_run(*preview, run)) return;
+  if (!run.isEmpty() && !is_of_run(*preview, run)) {
+    left_out_ = QString::fromStdString(preview->path);
+    return;
+  }
   preview_ = preview;
   drawing_->draw(*preview);
   if (preview->faults.empty())
@@ -171,7 +175,11 @@ std::optional<Eigen::Vector3d> PreviewDisplay::ghost(const std::string& link) co
 }
 
 void PreviewDisplay::update(float, float) {
-  if (!preview_) return setStatus(StatusProperty::Ok, "Way", "none was asked for");
+  if (!preview_)
+    return setStatus(StatusProperty::Ok, "Way",
+                     left_out_.isEmpty()
+                         ? QObject::tr("none was asked for")
+                         : QObject::tr("one came of %1, not of this run").arg(left_out_));
   const auto frame = frame_in_view(*context_, preview_->header.frame_id);
   if (frame.has_value() != in_frame_) {  // elsewhere it would tell untruths
     in_frame_ = frame.has_value();

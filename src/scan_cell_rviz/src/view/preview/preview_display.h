@@ -59,6 +59,7 @@ class PreviewDisplay : public rviz::Display {
   rviz::FloatProperty* alpha_;
   ros::Subscriber subscriber_;
   scan_cell_msgs::WorkPreviewConstPtr preview_;
+  QString left_out_;  // path of the last one that is of another run
   std::unique_ptr<PreviewDrawing> drawing_;
   std::unique_ptr<rviz::Robot> robot_;
   std::unique_ptr<LinkPoses> model_;
