@@ -17,6 +17,8 @@
 #include <functional>
 
 #include "fixtures/a_seat.h"
+#include "fixtures/made_preview.h"
+#include "pages/shift/work_page.h"
 #include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/testing/child_process.h"
 
@@ -341,6 +343,40 @@ TEST_F(ASeat, PreviewsTheWorkBeforeAnythingMoves) {
   EXPECT_EQ(find<QSlider>("pose")->value(), 4);
   ASSERT_EQ(place.count(), 1) << "the view does not turn there";
   EXPECT_EQ(place.at(0).at(0).toDouble(), 0.4);
+}
+
+scan_cell_msgs::DescribeRunResponse accepted(const std::string& id) {
+  scan_cell_msgs::DescribeRunResponse run;
+  run.run.id = id;
+  run.run.state = RunSummary::ACCEPTED;
+  return run;
+}
+
+TEST(WorkPage, MayPreviewAnotherRunThatIsOpenedBeforeThePreviewComes) {
+  WorkPage page;
+  page.set_free(true);
+  page.show_run(accepted("run_1"));
+  auto* const preview = page.findChild<QPushButton*>("preview");
+  preview->click();
+  EXPECT_FALSE(preview->isEnabled()) << "one was asked for";
+  page.show_run(accepted("run_1"));
+  EXPECT_FALSE(preview->isEnabled()) << "it is the same run";
+  page.show_run(accepted("run_2"));
+  EXPECT_TRUE(preview->isEnabled());
+}
+
+TEST(WorkPage, PutsTheGhostToTheLastPoseOfAShorterPreview) {
+  WorkPage page;
+  page.show_run(accepted("run_1"));
+  QSignalSpy chosen(&page, &WorkPage::poseChosen);
+  auto longer = made_preview(), shorter = made_preview();
+  shorter.waypoints.resize(3);
+  page.show_preview(boost::make_shared<scan_cell_msgs::WorkPreview>(longer));
+  EXPECT_EQ(chosen.count(), 0) << "nobody asked for it";
+  page.findChild<QSlider*>("pose")->setValue(4);
+  page.show_preview(boost::make_shared<scan_cell_msgs::WorkPreview>(shorter));
+  ASSERT_EQ(chosen.count(), 2);
+  EXPECT_EQ(chosen.last().at(0).toInt(), 2);
 }
 
 TEST_F(ASeat, TellsBeforeTheWorkWhichJointTurnsMost) {

@@ -112,6 +112,7 @@ void WorkPage::show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview) 
   if (run_.id.empty() || !is_of_run(*preview, QString::fromStdString(run_.id))) return;
   forget_preview();
   shown_ = preview;
+  const int before = pose_->value();
   {
     const QSignalBlocker nobody_chose_it(pose_);
     pose_->setMaximum(std::max(0, static_cast<int>(preview->waypoints.size()) - 1));
@@ -122,7 +123,8 @@ void WorkPage::show_preview(const scan_cell_msgs::WorkPreviewConstPtr& preview) 
   faults_->setVisible(!preview->faults.empty());
   show_pose(pose_->value());
   show_turn();
-  if (std::exchange(asked_, false)) Q_EMIT poseChosen(pose_->value());
+  const bool was_asked = std::exchange(asked_, false);
+  if (was_asked || pose_->value() != before) Q_EMIT poseChosen(pose_->value());
   update_buttons();
 }
 
@@ -178,6 +180,7 @@ void WorkPage::show_run(const scan_cell_msgs::DescribeRunResponse& described) {
   if (is_another) {
     end_->clear();
     forget_preview();
+    asked_ = false;  // what was asked for is of the run that was in view
   }
   run_ = run;
   const QString name = QString::fromStdString(run.recipe + ", " + run.id);
