@@ -13,18 +13,36 @@ import rospkg
 from scan_cell_common.command_line import add_version
 
 
+def is_there(own):
+    """An empty one is what rviz leaves that was killed while it saved."""
+    return os.path.exists(own) and os.path.getsize(own) > 0
+
+
+def copy_whole(settings, own):
+    """It is there whole, or not at all, and nothing else is left behind."""
+    with open(settings, 'rb') as source, tempfile.TemporaryDirectory(dir=os.path.dirname(own)) as folder:
+        copy = os.path.join(folder, 'copy')
+        with open(copy, 'wb') as target:
+            shutil.copyfileobj(source, target)
+        os.rename(copy, own)
+
+
 def own_copy(settings):
-    """The file below ROS_HOME; it is there whole, or not at all."""
-    folder = os.path.join(rospkg.get_ros_home(), 'scan_cell_rviz')
-    own = os.path.join(folder, os.path.basename(settings))
-    if os.path.exists(own):
+    """The file below ROS_HOME."""
+    own = os.path.join(rospkg.get_ros_home(), 'scan_cell_rviz', os.path.basename(settings))
+    if is_there(own):
         return own
-    os.makedirs(folder, exist_ok=True)
-    with open(settings, 'rb') as source, tempfile.NamedTemporaryFile(dir=folder, delete=False) as copy:
-        shutil.copyfileobj(source, copy)
-    os.chmod(copy.name, 0o644)
-    os.rename(copy.name, own)
+    os.makedirs(os.path.dirname(own), exist_ok=True)
+    try:
+        copy_whole(settings, own)
+    except OSError as error:
+        raise error if error.filename else OSError(error.errno, error.strerror, own)
     return own
+
+
+def is_newer(settings, own):
+    """Where there are no settings any more, the copy will do."""
+    return os.path.exists(settings) and os.path.getmtime(settings) > os.path.getmtime(own)
 
 
 def main():
@@ -38,6 +56,8 @@ def main():
         sys.exit('own_rviz.py: %s: %s; give a file of settings that is there, and a ROS_HOME that can be written'
                  % (error.filename, error.strerror))
     print('settings of rviz: %s; remove it to begin anew with %s' % (own, options.settings), flush=True)
+    if is_newer(options.settings, own):
+        print('own_rviz.py: %s is newer than that copy' % options.settings, flush=True)
     os.execvp('rosrun', ['rosrun', 'rviz', 'rviz', '-d', own] + others)
 
 

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """rviz gets a person's own copy of the settings. Played by a program that writes down how it was called."""
 import os
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -35,9 +36,9 @@ class OwnRviz(unittest.TestCase):
     def file(self, name):
         return os.path.join(self.folder, name)
 
-    def start(self, *words):
+    def start(self, *words, **more):
         environment = dict(os.environ, PATH=self.folder + ':' + os.environ['PATH'], CALLED=self.called, ROS_HOME=self.file('home'))
-        return subprocess.run([SCRIPT, *words], env=environment, capture_output=True, text=True, check=False)
+        return subprocess.run([SCRIPT, *words], env=environment, capture_output=True, text=True, check=False, **more)
 
     def test_are_a_copy_at_first_and_then_stay_the_persons(self):
         started = self.start(self.settings, '__name:=rviz')
@@ -57,6 +58,27 @@ class OwnRviz(unittest.TestCase):
         save(self.settings, 'as a later version has it\n')
         self.start(self.settings)
         self.assertEqual(text_of(self.own), 'as a later version has it\n')
+
+    def test_begin_anew_where_the_copy_is_empty(self):
+        self.start(self.settings)
+        save(self.own, '')
+        self.start(self.settings)
+        self.assertEqual(text_of(self.own), 'as it came\n')
+
+    def test_leave_nothing_behind_where_they_cannot_be_written(self):
+        started = self.start(self.settings, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4, 4)))  # [bytes]
+        self.assertNotEqual(started.returncode, 0)
+        self.assertIn(self.own + ': File too large', started.stderr)
+        self.assertEqual(os.listdir(os.path.dirname(self.own)), [])
+        self.assertFalse(os.path.exists(self.called))
+
+    def test_say_that_those_that_came_are_newer_than_the_copy(self):
+        self.assertNotIn('newer', self.start(self.settings).stdout)
+        later = os.path.getmtime(self.own) + 1
+        os.utime(self.settings, (later, later))
+        self.assertIn(self.settings + ' is newer', self.start(self.settings).stdout)
+        os.remove(self.settings)
+        self.assertEqual(self.start(self.settings).returncode, 0)
 
     def test_say_what_is_missing(self):
         started = self.start(self.file('none.rviz'))
