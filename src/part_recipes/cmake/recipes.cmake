@@ -2,13 +2,12 @@ add_library(${PROJECT_NAME}_core
   src/core/approval/approval.cpp src/core/clock/utc_time.cpp src/core/disk/folder_lock.cpp
   src/core/disk/to_disk.cpp src/core/recipe/new_recipe.cpp src/core/recipe/places_file.cpp
   src/core/recipe/proof.cpp src/core/recipe/recipe_check.cpp src/core/recipe/recipe_edits.cpp
-  src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp
-  src/core/record/record_names.cpp src/core/record/run_record.cpp
-  src/core/record/work_records.cpp src/core/replay/job_folder.cpp src/core/replay/replay.cpp
-  src/core/run/again.cpp src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp
-  src/core/run/cleaned_away.cpp src/core/run/figures.cpp src/core/run/place_check.cpp
-  src/core/run/prove.cpp src/core/run/recipe_picture.cpp src/core/run/recipe_reading.cpp
-  src/core/run/run_folder.cpp src/core/run/run_recipe.cpp src/core/run/stretch_given.cpp
+  src/core/recipe/recipe_file.cpp src/core/recipe/recipe_names.cpp src/core/record/record_names.cpp
+  src/core/record/run_record.cpp src/core/record/work_records.cpp src/core/replay/job_folder.cpp
+  src/core/replay/replay.cpp src/core/run/again.cpp src/core/run/calls/recipe_reading.cpp
+  src/core/run/calls/stage_calls.cpp src/core/run/calls/tool_call.cpp src/core/run/place_check.cpp
+  src/core/run/prove.cpp src/core/run/recipe_picture.cpp src/core/run/report/cleaned_away.cpp
+  src/core/run/report/figures.cpp src/core/run/run_folder.cpp src/core/run/run_recipe.cpp
   src/core/run/work.cpp src/core/view/waypoints_concerned.cpp)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC
@@ -50,10 +49,9 @@ if(CATKIN_ENABLE_TESTING)
   target_link_libraries(test_${PROJECT_NAME}_recipe ${PROJECT_NAME}_core
     ${scan_cell_common_LIBRARIES} scan_cell::scan_cell_common_clouds gtest_main)
   catkin_add_gtest(test_${PROJECT_NAME}_run
-    test/made_up_part.cpp test/run/test_cleaned_away.cpp test/run/test_place_check.cpp test/run/test_recipe_edits.cpp
-    test/run/test_run.cpp
-    test/run/test_run_folder.cpp test/run/test_sight.cpp test/run/test_work_records.cpp
-    test/temporary_folder.cpp
+    test/made_up_part.cpp test/run/test_cleaned_away.cpp test/run/test_place_check.cpp
+    test/run/test_recipe_edits.cpp test/run/test_run.cpp test/run/test_run_folder.cpp
+    test/run/test_sight.cpp test/run/test_work_records.cpp test/temporary_folder.cpp
     test/view/test_deviation_colours.cpp test/view/test_judged_figures.cpp
     test/view/test_run_view.cpp)
   target_link_libraries(test_${PROJECT_NAME}_run

@@ -7,8 +7,8 @@
 
 #include "made_up_recipe.h"
 #include "run/again.h"
-#include "run/cleaned_away.h"
-#include "run/stretch_given.h"
+#include "run/calls/recipe_reading.h"
+#include "run/report/cleaned_away.h"
 #include "scan_cell_common/errors/errors.h"
 
 namespace part_recipes {

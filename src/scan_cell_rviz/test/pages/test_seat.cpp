@@ -8,18 +8,13 @@
 
 #include <QApplication>
 #include <QFile>
-#include <QMessageBox>
 #include <QSignalSpy>
 #include <QTest>
-#include <QTimer>
 #include <QWheelEvent>
 #include <csignal>
 #include <functional>
 
 #include "fixtures/a_seat.h"
-#include "fixtures/made_preview.h"
-#include "pages/shift/work_page.h"
-#include "scan_cell_common/files/yaml_file.h"
 #include "scan_cell_common/testing/child_process.h"
 
 namespace scan_cell_rviz {
@@ -78,26 +73,6 @@ TEST_F(ASeat, TellsOfAScanThatAnyProgramBeganAndStopsIt) {
   EXPECT_TRUE(button("run")->isEnabled());
 }
 
-TEST_F(ASeat, AsksBeforeAPartIsWorkedAgain) {
-  recipes_->set_works(2);
-  scan_to(RunSummary::ACCEPTED);
-  find<QLineEdit>("person")->setText("Ada");
-  click("approve");
-  ASSERT_TRUE(comes([this] { return button("work")->isEnabled(); }));
-  EXPECT_NE(text("work_part").find("Worked: 2."), std::string::npos) << text("work_part");
-  const int before = recipes_->goals();
-  bool asked = false;
-  QTimer::singleShot(0, [&] {
-    auto* const question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    asked = question != nullptr;
-    if (asked) question->button(QMessageBox::No)->click();
-  });
-  button("work")->click();
-  EXPECT_TRUE(asked);
-  QTest::qWait(200);
-  EXPECT_EQ(recipes_->goals(), before);
-}
-
 TEST_F(ASeat, StopsTheCellItselfWhereItGoesOnAfterStop) {
   ros::NodeHandle node;
   const ros::Publisher cell = node.advertise<scan_cell_msgs::CellState>("/scan_cell/state", 1);
@@ -135,121 +110,6 @@ TEST_F(ASeat, ChangesNoValueForWhoScrollsOverAPage) {
   ASSERT_TRUE(comes([&] { return depth->hasFocus(); }));
   turn();
   EXPECT_GT(depth->value(), before) << "this one was chosen";
-}
-
-TEST_F(ASeat, CleansTheScanInViewByHandAndSavesItIntoTheRecipe) {
-  EXPECT_FALSE(button("save_edits")->isEnabled()) << "there is no scan";
-  scan_to(RunSummary::ACCEPTED);
-  ASSERT_TRUE(comes([this] { return text("clean_count") == "1000 of 1000 points stay."; }))
-      << text("clean_count");
-  cloud_preprocess::HalfSpace half;  // of the fake's lattice 5 of 10 layers
-  half.point.z() = 0.0045;
-  edits_.add({false, half});
-  ASSERT_TRUE(comes([this] { return text("clean_count") == "500 of 1000 points stay."; }));
-  auto* const edits = find<QListWidget>("edits");
-  EXPECT_EQ(edits->item(0)->text(), "delete plane: 500 points went");
-  find<QTabWidget>("pages")->setCurrentIndex(1);
-  click("undo");
-  ASSERT_TRUE(comes([this] { return text("clean_count") == "1000 of 1000 points stay."; }));
-  click("redo");
-  ASSERT_TRUE(comes([this] { return text("clean_count") == "500 of 1000 points stay."; }));
-  click("save_edits");
-  ASSERT_TRUE(comes([this] { return text("clean_end").find("Saved") == 0; })) << trouble();
-  EXPECT_EQ(recipes_->last_edit().recipe, "frame");
-  EXPECT_EQ(recipes_->last_edit().edits, cloud_preprocess::to_yaml({{false, half}}));
-  click("drop_edits");
-  EXPECT_TRUE(comes([&] { return edits->count() == 0; }));
-}
-
-TEST_F(ASeat, SaysWhyAnEditIsNotDoneAndTakesTheSettingsOfTheNext) {
-  scan_to(RunSummary::ACCEPTED);
-  ASSERT_TRUE(comes([this] { return edits_.view() != nullptr; }));
-  find<QComboBox>("edit_what")->setCurrentIndex(1);
-  find<QDoubleSpinBox>("edit_radius")->setValue(2.5);
-  EXPECT_EQ(edits_.settings().act, EditAct::kKeepOnly);
-  EXPECT_NEAR(edits_.settings().radius, 0.0025, 1e-12);
-  cloud_preprocess::BrushShape beside;
-  beside.places = {{1, 1, 1}};
-  beside.radius = edits_.settings().radius;
-  edits_.apply(beside);
-  EXPECT_TRUE(comes([this] {
-    return text("clean_end").find("leaves nothing") != std::string::npos;
-  })) << text("clean_end");
-  EXPECT_EQ(text("clean_count"), "1000 of 1000 points stay.");
-}
-
-TEST_F(ASeat, HidesPointsOfTheScanWithoutAnEdit) {
-  scan_to(RunSummary::ACCEPTED);
-  ASSERT_TRUE(comes([this] { return edits_.view() != nullptr; }));
-  EXPECT_FALSE(button("show_hidden")->isEnabled());
-  cloud_preprocess::HalfSpace half;  // of the fake's lattice 5 of 10 layers
-  half.point.z() = 0.0045;
-  find<QComboBox>("edit_what")->setCurrentIndex(3);  // show only
-  edits_.apply(half);
-  const std::string hidden = "1000 of 1000 points stay. 500 of them are hidden.";
-  ASSERT_TRUE(comes([&] { return text("clean_count") == hidden; })) << text("clean_count");
-  find<QComboBox>("edit_what")->setCurrentIndex(2);  // hide
-  edits_.apply(half);
-  EXPECT_TRUE(comes([this] {
-    return text("clean_end").find("nothing in view") != std::string::npos;
-  })) << text("clean_end");
-  EXPECT_EQ(find<QListWidget>("edits")->count(), 0);
-  edits_.add({true, half});
-  EXPECT_TRUE(comes([this] {
-    const auto* const item = find<QListWidget>("edits")->item(0);
-    return item != nullptr &&
-           item->text() == "keep only plane: 500 points went, 500 of them hidden";
-  }));
-  find<QTabWidget>("pages")->setCurrentIndex(1);
-  click("undo");
-  ASSERT_TRUE(comes([&] { return text("clean_count") == hidden; })) << text("clean_count");
-  click("show_hidden");
-  EXPECT_TRUE(comes([this] { return text("clean_count") == "1000 of 1000 points stay."; }));
-}
-
-TEST_F(ASeat, TakesOverTheEditsThatTheRecipeHas) {
-  scan_to(RunSummary::ACCEPTED);
-  find<QTabWidget>("pages")->setCurrentIndex(1);
-  ASSERT_TRUE(comes([this] { return button("take_over_edits")->isVisible(); }));
-  click("take_over_edits");
-  EXPECT_TRUE(comes([this] { return text("clean_count") == "900 of 1000 points stay."; }))
-      << text("clean_count");
-  EXPECT_FALSE(button("take_over_edits")->isVisible()) << "they are in the list";
-}
-
-TEST_F(ASeat, ShowsWhatTheStagesWouldTakeAndSavesThemIntoTheRecipe) {
-  scan_to(RunSummary::ACCEPTED);
-  ASSERT_TRUE(
-      comes([this] { return edits_.view() != nullptr && button("save_edits")->isEnabled(); }));
-  find<QTabWidget>("pages")->setCurrentIndex(1);
-  EXPECT_EQ(text("stage_floor"), "floor: not tried");
-  find<QGroupBox>("stages")->setChecked(true);
-  // The recipe cuts the lowest of ten layers.
-  ASSERT_TRUE(comes([this] { return text("stage_floor").find("floor: 100 points") == 0; }))
-      << text("stage_floor");
-  EXPECT_EQ(find<QDoubleSpinBox>("outliers_neighbours")->value(), 5);
-  EXPECT_EQ(find<QDoubleSpinBox>("isolate_gap")->suffix().toStdString(), " mm");
-  EXPECT_EQ(edits_.view()->kept.size(), 1000u) << "nothing has gone yet";
-  ASSERT_EQ(edits_.view()->stages.size(), 3u);
-  const EditedViewPtr view = edits_.view();
-  for (const std::uint32_t i : view->stages[0].points)
-    ASSERT_LT((*view->source)[i].z, 0.0005F);
-  find<QDoubleSpinBox>("isolate_min_points")->setValue(1000);  // more than are left
-  ASSERT_TRUE(comes([this] { return text("stage_isolate").find("1000") != std::string::npos; }))
-      << text("stage_isolate");
-  find<QDoubleSpinBox>("isolate_gap")->setValue(12.5);
-  click("save_stages");
-  ASSERT_TRUE(comes([this] { return text("clean_end").find("Saved") == 0; })) << trouble();
-  const auto saved = recipes_->last_edit();
-  EXPECT_EQ(saved.what, scan_cell_msgs::EditRecipeRequest::STAGES);
-  const auto parameters = cloud_preprocess::read_clean_parameters(
-      scan_cell_common::YamlEntry::parse(saved.stages, "saved"));
-  EXPECT_FALSE(parameters.floor.automatic);
-  EXPECT_EQ(parameters.floor.limits.z_min, 0.0005);
-  EXPECT_EQ(parameters.outliers.neighbours, 5);
-  EXPECT_EQ(parameters.isolate.min_points, 1000);
-  EXPECT_DOUBLE_EQ(parameters.isolate.gap, 0.0125);
-  EXPECT_EQ(parameters.floor.margin, cloud_preprocess::FloorParameters().margin);
 }
 
 TEST_F(ASeat, SaysWhatMakesTheFirstRecipeWhereThereIsNone) {
@@ -293,102 +153,6 @@ TEST_F(ASeat, StopsTheScanAndSaysThatThereIsNoRun) {
   ASSERT_TRUE(comes([this] { return trouble() == "stopped by the person"; })) << trouble();
   EXPECT_TRUE(recipes_->was_cancelled());
   EXPECT_TRUE(comes([this] { return button("run")->isEnabled(); }));
-}
-
-TEST_F(ASeat, LetsAPersonWithANameApproveAnAcceptedRunAndThenWork) {
-  scan_to(RunSummary::ACCEPTED);
-  EXPECT_FALSE(button("approve")->isEnabled()) << "who?";
-  EXPECT_FALSE(button("dry_run")->isEnabled());
-  seat_.set_person("Ada");
-  find<QLineEdit>("decision_note")->setText("looks good");
-  click("approve");
-  ASSERT_TRUE(comes([this] { return text("decision") == "Approved by Ada: looks good"; }))
-      << text("decision");
-  EXPECT_EQ(recipes_->last_decision().run, "run_1");
-  EXPECT_EQ(recipes_->last_decision().name, "Ada");
-  find<QTabWidget>("pages")->setCurrentIndex(4);
-  ASSERT_TRUE(comes([this] { return button("dry_run")->isEnabled(); }));
-  click("dry_run");
-  ASSERT_TRUE(comes([this] { return recipes_->goals() == 2; }));
-  EXPECT_EQ(recipes_->last_goal().run, "run_1");
-  EXPECT_EQ(recipes_->last_goal().work, scan_cell_msgs::RunRecipeGoal::DRY_RUN);
-  recipes_->finish(RunSummary::ACCEPTED);
-  EXPECT_TRUE(comes([this] {
-    return text("work_end") == "Done, the dry run. all waypoints were passed";
-  })) << text("work_end");
-}
-
-TEST_F(ASeat, PreviewsTheWorkBeforeAnythingMoves) {
-  QSignalSpy chosen(&seat_, &Seat::poseChosen);
-  EXPECT_FALSE(button("preview")->isEnabled()) << "of no run";
-  scan_to(RunSummary::ACCEPTED);
-  find<QTabWidget>("pages")->setCurrentIndex(4);
-  ASSERT_TRUE(comes([this] { return button("preview_dry")->isEnabled(); }));
-  EXPECT_FALSE(find<QSlider>("pose")->isEnabled());
-  click("preview_dry");
-  ASSERT_TRUE(comes([this] { return find<QSlider>("pose")->isEnabled(); })) << trouble();
-  EXPECT_EQ(recipes_->last_preview().run, "run_1");
-  EXPECT_NE(recipes_->last_preview().dry_run, 0);
-  EXPECT_EQ(recipes_->goals(), 1) << "the scan alone";
-  EXPECT_EQ(find<QSlider>("pose")->maximum(), 4);
-  EXPECT_EQ(chosen.count(), 1) << "the ghost does not come";
-  find<QSlider>("pose")->setValue(2);
-  EXPECT_EQ(chosen.last().at(0).toInt(), 2);
-  EXPECT_NE(text("at_pose").find("Dry run. The robot cannot follow"), std::string::npos)
-      << text("at_pose");
-  EXPECT_NE(text("at_pose").find("waypoint 1: 30 mm/s"), std::string::npos) << text("at_pose");
-  QSignalSpy place(&seat_, &Seat::placeChosen);
-  ASSERT_EQ(find<QListWidget>("faults")->count(), 1);
-  find<QListWidget>("faults")->setCurrentRow(0);
-  EXPECT_EQ(find<QSlider>("pose")->value(), 4);
-  ASSERT_EQ(place.count(), 1) << "the view does not turn there";
-  EXPECT_EQ(place.at(0).at(0).toDouble(), 0.4);
-}
-
-scan_cell_msgs::DescribeRunResponse accepted(const std::string& id) {
-  scan_cell_msgs::DescribeRunResponse run;
-  run.run.id = id;
-  run.run.state = RunSummary::ACCEPTED;
-  return run;
-}
-
-TEST(WorkPage, MayPreviewAnotherRunThatIsOpenedBeforeThePreviewComes) {
-  WorkPage page;
-  page.set_free(true);
-  page.show_run(accepted("run_1"));
-  auto* const preview = page.findChild<QPushButton*>("preview");
-  preview->click();
-  EXPECT_FALSE(preview->isEnabled()) << "one was asked for";
-  page.show_run(accepted("run_1"));
-  EXPECT_FALSE(preview->isEnabled()) << "it is the same run";
-  page.show_run(accepted("run_2"));
-  EXPECT_TRUE(preview->isEnabled());
-}
-
-TEST(WorkPage, PutsTheGhostToTheLastPoseOfAShorterPreview) {
-  WorkPage page;
-  page.show_run(accepted("run_1"));
-  QSignalSpy chosen(&page, &WorkPage::poseChosen);
-  auto longer = made_preview(), shorter = made_preview();
-  shorter.waypoints.resize(3);
-  page.show_preview(boost::make_shared<scan_cell_msgs::WorkPreview>(longer));
-  EXPECT_EQ(chosen.count(), 0) << "nobody asked for it";
-  page.findChild<QSlider*>("pose")->setValue(4);
-  page.show_preview(boost::make_shared<scan_cell_msgs::WorkPreview>(shorter));
-  ASSERT_EQ(chosen.count(), 2);
-  EXPECT_EQ(chosen.last().at(0).toInt(), 2);
-}
-
-TEST_F(ASeat, TellsBeforeTheWorkWhichJointTurnsMost) {
-  scan_to(RunSummary::ACCEPTED);
-  find<QTabWidget>("pages")->setCurrentIndex(4);
-  EXPECT_EQ(text("most_turned"), "");
-  ASSERT_TRUE(comes([this] { return button("preview")->isEnabled(); }));
-  click("preview");
-  // The fake's J2 goes from -0.2 to -0.6 rad
-  const std::string turn = "J2 turns most along the path: from -11 to -34 degrees";
-  const std::string range = "; its range is -57 to 115 degrees.";  // 1 and 2 rad
-  EXPECT_TRUE(comes([&] { return text("most_turned") == turn + range; })) << text("most_turned");
 }
 
 TEST_F(ASeat, LetsNobodyApproveOrWorkARefusedPart) {

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "run/stretch_given.h"
+#include "run/calls/recipe_reading.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/errors/errors.h"
 #include "scan_cell_common/files/files.h"

@@ -53,6 +53,10 @@ void add_pose(const DeformationGraph& graph, double angle, double distance,
   }
 }
 
+NormalEquations normal_equations(const GraphEquations& equations) {
+  return {equations.matrix().selfadjointView<Eigen::Lower>(), equations.right_side()};
+}
+
 }  // namespace
 
 PoseDeviation pose_deviation(const Surface& reference, const Mapping& mapping, const Prior& prior) {
@@ -70,14 +74,14 @@ NormalEquations knowledge(const Mapping& mapping, const Prior& prior, const Pose
   equations.add_prior(prior.scale, mapping.similarity.scale);
   equations.add_observation({equations.matrix().rows() - 1}, {1.0}, 0, kGrowth);
   add_pose(mapping.graph, pose.angle, pose.distance, equations);
-  return {equations.matrix().selfadjointView<Eigen::Lower>(), equations.right_side()};
+  return normal_equations(equations);
 }
 
 NormalEquations rigidity(const Mapping& mapping, const Eigen::Vector3d& centre) {
   const Strain strain = strain_of(mapping.graph);
   GraphEquations equations(mapping.graph, centre);
   equations.add_rigidity(strain.along, strain.across);
-  return {equations.matrix().selfadjointView<Eigen::Lower>(), equations.right_side()};
+  return normal_equations(equations);
 }
 
 }  // namespace tool_path_stretcher

@@ -1,14 +1,13 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/cleaned_away.h"
+#include "run/report/cleaned_away.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <iterator>
 
 #include "deviation/deviations.h"
-#include "run/recipe_reading.h"
-#include "run/stretch_given.h"
+#include "run/calls/recipe_reading.h"
 #include "scan_cell_common/clouds/cloud_files.h"
 #include "scan_cell_common/geometry/point_tree.h"
 #include "scan_cell_common/pose/units.h"

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "deviation/scene/path_reading.h"
 #include "recipe/recipe.h"
 #include "tool_path_stretcher/stretch_parameters.h"
 
 namespace part_recipes {
+
+/// How the tools of a run read the recipe's path, from the same options.
+/// @throw scan_cell_common::UnusableInput if an option is none
+PathReading reading_of(const RecipeFile& path);
 
 /// The parameters by which stretch judges a part of the recipe: as it gives them, read as stretch
 /// reads its command line, else their defaults.

@@ -1,6 +1,6 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/figures.h"
+#include "run/report/figures.h"
 
 #include <fmt/format.h>
 
