@@ -95,6 +95,16 @@ const Fitted* clearly_best(const std::vector<Fitted>& others, const Fitted& best
   return found;
 }
 
+MappingError error_of(const SurfacePair& surfaces, const Mapping& mapping, const Prior& prior) {
+  try {
+    return {surfaces, mapping, prior};
+  } catch (const UnheldMapping& error) {
+    refuse(Reason::kPositionUncertain, "adapted path",
+           std::string("how far off it may be cannot be told: ") + error.what(),
+           "scan more of the part, or give the scale or the initial pose");
+  }
+}
+
 }  // namespace
 
 Adaptation::Adaptation(const SurfacePair& surfaces, const ToolPath& path,
@@ -295,7 +305,7 @@ void Adaptation::adapt(const Mapping& mapping, StretchResult& result) const {
   result.reference_path = path_;
   const double spacing =
       mapping.similarity.scale * surfaces_.reference.spacing + surfaces_.object.spacing;
-  const MappingError mapping_error(surfaces_, mapping, parameters_.prior);
+  const MappingError mapping_error = error_of(surfaces_, mapping, parameters_.prior);
   Placement placement = place(
       path_, surfaces_, mapping, mapping_error,
       {parameters_.support_radius, parameters_.min_support, max_stranger(parameters_, spacing),

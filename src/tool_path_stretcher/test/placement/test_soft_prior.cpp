@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "uncertainty/mapping_error.h"
 #include "uncertainty/soft_prior.h"
 
 using namespace tool_path_stretcher;
@@ -105,6 +106,25 @@ TEST(SoftPrior, IsTheInverseOfTheSumOfBothCovariances) {
   EXPECT_LT((again - waves).norm(), 1e-3 * waves.norm());
   EXPECT_NEAR(sheet.held(waves), waves.dot(sheet.prior.equations().matrix * waves),
               1e-9 * sheet.held(waves));
+}
+
+TEST(PosteriorCovariance, IsTheInverse) {
+  const Sheet sheet;
+  const Eigen::MatrixXd information = sheet.prior.equations().matrix;
+  const std::optional<Eigen::MatrixXd> covariance = posterior_covariance(information);
+  ASSERT_TRUE(covariance);
+  const Eigen::VectorXd waves =
+      sheet.motion([](std::size_t i) { return Eigen::Vector3d(0, 0, 1e-4 * std::sin(i)); });
+  EXPECT_LT((*covariance * (information * waves) - waves).norm(), 1e-3 * waves.norm());
+}
+
+TEST(PosteriorCovariance, IsNoneWhereAnUnknownIsFreeOrNotANumber) {
+  const Sheet sheet;
+  Eigen::MatrixXd information = sheet.prior.equations().matrix;
+  information(300, 300) = -1;
+  EXPECT_FALSE(posterior_covariance(information));
+  information(300, 300) = std::nan("");
+  EXPECT_FALSE(posterior_covariance(information));
 }
 
 }  // namespace

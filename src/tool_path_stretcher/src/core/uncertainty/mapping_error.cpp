@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "uncertainty/mapping_error.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <utility>
 
 #include "geometry/points.h"
 #include "uncertainty/slack.h"
@@ -30,6 +33,15 @@ NormalEquations measurements(const Mapping& mapping, const GraphObservations& se
 }
 
 }  // namespace
+
+std::optional<Eigen::MatrixXd> posterior_covariance(const Eigen::MatrixXd& information) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(information);
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  Eigen::MatrixXd covariance =
+      factor.solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  if (!covariance.allFinite()) return std::nullopt;
+  return covariance;
+}
 
 MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, const Prior& prior)
     : mapping_(mapping), centre_(principal_frame(surfaces.reference.points).centroid) {
@@ -66,7 +78,10 @@ MappingError::MappingError(const SurfacePair& surfaces, const Mapping& mapping, 
   const NormalEquations assumed = assumed_.equations();
   const NormalEquations measured = measurements(mapping_, seen, share, centre_);
   const Eigen::MatrixXd all = assumed.matrix + measured.matrix;
-  covariance_ = all.llt().solve(Eigen::MatrixXd::Identity(all.rows(), all.cols()));
+  std::optional<Eigen::MatrixXd> covariance = posterior_covariance(all);
+  if (!covariance)
+    throw UnheldMapping(fmt::format("its {} unknowns do not hold each other", all.rows()));
+  covariance_ = std::move(*covariance);
   pull_ = covariance_ * (assumed.right_side + measured.right_side);
   common_ = kCommon * mapping.similarity.scale * seen.normal_deviation;
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <stdexcept>
+
 #include "mapping/graph_equations.h"
 #include "surface/surface_pair.h"
 #include "tool_path_stretcher/prior.h"
@@ -9,12 +12,22 @@
 
 namespace tool_path_stretcher {
 
+/// The inverse of what observations and assumptions hold together; none where they leave an unknown
+/// free.
+std::optional<Eigen::MatrixXd> posterior_covariance(const Eigen::MatrixXd& information);
+
+/// How far off a mapping may be cannot be told.
+struct UnheldMapping : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// How far off a mapping may be, anywhere: the posterior covariance of a graph that the scan's
 /// points and rims hold, and that strains no more than the part was seen to; and how far the
 /// mapping is from where that graph would settle.
 class MappingError {
  public:
   /// @param mapping as it was fitted; without a graph, one that does not displace anything is taken
+  /// @throws UnheldMapping
   MappingError(const SurfacePair& surfaces, const Mapping& mapping, const Prior& prior);
 
   struct Covariance {
