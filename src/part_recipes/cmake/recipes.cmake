@@ -59,7 +59,8 @@ if(CATKIN_ENABLE_TESTING)
     scan_cell::scan_cell_core nlohmann_json::nlohmann_json gtest_main)
   target_compile_definitions(test_${PROJECT_NAME}_run PRIVATE
     SCANNER_FILE="${CMAKE_CURRENT_SOURCE_DIR}/../scan_cell_sim/config/scanner.yaml")
-  add_dependencies(test_${PROJECT_NAME}_run clean_cloud edit_path export_path seen_waypoints stretch)
+  add_dependencies(test_${PROJECT_NAME}_run
+    clean_cloud deviations edit_path export_path scan seen_waypoints stretch)
   catkin_add_gtest(test_${PROJECT_NAME}_design
     test/design/test_recipe_path.cpp test/made_up_part.cpp test/temporary_folder.cpp)
   target_link_libraries(test_${PROJECT_NAME}_design
