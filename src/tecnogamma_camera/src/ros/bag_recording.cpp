@@ -37,7 +37,7 @@ int bytes_of(const sensor_msgs::Image& image) {
   return 0;
 }
 
-/// What a profile says about the image with the same stamp.
+/// The number that a profile gives to the image with the same stamp.
 struct Number {
   std::uint32_t acquisition;
   std::uint64_t counter;
