@@ -36,8 +36,8 @@ struct DetectorSettings {
   /// [grey value] of the image's own pixels, 0 .. 65535: a pixel above it is lit. kAutomaticLevel:
   /// found in each frame.
   int trigger_level = kAutomaticLevel;
-  int permanence = 2;  //!< [px] lit pixels in a row that make a rising edge, dark ones a falling
-  int window = 0;  //!< [px] most columns of the centre of gravity; 0: from the stripe's width
+  int permanence = 2;    //!< [px] lit pixels in a row that make a rising edge, dark ones a falling
+  int window = 0;        //!< [px] most columns of the centre of gravity; 0: from the stripe's width
   double max_width = 0;  //!< [px] of a spot, as in the profile: wider ones are left out
                          //!< before the choice; 0: any width
   Choice choice = Choice::kBrightest;  //!< among several spots in a row
