@@ -12,8 +12,8 @@
 namespace part_recipes {
 namespace {
 
-/// As the tool reads them that is called with them.
-/// @param whose options, in the error; `cure` likewise
+/// Parses options as the tool that gets them does.
+/// @param whose owner of the options, for the error; `cure` likewise
 void parse(CLI::App& app, const ToolOptions& options, const std::string& whose,
            const std::string& cure) {
   ToolCall call;
