@@ -43,13 +43,13 @@ std::string to_string(CalibrationVerdict verdict);
 
 /// A calibration, from the session's images to the verdict.
 struct CalibrationRun {
-  std::string session;                                        //!< folder
-  std::optional<ExistingScanner> existing;                    //!< supplied what was not calibrated
+  std::string session;                      //!< folder
+  std::optional<ExistingScanner> existing;  //!< supplied what was not calibrated again
   CalibrationVerdict verdict = CalibrationVerdict::kRefused;  //!< of the run
   std::string reason;                                         //!< why it was refused
   std::vector<JudgedFigure> judged;                           //!< every figure that has a limit
   int taken = 0;                                              //!< views of the session
-  Observations observations;                                  //!< read out of the images
+  Observations observations;                                  //!< what was read out of the images
   std::optional<Calibration> calibration;                     //!< none if it was refused
   std::optional<SequentialCalibration> sequential;            //!< of the same views, to compare
 };

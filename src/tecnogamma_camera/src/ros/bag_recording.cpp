@@ -178,7 +178,7 @@ class BagRecording : public Recording {
     acquisition_ = found->second.acquisition;
   }
 
-  /// Why image_ cannot be used; empty where it can.
+  /// Why image_ cannot be used; empty if it can.
   std::string find_fault() const {
     if (!image_) return path_ + ": an image with another message definition; record it again";
     if (bytes_of(*image_) == 0)

@@ -17,7 +17,7 @@ namespace part_recipes {
 /// Parameters of all ways to make a path.
 struct PathParameters {
   Eigen::Vector3d from = Eigen::Vector3d::UnitZ();  //!< the viewer's direction from the part
-  double chord = 0.0001;       //!< [m] of the line between waypoints to the surface
+  double chord = 0.0001;       //!< [m] from the surface to the line between waypoints
   double max_step = 0.01;      //!< [m] between waypoints
   double stand_off = 0;        //!< [m] of the waypoints from the surface
   std::vector<double> tool_x;  //!< direction of the tool's x axis; empty: along the travel

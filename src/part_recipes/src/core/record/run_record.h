@@ -32,7 +32,7 @@ struct FileEntry {
   std::uintmax_t bytes = 0;
 };
 
-/// Figures of a run. Lengths are metres; NaN: not known.
+/// Figures of a run. Lengths are metres; none: not known.
 struct RunFigures {
   std::optional<double> scale, rms, largest_displacement, expected_error_normal,
       expected_error_tangential, expected_error_orientation;  // the last in rad

@@ -132,7 +132,7 @@ class Run {
     return false;
   }
 
-  /// What the cell said of the scan; none: the cloud was given without it.
+  /// The cell's record of the scan; none: the cloud was given without it.
   std::optional<fs::path> scan_record() const {
     const fs::path file = folder_.path() / "scan.json";
     return fs::exists(file) ? std::optional(file) : std::nullopt;

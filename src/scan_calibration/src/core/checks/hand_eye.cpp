@@ -230,7 +230,7 @@ class Search {
       best_.offset[i] = (equations(i) * solution + flange_[i].translation()).norm();
       if (best_.fits[i]) fitting.push_back(best_.offset[i]);
     }
-    constexpr double kMinDeviation = 1e-9;  // [m] rounding, where the poses are exact
+    constexpr double kMinDeviation = 1e-9;  // [m] rounding, for exact poses
     constexpr double kReach = 4;            // standard deviations, chosen
     const double typical = std::max(median(fitting) / kMedianLength3, kMinDeviation);
     variance_ = typical * typical;

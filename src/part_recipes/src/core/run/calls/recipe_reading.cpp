@@ -39,7 +39,7 @@ PathReading reading_of(const RecipeFile& path) {
 
 tool_path_stretcher::StretchParameters stretch_parameters_of(const Recipe& recipe) {
   CLI::App app;
-  app.allow_extras();  // what is said of the files
+  app.allow_extras();  // options about the files
   tool_path_stretcher::StretchParameters parameters;
   scan_cell_common::ParameterOptions options;
   options.add(app, parameters);

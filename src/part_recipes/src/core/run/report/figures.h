@@ -16,7 +16,7 @@ namespace part_recipes {
 /// a run. Times are removed (run.json has them), so that the same run gives the same report. What
 /// the robot needs before it may work by it is added: when the scan was made, how its passes agree,
 /// the calibration.
-/// @param scan what the cell said of the scan; none: the cloud was given
+/// @param scan the cell's record of the scan; none: the cloud was given
 /// @throw scan_cell_common::UnusableInput if one of the files is not of its kind
 void settle_report(const std::filesystem::path& report,
                    const std::optional<std::filesystem::path>& scan, RunRecord& record);
@@ -37,7 +37,7 @@ void read_figures(const std::filesystem::path& report, RunRecord& record);
 /// @throw scan_cell_common::UnusableInput if the file is not of that kind
 void read_deviations(const std::filesystem::path& summary, RunRecord& record);
 
-/// Takes the hashes of the cell's calibration from what the cell said of a scan.
+/// Takes the hashes of the cell's calibration from the cell's record of a scan.
 /// @throw scan_cell_common::UnusableInput if it cannot be read
 void read_scan(const std::filesystem::path& scan, RunRecord& record);
 
