@@ -81,7 +81,7 @@ void check_step(const PosePairs& pairs, const Isometry3d& half_turn) {
   }
 }
 
-/// Refuses views that fit a neighbour's pose instead of their own.
+/// Refuses poses if views fit a neighbour's pose instead of their own.
 void check_later_step(const PosePairs& pairs, const HandEye& found, const Isometry3d& half_turn) {
   constexpr std::size_t kMinMisfits = 3;    // chosen: fewer are single errors
   constexpr double kMaxTurn = 2 * kDegree;  // chosen: as for a view that fits (hand_eye.cpp)

@@ -97,7 +97,7 @@ bool same_pose(const BoardView& a, const BoardView& b) {
   return motion.translation().norm() < kMaxDistance && angle_of(motion.linear()) < kMaxAngle;
 }
 
-/// Of views with the same pose and the same image, keeps the first.
+/// Of views with the same pose that show the same, keeps the first.
 void leave_out_repeated(UsableViews& usable) {
   constexpr double kMaxDistance = 3;  // [px] of the corners, chosen
   BoardViews kept;
@@ -116,7 +116,7 @@ void leave_out_repeated(UsableViews& usable) {
   usable.views = std::move(kept);
 }
 
-/// Refuses different images with the same pose: the poses were not recorded.
+/// Refuses poses that are the same for different images: they were not recorded.
 void check_distinct(const BoardViews& views) {
   std::vector<const BoardView*> distinct;
   std::string repeated;
