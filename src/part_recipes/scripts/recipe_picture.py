@@ -33,7 +33,8 @@ def arguments():
 
 
 def read(options, folder):
-    """Points of the reference and waypoints of each segment [m], by the tool that knows every format."""
+    """Points of the reference and waypoints of each segment [m], from the tool that knows every
+    format."""
     tool = os.path.join(os.path.dirname(os.path.realpath(sys.argv[0])), 'report_scene')
     cloud, path = os.path.join(folder, 'cloud.ply'), os.path.join(folder, 'path.json')
     subprocess.run([tool, 'surface', '--reference', options.reference, '--reference-units', options.reference_units,
@@ -45,7 +46,7 @@ def read(options, folder):
 
 
 def segments_of(paths):
-    """An array of points [m] a segment."""
+    """One array of points [m] per segment."""
     points = numpy.array(paths['reference'], dtype=float).reshape(-1, 3)
     places = numpy.array(paths['segment_of'])
     return [points[places == number] for number in range(len(paths['segments']))]

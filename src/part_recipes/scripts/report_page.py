@@ -16,7 +16,7 @@ THREE = '/usr/share/javascript/three/three.min.js'  # Debian: libjs-three
 
 
 def save(path, text):
-    """Whole or not at all."""
+    """Writes the file, whole or not at all."""
     partial = '%s.%d.partial' % (path, os.getpid())
     try:
         with open(partial, 'w', encoding='utf-8', newline='\n') as file:

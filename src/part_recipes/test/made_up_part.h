@@ -10,17 +10,17 @@
 
 namespace part_recipes {
 
-/// A plate of 120 x 80 mm with a step and two bosses, which is not its own image, as points 1 mm
-/// apart; and a path along its step.
+/// A plate of 120 x 80 mm with a step and two bosses, without symmetry, as points 1 mm apart; and a
+/// path along its step.
 struct MadeUpPart {
-  /// Writes a cloud [m] of the part, moved, with this much added along z on its left third.
+  /// Writes a cloud [m] of the part, moved, with `added` along z on its left third.
   static void write_cloud(const std::filesystem::path& file, const Eigen::Isometry3d& moved,
                           double added = 0);
 
-  /// Writes positions and orientations of the path on the part where it was not moved.
+  /// Writes positions and orientations of the path on the part before its motion.
   static void write_path(const std::filesystem::path& file);
 
-  /// 30 degrees about z, 40 and -25 mm.
+  /// A motion of 30 degrees about z, 40 and -25 mm.
   static Eigen::Isometry3d moved();
 };
 

@@ -6,14 +6,14 @@
 
 namespace part_recipes {
 
-/// A folder that is removed at the end, also where a test took its permissions away.
+/// A folder that is removed at the end, even if a test took away its permissions.
 class TemporaryFolder : public scan_cell_common::TemporaryFolder {
  public:
   TemporaryFolder() : scan_cell_common::TemporaryFolder("part_recipes") {}
   ~TemporaryFolder();
 };
 
-/// From then on permissions count for this process, also for root.
+/// From then on permissions apply to this process, even for root.
 void drop_capabilities();
 
 }  // namespace part_recipes

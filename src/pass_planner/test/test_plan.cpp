@@ -107,7 +107,7 @@ TEST_F(Planning, InTheRobotsBaseFrameFindsAPassForTheRobotWhereItStands) {
 }
 
 TEST_F(Planning, ProposesNoPassThatTheCellDoesNotAllow) {
-  // A pillar whose four faces an arc around it sees best: of 2.3 m, where 2 m are allowed.
+  // An arc around the pillar sees its four faces best, but is 2.3 m long where 2 m are allowed.
   const Surface pillar(mesh_of({{{-0.4, -0.4, 0}, {0.8, 0, 0}, {0, 0.8, 0}},
                                 {{-0.03, -0.03, 0}, {0.06, 0, 0}, {0, 0, 0.1}},
                                 {{-0.03, 0.03, 0}, {0.06, 0, 0}, {0, 0, 0.1}},
@@ -144,7 +144,7 @@ TEST_F(Planning, KeepsClearOfAWallOnTheWayToTheFirstPass) {
       << found.why.front();
 }
 
-/// There and back, from one side of the part to behind a wall beside it.
+/// A pass from one side of the part to behind a wall beside it, and back.
 scan_cell::ScanPass each_through_the_wall() {
   scan_cell::ScanPass pass;
   for (const double y : {0.0, 0.6})

@@ -119,7 +119,7 @@ TEST(Sight, OnAnArcFollowsTheCircle) {
   const Surface surface(mesh_of(wall_and_roof()));
   const auto scanner = ideal_scanner();
   const SightCheck check(scanner, surface, {});
-  // Half a circle of 0.1 m about (-0.2, 0), the camera turning with it: the light lies under it.
+  // Half a circle of 0.1 m about (-0.2, 0). The camera turns with it, so the light lies under it.
   const auto at = [](double angle) {
     return Eigen::Translation3d(-0.2, 0, 0.5) * Eigen::AngleAxisd(angle, Vector3d::UnitZ()) *
            Eigen::Translation3d(0, 0.1, 0) * Eigen::AngleAxisd(M_PI, Vector3d::UnitX());

@@ -50,8 +50,8 @@ inline SurfaceShape cloud_of(const std::vector<Rectangle>& rectangles) {
   return squares_on(points, normals, kSpacing);
 }
 
-/// The camera at the flange; the lasers are 0.25 m to its sides, and their planes cross its axis
-/// 0.5 m in front of it: the light's tangent is 0.5.
+/// An ideal scanner: the camera at the flange, the lasers 0.25 m to its sides, and their planes
+/// crossing its axis 0.5 m in front of it. The tangent of the light's angle is 0.5.
 inline scan_cell_common::ScannerModel ideal_scanner() {
   scan_cell_common::ScannerModel model;
   model.camera.width = model.camera.height = 1000;
@@ -67,7 +67,7 @@ inline scan_cell_common::ScannerModel ideal_scanner() {
   return model;
 }
 
-/// Looking straight down from 0.5 m above z = 0.
+/// A camera looking straight down from 0.5 m above z = 0.
 inline Eigen::Isometry3d above(double x) {
   return Eigen::Translation3d(x, 0, 0.5) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
 }

@@ -54,7 +54,8 @@ def quaternion(turn):
 
 
 def views():
-    """Distance, azimuth, tilt, roll [m, deg] and where the camera looks [m from the board's middle]."""
+    """Distance, azimuth, tilt, roll [m, deg] and the point looked at [m from the board's
+    middle]."""
     count = 0
     for distance in DISTANCES:
         yield distance, 0, 0, ROLLS[count % len(ROLLS)], (0, 0)

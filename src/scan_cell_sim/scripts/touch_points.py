@@ -48,7 +48,7 @@ def from_yaml(entry):
 
 
 def quaternion(r):
-    """x y z w of a rotation matrix by half a turn or less about x and little besides, as a tool that looks down has."""
+    """x y z w of a rotation matrix near half a turn about x, as of a tool that looks down."""
     x = numpy.sqrt(1 + r[0, 0] - r[1, 1] - r[2, 2]) / 2
     return x, (r[0, 1] + r[1, 0]) / (4 * x), (r[0, 2] + r[2, 0]) / (4 * x), (r[2, 1] - r[1, 2]) / (4 * x)
 
@@ -96,7 +96,8 @@ class Teacher:
             raise RuntimeError('%s/move: %s' % (self.client.action_client.ns, result and result.message))
 
     def touch(self, flange, path):
-        """There and back; the robot stands a moment after it has reached the pose, and is asked again until then."""
+        """Goes there and back. The robot settles after it has reached the pose, so the cell is
+        asked until it stands."""
         away = flange @ pose(numpy.eye(3), (0, 0, -RETRACT))
         self.move(away)
         self.move(flange)

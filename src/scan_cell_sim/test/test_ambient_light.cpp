@@ -30,7 +30,7 @@ Optics noiseless_in_room_light() {
   return optics;
 }
 
-/// A board that lies on the ground around the world's origin, its z downwards.
+/// A world with a board on the ground around its origin, with z downwards.
 World with_board() {
   World world;
   world.board = Checkerboard{};
@@ -39,7 +39,7 @@ World with_board() {
   return world;
 }
 
-/// A camera that looks at the board from the side and a little turned.
+/// A camera that looks at the board from the side, slightly turned.
 Exposure from_above(double duration) {
   Exposure exposure;
   exposure.duration = duration;
@@ -66,7 +66,7 @@ class BoardImage {
     return pixels_[static_cast<std::size_t>(row * region_.width + column)];
   }
 
-  /// Where all gradients around a place are at right angles to the way to it: a corner of a
+  /// The place to which the directions of all gradients around it are perpendicular: a corner of a
   /// checkerboard (Foerstner and Guelch 1987).
   Vector2d corner_near(Vector2d place) const {
     constexpr int kReach = 6;

@@ -125,7 +125,7 @@ TEST(CrestPath, OfABentFrameIsTheImageOfTheReferences) {
   for (std::size_t i = 0; i < image.size(); ++i) {
     EXPECT_TRUE(image[i].isApprox(direct[i], 1e-9));
     EXPECT_LT(scene.distance_to_surface(image[i].translation()), 5e-6);
-    // What the tool points at is the surface: its normal there is against the tool's z.
+    // The tool points at the surface: the surface's normal there is against the tool's z.
     const Vector3d z = image[i].linear().col(2);
     const auto hit = scene.first_hit(image[i].translation() - 0.01 * z, z);
     ASSERT_TRUE(hit);

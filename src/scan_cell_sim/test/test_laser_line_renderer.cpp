@@ -32,7 +32,7 @@ World floor_only(double height = 0) {
   return world;
 }
 
-/// Camera at a height over the floor, looking down, its x along the world's x, a little tilted.
+/// Camera at a height over the floor, looking down, its x along the world's x, slightly tilted.
 Eigen::Isometry3d looking_down(double height, const Vector3d& tilt = Vector3d::Zero()) {
   Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
   camera.translation() << 0, 0, height;
@@ -75,7 +75,7 @@ class Image {
   std::vector<std::uint8_t> pixels_;
 };
 
-/// Projection by the textbook's formula (Brown 1966), apart from the scanner model's own.
+/// Projection by the textbook's formula (Brown 1966), independent of the scanner model's.
 Vector2d textbook_projection(const ScannerModel& scanner, const Vector3d& p) {
   const auto& c = scanner.camera;
   const double x = p.x() / p.z(), y = p.y() / p.z();
@@ -268,8 +268,8 @@ TEST(LaserLine, FadesWithIncidenceAndReflectance) {
   World world = floor_only();
   world.floor->reflectance = 0.5;
   const Image image(LaserLineRenderer(plain_scanner(), optics), world, exposure);
-  // Head on at 0.5 m would be `brightness`; here the ray is sqrt(0.3125) m long, at cos = 0.5 /
-  // that.
+  // At normal incidence at 0.5 m the peak would be `brightness`; here the ray is sqrt(0.3125) m
+  // long, at cos = 0.5 / that length.
   const double way = std::sqrt(0.25 * 0.25 + 0.5 * 0.5);
   EXPECT_NEAR(image.at(855, 848), optics.brightness * 0.5 * (0.5 / way) * (0.5 / way), 1);
 }

@@ -15,7 +15,7 @@ STYLE = ('body{font:15px/1.4 sans-serif;max-width:75em;margin:1em auto;padding:0
 
 
 def table(head, rows):
-    """Of texts, with what people named as text."""
+    """A table of texts, with names given by people as plain text."""
     left = len(rows) - MOST_ROWS
     lines = [''.join(f'<td>{html.escape(str(cell))}</td>' for cell in row) for row in rows[:MOST_ROWS]]
     more = f'<p>and {left} more: <code>history chart-data</code> has all of them</p>' if left > 0 else ''
@@ -50,7 +50,7 @@ def tables(data):
 
 
 def page(data):
-    """One file without any other."""
+    """One self-contained file."""
     name = html.escape(data['recipe'])
     picture = base64.b64encode(png(data)).decode()
     repeats = data['repeats_left_out']

@@ -21,8 +21,9 @@ def table():
 
 
 def marks(points, deviations, tolerance, across=32):
-    """Marks spread over a cloud: indices of points, and their kinds. One a cell of a grid, by the median of the
-    cell's known deviations; not known where that is so of most of its points.
+    """Marks spread over a cloud: indices of points, and their kinds. There is one mark per cell of
+    a grid, by the median of the cell's known deviations; NOT_KNOWN if most of the cell's deviations
+    are unknown.
 
     across: cells along the longest side"""
     low = points.min(axis=0)

@@ -14,7 +14,7 @@ SCRIPTS = ('packed.js', 'camera.js', 'layers.js', 'view.js', 'waypoints.js')
 
 
 def script(path):
-    """Text of a script, which must not end its element."""
+    """Text of a script, made safe against ending its element."""
     with open(path, encoding='utf-8') as file:
         return Markup(file.read().replace('</script', '<\\/script'))
 
@@ -28,7 +28,7 @@ def three_script(run, path):
 
 
 def content(run, tools, three):
-    """All that the template shows."""
+    """Everything that the template shows."""
     scene = Scene(run, tools)
     rows = waypoints.table(run, scene)
     shown = waypoints.kept(rows)

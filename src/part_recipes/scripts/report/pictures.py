@@ -1,7 +1,8 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fixed pictures for paper, and for browsers that cannot draw the view: deviations seen from above, the paths seen
-from one side, and how often which deviation occurs. No text of a person is drawn."""
+"""Fixed pictures for paper, and for browsers that cannot draw the view: deviations seen from above,
+the paths seen from one side, and a histogram of the deviations. No text written by a person is
+drawn."""
 import base64
 import io
 
@@ -23,7 +24,7 @@ LINES_SHOWN = 40  # correspondences
 
 
 class View:
-    """Looks at a cloud: its longest side lies across the picture."""
+    """A view of a cloud: its longest side lies across the picture."""
 
     def __init__(self, points, elevation=90.0):
         """elevation: [deg] of the eye over the cloud's plane"""
@@ -54,8 +55,8 @@ def png(figure):
 
 
 def empty_axes(width, height, right=0.1):
-    """Of a figure of this size, with this margin on the right [in]. The layout is given: to find one, matplotlib
-    draws all texts twice more."""
+    """Axes of a figure of this size, with this margin on the right [in]. The layout is fixed: to
+    find one, matplotlib would draw all texts twice more."""
     left, bottom, top = 0.45, 0.4, 0.1
     figure = Figure(figsize=(width, height))
     axes = figure.add_axes((left / width, bottom / height, 1 - (left + right) / width, 1 - (bottom + top) / height))
@@ -67,7 +68,7 @@ def empty_axes(width, height, right=0.1):
 
 
 def scatter(axes, view, points, size, **look):
-    """Far points first, so that near ones lie over them."""
+    """Draws far points first, so that near ones lie over them."""
     x, y, depth = view(points)
     order = numpy.argsort(depth)
     if isinstance(look.get('c'), numpy.ndarray):
@@ -145,7 +146,7 @@ def of_paths(scene, concerned):
 
 
 def histogram(run, scene):
-    """SVG of how many points have which deviation, with the tolerance; None without any."""
+    """SVG histogram of the deviations, with the tolerance; None without any."""
     if scene.deviations is None or not numpy.isfinite(scene.deviations).any():
         return None
     tolerance, span = run.tolerance() * 1e3, colours.SPAN * run.tolerance() * 1e3

@@ -1,7 +1,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run's folder holds. Nothing but run.json must be there: what is missing is None, what is
-broken is None and noted."""
+"""The contents of a run's folder. Only run.json is required: a missing file is None, a broken one
+is None and noted."""
 import glob
 import json
 import os
@@ -9,11 +9,12 @@ import os
 import numpy
 from scan_cell_common.ply import read_vertices
 
-# Options of stretch about what a path's file does not say of itself
+# Options of stretch for what a path's file does not say about itself
 PATH_OPTIONS = ('--euler', '--process-values', '--rotation-vector', '--degrees', '--radians', '--program-files', '--no-motion',
                 '--dialect', '--program-in-base')
 
-# What must be of which kind where it is there; numbers and texts may be anything, and are shown as such
+# Required kinds of entries that are present; numbers and texts may be anything, and are shown as
+# such
 SHAPES = {'run.json': {'outcome': dict, 'recipe': dict, 'stages': list, 'files': dict, 'calibration': dict},
           'report.json': {'quality': list, 'files': dict, 'waypoints_concerned': list, 'candidates': list, 'passes': dict},
           'deviation.json': {'places': list}, 'scan.json': {'binding': dict, 'passes': dict}, 'sight.json': {'best': list}}
@@ -30,7 +31,7 @@ def without_nan(text):
 
 
 def wrong_in(name, value):
-    """What is of another kind than it must be, or None."""
+    """What is of the wrong kind, in words, or None."""
     if not isinstance(value, dict):
         return 'holds no record'
     for key, kind in SHAPES[name].items():
@@ -121,8 +122,8 @@ class RunFolder:
         return []
 
     def input(self, role):
-        """(file, units) of 'reference' or 'path': as stretch was called, as its report says, or as the file
-        is named; (None, None) where there is none."""
+        """(file, units) of 'reference' or 'path': from the call of stretch, else from its report,
+        else from the file's name; (None, None) if there is none."""
         command = self._stretch_command()
         reported = ((self.report or {}).get('files') or {}).get(role) or {}
         names = [after(command, '--' + role), reported.get('name')]
@@ -134,13 +135,14 @@ class RunFolder:
         return None, None
 
     def adapted(self):
-        """File of the adapted path, or None. A program may have further files beside it: its ending is that of the path."""
+        """File of the adapted path, or None. Further files may lie beside a program: the path has
+        the ending of its input."""
         found = sorted(glob.glob(self.path('adapted_path.*')))
         ending = os.path.splitext(self.input('path')[0] or '')[1].lower()
         return next((file for file in found if file.lower().endswith(ending)), None)
 
     def path_options(self):
-        """Of the path's file, as stretch was called with."""
+        """Options for the path's file in the call of stretch."""
         options, taken = [], False
         for word in self._stretch_command():
             if word.startswith('--'):

@@ -11,7 +11,7 @@ from scan_cell_common.ply import read_vertices
 
 
 class Scene:
-    """What there is to draw; what is None is not known.
+    """What can be drawn; None is not known.
 
     object_points (n, 3), deviations (n,) with NaN; reference_points, scanned (NaN: not known), rim;
     paths as report_scene writes them; mapped: whether the reference lies where the similarity puts it."""
@@ -94,7 +94,8 @@ class Scene:
         return numpy.array(self.paths['adapted'], dtype=float).reshape(-1, 3)
 
     def shift_of_reference(self):
-        """[m] by which reference and its path are drawn beside the object, where no pose is known."""
+        """[m] by which the reference and its path are shifted beside the object if no pose is
+        known."""
         if self.mapped or self.object_points is None or self.reference_points is None:
             return numpy.zeros(3)
         low, high = self.object_points.min(axis=0), self.object_points.max(axis=0)
@@ -109,5 +110,5 @@ def points_of(vertices):
 
 
 def thin(count, most):
-    """Indices of at most `most` of so many points, evenly through them."""
+    """Indices of at most `most` of `count` points, evenly spread."""
     return numpy.arange(count) if count <= most else numpy.linspace(0, count - 1, most).astype(int)

@@ -42,7 +42,7 @@ def duration(record):
 
 
 def adaptation(run):
-    """Of the stretcher's report."""
+    """Rows from the stretcher's report."""
     report = run.report
     if report is None:
         return []
@@ -63,7 +63,7 @@ def adaptation(run):
 
 
 def deviations(run):
-    """Of deviation.json."""
+    """Rows from deviation.json."""
     summary = run.deviation
     if summary is None:
         return []
@@ -95,7 +95,7 @@ def places(run):
 
 
 def binding(run):
-    """Which pose belongs to which frame."""
+    """Figures of the binding of frames to poses."""
     counts = (run.scan or {}).get('binding')
     if not isinstance(counts, dict):
         return []
@@ -107,7 +107,7 @@ def binding(run):
 
 
 def sight(run):
-    """In words, what the scan could see; None where nobody looked."""
+    """What the scan could see, in words; None if that was not checked."""
     if run.sight is None:
         return None
     said = run.log('sight') or []
@@ -115,7 +115,7 @@ def sight(run):
 
 
 def passes(run):
-    """Where passes overlap, and by how much they disagree."""
+    """Overlaps of passes, and their disagreement there."""
     told = (run.report or {}).get('passes') or (run.scan or {}).get('passes')
     if not isinstance(told, dict):
         return None
@@ -127,7 +127,7 @@ def passes(run):
 
 
 def edits(run):
-    """In words, what a person changed by hand."""
+    """What a person changed by hand, in words."""
     told = (run.report or {}).get('edits')
     done = told.get('done') if isinstance(told, dict) else None
     return [words.plain(each) for each in done] if isinstance(done, list) else []

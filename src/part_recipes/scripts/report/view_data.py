@@ -1,6 +1,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the view that turns draws, packed: places are 16-bit steps of one box, deviations 16-bit steps, as base64."""
+"""Data of the rotatable view, packed as base64: places are 16-bit steps of one box, deviations are
+16-bit steps."""
 import base64
 
 import numpy
@@ -20,7 +21,7 @@ def packed(values, kind):
 
 
 class Box:
-    """The cube about all that is drawn."""
+    """The cube around everything that is drawn."""
 
     def __init__(self, clouds):
         filled = [cloud for cloud in clouds if cloud is not None and len(cloud)]
@@ -34,13 +35,13 @@ class Box:
 
 
 def spacing_of(points):
-    """[m] as if the points filled the two longest sides of their box."""
+    """Spacing [m], as if the points filled the two longest sides of their box."""
     sides = numpy.sort(numpy.ptp(points, axis=0))[1:]
     return float(numpy.sqrt(max(sides.prod(), 1e-12) / len(points)))
 
 
 def pack(run, scene, rows):
-    """For view.js; None where there is nothing to draw."""
+    """Data for view.js; None if there is nothing to draw."""
     shift = scene.shift_of_reference()
     moved = [None if points is None else points + shift for points in (scene.reference_points, scene.reference_path())]
     reference, path = moved
@@ -90,7 +91,8 @@ def pack_reference(scene, reference, box, data):
 
 
 def pack_line(scene, points, box):
-    """A path as floats in the box's halves from its middle, each waypoint with its segment."""
+    """A path as floats in units of the box's half side, from its middle, each waypoint with its
+    segment."""
     chosen = thin(len(points), MOST_WAYPOINTS)
     segment_of = numpy.array(scene.paths['segment_of'], dtype=int)
     if len(segment_of) != len(points):  # resampled: its segments are not known here
@@ -100,7 +102,8 @@ def pack_line(scene, points, box):
 
 
 def pack_paths(scene, path, adapted, rows, box):
-    """Both lines, and the marks of the waypoints on the adapted one, or where there is none on the other."""
+    """Both lines, and the marks of the waypoints on the adapted line or, without one, on the
+    other."""
     drawn = path if adapted is None else adapted
     concerned = [row['number'] for row in rows if row['concerned'] and row['number'] < len(drawn)][:MOST_WAYPOINTS]
     states = None

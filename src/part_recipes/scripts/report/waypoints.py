@@ -1,6 +1,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The waypoints of a run: what the report says of each, in SI units, and which come first on paper."""
+"""The waypoints of a run: what the report says about each, in SI units, and which come first on
+paper."""
 import numpy
 
 from . import words
@@ -17,7 +18,7 @@ def state_of(quality):
 
 
 def number(value):
-    """To seven digits: what more there is says nothing."""
+    """Rounds to seven digits: further ones have no meaning."""
     return float('%.7g' % value) if words.is_number(value) else None
 
 
@@ -62,7 +63,7 @@ def table(run, scene):
 
 
 def urgency(row):
-    """What a person must see first: those that the verdict names, then by expected errors."""
+    """Sort key: first the waypoints that the verdict names, then by expected errors."""
     normal, tangential = row['values'][2], row['values'][3]
     return (not row['concerned'], row['state'] == IN_AIR, -(max(normal or 0, tangential or 0)), row['number'])
 
@@ -74,13 +75,13 @@ def on_paper(rows):
 
 
 def cells(values):
-    """In mm and degrees, as the page writes them."""
+    """The values in mm and degrees, as the page writes them."""
     factors = [(1e3, 3)] * 4 + [(180 / numpy.pi, 2)] * 2 + [(1e3, 3)]
     return ['–' if value is None else '%.*f' % (digits, value * factor) for value, (factor, digits) in zip(values, factors)]
 
 
 def kept(rows):
-    """At most MOST rows: those that the verdict names, and then evenly through the path."""
+    """At most MOST rows: those that the verdict names, and then evenly along the path."""
     if len(rows) <= MOST:
         return rows
     first = [row for row in rows if row['concerned']][:MOST // 2]

@@ -49,7 +49,7 @@ def is_number(value):
 
 
 def significant(value, digits=4):
-    """As many digits as tell something, never as a power of ten."""
+    """Only significant digits, never as a power of ten."""
     if value == 0:
         return '0'
     decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
@@ -65,7 +65,7 @@ def millimetres(value):
 
 
 def signed_millimetres(value):
-    """To a thousandth, with its sign."""
+    """Rounded to a thousandth, with its sign."""
     return '%+.3f mm' % (1e3 * value) if is_number(value) else NOT_RECORDED
 
 
@@ -82,7 +82,7 @@ def seconds(value):
 
 
 def plain(value):
-    """A count or a factor; a text as it is."""
+    """A count or a factor; a text unchanged."""
     if is_number(value):
         return str(value) if isinstance(value, int) else significant(value, 6)
     return NOT_RECORDED if value is None or value == '' else str(value)

@@ -76,7 +76,7 @@ tool_paths::Points corners_of(const path_design::PartMesh& mesh) {
   return corners;
 }
 
-/// Both ends of each line; none leads from segment to segment.
+/// Both ends of each line; no line joins two segments.
 tool_paths::Points lines_along(const tool_paths::ToolPath& path) {
   tool_paths::Points ends;
   for (const tool_paths::Segment& segment : path.segments)
@@ -142,7 +142,7 @@ void DesignService::make(const Recipe& recipe, const Request& request, Response&
   if (!fault.empty()) response.notes.push_back(fault);
 }
 
-/// A request that makes nothing shows it anew: a seat may have closed it meanwhile.
+/// A request that makes nothing shows the reference anew: a seat may have closed it meanwhile.
 void DesignService::show_reference(const Recipe& recipe, const Request& request) {
   constexpr Rgb kGrey = {0.6F, 0.6F, 0.6F};
   const std::string file = (recipe.folder / recipe.reference.file).string();

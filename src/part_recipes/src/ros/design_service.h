@@ -14,10 +14,10 @@
 
 namespace part_recipes {
 
-/// Paths on the references of recipes: ~design makes one, and perhaps a recipe with it. Shown in
-/// rviz, on latched topics: ~reference (its triangles, and the recipe's name as text),
-/// ~designed_path, and ~picks. It waits for a tool; a cancel of a run must not wait for it, so it
-/// has a thread of its own.
+/// Paths on the references of recipes: ~design makes one, and a recipe with it if asked to. They
+/// are shown in rviz on latched topics: ~reference (its triangles, and the recipe's name as text),
+/// ~designed_path, and ~picks. The service waits for a tool; as a cancel of a run must not wait for
+/// it, it has a thread of its own.
 class DesignService {
  public:
   DesignService(ros::NodeHandle node, const RecipeParameters& parameters);
@@ -33,7 +33,7 @@ class DesignService {
             const std_msgs::Header& header);
 
   RecipeParameters parameters_;
-  std::string shown_;  // what tells the reference in view from others; empty: none
+  std::string shown_;  // identifies the reference in view; empty: none
   ros::Publisher reference_, path_, picks_;
   ros::CallbackQueue queue_;
   ros::ServiceServer service_;

@@ -13,7 +13,7 @@ namespace part_recipes {
 
 std_msgs::ColorRGBA colour_of(const scan_cell_common::Rgb& rgb);
 
-/// Without points it takes the marker of that name away.
+/// A marker with these points. Without points it removes the marker of that name.
 /// @param type as visualization_msgs/Marker has it
 /// @param size [m]
 visualization_msgs::Marker marker_of(const std::string& name, int type,

@@ -8,7 +8,7 @@
 
 namespace part_recipes {
 
-/// Of the node.
+/// Parameters of the node.
 struct RecipeParameters {
   std::string recipes = "recipes";  //!< folder
   std::string runs = "runs";        //!< folder

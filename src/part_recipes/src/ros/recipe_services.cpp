@@ -70,7 +70,7 @@ RunSummary summary_of(const fs::path& folder, const RunRecord& record) {
   return summary;
 }
 
-/// Empty also where the recipe is no longer there: its run can be looked at.
+/// The cleaning settings; empty also if the recipe no longer exists: its run can still be shown.
 std::string cleaning_settings(const fs::path& recipes, const std::string& name) {
   try {
     return cleaning_of(load_recipe(find_recipe(recipes, name)));

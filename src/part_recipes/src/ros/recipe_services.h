@@ -20,8 +20,8 @@
 
 namespace part_recipes {
 
-/// What can be asked and said of recipes and runs: ~list, ~edit, ~program, ~runs, ~describe (which
-/// shows the run in rviz, too), ~preview of its work, and ~approve.
+/// Services about recipes and runs: ~list, ~edit, ~program, ~runs, ~describe (which also shows the
+/// run in rviz), ~preview of its work, and ~approve.
 class RecipeServices {
  public:
   RecipeServices(ros::NodeHandle node, const RecipeParameters& parameters);

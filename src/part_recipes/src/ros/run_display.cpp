@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 using scan_cell_common::FieldedCloud;
 
-/// The object with its deviations, else without; empty where there is neither.
+/// The object, with its deviations if known; empty if the run has no object.
 FieldedCloud object_of(const fs::path& run) {
   FieldedCloud cloud;
   for (const char* name : {"deviation.ply", "object.ply"}) {
@@ -30,7 +30,7 @@ FieldedCloud object_of(const fs::path& run) {
   return cloud;
 }
 
-/// The raw scan, thinned for the eye; empty where the run has none.
+/// The raw scan, thinned for display; empty if the run has none.
 sensor_msgs::PointCloud2 scan_of(const fs::path& run, const std_msgs::Header& header) {
   constexpr std::size_t kMostShown = 2'000'000;  // points; 24 MB, and a second of an old computer
   scan_cell_common::Cloud shown;

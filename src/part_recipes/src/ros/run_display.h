@@ -10,19 +10,18 @@
 
 namespace part_recipes {
 
-/// Shows one run in rviz, on latched topics: ~raw (the scan as it came; of a large one every so
-/// many points), ~deviation (the scanned object; its points carry the field deviation [m] where it
-/// is known, and its colour), ~path (the proven path, where the part lies), ~adapted_path,
-/// ~concerned (waypoints that the verdict is about), ~unseen (those that the scan could not see,
-/// and what stood in the way), ~expected (how far off the adapted path may be, and the tool's axes)
-/// and ~signs (the verdict in words, the scale of the colours, plus and minus). What a run does not
-/// have is shown empty.
+/// Shows one run in rviz, on latched topics: ~raw (the scan as it came; a large one is thinned),
+/// ~deviation (the scanned object; its points carry the field deviation [m] where it is known, and
+/// its colour), ~path (the proven path, where the part lies), ~adapted_path, ~concerned (waypoints
+/// that the verdict is about), ~unseen (waypoints that the scan could not see, and the obstacles),
+/// ~expected (how far off the adapted path may be, and the tool's axes) and ~signs (the verdict in
+/// words, the scale of the colours, plus and minus). What a run does not have is shown empty.
 class RunDisplay {
  public:
   explicit RunDisplay(ros::NodeHandle node);
 
-  /// Nothing is published where the run is shown already: runs do not change.
-  /// @throw scan_cell_common::Error of whoever reads its files
+  /// Publishes nothing if the run is already shown: runs do not change.
+  /// @throw scan_cell_common::Error from the readers of its files
   void show(const std::filesystem::path& run, const RunView& view);
 
  private:

@@ -35,14 +35,14 @@ Marker text_at(const std::string& name, std::size_t id, const Eigen::Vector3d& p
   return marker;
 }
 
-/// All markers of one name are taken away first: there may have been more of them.
+/// Removes all markers of one name, of which there may have been more before.
 Marker none_of(const std::string& name, const std_msgs::Header& header) {
   Marker marker = marker_of(name, Marker::CUBE, {}, 1, kDark, header);
   marker.action = Marker::DELETEALL;
   return marker;
 }
 
-/// In lines of about as many letters.
+/// The text in lines of about this many letters.
 std::string in_lines(const std::string& text) {
   constexpr std::size_t kWide = 60;  // letters; chosen
   std::string result;
@@ -55,7 +55,7 @@ std::string in_lines(const std::string& text) {
   return result;
 }
 
-/// A column of colours beside the object, the figures at its ends and middle.
+/// A column of colours beside the object, with figures at its ends and middle.
 void add_scale(double tolerance, const Eigen::AlignedBox3d& object, double height,
                const std_msgs::Header& header, MarkerArray& all) {
   constexpr int kHalf = 4;  // steps to each end; chosen

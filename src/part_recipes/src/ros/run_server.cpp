@@ -79,7 +79,7 @@ RunRequest RunServer::request_of(const Goal& goal) {
   request.note = goal.note;
   request.bag = goal.bag != 0;
   request.work = work_of(goal);
-  // The server asks for it, too, where another goal came: that one waits.
+  // The server also asks for it when another goal came: that one waits.
   request.stop = [this] {
     return !ros::ok() || (server_.isPreemptRequested() && !server_.isNewGoalAvailable());
   };
@@ -107,7 +107,7 @@ RunServer::Result RunServer::run(const Goal& goal) {
   return result;
 }
 
-/// Works the part of a run that was made before.
+/// Works the part of an earlier run.
 RunServer::Result RunServer::work_old(const Goal& goal) {
   check_name(goal.run);
   if (goal.work == Goal::NO_WORK)
@@ -127,7 +127,7 @@ RunServer::Result RunServer::work_old(const Goal& goal) {
   return result_of(ended);
 }
 
-/// A run of its own, from the files of one that was made before.
+/// Makes a new run from the files of an earlier one.
 RunServer::Result RunServer::edit_old(const Goal& goal) {
   check_name(goal.run);
   if (goal.work != Goal::NO_WORK)

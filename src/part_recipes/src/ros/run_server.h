@@ -13,8 +13,7 @@
 
 namespace part_recipes {
 
-/// The action ~run, beside the services. One run at a time: the next goal waits for
-/// its end.
+/// The action ~run, beside the services. One run at a time: the next goal waits for its end.
 class RunServer {
  public:
   /// @throw scan_cell_common::InvalidParameter

@@ -6,8 +6,8 @@
 
 namespace part_recipes {
 
-/// Fills a service's answer, or tells why it cannot.
-/// @return true: the service was called
+/// Fills a service's answer, or says in it why that failed.
+/// @return always true: the service was called
 template <class Response, class Fill>
 bool answer(Response& response, const Fill& fill) {
   try {

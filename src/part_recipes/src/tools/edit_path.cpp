@@ -44,7 +44,7 @@ void add_options(CLI::App& app, Options& options, scan_cell_common::Outputs& out
       ->needs(report);
 }
 
-/// A new process value must not have the name of anything else in the file.
+/// A new process value must not have a name that is already used in the file.
 void check_names(const tool_paths::ToolPath& before, const tool_paths::ToolPath& after,
                  const tool_paths::PathLayout& layout) {
   std::set<std::string> taken(layout.pose.position.begin(), layout.pose.position.end());
@@ -61,7 +61,7 @@ void check_names(const tool_paths::ToolPath& before, const tool_paths::ToolPath&
                                             "give it another name");
 }
 
-/// What is read back must be what was meant: a name may mean an orientation, too.
+/// The saved path must read back as meant: a name may also mean an orientation.
 void check_saved(const Options& options, const tool_paths::ToolPath& path) {
   const tool_paths::ToolPath back = load_path(options.output, options.reading.typed()).path;
   bool same =

@@ -149,7 +149,7 @@ Command add_approving(CLI::App& app, Options& options, bool approved) {
   return {command, [approved](const Options& given) { return approve(given, approved); }};
 }
 
-/// Those that look up or change single runs.
+/// Commands that look up or change single runs.
 std::vector<Command> add_keeping(CLI::App& app, Options& options) {
   CLI::App* const show_one = app.add_subcommand("show", "prints what it has of a run");
   add_runs(*show_one, options);
@@ -169,7 +169,7 @@ std::vector<Command> add_keeping(CLI::App& app, Options& options) {
           add_approving(app, options, false)};
 }
 
-/// Those that list, write or draw many.
+/// Commands that list, write or draw many runs.
 std::vector<Command> add_listing(CLI::App& app, Options& options, Outputs& outputs) {
   const char* const kRecipe = "name of the recipe";
   const auto command = [&](const char* name, const char* description) {

@@ -18,7 +18,7 @@ namespace {
 
 using scan_cell_common::kMillimetres;
 
-/// Without what a terminal would obey.
+/// The text without control characters that a terminal would obey.
 std::string printable(const std::string& text) {
   std::string result = text;
   for (char& byte : result) {

@@ -9,11 +9,11 @@
 /// Prints the runs as a table for people.
 void print_list(const std::vector<part_recipes::HistoryRun>& runs);
 
-/// Prints all that the history has of a run.
+/// Prints everything that the history has of a run.
 void print_run(const part_recipes::HistoryRun& run, const std::filesystem::path& runs);
 
-/// Prints what became of a rebuild.
-/// @return the process's exit code: a run that is broken is no success
+/// Prints the result of a rebuild.
+/// @return the process's exit code: not 0 if a run is broken
 int print_rebuilt(const part_recipes::Rebuilt& rebuilt, const std::filesystem::path& runs);
 
 /// Warns of runs that the history does not have.

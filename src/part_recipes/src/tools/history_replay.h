@@ -7,18 +7,18 @@
 
 #include "history/history_filter.h"
 
-/// Which recorded runs are run again, with what, and where the jobs lie.
+/// Which recorded runs are repeated, with which recipe, and where the jobs are.
 struct ReplayOptions {
   std::string jobs;                      //!< folder that the workers share
   std::string runs;                      //!< recorded runs; empty: no jobs are added
-  std::string recipe;                    //!< folder of the one to run them with
+  std::string recipe;                    //!< folder of the recipe to use
   part_recipes::HistoryFilter recorded;  //!< of the runs
   unsigned workers = 0;                  //!< processes here; 0: one a core
-  bool only_add = false;                 //!< jobs for others
-  unsigned lease = 60;                   //!< [s] until a silent worker's job is another's
+  bool only_add = false;                 //!< leave the jobs to others
+  unsigned lease = 60;                   //!< [s] after which a silent worker loses its job
 };
 
-/// Adds the options that choose runs from a history, but for the name of their recipe.
+/// Adds the options that choose runs from a history, except the name of their recipe.
 void add_query(CLI::App& app, part_recipes::HistoryFilter& filter);
 
 /// The command that replay() carries out.

@@ -62,7 +62,7 @@ void add_options(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-/// A line a stage, the same line on a terminal.
+/// Prints one line per stage; on a terminal, always the same line.
 void show(const std::string& stage) {
   const bool terminal = isatty(STDERR_FILENO) == 1;
   std::fprintf(stderr, terminal ? "\r\033[K%s ..." : "%s ...\n", stage.c_str());

@@ -31,7 +31,7 @@ void save_cube(const std::string& file, double side);
 /// @param cells along each side, of two triangles
 void save_sheet(const std::string& file, double side, int cells, bool downwards);
 
-/// Turned, shifted, and larger by 8 %.
+/// A pose: turned, shifted, and larger by 8 %.
 tool_path_stretcher::Similarity moved();
 
 /// A report as stretch writes it, with this pose.
@@ -39,7 +39,7 @@ tool_path_stretcher::Similarity moved();
 void save_report(const std::string& file, const tool_path_stretcher::Similarity& similarity,
                  bool known = true);
 
-/// A folder of its own for a test; it goes with this object.
+/// A folder for one test, removed with this object.
 class Folder {
  public:
   Folder();

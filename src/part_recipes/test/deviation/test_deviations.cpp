@@ -33,7 +33,7 @@ std::vector<double> deviations_of(const ReferenceSurface& reference, const Point
   return measure(reference, drawn::moved(), on_object(on_reference), kTolerance).values;
 }
 
-/// Points of the plane's inside, lifted by a height that is `lift` on the object.
+/// Points inside the plane's border, lifted by a height that is `lift` on the object.
 Points lifted(double lift) {
   Points points;
   for (const Vector3d& point : drawn::plane(0.0013))

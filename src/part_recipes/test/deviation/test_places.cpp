@@ -15,7 +15,7 @@ using scan_cell_common::UnusableInput;
 
 namespace {
 
-/// What a wrong list of places says.
+/// The error about a wrong list of places.
 std::string refusal_of(const std::string& yaml) {
   const drawn::Folder folder;
   try {

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How long a history of many runs takes to be listed, filtered and made into charts, beside reading
-// the run.json files of the same runs. With --make it leaves such a history behind.
+// Times the listing, filtering and charting of a history of many runs, beside reading the run.json
+// files of the same runs. With --make it leaves such a history behind.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -92,7 +92,7 @@ void bench(std::size_t count) {
   print("add one", seconds_of([&] { history.add(added); }), yardstick);
 }
 
-/// Leaves a history behind.
+/// Makes a history and leaves it.
 void make(const fs::path& folder, std::size_t count) {
   fs::create_directories(folder);
   for (const RunRecord& run : part_recipes::made_history(count, kRecipe))

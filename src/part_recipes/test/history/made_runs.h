@@ -11,14 +11,14 @@
 
 namespace part_recipes {
 
-/// An accepted run whose figures tell its number: rms number * 1 um, places "left", "right" and
-/// "rim" at number * 1 um, - number * 1 um and none. Runs start a second apart.
+/// An accepted run whose figures encode its number: rms number * 1 um, places "left", "right" and
+/// "rim" at number * 1 um, - number * 1 um and none. Runs start one second apart.
 RunRecord made_run(std::uint64_t number, const std::string& recipe = "photo frame");
 
-/// UTC, so many seconds after the first of 2026.
+/// UTC, this many seconds after the start of 2026.
 std::string time_after(std::uint64_t seconds);
 
-/// Writes its folder as a run does: under a dotted name until it is whole.
+/// Writes the folder of a run as a run does: under a dotted name until it is whole.
 /// @return the folder
 std::filesystem::path write_run(const std::filesystem::path& runs, const RunRecord& record);
 

@@ -29,7 +29,7 @@ std::vector<RunRecord> runs_with(const std::vector<double>& deviations) {
   return records;
 }
 
-/// In turn on either side of 0 by a tenth of a millimetre.
+/// Values that alternate on either side of 0 by a tenth of a millimetre.
 std::vector<double> calm_metres(std::size_t count) {
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i)

@@ -39,7 +39,7 @@ class HistoryFaults : public testing::Test {
       add(number);
   }
 
-  /// Without the disk's time of an add each.
+  /// Fills the history without the time that the disk takes for each add.
   void fill(std::uint64_t runs_of_it) const {
     for (std::uint64_t number = 1; number <= runs_of_it; ++number)
       write_run(runs(), made_run(number));
@@ -48,7 +48,7 @@ class HistoryFaults : public testing::Test {
 
   std::size_t count() const { return history().query({}).size(); }
 
-  /// A process adds a run and is ended before the log is brought into the database.
+  /// Adds a run in a process that ends before the log is brought into the database.
   void leave_in_log(const std::string& id) const {
     EXPECT_EXIT(
         {
@@ -214,7 +214,7 @@ TEST_F(HistoryFaults, TheLogOfALostDatabaseDoesNotReachTheNewOne) {
   EXPECT_EQ(check.text(0), "ok");
 }
 
-/// Runs `check` in a process for which the folder is read-only. What it throws is told.
+/// Runs `check` in a process for which the folder is read-only, and reports what it throws.
 template <class Check>
 void in_read_only(const fs::path& runs, const Check& check) {
   fs::permissions(runs, fs::perms::owner_read | fs::perms::owner_exec);

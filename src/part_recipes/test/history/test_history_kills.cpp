@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kKillsAFolder = 50;
 
-/// How many kills: 50, or what HISTORY_KILLS says.
+/// Number of kills: 50, or HISTORY_KILLS.
 std::uint64_t kills() {
   const char* const told = std::getenv("HISTORY_KILLS");
   return told != nullptr ? scan_cell_common::parse_count(told).value() : kKillsAFolder;
 }
 
-/// Adds runs from `first` on and now and then rebuilds, until it is killed. Tells each number as
+/// Adds runs from `first` on, and rebuilds now and then, until it is killed. Reports each number as
 /// soon as add() has returned.
 [[noreturn]] void add_until_killed(const fs::path& runs, std::uint64_t first, int pipe) {
   const History history(runs);
@@ -38,8 +38,8 @@ std::uint64_t kills() {
   }
 }
 
-/// Lets a process add runs and kills it at a random instant after it has told some.
-/// @return the numbers that it told
+/// Lets a process add runs, and kills it at a random instant after it has reported some.
+/// @return the reported numbers
 std::vector<std::uint64_t> add_and_kill(const fs::path& runs, std::uint64_t first,
                                         std::mt19937_64& random) {
   constexpr std::uint64_t kMostBefore = 10;  // a rebuild is among them
@@ -77,7 +77,7 @@ std::vector<std::uint64_t> add_and_kill(const fs::path& runs, std::uint64_t firs
   return told;
 }
 
-/// Every run that was told is there once, and none is half.
+/// Expects that every reported run is there once, and none is half written.
 void expect_whole(const fs::path& runs, const std::set<std::uint64_t>& told) {
   if (!fs::exists(runs / kHistoryFile)) {  // killed before the first was added
     EXPECT_TRUE(told.empty());

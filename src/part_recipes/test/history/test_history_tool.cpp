@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 using scan_cell_common::read_file;
 
-/// What a command printed, on both outputs, and its exit code.
+/// A command's exit code and what it printed on both outputs.
 struct Answer {
   int code = 0;
   std::string text;

@@ -116,7 +116,7 @@ TEST(Capability, IsThatOfTheNistExample) {
 }
 
 // Montgomery, Introduction to Statistical Quality Control: n = 20, s = 1.75, limits 38 and 62. The
-// book goes on with the rounded 2.29, so s is that of 2.29 here.
+// book continues with the rounded 2.29, so s is chosen to give 2.29 here.
 TEST(Capability, IntervalOfCpIsThatOfMontgomerysExample) {
   EXPECT_NEAR(capability_of(20, 50, 1.75, {38, 62}).cp, 2.29, 5e-3);
   const Capability found = capability_of(20, 50, 4 / 2.29, {38, 62});

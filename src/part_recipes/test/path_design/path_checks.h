@@ -12,7 +12,7 @@
 
 #include "tool_paths/tool_path.h"
 
-/// What tests look at in a path.
+/// What tests check in a path.
 namespace path_checks {
 
 inline Eigen::Vector3d position(const tool_paths::Waypoint& waypoint) {
@@ -39,7 +39,7 @@ inline double angle(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-/// What an error of a kind is about; empty where there is none.
+/// The thing that an error of a kind is about; empty if there is no error.
 template <class Kind>
 std::string thing_of(const std::function<void()>& work) {
   try {

@@ -44,7 +44,7 @@ Soup box(double width, double depth, double height);
 /// Two planes that meet in a ridge along y, each at 45 degrees; z = -|x|.
 Soup roof(double width, double length);
 
-/// Squares in z = 0, side by side where a row of the picture has an x; its last row has the least
+/// Squares in z = 0, side by side where a row of the picture has an x. The last row has the lowest
 /// y.
 Soup squares(const std::vector<std::string>& picture, double side);
 

@@ -216,7 +216,7 @@ TEST(FromEdge, StandsDegenerateTrianglesCracksAndMixedWinding) {
   std::swap(plate.triangles[1][0], plate.triangles[1][1]);  // wound the wrong way round
   plate.triangles.push_back({0, 0, 1});
   plate.triangles.push_back({0, 1, 1});
-  // A T on the diagonal of the middle square: a corner of two triangles on one side of it alone.
+  // A T on the diagonal of the middle square: a corner of two triangles on only one side of it.
   const auto middle = static_cast<std::uint32_t>(plate.vertices.size());
   plate.vertices.emplace_back(0.045, 0.045, 0);
   const auto [a, b, c] = plate.triangles[8];

@@ -69,7 +69,8 @@ TEST(FromPicks, ClosesTheLineWhereAsked) {
   EXPECT_LT((position(waypoints.front()) - position(waypoints.back())).norm(), 1e-12);
   for (const Vector3d& pick : picks)
     EXPECT_LT(reached(path, pick), 0.006);
-  // With even distances it is the uniform spline: in the middle of a side (10, 10) / 16 of 20 mm.
+  // With even distances it is the uniform spline, so the middle of a side is at (10, 10) / 16 of 20
+  // mm.
   EXPECT_LT(reached(path, {0.0125, 0.0125, 0}), 0.0003);
 }
 
@@ -77,7 +78,7 @@ TEST(FromPicks, StandsOnTheEdgeBetweenTwoFacesWithTheNormalOfEach) {
   const auto box = shapes::mesh_of(shapes::box(0.1, 0.06, 0.03));
   PickParameters parameters;
   parameters.max_distance = 0.02;
-  // Unfolded, the straight line crosses the edge in the middle of the picks' y.
+  // After unfolding, the straight line crosses the edge in the middle of the picks' y.
   const auto path =
       path_from_picks(box, {{0.04, 0.01, 0.03}, {0.05, -0.01, 0.02}}, parameters).path;
   std::size_t on_edge = 0;
@@ -139,8 +140,8 @@ TEST(CatmullRom, IsUniformsCubicWherePointsAreEvenlyApart) {
 }
 
 TEST(CatmullRom, HasTheSlopeOfTheCentripetalSpline) {
-  // Knots apart by the roots of the distances 1, 2 and 0.5; slope in the second point: Lagrange's
-  // through three knots (Yuksel et al. 2011).
+  // The knots are spaced by the roots of the distances 1, 2 and 0.5; the slope in the second point
+  // is Lagrange's through three knots (Yuksel et al. 2011).
   const CatmullRom spline({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {3.5, 0, 0}}, false);
   const double root = std::sqrt(2), slope = 1 - 3 / (1 + root) + 2 / root, small = 1e-7;
   EXPECT_NEAR((spline.at(1, small / root).x() - 1) / small, slope, 1e-5);

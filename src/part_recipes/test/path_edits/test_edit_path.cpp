@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The made-up part, its path adapted to where it was moved.
+/// The made-up part, with its path adapted to where it was moved.
 class EditPath : public testing::Test {
  protected:
   EditPath() {
@@ -87,7 +87,7 @@ TEST_F(EditPath, ItsReportIsOfTheEditedPathAndTellsWhatWasDone) {
   EXPECT_EQ(after["path"]["waypoints"], after["quality"].size());
   EXPECT_EQ(after["measured_waypoints"], after["quality"].size());
   EXPECT_EQ(after["edits"]["done"].size(), 3U);
-  // Programs take it with its own path, and with no other
+  // Programs take it with its own path, but with no other
   const auto accepted =
       tool_path_programs::accepted_report(file("edited.json"), file("edited.csv"));
   EXPECT_EQ(accepted.comments.at(4), "edited by hand: waypoints 0 to 1 deleted");

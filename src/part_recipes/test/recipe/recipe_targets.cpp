@@ -26,14 +26,14 @@ const char* const kLeast =
     "recipe: 1\nname: plate\nreference: {file: r.pcd, units: m}\n"
     "path: {file: p.csv, units: m}\ntolerance: 1.0e-3\n";
 
-/// Whoever copies the recipe's folder copies all of the recipe, and a run writes nowhere else.
+/// A copy of the recipe's folder holds the whole recipe, and a run writes nowhere else.
 void expect_inside(const std::string& file) {
   const std::filesystem::path path(file);
   promise(!file.empty() && path.is_relative(), "a file in the recipe's folder");
   promise(*path.lexically_normal().begin() != "..", "a file in the recipe's folder");
 }
 
-/// Whatever was taken holds all that is promised of a recipe.
+/// An accepted recipe holds everything that is promised of a recipe.
 void expect_usable(const Recipe& recipe) {
   promise(!recipe.name.empty(), "a name");
   promise(recipe.tolerance > 0 && recipe.tolerance <= 1, "a tolerance");

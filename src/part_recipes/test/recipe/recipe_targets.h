@@ -6,5 +6,5 @@
 
 #include "scan_cell_common/testing/fuzzing.h"
 
-/// The reader of recipes, with the files that are changed.
+/// The reader of recipes, with the files to be mutated.
 std::vector<scan_cell_common::FuzzTarget> recipe_targets();

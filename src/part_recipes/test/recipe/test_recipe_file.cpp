@@ -31,7 +31,7 @@ class ARecipeFile : public testing::Test {
     return load_recipe(folder_.path());
   }
 
-  /// What is said of the file with one piece of it replaced.
+  /// The error about the file with one piece of it replaced.
   std::string refusal(const std::string& from, const std::string& to) const {
     std::string text = kWhole;
     const std::size_t at = text.find(from);

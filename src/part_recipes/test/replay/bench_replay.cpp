@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs to hand out jobs through a shared folder, beside the least that a file system asks
-// for; and, from that, how a replay grows with machines, in a simulation.
+// Costs of handing out jobs through a shared folder, beside the minimum that a file system needs;
+// and, from these, a simulation of how a replay scales with machines.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -38,7 +38,7 @@ std::vector<Job> some_jobs(std::size_t count) {
   return jobs;
 }
 
-/// Makes two small files and takes one away: no hand-out of a job that two may want can do less.
+/// Makes two small files and removes one: handing out a contested job cannot take less.
 double yardstick(const fs::path& folder, std::size_t jobs) {
   fs::create_directories(folder);
   const Clock::time_point start = Clock::now();
@@ -51,7 +51,7 @@ double yardstick(const fs::path& folder, std::size_t jobs) {
   return seconds_since(start) / static_cast<double>(jobs);
 }
 
-/// @return [s] a job takes to be claimed and finished
+/// @return [s] time to claim and finish a job
 double hand_out(const JobFolder& folder) {
   const std::chrono::seconds lease(60);
   const Clock::time_point start = Clock::now();

@@ -48,7 +48,7 @@ TEST(AJob, OfAWorkerThatIsSilentIsGivenToAnother) {
   folder.add(some_jobs(1));
   const auto first = folder.claim(kLongLease);
   ASSERT_TRUE(first);
-  // The worker was last heard of two hours ago.
+  // The worker's last sign of life was two hours ago.
   fs::last_write_time(temporary.path() / "claims" / first->id,
                       fs::file_time_type::clock::now() - std::chrono::hours(2));
   ASSERT_TRUE(folder.claim(kLongLease));
@@ -88,7 +88,7 @@ TEST(AJob, ThatIsBrokenIsNamed) {
   }
 }
 
-/// Does jobs until none is left; a run is a folder.
+/// Does jobs until none is left; each run is a folder.
 [[noreturn]] void work(const fs::path& path) {
   const JobFolder folder(path);
   for (int i = 0; const auto job = folder.claim(seconds(0)); ++i) {

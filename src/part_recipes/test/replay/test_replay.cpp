@@ -16,7 +16,7 @@ class ARecordedRun : public MadeUpRecipe {
  protected:
   ARecordedRun() : recorded_(run_recipe(make(), request("moved.ply"), {})) {}
 
-  /// Replays it with the recipe as it is now, under another name.
+  /// Replays it with the present recipe under another name.
   std::vector<ReplayedRun> replay() {
     made_.name = "other";
     const Recipe other = make();

@@ -87,7 +87,8 @@ def write_part(path, shift):
 
 
 def have_an_address():
-    """Slurm looks for names only where there is an address beside 127.0.0.1, which a test's own network does not have."""
+    """Slurm looks up names only if there is an address besides 127.0.0.1, which a test's own
+    network lacks."""
     known = subprocess.check_output(['ip', '-4', '-o', 'address'], universal_newlines=True)
     if all(' 127.' in line for line in known.splitlines()):
         subprocess.check_call(['ip', 'address', 'add', '192.0.2.1/32', 'dev', 'lo'])  # RFC 5737: of documents
@@ -126,7 +127,7 @@ class Slurm:
         return names[0] if names else None
 
     def kill_node(self, name):
-        """As if its plug were pulled."""
+        """Ends the node as if its plug were pulled."""
         self.daemons[name].kill()
         for process in [int(entry) for entry in os.listdir('/proc') if entry.isdigit()]:
             if self.node_of(process) == name:
@@ -187,7 +188,8 @@ class ReplayBySlurm(unittest.TestCase):
         wait_for(lambda: self.claimed_by('two'), 'a job on the second node')
         self.cluster.kill_node('two')
         done = self.path('jobs', 'done', '*.json')
-        # The first node's worker may have ended before the dead one's claim was free: the next call takes it.
+        # The first node's worker may have ended before the dead one's claim was free: the next call
+        # takes it.
         wait_for(lambda: self.cluster.ask('squeue', '-h', '-w', 'one').strip() == '', 'the first node')
         wait_for(lambda: 'left' not in subprocess.run(
             ['rosrun', 'part_recipes', 'history', 'replay', '--jobs', self.path('jobs'), '--workers', '1', '--lease',

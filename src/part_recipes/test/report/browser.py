@@ -40,7 +40,7 @@ class Browser:
         self.driver.get('file://' + path)
 
     def until(self, script):
-        """Waits for what a script returns to be true."""
+        """Waits until a script returns true."""
         return WebDriverWait(self.driver, TIMEOUT, 0.05).until(lambda driver: driver.execute_script(script))
 
     def run(self, script, *arguments):
@@ -59,7 +59,7 @@ class Browser:
         ActionChains(self.driver).drag_and_drop_by_offset(self.find(selector), right, down).perform()
 
     def requests(self):
-        """Addresses that were asked for since open(), but for what a page has inside."""
+        """Addresses requested since open(), without those that a page contains itself."""
         asked = []
         for entry in self.driver.get_log('performance'):
             message = json.loads(entry['message'])['message']
@@ -75,7 +75,7 @@ class Browser:
         return base64.b64decode(self.driver.execute_cdp_cmd('Page.printToPDF', A4)['data'])
 
     def emulate(self, **features):
-        """Of media: prefers_color_scheme='dark'"""
+        """Sets media features: prefers_color_scheme='dark'"""
         self.driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
             'features': [{'name': name.replace('_', '-'), 'value': value} for name, value in features.items()]})
 

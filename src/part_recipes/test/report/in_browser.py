@@ -1,6 +1,7 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the page share: runs that are made once, and one browser. Set REPORT_PAGES to a folder to keep them."""
+"""Shared by the tests of the page: runs that are made once, and one browser. Set REPORT_PAGES to a
+folder to keep them."""
 import atexit
 import functools
 import json
@@ -18,7 +19,7 @@ from browser import Browser
 HERE = os.path.dirname(os.path.realpath(__file__))
 SCRIPT = os.path.join(HERE, '../../scripts/report_page.py')
 VIEW_IS_DRAWN = 'return typeof reportView !== "undefined" && reportView.frames > 0 && !reportView.waiting'
-# Of the view's pixels, but for the ground
+# Of the view's pixels, except the ground
 SUMMED = '''const c = document.getElementById("view"), s = document.createElement("canvas");
     s.width = c.width; s.height = c.height;
     const d = s.getContext("2d"); d.drawImage(c, 0, 0);
@@ -88,12 +89,12 @@ class InBrowser(unittest.TestCase):
         return browser()
 
     def drawn(self, run):
-        """Opened, and its view is drawn."""
+        """Opens the page and waits until its view is drawn."""
         self.open(run).until(VIEW_IS_DRAWN)
         return browser()
 
     def settled(self, before):
-        """The view after it was drawn again."""
+        """The view after it was redrawn."""
         browser().until('return reportView.frames > %d && !reportView.waiting' % before)
         return browser().run(SUMMED)
 

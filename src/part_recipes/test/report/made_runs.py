@@ -27,7 +27,7 @@ def tool(package, name):
 
 
 def height(x, y):
-    """[m] of the drawn part: ridges that no turn maps onto each other."""
+    """[m] height of the drawn part: ridges that no turn maps onto each other."""
     ridge = 0.006 * numpy.exp(-((x - 0.03) / 0.012) ** 2) + 0.004 * numpy.exp(-((y + 0.02 - x / 3) / 0.008) ** 2)
     return ridge + 0.005 * numpy.exp(-((x + 0.06) ** 2 + (y - 0.04) ** 2) / 0.015 ** 2)
 
@@ -51,7 +51,8 @@ def reference(step=0.0012):
 
 
 def scanned(step=0.001, missing=None, noise=2e-5):
-    """The object with a dent and a bump. missing: function (x, y) -> what the scan does not show"""
+    """The object with a dent and a bump. missing: function (x, y) -> places that the scan does not
+    show"""
     x, y = grid(step)
     if missing is not None:
         seen = ~missing(x, y)
@@ -91,7 +92,8 @@ class RunMaker:
         self.folder = folder
 
     def make(self, name, object_points=None, per_segment=40, options=(), reference_points=None):
-        """A run as far as the tools go with it. object_points: None makes a run whose cleaning failed"""
+        """A run, as far as the tools get with it. object_points: None makes a run whose cleaning
+        failed"""
         run = os.path.join(self.folder, name)
         os.makedirs(os.path.join(run, 'inputs'))
         os.makedirs(os.path.join(run, 'stages'))

@@ -1,6 +1,6 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the page packs and colours, against closed forms; without a browser."""
+"""The packing and colouring of the page, compared with closed forms; without a browser."""
 import base64
 import os
 import re

@@ -1,6 +1,6 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The script that writes the page: bad folders, and what it never writes."""
+"""The script that writes the page: bad folders, and what it must never write."""
 import os
 import re
 import sys

@@ -1,6 +1,6 @@
 # Copyright 2026 the scan cell developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The view that turns, in a real browser that draws in software."""
+"""The rotatable view, in a real browser that draws in software."""
 import os
 import sys
 import unittest

@@ -85,7 +85,8 @@ TEST(StretchGiven, IsReadAsStretchReadsItsCommandLine) {
 using ACleanedPart = MadeUpRecipe;
 
 TEST_F(ACleanedPart, ThatLacksItsPathIsToldFromOneThatWasNotScannedThere) {
-  // The whole part is scanned; a limit of the floor cuts 50 mm of its end, and with it the path.
+  // The whole part is scanned; a limit of the floor cuts off 50 mm of its end, and the path with
+  // it.
   MadeUpPart::write_cloud(folder_.path() / "whole.ply", Eigen::Isometry3d::Identity());
   scan_cell_common::save_text(made_.cleaning,
                               "floor: {automatic: false, x_max: 0.078}\noutliers: {automatic: "

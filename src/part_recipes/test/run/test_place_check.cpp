@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run of the moved part, by a recipe that looks at its place before the work.
+/// A run of the moved part, with a recipe that checks its place before the work.
 class APlaceCheck : public MadeUpRecipe {
  protected:
   APlaceCheck() {
@@ -30,7 +30,7 @@ class APlaceCheck : public MadeUpRecipe {
     run_ = run_recipe(recipe_, request("moved.ply"), {});
   }
 
-  /// Of a scan with the part turned and shifted since then.
+  /// Checks a scan with the part turned and shifted since the run.
   PlaceCheck after(const Eigen::Isometry3d& moved, double added = 0) {
     const fs::path scan = folder_.path() / "again.ply";
     MadeUpPart::write_cloud(scan, moved * MadeUpPart::moved(), added);

@@ -57,7 +57,7 @@ TEST_F(RecipeEdits, GiveSettingsToARecipeThatHadNone) {
   EXPECT_NO_THROW(check_unchanged(now, load_proof(now), hashes_of(now)));
 }
 
-/// Along x, with as much speed.
+/// A program of one line along x, with this speed.
 scan_cell::ScanProgram one_line(double speed) {
   scan_cell::ScanPass pass;
   pass.poses.assign(2, Eigen::Isometry3d::Identity());

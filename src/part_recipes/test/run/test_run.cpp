@@ -76,13 +76,13 @@ TEST_F(ARecipe, APathEditedByHandIsARunOfItsOwn) {
   EXPECT_NE(text_of(edited.folder / "report.html").find("waypoints 0 to 3 deleted"),
             std::string::npos);
   EXPECT_NO_THROW(check_files(edited.folder, load_run(edited.folder)));
-  // More edits come after those; done again it is the same
+  // More edits follow the earlier ones; repeating the run gives the same
   const EndedRun more = run_edited(edited.folder, {tool_paths::DeleteEdit{{0, 0}}}, runs, "", {});
   EXPECT_EQ(load_run(more.folder).path_edits, 2u);
   EXPECT_EQ(more.record.note, "clamp there");
   EXPECT_EQ(differences(more.folder, run_again(more.folder, runs, {}).folder),
             std::vector<std::string>());
-  // What the path has no place for is told, and nothing is worked
+  // Edits for which the path has no place are reported, and nothing is worked
   const EndedRun wrong = run_edited(run.folder, {tool_paths::DeleteEdit{{500, 500}}}, runs, "", {});
   EXPECT_EQ(wrong.record.state, RunState::kRefused);
   EXPECT_NE(wrong.record.message.find("no waypoint 500"), std::string::npos);
@@ -109,7 +109,7 @@ TEST_F(ARecipe, WithAScanOfNoUseIsARunThatSaysSo) {
   EXPECT_NE(run.record.message.find("scan.ply"), std::string::npos) << run.record.message;
 }
 
-/// The process, and the tools that it calls, can make no file longer than that.
+/// Limits the files of the process, and of the tools that it calls, to this length.
 void allow_files_of(rlim_t bytes) {
   signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{bytes, bytes};
@@ -120,7 +120,8 @@ TEST_F(ARecipe, RunOnADiskThatFillsIsNeverAnAcceptedHalf) {
   const Recipe recipe = make();
   const fs::path runs = folder_.path() / "runs";
   int accepted = 0;
-  // From the first file that a run writes, over its copies of the inputs, up to all that it needs.
+  // From the first file that a run writes, over its copies of the inputs, up to everything that it
+  // needs.
   constexpr std::array<rlim_t, 8> kBytes = {10,      1000,    10'000,  50'000,
                                             100'000, 300'000, 600'000, 100'000'000};
   for (const rlim_t bytes : kBytes) {

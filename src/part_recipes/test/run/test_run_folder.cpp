@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders that anybody takes for runs.
+/// Folders that count as runs.
 std::vector<fs::path> runs_in(const fs::path& folder) {
   std::vector<fs::path> runs;
   if (!fs::exists(folder)) return runs;
@@ -108,7 +108,7 @@ TEST(ARunFolder, InAReadOnlyFolderIsRefusedByItsName) {
   EXPECT_TRUE(fs::is_empty(temporary.path()));
 }
 
-/// Makes a run in another process and kills that at `instant` after it has begun.
+/// Makes a run in another process and kills that process `instant` after it has begun.
 /// @return whether the run was made before
 bool make_and_kill(const fs::path& runs, std::chrono::microseconds instant) {
   int ends[2] = {};

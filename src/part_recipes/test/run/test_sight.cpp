@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run of a given cloud, with what the cell said of its scan.
+/// A run of a given cloud, with the cell's record of its scan.
 class ASight : public MadeUpRecipe {
  protected:
-  /// A line along x, 595 mm over the plate's plane, beside it or not.
+  /// A recipe whose scan is a line along x, 595 mm over the plate's plane, beside it or not.
   Recipe scanned_along(double y) {
     const auto flange_at = [y](double x) {
       return Eigen::Translation3d(x, y, 0.595) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
@@ -33,7 +33,7 @@ class ASight : public MadeUpRecipe {
     return make();
   }
 
-  /// @param sha256 of the scanner model, as the cell has told it
+  /// @param sha256 of the scanner model, as reported by the cell
   RunRequest scanned_with(const std::string& sha256) const {
     RunRequest scanned = request("moved.ply");
     scanned.scan_record = folder_.path() / "scan.json";

@@ -14,11 +14,11 @@ class ParameterTable;
 
 namespace pass_planner {
 
-/// Of plan_passes(); docs/pass_planner.md says what each does.
+/// Parameters of plan_passes(). docs/pass_planner.md describes them.
 struct PlanParameters {
-  int max_passes = 20;       //!< that may be proposed
+  int max_passes = 20;       //!< most passes that may be proposed
   double good_angle = 1.05;  //!< [rad] of light and sight to the normal, of a planned pass
-  double margin = 0.02;      //!< [m] that a pass goes on beyond the outermost waypoints
+  double margin = 0.02;      //!< [m] by which a pass goes beyond the outermost waypoints
   double clearance = 0.1;    //!< [m] of flange, camera and lasers from part and floor
   double floor_height = 0;   //!< [m] z of the floor in world
   double stand_off = 0;      //!< [m] of the camera; 0: where the light crosses its axis
@@ -26,13 +26,14 @@ struct PlanParameters {
   double rate = 100;         //!< [Hz] frames a laser
 };
 
-/// With range, unit and meaning of each.
+/// Describes each parameter: range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, PlanParameters& parameters);
 
 /// Passes over these places from many sides: lines, arcs over the part, and arcs around it. Each is
-/// as long as the lasers need to pass over all of the places. Their lasers mean nothing yet.
+/// just long enough for all lasers to pass over all of the places. The lasers of the passes are not
+/// chosen yet.
 /// @param places at least one
-/// @param image what of the sensor is read out
+/// @param image region of the sensor that is read out
 std::vector<scan_cell::ScanPass> candidate_passes(const std::vector<Surface::Place>& places,
                                                   const scan_cell_common::ScannerModel& scanner,
                                                   const SightParameters& image,

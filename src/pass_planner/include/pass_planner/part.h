@@ -13,7 +13,7 @@ namespace pass_planner {
 struct PartFiles {
   std::string reference;         //!< mesh or cloud
   std::string path;              //!< tool path on the reference: CSV or YAML
-  std::string report;            //!< of stretch, which tells where the part lies; empty: as it is
+  std::string report;            //!< from stretch: where the part lies; empty: as in its file
   double reference_metres = 1;   //!< per unit of the reference's file
   std::string path_units = "m";  //!< of the path's file: m, mm or inch
 };
@@ -25,10 +25,10 @@ struct PlacedPart {
   std::vector<std::size_t> wanted;  //!< those to be seen: those that the report names, or all
 };
 
-/// Reads them. With a report of stretch, shape and waypoints go to where its similarity puts them
-/// on the scanned object, and the waypoints it names are wanted.
+/// Reads the files of a part. With a report of stretch, shape and waypoints are moved by its
+/// similarity onto the scanned object, and the waypoints that it names are wanted.
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput, also if the report is about
-/// other files, or says of no pose
+/// other files or has no pose
 PlacedPart load_part(const PartFiles& files);
 
 /// The places on the surface nearest to the waypoints.
@@ -36,7 +36,7 @@ PlacedPart load_part(const PartFiles& files);
 std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
                                       const Surface& surface);
 
-/// The same of some of the waypoints.
+/// The same for some of the waypoints.
 /// @param wanted their indices
 std::vector<Surface::Place> places_of(const std::vector<Eigen::Vector3d>& waypoints,
                                       const Surface& surface,

@@ -11,7 +11,7 @@
 
 namespace pass_planner {
 
-/// Where the robot stands, and what it may do.
+/// Where the robot stands, and its limits.
 struct RobotInCell {
   std::string urdf;                                                      //!< its text
   c4g_driver::RobotLimits limits;                                        //!< as the driver has them
@@ -22,24 +22,24 @@ struct RobotInCell {
   double approach_speed = 0.2;  //!< [m/s] to the start of a pass
 };
 
-/// The robot's base in its frame.
+/// Pose of the robot's base in the passes' frame.
 /// @throw scan_cell_common::InvalidParameter if that is neither world nor base_link
 Eigen::Isometry3d base_link_in_frame(const RobotInCell& robot);
 
-/// Whether the robot can run passes: by the driver's own check of whole programs.
+/// Checks by the driver's own check of whole programs whether the robot can run passes.
 class Reach {
  public:
   /// @throw scan_cell_common::InvalidParameter if the URDF, the frame or a limit makes no sense
   explicit Reach(const RobotInCell& robot);
 
   /// Why the robot cannot run these passes one after the other, each after a line to its start;
-  /// empty: it can. Names pass and place on the way.
+  /// empty: it can. Names the pass and the place on the way.
   std::string refusal(const std::vector<scan_cell::ScanPass>& passes) const;
 
-  /// Of the flange in the passes' frame, before the first pass.
+  /// Pose of the flange in the passes' frame before the first pass.
   Eigen::Isometry3d start() const;
 
-  /// The passes' frame in world.
+  /// Pose of the passes' frame in world.
   Eigen::Isometry3d frame_in_world() const;
 
  private:

@@ -30,18 +30,18 @@ struct SightParameters {
   int region_height = 0;    //!< [px] 0: to the sensor's bottom
 };
 
-/// With range, unit and meaning of each. Refuses a least range above the greatest.
+/// Describes each parameter: range, unit and meaning. Refuses a min_range above max_range.
 void describe(scan_cell_common::ParameterTable& table, SightParameters& parameters);
 
-/// How well a place on the surface is seen, the worst first.
+/// How well a place on the surface is seen, worst first.
 enum class Sight { kOutOfRange, kShadowed, kGrazing, kSeen };
 
 /// What is at fault.
 enum class Fault {
   kNone,
   kNotPassed,  //!< the laser's plane does not pass over the place
-  kDepth,      //!< it does where the place is too near to the camera, or too far
-  kImage,      //!< it does where the place is outside the image
+  kDepth,      //!< it does, but the place is too near to the camera, or too far
+  kImage,      //!< it does, but the place is outside the image
   kLight,      //!< of the laser
   kSight,      //!< of the camera
 };
@@ -57,12 +57,11 @@ struct Sighting {
   /// [rad] between normal and light; NaN where the light does not reach the place
   double light_angle = std::numeric_limits<double>::quiet_NaN();
   double sight_angle = std::numeric_limits<double>::quiet_NaN();  //!< [rad] the same of the camera
-  /// [m] what stands in the way; the place itself where its own surface lies between light and
-  /// camera
+  /// [m] what stands in the way; the place itself if its own surface lies between light and camera
   std::optional<Eigen::Vector3d> obstacle;
 };
 
-/// Whether the first is the better one: of the better kind, else at the smaller angles.
+/// Whether the first is the better one: of a better kind, or of the same kind at smaller angles.
 bool is_better(const Sighting& a, const Sighting& b);
 
 /// Follows sweeps of the scanner over a surface.
@@ -74,7 +73,7 @@ class SightCheck {
   SightCheck(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
              const SightParameters& parameters);
 
-  /// The best sighting of each place along a sweep: a place is measured where the laser's plane
+  /// The best sighting of each place along a sweep. A place is measured when the laser's plane
   /// passes over it.
   /// @param places as Surface::nearest() gives them
   /// @throw scan_cell_common::UnusableInput if the sweep's laser was not calibrated
@@ -82,7 +81,7 @@ class SightCheck {
   std::vector<Sighting> along(const Sweep& sweep, const std::vector<Surface::Place>& places) const;
 
  private:
-  /// Of the image, where a line is found.
+  /// Part of the image in which a line is found.
   struct Window {
     Eigen::Vector2d least;  // [px]
     Eigen::Vector2d most;   // [px]

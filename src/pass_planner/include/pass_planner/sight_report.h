@@ -10,8 +10,8 @@
 
 namespace pass_planner {
 
-/// What was seen, as the JSON text of docs/pass_planner.md: lengths in metres, angles in radians.
-/// @param places, sight of the same waypoints
+/// The sightings, as the JSON text of docs/pass_planner.md: lengths in metres, angles in radians.
+/// @param places, sight for the same waypoints
 std::string sight_to_json(const std::vector<Surface::Place>& places, const PathSight& sight,
                           const std::vector<scan_cell::ScanPass>& passes);
 

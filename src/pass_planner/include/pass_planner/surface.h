@@ -21,7 +21,7 @@ struct SurfaceShape {
   double clearance = 3e-4;  //!< [m] nothing nearer to a place shadows it: facets, single precision
 };
 
-/// A square on each point of a cloud, large enough that those of neighbours leave no gap.
+/// A square on each point of a cloud, large enough to leave no gap between neighbours.
 /// @param normals unit length, either sign
 /// @param spacing [m] of neighbouring points
 SurfaceShape squares_on(const std::vector<Eigen::Vector3d>& points,
@@ -34,7 +34,7 @@ SurfaceShape squares_on(const std::vector<Eigen::Vector3d>& points,
 SurfaceShape load_shape(const std::string& path, const Eigen::Vector3d& leaf,
                         double metres_per_unit = 1);
 
-/// The shape where a similarity puts it.
+/// The shape, moved by a similarity.
 SurfaceShape placed(const SurfaceShape& shape, const tool_path_stretcher::Similarity& similarity);
 
 /// A surface that stands in the way of rays. Immutable; all methods may be called from several
@@ -54,11 +54,11 @@ class Surface {
   Surface(Surface&&) noexcept;             //!< takes over the other's shape
   Surface& operator=(Surface&&) noexcept;  //!< takes over the other's shape
 
-  /// Of the surface, the place nearest to a point [m].
+  /// The place on the surface nearest to a point [m].
   Place nearest(const Eigen::Vector3d& point) const;
 
-  /// Where the straight way from a place on the surface to an eye or a light is blocked first; none
-  /// if it is free.
+  /// The first obstacle on the straight way from a place on the surface to an eye or a light; none
+  /// if the way is free.
   std::optional<Eigen::Vector3d> obstacle(const Eigen::Vector3d& on_surface,
                                           const Eigen::Vector3d& eye) const;
 

@@ -11,12 +11,12 @@
 
 namespace pass_planner {
 
-/// Once along a pass with one laser on.
+/// The motion along one pass with one laser on.
 struct Sweep {
   std::size_t pass = 0;                   //!< of the program, from 0
   std::size_t laser = 0;                  //!< index into scan_cell_common::ScannerModel::lasers
   std::vector<Eigen::Isometry3d> flange;  //!< tool0 in the program's frame, in small steps
-  std::optional<scan_cell::CameraRegion> region;  //!< that is read out; none: as it is set before
+  std::optional<scan_cell::CameraRegion> region;  //!< to read out; none: as set before
 };
 
 /// One sweep for each laser of each pass, in their order.

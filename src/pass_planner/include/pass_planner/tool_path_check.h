@@ -26,19 +26,19 @@ struct PathForRobot {
   tool_path_programs::PathWaypoints waypoint;  //!< of each of the motion
 };
 
-/// @param tip_in_flange [m]
+/// @param tip_in_flange [m] pose of the tool's tip
 /// @throw scan_cell_common::Error as program_of() of tool_path_programs
 PathForRobot path_for_robot(const tool_paths::ToolPath& path,
                             const tool_path_programs::ExportParameters& parameters,
                             const Eigen::Isometry3d& frame_in_base_link,
                             const Eigen::Isometry3d& tip_in_flange);
 
-/// The path with the orientations that the tool has in a check of it, in its own frame.
-/// @param checked tips of the motion, in base_link
+/// The path with the orientations that its check gave the tool, in the path's own frame.
+/// @param checked tips of the checked motion, in base_link
 tool_paths::ToolPath turned_path(tool_paths::ToolPath path, const PathForRobot& asked,
                                  const std::vector<Eigen::Isometry3d>& checked);
 
-/// The driver's check of a path of the tool, also of the way by the joints to its begin.
+/// The driver's check of a tool path, and of the joint motion to its start.
 class ToolPathCheck {
  public:
   /// @param robot its approach_speed does not matter
@@ -50,14 +50,14 @@ class ToolPathCheck {
 
   const c4g_driver::RobotModel& model() const { return model_; }  //!< of the robot
 
-  /// @param scene with which nothing may collide; none: that is not looked for
+  /// @param scene nothing may collide with it; none: collisions are not checked
   c4g_driver::ToolCheck check(const PathForRobot& path,
                               const c4g_driver::ToolCheckParameters& parameters,
                               const c4g_driver::CollisionScene* scene) const;
 
-  /// Why the robot cannot go by the joints to where a checked path begins; empty: it can, or stands
-  /// there.
-  /// @param joint_speed share of the joints' own
+  /// Why the robot cannot move by the joints to the start of a checked path; empty: it can, or is
+  /// there already.
+  /// @param joint_speed share of the joints' own speed
   std::string approach_refusal(const c4g_driver::ToolCheck& checked, double joint_speed) const;
 
  private:

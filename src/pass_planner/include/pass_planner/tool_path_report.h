@@ -8,15 +8,15 @@
 
 namespace pass_planner {
 
-/// A fault for a person, with waypoints counted as in the path.
+/// A fault in words, with waypoints counted as in the path.
 std::string fault_text(const PathForRobot& path, const c4g_driver::ToolFault& fault);
 
-/// What was found, as the JSON text of docs/pass_planner.md.
-/// @param approach why the robot cannot go to the begin; empty: it can
+/// The result of the check, as the JSON text of docs/pass_planner.md.
+/// @param approach why the robot cannot move to the start; empty: it can
 std::string tool_check_to_json(const PathForRobot& path, const c4g_driver::ToolCheck& check,
                                const std::string& approach);
 
-/// For a person: what fails, the slowest place, the joint that comes nearest to its end.
+/// In words: what fails, the slowest place, and the joint that comes nearest to its limit.
 std::string summary_of(const PathForRobot& path, const c4g_driver::ToolCheck& check,
                        const std::string& approach);
 

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kSpacing = 1.5e-3;  // [m] of the places, chosen: as kThere
 
-/// Places in the middles of small triangles into which a triangle is divided, all alike.
+/// Divides a triangle into small equal ones; their middles are places.
 void divide(const std::array<Vector3d, 3>& corners, std::vector<Surface::Place>& places) {
   const Vector3d across = corners[1] - corners[0], along = corners[2] - corners[0];
   const Vector3d normal = across.cross(along);
@@ -36,7 +36,7 @@ void divide(const std::array<Vector3d, 3>& corners, std::vector<Surface::Place>&
   }
 }
 
-/// One place in each cube of that size: thin triangles would count too often.
+/// Keeps one place in each cube of that size: thin triangles would count too often.
 std::vector<Surface::Place> thinned(const std::vector<Surface::Place>& places) {
   std::set<std::array<long, 3>> taken;
   std::vector<Surface::Place> result;

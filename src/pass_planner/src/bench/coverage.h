@@ -31,8 +31,9 @@ struct Coverage {
 
 constexpr double kThere = 1.5e-3;  //!< [m] of a scanned point from a place that is there; chosen
 
-/// Compares a cloud with the surface that its program can see: neither shadowed, nor outside the
-/// simulated cell's image, nor passed by no plane of light. The surface is one place every 1.5 mm.
+/// Compares a cloud with the surface that its program can see: not shadowed, inside the simulated
+/// cell's image, and passed by a plane of light. The surface is sampled with one place every 1.5
+/// mm.
 /// @param passes, cloud [m] in world
 Coverage measure_coverage(const scan_cell_sim::World& world,
                           const std::vector<scan_cell::ScanPass>& passes,

@@ -50,7 +50,7 @@ tool_path_stretcher::ToolPath tool_path_of(const scan_cell_sim::ToolPath& poses)
   return path;
 }
 
-/// One trial as it goes on.
+/// One trial, step by step.
 class Trial {
  public:
   Trial(const CellFiles& files, std::uint64_t seed)
@@ -62,7 +62,7 @@ class Trial {
         scene_(drawn_.world) {
     robot_.urdf = scan_cell_common::read_file(files.urdf);
     robot_.base_link_in_world = scan_cell_sim::load_base_link_in_world(files.cell);
-    // Boxes look the same when turned: a person says about how the part lies.
+    // Boxes look the same when turned, so a person says roughly how the part lies.
     std::mt19937_64 random(seed);
     tool_path_stretcher::PosePrior prior;
     prior.pose = drawn_.world.parts.front().pose *

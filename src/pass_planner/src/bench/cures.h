@@ -15,7 +15,7 @@ struct CellFiles {
   std::string urdf;     //!< of the robot
 };
 
-/// A part that was scanned along one line, and then along the one pass that was proposed.
+/// A part that was scanned along one line, and then along the one proposed pass.
 struct CureTrial {
   std::string part;            //!< of which kind
   bool not_scanned = false;    //!< the first scan was refused with path_not_scanned

@@ -79,7 +79,7 @@ DrawnPart draw_part(std::uint64_t seed) {
   drawn.name = names[kind];
   drawn.reference = draw_shape(random, kind);
   constexpr double kSpacing = 0.008;  // [m] of waypoints
-  // The upper half: what is below can be hidden by the part itself.
+  // Only the upper half: the part itself can hide what is below.
   drawn.path = kind == 0 ? scan_cell_sim::crest_path(drawn.reference, kSpacing)
                          : flank_path(drawn.reference,
                                       draw(random, 0.55, 0.75) * height_of(drawn.reference));

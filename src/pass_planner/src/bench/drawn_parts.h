@@ -15,10 +15,10 @@
 
 namespace pass_planner {
 
-/// A number between two, the same on every machine: the library's distributions are not.
+/// A number between two bounds, the same on every machine: the library's distributions differ.
 double draw(std::mt19937_64& random, double least, double most);
 
-/// A part of the simulator somewhere on the floor, with a path, as it was taught on the reference.
+/// A part of the simulator somewhere on the floor, with a path as taught on the reference.
 struct DrawnPart {
   std::string name;                   //!< of its shape
   scan_cell_sim::World world;         //!< the floor and the part on it

@@ -19,7 +19,7 @@ std::vector<double> distances(const std::vector<Eigen::Vector3d>& places,
 /// The simulated cell's image, and no angle that is too grazing.
 SightParameters any_angle_in_the_cell();
 
-/// What was said of waypoints, and what the simulated scan then gave.
+/// What was predicted for waypoints, and what the simulated scan then gave.
 struct Agreement {
   std::size_t seen = 0;              //!< waypoints said to be seen
   std::size_t seen_and_there = 0;    //!< of these, with a scanned point within 1 mm
@@ -33,7 +33,7 @@ struct Agreement {
 /// @param scanner its model's file
 Agreement measure_agreement(const std::string& scanner, std::uint64_t first_seed, int parts);
 
-/// How a face that is turned away from the light or from the camera is measured.
+/// How well a face is measured that is turned away from the light or from the camera.
 struct FaceAtAngle {
   double light_angle = 0;  //!< [rad] to the normal
   double sight_angle = 0;  //!< [rad] to the normal
@@ -41,7 +41,7 @@ struct FaceAtAngle {
   double rms = 0;          //!< [m] of those points from the face
 };
 
-/// Scans a leaning face with laser_0: the light comes from the one side.
+/// Scans a leaning face with laser_0, whose light comes from one side.
 /// @param lean [rad] of the face towards the light (above 0), or away from it
 /// @param roll [rad] of the face about the direction of travel
 FaceAtAngle measure_face(const std::string& scanner, double lean, double roll);

@@ -15,8 +15,8 @@ namespace pass_planner {
 constexpr int kRegionX = 336, kRegionY = 599;            // [px]
 constexpr int kRegionWidth = 1024, kRegionHeight = 512;  // [px]
 
-/// What a sweep truly gives: an image is rendered every 0.6 mm of its way (60 mm/s at 100 Hz), its
-/// peaks are found with the settings of the simulated cell, and triangulated.
+/// What a sweep truly gives: an image is rendered every 0.6 mm of its way (60 mm/s at 100 Hz); its
+/// peaks are found with the settings of the simulated cell and triangulated.
 /// @return points [m] in world
 std::vector<Eigen::Vector3d> simulated_scan(const scan_cell_sim::Scene& scene,
                                             const scan_cell_common::ScannerModel& scanner,

@@ -52,7 +52,7 @@ std::string reasons_of(const PassPlan& plan, const std::vector<std::size_t>& wan
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-/// Those of the part that the program before does not see; with a report, those that it names.
+/// Waypoints that the program before does not see; with a report, those that it names.
 std::vector<std::size_t> wanted_of(const Options& options, const PlacedPart& part,
                                    const SightCheck& check, const Surface& surface,
                                    const scan_cell::ScanProgram& before) {

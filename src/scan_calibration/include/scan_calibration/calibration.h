@@ -13,12 +13,12 @@
 
 namespace scan_calibration {
 
-/// A scanner model that was calibrated before. It supplies what is not calibrated again.
+/// A scanner model from an earlier calibration. It supplies what is not calibrated again.
 struct ExistingScanner {
   std::string file;  //!< where it was read
-  std::string text;  //!< of the file: what is kept is written back as it stands there
+  std::string text;  //!< of the file: kept parts are written back as they are there
   scan_cell_common::ScannerModel model;  //!< as the file has it
-  /// [m] of a scanned point, by laser, as the file has it; 0: not known
+  /// [m] of a scanned point, by laser, from the file; 0: not known
   std::vector<double> deviations = {};
 };
 
@@ -27,7 +27,7 @@ ExistingScanner load_existing_scanner(const std::string& file);
 
 /// What to estimate, and what is known in advance. A deviation of 0 is estimated from the data.
 struct CalibrationOptions {
-  /// Whether the board may be bent. It is taken as flat unless a bend explains held-out corners
+  /// Whether the board may be bent. It is treated as flat unless a bend explains held-out corners
   /// better.
   bool board_flatness = true;
   double corner_deviation = 0;       //!< [px] standard deviation of a corner along each axis
@@ -37,8 +37,8 @@ struct CalibrationOptions {
   int folds = 5;                     //!< groups of views, held out in turn
   int threads = 2;                   //!< does not change the result
   /// One entry per laser of the session: its projector in camera_optical_frame [m], which the
-  /// images do not show. Where it is missing, the origin is the existing model's, projected onto
-  /// the plane, or else the point of the plane beside the lens.
+  /// images do not show. If it is missing, the origin is the existing model's, projected onto the
+  /// plane, or else the point of the plane beside the lens.
   std::vector<Eigen::Vector3d> projectors;
   /// Supplies what is not calibrated again: lasers that the session does not have, and with
   /// `lasers_alone` the camera. Without it the model has only what the session shows.
@@ -47,7 +47,7 @@ struct CalibrationOptions {
   std::function<void(const std::string&)> progress;  //!< called with each next step; may be empty
 };
 
-/// Standard deviations by which the observations were weighted.
+/// Standard deviations that weighted the observations.
 struct NoiseLevels {
   double corner_px = 0;         //!< along each axis
   std::vector<double> line_px;  //!< per laser, across its line
@@ -74,7 +74,7 @@ struct EstimatedParameter {
 struct Figures {
   double reprojection_rms_px = 0;          //!< with each view's board pose fitted to its corners
   std::vector<double> laser_plane_rms_mm;  //!< per laser: distance of its points from its plane
-  /// RMS distance of the board's centre in base_link, by robot and camera, from its mean.
+  /// RMS distance of the board's centre in base_link, from robot and camera, from its mean.
   double board_scatter_mm = 0;
 };
 
@@ -87,12 +87,12 @@ struct ViewFigures {
   double board_angle_deg = 0;              //!< of the board's orientation in base_link
   /// [px] observed - modelled, in the order of the view's corners
   std::vector<Eigen::Vector2d> corner_residuals;
-  std::vector<std::size_t> left_out_corners;  //!< outliers, which count in no other figure
+  std::vector<std::size_t> left_out_corners;  //!< outliers, left out of all other figures
   /// Per laser: outliers among the points of its line that were used.
   std::vector<std::vector<std::size_t>> left_out_points;
 };
 
-/// What the covariance means for a scanned point.
+/// The uncertainty that the covariance gives a scanned point.
 struct PointUncertainty {
   std::string laser;        //!< such as laser_0
   double depth = 0;         //!< [m] along the optical axis
@@ -103,27 +103,27 @@ struct PointUncertainty {
 /// A scanner calibrated from one session.
 struct Calibration {
   scan_cell_common::ScannerModel scanner;  //!< the result
-  /// Parts of the existing model, kept bit by bit, by their names in its file: camera,
+  /// Parts of the existing model that are kept bit by bit, by their names in its file: camera,
   /// flange_to_camera, laser_0.
   std::vector<std::string> kept;
   Eigen::Isometry3d base_to_board;             //!< [m]
   std::vector<EstimatedParameter> parameters;  //!< in the order of `covariance`
   Eigen::MatrixXd covariance;                  //!< of `parameters`, in their order
   Figures fitted;                              //!< on the views that were fitted
-  Figures held_out;                    //!< each view judged by a model that was fitted without it
-  std::vector<ViewFigures> views;      //!< those used, in their order
-  std::vector<RejectedView> rejected;  //!< with the reason
-  std::vector<PointUncertainty> uncertainty;  //!< of scanned points
-  NoiseLevels noise;                          //!< given or estimated
+  Figures held_out;                            //!< each view judged by a model fitted without it
+  std::vector<ViewFigures> views;              //!< those used, in their order
+  std::vector<RejectedView> rejected;          //!< with the reason
+  std::vector<PointUncertainty> uncertainty;   //!< of scanned points
+  NoiseLevels noise;                           //!< given or estimated
   /// Height [m] of the board above its plane: [0] (x^2 - mean), [1] x y, [2] (y^2 - mean), with x
-  /// and y from -1 to 1 over its corners. Zero where no bend is asked for, or none explains
-  /// held-out views better.
+  /// and y from -1 to 1 over its corners. Zero if no bend is asked for, or none explains held-out
+  /// views better.
   Eigen::Vector3d board_bend = Eigen::Vector3d::Zero();
   std::vector<std::string> notes;  //!< to read before using the result
   std::vector<PoseAdvice> advice;  //!< best first
 };
 
-/// A scanner calibrated one step after the other (sequential.h), on the views of a Calibration.
+/// A scanner calibrated step by step (sequential.h), on the views of a Calibration.
 struct SequentialCalibration {
   scan_cell_common::ScannerModel scanner;  //!< the result
   Eigen::Isometry3d base_to_board;         //!< [m] mean over the views
@@ -137,7 +137,7 @@ void check(const CalibrationOptions& options, const std::vector<std::string>& la
 
 /// Estimates camera, its pose on the flange, board and every laser plane in one robust
 /// least-squares problem, from a closed-form start. Without lasers in the session it estimates the
-/// camera alone; with `lasers_alone` the planes and the board, for the camera as it is.
+/// camera alone; with `lasers_alone`, the planes and the board for the existing camera.
 /// @throw scan_cell_common::InvalidParameter as check()
 /// @throw scan_cell_common::UnusableInput saying what the session lacks or what is wrong with it:
 /// too few views, views too alike, a laser never seen, a wrong board size, poses and images out of

@@ -31,10 +31,11 @@ struct WrittenFiles {
   std::string kept_scanner;  //!< the old model's new name; empty: there was none
 };
 
-/// Writes the report, whatever the verdict; if the run passed, also the scanner model and the
-/// camera. An old model is kept under the time it was written, scanner_20261122_031500.yaml, and
-/// stays in place until the new one is complete.
-/// @throw scan_cell_common::FileError if a file cannot be written; the old model is still in place
+/// Writes the report, whatever the verdict. If the run passed, also writes the scanner model and
+/// the camera. An old model is kept under the time it was written, scanner_20261122_031500.yaml,
+/// and stays in place until the new one is complete.
+/// @throw scan_cell_common::FileError if a file cannot be written; the old model is then still in
+/// place
 WrittenFiles save_calibration(const CalibrationRun& run, const CalibrationFiles& files);
 
 }  // namespace scan_calibration

@@ -12,12 +12,12 @@
 
 namespace scan_calibration {
 
-/// What a calibration must reach to be used, on held-out views.
+/// Limits on held-out views that a calibration must meet to be used.
 struct CalibrationLimits {
   static constexpr double kNone = std::numeric_limits<double>::infinity();  //!< no limit
   double reprojection_rms_px = kNone;                                       //!< of the corners
   double laser_plane_rms_mm = kNone;                                        //!< of every laser
-  double board_scatter_mm = kNone;    //!< of the board as the views see it
+  double board_scatter_mm = kNone;    //!< of the board between views
   double point_deviation_mm = kNone;  //!< of every point of Calibration::uncertainty
 };
 
@@ -41,7 +41,7 @@ enum class CalibrationVerdict {
 /// passed, limits_missed, refused
 std::string to_string(CalibrationVerdict verdict);
 
-/// A calibration from the session's images to the verdict.
+/// A calibration, from the session's images to the verdict.
 struct CalibrationRun {
   std::string session;                      //!< folder
   std::optional<ExistingScanner> existing;  //!< supplied what was not calibrated again
@@ -54,8 +54,8 @@ struct CalibrationRun {
   std::optional<SequentialCalibration> sequential;            //!< of the same views, to compare
 };
 
-/// Reads a session and its images, calibrates, and judges the result. With
-/// CalibrationOptions::lasers_alone the existing camera is also used to read the lines.
+/// Reads a session and its images, calibrates, and judges the result.
+/// CalibrationOptions::lasers_alone also uses the existing camera to read the lines.
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the session's files are
 /// invalid. If they are valid but give no calibration, the verdict says so.
 /// @throw scan_cell_common::InvalidParameter as check()

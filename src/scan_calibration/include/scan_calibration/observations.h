@@ -29,18 +29,18 @@ struct LineCounts {
   int used = 0;      //!< for the estimate
 };
 
-/// What was seen at one pose.
+/// What one pose shows.
 struct ViewObservation {
   std::string name;                  //!< of the view
   Eigen::Isometry3d base_to_flange;  //!< [m]
   std::vector<SeenCorner> corners;   //!< of the board
-  /// Per laser the points along its line on the board's plane [px]; empty: not seen.
+  /// Per laser, the points along its line on the board's plane [px]; empty: not seen.
   std::vector<std::vector<Eigen::Vector2d>> lines;
   std::vector<LineCounts> line_counts;  //!< per laser
   int covered_corners = 0;              //!< missing in `corners`: under a laser's line, or in glare
 };
 
-/// A view, or a laser's line in it, that is not used, and why.
+/// A view, or a laser's line in a view, that is not used, with the reason.
 struct RejectedView {
   std::string name;    //!< of the view
   std::string laser;   //!< empty: the whole view
@@ -63,7 +63,7 @@ struct ObservationOptions {
   int max_line_points = 300;                //!< of a line
   /// Lasers to keep; not given: all of the session. None: the board alone.
   std::optional<std::vector<std::string>> lasers;
-  /// The camera if it is known; else, or for images of another size, a rough one is found.
+  /// The camera if it is known. Without it, or for images of another size, a rough one is found.
   std::optional<scan_cell_common::CameraIntrinsics> camera;
   int threads = 2;  //!< does not change the result
   /// Called with the progress, from one thread at a time; may be empty.
@@ -74,8 +74,8 @@ struct ObservationOptions {
 /// of the images").
 /// @throw scan_cell_common::InvalidParameter if there is no such detector, or the session has no
 /// such laser
-/// @throw scan_cell_common::UnusableInput if no image shows the board, naming the size of the board
-/// that they show instead
+/// @throw scan_cell_common::UnusableInput if no image shows the board, naming the board size that
+/// they show instead
 Observations observe(const Session& session, const ObservationOptions& options = {});
 
 }  // namespace scan_calibration

@@ -21,20 +21,20 @@ struct SessionView {
   std::string name;  //!< of the view in reports: the board image as the file names it
   Eigen::Isometry3d base_to_flange;  //!< pose of tool0 in base_link [m], measured at a standstill
   std::string board_image;           //!< path of the image that shows the board
-  /// One entry per laser: path of what shows its line at the same pose, an image (the board image
-  /// itself if both are in one) or a .csv of peaks; empty where it was not taken.
+  /// One entry per laser: path of the file that shows its line at the same pose, an image (the
+  /// board image itself if both are in one) or a .csv of peaks; empty if it was not taken.
   std::vector<std::string> lines;
 };
 
-/// A recorded calibration session: all that is needed to calibrate without the robot.
+/// A recorded calibration session: everything needed to calibrate without the robot.
 struct Session {
   Board board;                      //!< that the images show
   std::vector<std::string> lasers;  //!< of laser_0, laser_1, in this order; none: the board alone
   std::vector<SessionView> views;   //!< in the order of the table
 };
 
-/// Reads a session folder: session.yaml, the CSV of poses it names, and where the images are
-/// (docs/scan_calibration.md).
+/// Reads a session folder: session.yaml, the CSV of poses that it names, and the paths of the
+/// images (docs/scan_calibration.md).
 /// @throw scan_cell_common::FileError if a file is missing or unreadable
 /// @throw scan_cell_common::UnusableInput naming the entry, or the line, that is invalid
 Session load_session(const std::string& folder);

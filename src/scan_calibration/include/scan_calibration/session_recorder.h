@@ -13,8 +13,8 @@
 
 namespace scan_calibration {
 
-/// What shows one laser's line: an image or peaks; neither: it was not taken. If both are given,
-/// the session uses the peaks, and keeps the image they were found in beside them.
+/// What shows one laser's line: an image or peaks. Neither: it was not taken. If both are given,
+/// the session uses the peaks and keeps the image in which they were found.
 struct RecordedLine {
   cv::Mat image;                                        //!< 8 or 16 bit grey
   std::optional<tecnogamma_camera::PeakProfile> peaks;  //!< on the full sensor
@@ -22,8 +22,8 @@ struct RecordedLine {
 };
 
 /// Records a session folder that load_session() reads. A view's files are complete before the table
-/// names them, and the table is replaced as a whole: if the recording is interrupted, the folder
-/// holds a session of the views so far.
+/// names them, and the table is replaced as a whole: after an interruption the folder holds a
+/// session of the views so far.
 class SessionRecorder {
  public:
   /// @param folder created if missing

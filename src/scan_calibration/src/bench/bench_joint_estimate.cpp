@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The goals of a calibration on seeded synthetic sessions of 70 views, each figure beside its goal,
-// and the sequential way on the same views.
+// Goals of a calibration on seeded synthetic sessions of 70 views: each figure beside its goal, and
+// the step-by-step method on the same views.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 using scan_calibration::Calibration;
 using scan_calibration::Figures;
 
-/// Largest of each over the sessions.
+/// Largest value of each figure over the sessions.
 struct Worst {
   double reprojection_px = 0, plane_mm[2] = {0, 0}, scatter_mm = 0, flatness_mm = 0;
 
@@ -34,7 +34,7 @@ struct Worst {
   }
 };
 
-/// Where a laser's light on a plane falls on a row of the sensor: the column [px].
+/// The column [px] where a laser's light on a plane falls on a row of the sensor.
 double column_of(const scan_cell_common::ScannerModel& scanner, std::size_t laser,
                  const Vector3d& normal, double distance, double row) {
   const scan_cell_common::LaserPlane& light = scanner.laser(laser);
@@ -52,7 +52,8 @@ double column_of(const scan_cell_common::ScannerModel& scanner, std::size_t lase
   return scanner.camera.project(point).x();
 }
 
-/// RMS height [mm] of a plane that the truth's light shows and the calibrated model triangulates.
+/// RMS height [mm] of a plane that is lit by the true laser and triangulated by the calibrated
+/// model.
 double flatness_mm(const synthetic::Cell& cell, const scan_cell_common::ScannerModel& scanner) {
   laser_triangulation::Triangulator triangulator(scanner, {});
   std::vector<laser_triangulation::ScanPoint> points;
@@ -94,7 +95,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// @param sequential so many of the sessions also one step after the other
+/// @param sequential number of sessions that are also calibrated step by step
 void bench(unsigned sessions, unsigned sequential) {
   const synthetic::Cell cell;
   unsigned inside = 0;
@@ -133,7 +134,7 @@ void bench(unsigned sessions, unsigned sequential) {
               sequential_seconds / std::max(1u, std::min(sequential, sessions)));
 }
 
-/// Seven views a session: what held-out views say of the two ways, and what is true.
+/// Sessions of seven views: what held-out views say of the two methods, and what is true.
 void bench_few_views(unsigned sessions) {
   const synthetic::Cell cell;
   double held_out[2] = {0, 0}, truth[2] = {0, 0};

@@ -86,7 +86,7 @@ void print_accuracy(const BoardRenderer& renderer, const RenderedSession& sessio
               rms(ours), rms(gradients), rms(sectors));
 }
 
-/// 70 views: five that are rendered, 14 times over, as if the robot stood a hair beside.
+/// 70 views: five rendered ones, repeated 14 times as if the robot stood a hair beside.
 void record_large_session(const fs::path& folder) {
   constexpr int kRendered = 5;
   RenderedSession session = example_session(kRendered);

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace scan_calibration {
 namespace {
 
-/// A model's state, for views that it was not fitted to.
+/// A model's state for views that it was not fitted to.
 ScannerState state_of(const scan_cell_common::ScannerModel& model,
                       const Eigen::Isometry3d& base_to_board, const Eigen::Vector3d& bend) {
   ScannerState state;
@@ -47,7 +47,7 @@ double plane_rms_mm(const ScannerState& state, const Board& board, const BoardVi
   return 1e3 * sum.rms();
 }
 
-/// Both ways on some views of a session that are drawn by chance, judged on all its others.
+/// Both methods on a few views of a session, drawn at random, judged on all other views.
 struct FewViews {
   int fitted = 0, refused = 0, worse = 0;
   double joint = 0, sequential = 0;  // sums of logarithms
@@ -132,7 +132,7 @@ void print_session(const fs::path& folder) {
   if (!run.observations.lasers.empty()) print_few_views(used_views(run.observations, joint));
 }
 
-/// How OpenCV's sample finds the corners that its published figure is of.
+/// Finds the corners as OpenCV's sample does, on which its published figure is based.
 BoardCorners published_corners(const cv::Mat& image, const Board& board) {
   std::vector<cv::Point2f> found;
   if (!cv::findChessboardCorners(image, {board.columns, board.rows}, found)) return {};

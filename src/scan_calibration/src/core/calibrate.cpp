@@ -23,7 +23,7 @@ Figures held_out(const JointEstimate& estimate, const BoardSurface& surface,
       [&](const std::vector<bool>& keep) { return without(estimate, surface, keep).state; });
 }
 
-/// How uncertain the image of the sensor's corner is [px] by the uncertainty of the lens.
+/// Uncertainty [px] of the image of the sensor's corner that comes from the lens.
 double edge_deviation(const JointEstimate& estimate, const Knowledge& knowledge) {
   const scan_cell_common::CameraIntrinsics camera = estimate.state.intrinsics();
   const std::optional<Eigen::Vector3d> ray = ray_of(camera, Eigen::Vector2d::Zero());
@@ -117,7 +117,7 @@ JointEstimate best_estimate(const Observations& observations, const CalibrationO
   return flat;
 }
 
-/// The projectors of the lasers [m], as far as they are known.
+/// The projectors of the lasers [m] that are known.
 std::vector<Eigen::Vector3d> projectors_of(const Observations& observations,
                                            const CalibrationOptions& options) {
   std::vector<Eigen::Vector3d> projectors = options.projectors;
@@ -142,7 +142,7 @@ std::vector<std::string> kept_parts(const ExistingScanner& existing, bool lasers
   return parts;
 }
 
-/// Takes what is not calibrated again from the existing model.
+/// Takes the parts that are not calibrated again from the existing model.
 void keep(const ExistingScanner& existing, const Observations& observations, bool lasers_alone,
           Calibration& result) {
   using scan_cell_common::ScannerModel;
@@ -159,7 +159,7 @@ void keep(const ExistingScanner& existing, const Observations& observations, boo
     if (found.lasers[i]) lasers[i] = found.lasers[i];
 }
 
-/// What follows from parts that are kept, or missing.
+/// Notes on the parts that are kept or missing.
 void note_parts(const CalibrationOptions& options, const Observations& observations,
                 Calibration& result) {
   for (const std::string& part : result.kept) {

@@ -9,7 +9,7 @@
 namespace scan_calibration {
 namespace {
 
-/// The camera alone as a joint estimate, so that its uncertainty is found in the same way.
+/// The camera alone as a joint estimate, so that its uncertainty is computed in the same way.
 JointEstimate as_estimate(BoardViews views, const CameraFit& fit, bool square_pixels) {
   JointEstimate estimate;
   estimate.choice.robot = false;

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Isometry3d;
 using scan_cell_common::CameraIntrinsics;
 
-/// Without outliers.
+/// Points of a view, without outliers.
 BoardPoints points_of(const BoardView& view) {
   BoardPoints points;
   for (std::size_t i = 0; i < view.places.size(); ++i)
@@ -81,7 +81,7 @@ Isometry3d hand_eye(const BoardViews& views, const std::vector<Isometry3d>& boar
   return camera;
 }
 
-/// Mean over the views of where each has the board.
+/// Mean of the board's pose in base_link over the views.
 Isometry3d mean_board(const BoardViews& views, const std::vector<Isometry3d>& boards,
                       const Isometry3d& camera) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();

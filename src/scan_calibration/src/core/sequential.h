@@ -8,11 +8,11 @@
 
 namespace scan_calibration {
 
-/// The plain way, as a yardstick for calibrate(): OpenCV's intrinsics with a free board pose per
-/// view, Park's hand-eye on those poses, each laser plane by total least squares through its points
-/// on those boards. It rejects no view: pass those that calibrate() used (used_views()), so that
-/// both are judged on the same views in the same folds.
-/// @param known supplies camera and flange_to_camera where they are not calibrated again
+/// The step-by-step method, as a yardstick for calibrate(): OpenCV's intrinsics with a free board
+/// pose per view, Park's hand-eye on those poses, and each laser plane by total least squares
+/// through its points on those boards. It rejects no view: pass the views that calibrate() used
+/// (used_views()), so that both are judged on the same views in the same folds.
+/// @param known supplies camera and flange_to_camera if they are not calibrated again
 /// @throw scan_cell_common::UnusableInput if there are fewer than three views
 SequentialCalibration calibrate_sequentially(
     const Observations& observations, int folds,

@@ -12,8 +12,8 @@
 
 namespace scan_calibration {
 
-/// `~light_sheets`: the sheet of light of each laser while it burns, as the topics `trigger_state`
-/// and `trigger_events` tell.
+/// `~light_sheets`: the sheet of light of each laser while it burns, according to the topics
+/// `trigger_state` and `trigger_events`.
 class LightSheets {
  public:
   LightSheets(const scan_cell_common::ScannerModel& scanner, const SheetSize& size);

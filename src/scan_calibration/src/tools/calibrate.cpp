@@ -43,7 +43,7 @@ void add_files(CLI::App& app, Options& options) {
                  "the camera for ROS: YAML; default: beside the scanner model");
 }
 
-/// What to calibrate, and where the rest comes from.
+/// Options: what to calibrate, and where the rest comes from.
 void add_parts(CLI::App& app, Options& options) {
   const auto add = [&](CLI::Option* option) { return option->group("What to calibrate"); };
   add(app.add_option("--scanner", options.existing,
@@ -99,7 +99,7 @@ void add_knowledge(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-/// Progress on one line of a terminal; in a log, a line per tenth.
+/// Prints progress on one line of a terminal; in a log, a line per tenth.
 void print_progress(const std::string& what, int done, int total) {
   if (isatty(STDERR_FILENO) != 0) {
     std::fprintf(stderr, "\r%s: %d of %d%s", what.c_str(), done, total, done == total ? "\n" : "");

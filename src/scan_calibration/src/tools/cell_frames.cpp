@@ -42,7 +42,7 @@ void calibrate_tool(const std::string& poses_file, const std::string& cell_file,
                                       Eigen::Isometry3d(Eigen::Translation3d(tool.tip)));
 }
 
-/// Where the tip was: as taught, or from the flange's pose and the calibrated tool.
+/// Positions of the tip: as taught, or from the flange's pose and the calibrated tool.
 std::vector<Eigen::Vector3d> tip_positions(const TaughtPoses& taught,
                                            const std::string& cell_file) {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();

@@ -11,7 +11,7 @@ using scan_calibration::Board;
 
 namespace {
 
-/// What a ray meets: a share of the room's light, and how white it is to the laser.
+/// What a ray meets: its share of the room's light, and its reflectance for the laser.
 struct Surface {
   double grey;
   double whiteness;
@@ -50,8 +50,8 @@ double light_of(const RenderedScene& scene, const Eigen::Isometry3d& board_in_ca
   return light;
 }
 
-/// Places in a pixel, about its centre: spread so that no two lie in a row, column or diagonal,
-/// since a grid of them would move an edge that is parallel to it (R2 sequence, Roberts 2018).
+/// Places in a pixel, about its centre. No two lie in one row, column or diagonal: a grid of places
+/// would shift an edge that is parallel to it (R2 sequence, Roberts 2018).
 std::vector<Vector2d> places_in_pixel(int count) {
   std::vector<Vector2d> places;
   Vector2d mean = Vector2d::Zero();

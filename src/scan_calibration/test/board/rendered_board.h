@@ -10,8 +10,8 @@
 #include "scan_calibration/session.h"
 #include "scan_cell_common/scanner/scanner_model.h"
 
-/// Images of a checkerboard on a plate above a table, through a known camera: the truth that the
-/// readers of images are judged by. Nothing of it uses what it judges, save the lens model.
+/// Images of a checkerboard on a plate above a table, through a known camera: the ground truth for
+/// the readers of images. It shares only the lens model with the code that it judges.
 struct RenderedScene {
   scan_calibration::Board board;
   double plate_margin = 0.03;  //!< [m] by which the white plate is larger than the checker
@@ -49,7 +49,7 @@ class BoardRenderer {
 Eigen::Isometry3d board_pose(const scan_calibration::Board& board, const Eigen::Vector3d& centre,
                              double tilt, double towards, double turn);
 
-/// Where an inner corner truly is [px].
+/// The true place of an inner corner [px].
 Eigen::Vector2d true_corner(const scan_cell_common::CameraIntrinsics& camera,
                             const Eigen::Isometry3d& board_in_camera,
                             const scan_calibration::Board& board, int column, int row);

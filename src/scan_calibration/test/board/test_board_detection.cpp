@@ -42,7 +42,7 @@ std::vector<Isometry3d> poses(const Board& board) {
   return result;
 }
 
-/// Of the corners from the true ones [px], along an axis; `count` of them finite.
+/// RMS distance of the corners from the true ones [px], along an axis; `count` of them are finite.
 double rms_error(const BoardCorners& corners, const Isometry3d& pose, const Board& board,
                  int* count = nullptr) {
   double sum = 0;

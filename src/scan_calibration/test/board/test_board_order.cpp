@@ -19,7 +19,7 @@ Matrix3d about_z(int quarters) {
   return AngleAxisd(quarters * M_PI / 2, Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// Corners as they would be counted: a flat grid.
+/// Corners in counting order: a flat grid.
 BoardCorners grid(const Board& board) {
   BoardCorners corners;
   for (int row = 0; row < board.rows; ++row)
@@ -43,7 +43,7 @@ std::vector<int> shuffle(std::vector<TurnableView>& views, const Board& board, i
             .toRotationMatrix();
     turns.push_back(i == 0 ? 0 : choices[engine() % choices.size()]);
     const Matrix3d noise = AngleAxisd(0.003 * normal(engine), Vector3d::UnitX()).toRotationMatrix();
-    // Counted from an end that lies `turns` back: to be turned forward by so many.
+    // Counted from an end that lies `turns` back, so they must be turned forward by this number.
     views.push_back(
         {flange, (flange * camera_in_flange).transpose() * noise * about_z(-turns.back())});
   }
@@ -77,7 +77,7 @@ TEST(BoardOrder, IsFoundFromTheRobotsMotion) {
     std::vector<TurnableView> views;
     const std::vector<int> turns = shuffle(views, board, 30);
     const std::vector<int> found = align_corners(views, board);
-    // The whole set may be counted from another end together with the first view.
+    // The whole set may be counted from another end, together with the first view.
     EXPECT_EQ(found, turns) << board.columns;
   }
 }

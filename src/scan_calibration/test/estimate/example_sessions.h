@@ -11,7 +11,7 @@
 #include "estimate/truth_comparison.h"
 #include "scan_calibration/calibration.h"
 
-/// Sessions of an ordinary cell, as most tests of the estimate want them.
+/// Sessions of an ordinary cell, for most tests of the estimate.
 namespace synthetic {
 
 inline const Noise kNoise = {0.1, 0.1, 5e-5, 5e-5};
@@ -28,7 +28,7 @@ inline scan_calibration::Observations some_views(int count, unsigned seed = 1) {
   return observe(cell, some_poses(cell, count, seed), kNoise, seed);
 }
 
-/// Each corner of the view off by 1 px (RMS) along either axis.
+/// Moves each corner of the view by 1 px (RMS) along either axis.
 inline void spoil_corners(scan_calibration::ViewObservation& view) {
   std::mt19937 generator(1);
   std::normal_distribution<double> error(0, 1);

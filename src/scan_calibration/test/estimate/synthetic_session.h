@@ -11,7 +11,7 @@
 /// Sessions with known truth, made with OpenCV's projection and closed-form cuts of planes.
 namespace synthetic {
 
-/// What there is to be found.
+/// The true cell, to be found.
 struct Cell {
   Cell();  //!< a wide lens, two lasers 0.5 m apart that cross the axis at 0.5 m, a board of 20 mm
   scan_cell_common::ScannerModel scanner;
@@ -41,12 +41,12 @@ struct Poses {
 /// Poses of the flange, in which the camera looks at the board.
 std::vector<Eigen::Isometry3d> flange_poses(const Cell& cell, const Poses& poses);
 
-/// What the camera sees from there; the recorded poses have the robot's noise.
+/// The camera's view from these poses; the recorded poses have the robot's noise.
 scan_calibration::Observations observe(const Cell& cell,
                                        const std::vector<Eigen::Isometry3d>& flange,
                                        const Noise& noise, unsigned seed);
 
-/// The session that the goals are stated for: 70 views, 0.1 px, 0.05 mm.
+/// The session for which the goals are stated: 70 views, 0.1 px, 0.05 mm.
 scan_calibration::Observations goal_session(const Cell& cell, unsigned seed);
 
 }  // namespace synthetic

@@ -62,7 +62,7 @@ TEST(Calibration, EstimatesEachKindOfNoise) {
   const synthetic::Noise noise = {0.15, 0.3, 2e-4, 1e-4};
   const Calibration found = calibrate(observe(cell, some_poses(cell, 40), noise, 3), {});
   EXPECT_NEAR(found.noise.corner_px, noise.corner_px, 0.03 * noise.corner_px);
-  // The line lies nearly along the columns: what a peak's column is off by is across it.
+  // The line lies nearly along the columns, so the error of a peak's column is across it.
   for (const double line : found.noise.line_px)
     EXPECT_NEAR(line, noise.line_px, 0.15 * noise.line_px);
   EXPECT_NEAR(found.noise.robot_m, noise.robot_m, 0.25 * noise.robot_m);
@@ -96,7 +96,7 @@ TEST(Calibration, StatesDeviationsThatTheTruthKeepsTo) {
       count += 1;
     }
   }
-  // Stated are upper bounds of a deviation, of two ways to see it
+  // The stated deviations are upper bounds, from two ways of estimating them
   EXPECT_LT(std::sqrt(squares / count), 1.05);
   EXPECT_GT(std::sqrt(squares / count), 0.7);
 }
@@ -209,7 +209,7 @@ TEST(Calibration, AdvisesAPoseThatBringsWhatItSays) {
 TEST(Calibration, ScansAPlaneFlat) {
   const synthetic::Cell cell;
   const Calibration found = calibrate(some_views(40), {});
-  // The truth's light on a plane at the height of the board, moved along under the scanner
+  // The true laser's light on a plane at the height of the board, moved along under the scanner
   const Isometry3d& camera = cell.scanner.flange_to_camera;
   laser_triangulation::Triangulator triangulator(found.scanner, {});
   std::vector<laser_triangulation::ScanPoint> points;

@@ -22,7 +22,7 @@ using Names = std::vector<std::string>;
 
 namespace {
 
-/// As if the other lasers had not been taken.
+/// The observations without those of the other lasers.
 Observations only(Observations observations, const Names& lasers) {
   for (scan_calibration::ViewObservation& view : observations.views) {
     const auto lines = view.lines;
@@ -50,7 +50,7 @@ synthetic::Cell tilted() {
   return cell;
 }
 
-/// The old model: of the cell before, a little off, as models are.
+/// The old model: of the cell before the change, slightly wrong, as models are.
 ScannerModel old_model() {
   ScannerModel model = synthetic::Cell().scanner;
   model.camera.fx += 0.02;

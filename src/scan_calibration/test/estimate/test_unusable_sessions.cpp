@@ -40,7 +40,7 @@ std::string refused(const Observations& observations) {
   return "nothing";
 }
 
-/// Poses of each view replaced.
+/// Observations with the poses of all views replaced.
 Observations with_poses(const std::function<Isometry3d(const Isometry3d&)>& change) {
   Observations observations = good();
   for (ViewObservation& view : observations.views)
@@ -121,8 +121,8 @@ TEST(UnusableSession, OutOfStepByOneSaysWhichWay) {
       observations.views[static_cast<std::size_t>(i)].base_to_flange =
           original.views[from].base_to_flange;
     }
-    // The image of view i was recorded with the pose of its neighbour: it goes with the one on
-    // the other side of it.
+    // The image of view i was recorded with the pose of its neighbour on one side, so it goes with
+    // the neighbour on the other side.
     EXPECT_SAYS(refused(observations), shift > 0 ? "go with the pose of the view before it"
                                                  : "go with the pose of the view after it");
   }
@@ -188,8 +188,8 @@ TEST(UnusableSession, OfALaserThatNeverShowsNamesIt) {
 }
 
 TEST(UnusableSession, OfALaserOnOneLineSaysHowFarItSpreads) {
-  // Only views that show the line at one place: the board held at one pose to the camera, the
-  // others without it.
+  // The line is shown only in views with the board at the same pose to the camera; the other views
+  // lack it.
   Observations observations = good();
   const synthetic::Cell cell;
   synthetic::Poses poses;

@@ -13,7 +13,7 @@
 
 namespace synthetic {
 
-/// The rotation vector of the truth that is nearest to the one stated.
+/// The rotation vector of the truth that is nearest to the stated one.
 inline Eigen::Vector3d vector_near(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& stated) {
   const Eigen::AngleAxisd turn(rotation);
   const Eigen::Vector3d one = turn.angle() * turn.axis();
@@ -47,7 +47,7 @@ inline std::vector<double> true_parameters(const Cell& cell,
   return truth;
 }
 
-/// Stated deviations by which the worst parameter is off, and its name.
+/// The error of the worst parameter, in its stated deviations, and its name.
 inline std::pair<double, std::string> worst_miss(const Cell& cell,
                                                  const scan_calibration::Calibration& calibration) {
   const std::vector<double> truth = true_parameters(cell, calibration);

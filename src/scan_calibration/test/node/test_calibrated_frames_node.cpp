@@ -34,7 +34,7 @@ class CalibratedFramesNode : public testing::Test {
   tf2_ros::TransformListener listener_{buffer_};
 };
 
-/// Plays the trigger's node, and looks at the sheets as rviz does.
+/// Plays the trigger's node, and receives the sheets as rviz does.
 class SheetsOfLight : public testing::Test {
  protected:
   SheetsOfLight() {
@@ -61,7 +61,8 @@ class SheetsOfLight : public testing::Test {
     return seen_.count(laser) > 0 && seen_[laser].action == visualization_msgs::Marker::ADD;
   }
 
-  /// Whether it comes to this, with a pulse of `lasers` in each look (0: without pulses).
+  /// Whether a condition comes true, with a pulse of `lasers` before each check (0: without
+  /// pulses).
   bool comes_to(const std::function<bool()>& condition, int lasers) {
     constexpr int kLooks = 3000;  // a minute
     constexpr double kLook = 0.02;
@@ -81,7 +82,7 @@ class SheetsOfLight : public testing::Test {
   std::map<std::string, visualization_msgs::Marker> seen_;
 };
 
-/// What the node prints where it must end by itself.
+/// Output of the node when it must end by itself.
 std::string said_by(const std::string& arguments) {
   const std::string log =
       (fs::temp_directory_path() / ("frames_" + std::to_string(getpid()))).string();

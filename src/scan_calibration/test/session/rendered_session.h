@@ -9,7 +9,7 @@
 #include "board/rendered_board.h"
 #include "scan_calibration/session.h"
 
-/// A session that was taken of a rendered board, and what is true of it.
+/// A session of a rendered board, and its ground truth.
 struct RenderedSession {
   scan_calibration::Board board{9, 6, 0.02};
   scan_cell_common::ScannerModel truth;
@@ -23,9 +23,9 @@ struct RenderedSession {
 /// from 0.26 to 0.4 m, tilted by up to 35 degrees in all directions.
 RenderedSession example_session(int views);
 
-/// Takes its images and writes them to a folder: the board under the room's light, then each laser
-/// alone.
-/// @param lasers_in_board_image the first laser shines in the image of the board too, which is
+/// Renders its images and writes them to a folder: the board under the room's light, then each
+/// laser alone.
+/// @param lasers_in_board_image the first laser is also on in the image of the board, which is
 /// dark; no other image is taken
 /// @param samples of a pixel, squared
 /// @param names of the lasers that are on in turn

@@ -21,12 +21,12 @@ const Vector3d kTip(0.01, -0.02, 0.2);
 const Vector3d kPoint(0.9, 0.1, 0.05);
 constexpr double kDegree = M_PI / 180;
 
-/// The flange's pose with this orientation, in which the tip touches the point.
+/// The flange's pose with this orientation and the tip on the point.
 Isometry3d touching(const Eigen::Quaterniond& rotation) {
   return Eigen::Translation3d(kPoint - rotation * kTip) * rotation;
 }
 
-/// Pointing down, tilted by `tilt` towards each of `count` directions.
+/// Poses pointing down, tilted by `tilt` towards each of `count` directions.
 std::vector<Isometry3d> touching_around(int count, double tilt) {
   std::vector<Isometry3d> poses;
   for (int i = 0; i < count; ++i) {

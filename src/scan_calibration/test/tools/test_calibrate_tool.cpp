@@ -68,7 +68,7 @@ TEST_F(CalibrateTool, FindsTheScannerThatTheImagesWereTakenWith) {
   EXPECT_NEAR(model.camera.cx, truth.camera.cx, 0.5);
   EXPECT_LT((model.flange_to_camera.translation() - truth.flange_to_camera.translation()).norm(),
             3e-4);
-  // What the numbers mean together: a point of each laser's plane, in tool0.
+  // What the numbers mean together: a point on each laser's plane, in tool0.
   ASSERT_EQ(model.lasers.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     const Eigen::Vector3d ray(0.05, -0.03, 1);
@@ -130,7 +130,7 @@ TEST_F(CalibrateTool, EndsWithOneOnUnusableInput) {
 
 namespace {
 
-/// What stands in a file under an entry of the root, to the next.
+/// The text of a file from one entry of the root to the next.
 std::string entry(const std::string& text, const std::string& name, const std::string& next) {
   const std::size_t begin = text.find(name);
   return text.substr(begin, text.find(next, begin) - begin);
@@ -148,7 +148,7 @@ TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit
   laser.normal = Eigen::AngleAxisd(0.06, Eigen::Vector3d::UnitY()) * laser.normal;
   laser.distance = laser.normal.dot(Eigen::Vector3d(0, 0, 0.3));
   record(tilted, folder_ / "tilted", false, 3, {"laser_1"});
-  // Onto the model that it reads: the usual way
+  // Overwrites the model that it reads: the usual way
   ASSERT_EQ(run(folder_ / "tilted", "--lasers-alone --scanner " + path("scanner.yaml")), 0)
       << text("out.txt");
   const std::string after = text("scanner.yaml");
@@ -162,7 +162,7 @@ TEST_F(CalibrateTool, CalibratesALaserThatWasTiltedAndKeepsTheRestToTheLastDigit
   EXPECT_EQ(deviations[0], known[0]);
   EXPECT_GT(deviations[1], std::max(known[0], known[1])) << "camera and hand-eye are in it";
   EXPECT_LT(deviations[1], 1e-3);
-  // Either side of a plane is its normal's
+  // The normal may point to either side of the plane
   EXPECT_LT(model.laser(1).normal.cross(laser.normal).norm(), 2e-3);
   EXPECT_GT(old.laser(1).normal.cross(laser.normal).norm(), 0.05);
   const json report = json::parse(text("report.json"));

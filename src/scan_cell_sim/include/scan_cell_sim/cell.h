@@ -12,7 +12,7 @@
 
 namespace scan_cell_sim {
 
-/// What the simulated cell consists of, and its addresses.
+/// Contents and addresses of the simulated cell.
 struct CellOptions {
   scan_cell_common::ScannerModel scanner;  //!< as it truly is
   Eigen::Isometry3d base_link_in_world =
@@ -54,7 +54,7 @@ class Cell {
   /// @throw as Scene; the old world stays
   void set_world(const World& world);
 
-  std::shared_ptr<const Scene> scene() const;                 //!< that the next frame shows
+  std::shared_ptr<const Scene> scene() const;                 //!< shown by the next frame
   GigeCamera& camera() { return camera_; }                    //!< the camera on the wire
   TriggerCircuit& circuit() { return circuit_; }              //!< the circuit on the wire
   const TriggerCircuit& circuit() const { return circuit_; }  //!< the circuit on the wire

@@ -35,8 +35,8 @@ struct FiledEdge {
 };
 
 /// How a part differs in form from the reference: a smooth field of displacements in the part's own
-/// coordinates, the sum of its terms. It says where each point of the reference's material went, on
-/// the surface and off it.
+/// coordinates, the sum of its terms. It gives the new place of each point of the reference's
+/// material, on the surface and off it.
 class Deformation {
  public:
   using Term = std::variant<Bulge, Bend, FiledEdge>;  //!< one displacement
@@ -44,18 +44,18 @@ class Deformation {
   void add(const Term& term) { terms_.push_back(term); }  //!< displacements add up
   bool empty() const { return terms_.empty(); }           //!< no displacement
 
-  /// Where a point [m] of the undeformed part went.
+  /// New place of a point [m] of the undeformed part.
   Eigen::Vector3d apply(const Eigen::Vector3d& point) const;
 
   /// Derivative of apply().
   Eigen::Matrix3d jacobian(const Eigen::Vector3d& point) const;
 
-  /// The point of the undeformed part that went to `deformed`, by Newton's method.
+  /// The point of the undeformed part that moved to `deformed`, by Newton's method.
   /// @throw scan_cell_common::UnusableInput if there is none: the field folds, or the point is far
   /// off
   Eigen::Vector3d invert(const Eigen::Vector3d& deformed) const;
 
-  /// No second derivative of apply() around the point is larger [1/m].
+  /// Upper bound [1/m] of all second derivatives of apply() around the point.
   double curvature_bound(const Eigen::Vector3d& point) const;
 
  private:

@@ -31,7 +31,7 @@ struct Optics {
   std::uint64_t seed = 1;    //!< the same seed and frame give the same image
 };
 
-/// What the camera looks at in one frame.
+/// What the camera sees in one frame.
 struct Exposure {
   Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();  //!< camera_optical_frame in world
   std::uint8_t lasers = 0;                                   //!< bit mask: 1 laser_0, 2 laser_1

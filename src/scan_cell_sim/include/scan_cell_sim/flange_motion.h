@@ -8,7 +8,7 @@
 
 namespace scan_cell_sim {
 
-/// Where the flange truly is and was. Safe to ask from any thread.
+/// True pose of the flange, now and in the past. Safe to call from any thread.
 class FlangeMotion {
  public:
   virtual ~FlangeMotion() = default;

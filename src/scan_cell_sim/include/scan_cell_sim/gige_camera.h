@@ -12,7 +12,7 @@
 
 namespace scan_cell_sim {
 
-/// Where the camera is served, and its limits.
+/// Address and limits of the camera.
 struct CameraOptions {
   std::string address =
       "127.0.0.1";  //!< IPv4 of the interface to serve on; GigE Vision's port is fixed
@@ -34,11 +34,11 @@ struct CameraFaults {
   unsigned seed = 1;             //!< decides which frames and packets are lost
 };
 
-/// A GigE Vision camera with Aravis' registers and features (gige/control_server.h), whose sensor's
-/// image is given by a function. It runs freely or, in trigger mode with the source Line0, makes
-/// one frame for each pulse, rendered once its exposure is over. A frame's device time is the
-/// instant of its pulse on the host's clock. Frames go out at the pace of a real wire, and packets
-/// that got lost are sent again on request. All methods are safe to call from any thread.
+/// A GigE Vision camera with Aravis' registers and features (gige/control_server.h). A function
+/// renders its sensor's image. It runs freely or, in trigger mode with the source Line0, makes one
+/// frame for each pulse, rendered once its exposure is over. A frame's device time is the instant
+/// of its pulse on the host's clock. Frames go out at the pace of a real wire, and lost packets are
+/// sent again on request. All methods are safe to call from any thread.
 class GigeCamera {
  public:
   /// What to render: the instant and the lasers.
@@ -52,7 +52,7 @@ class GigeCamera {
   /// Draws a frame: region.width x region.height grey values, row by row.
   using Render = std::function<void(const Shot&, const Region&, std::uint8_t* pixels)>;
 
-  /// What became of the pulses.
+  /// Counts of what happened to the pulses.
   struct Counts {
     std::uint64_t pulses = 0;           //!< all
     std::uint64_t ignored = 0;          //!< not acquiring, or not in trigger mode
@@ -76,7 +76,7 @@ class GigeCamera {
   void pulse(const TriggerCircuit::Pulse& pulse);  //!< of the trigger circuit
   void set_faults(const CameraFaults& faults);     //!< they replace the previous ones
 
-  /// Without power it does not answer; powered up again it has forgotten its settings.
+  /// Without power the camera does not answer; powered up again, it has forgotten its settings.
   /// @throw scan_cell_common::ConnectionError if the address cannot be served
   void set_power(bool on);
   bool has_power() const;  //!< see set_power()

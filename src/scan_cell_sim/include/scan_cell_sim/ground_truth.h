@@ -11,7 +11,7 @@
 
 namespace scan_cell_sim {
 
-/// How far points are from the true surfaces.
+/// Distances of points from the true surfaces.
 struct CloudError {
   std::size_t points = 0;  //!< compared
   double rms = 0;          //!< [m]
@@ -19,7 +19,8 @@ struct CloudError {
   double max = 0;          //!< [m]
 };
 
-/// @throw scan_cell_common::UnusableInput if there is no point, one is not finite, or no surface
+/// @throw scan_cell_common::UnusableInput if there is no point, a point is not finite, or there is
+/// no surface
 CloudError compare(const Scene& truth, const std::vector<Eigen::Vector3d>& points);
 
 /// Points evenly spread over the surfaces visible from straight above, each moved along the

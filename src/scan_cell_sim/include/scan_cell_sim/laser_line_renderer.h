@@ -15,11 +15,11 @@ namespace scan_cell_sim {
 class AmbientLight;
 class SensorNoise;
 
-/// Renders the laser lines as the camera sees them: each fan of light is followed from its
-/// projector to the first surface, and the lit point is drawn where the lens projects it, if
-/// nothing is between it and the camera. In each image row a line is centred on its exact
-/// sub-pixel column. Ambient light is added below the lines. The same frame number gives
-/// the same image. Safe to use from several threads at once.
+/// Renders the laser lines as the camera sees them. Each fan of light is followed from its
+/// projector to the first surface; the lit point is drawn where the lens projects it, if nothing is
+/// between it and the camera. In each image row a line is centred on its exact sub-pixel column.
+/// Ambient light is added below the lines. The same frame number gives the same image. Safe to use
+/// from several threads at once.
 class LaserLineRenderer {
  public:
   /// @param scanner as it truly is
@@ -32,7 +32,8 @@ class LaserLineRenderer {
   const scan_cell_common::ScannerModel& scanner() const { return scanner_; }  //!< as it truly is
 
  private:
-  /// Fan of one laser: directions axis + t * across, t being the tangent of the angle in the fan.
+  /// Fan of one laser: directions axis + t * across, where t is the tangent of the angle in the
+  /// fan.
   struct Fan {
     Eigen::Vector3d origin, axis, across;  // in camera_optical_frame
   };

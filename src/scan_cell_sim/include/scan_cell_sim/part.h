@@ -10,7 +10,7 @@
 namespace scan_cell_sim {
 
 /// A part in the world, known exactly. Its own coordinates are those of the undeformed shape; a
-/// point of its material moves to pose * (scale * deformation(point)).
+/// point of its material is moved to pose * (scale * deformation(point)).
 struct Part {
   std::string name;                                        //!< in its world
   Shape shape;                                             //!< undeformed
@@ -22,7 +22,7 @@ struct Part {
   /// Place in world of a point [m] of the undeformed part.
   Eigen::Vector3d to_world(const Eigen::Vector3d& point) const;
 
-  /// Direction in world that a surface normal of the undeformed part turns into at `point`.
+  /// Direction in world of the surface normal of the undeformed part at `point`, after deformation.
   Eigen::Vector3d normal_to_world(const Eigen::Vector3d& point,
                                   const Eigen::Vector3d& normal) const;
 
@@ -35,10 +35,10 @@ struct Part {
   Mesh mesh(double tolerance) const;
 };
 
-/// The true image on `object` of a tool pose on `reference`: the same point of the same material,
-/// with z against the surface normal there and x along the image of its x. The pose's z must be
-/// against the reference's surface normal.
-/// @throw scan_cell_common::UnusableInput if the point is not of the reference, or the two parts
+/// The true image on `object` of a tool pose on `reference`: at the same point of the same
+/// material, with z against the surface normal there and x along the image of the pose's x. The
+/// pose's z must be against the reference's surface normal.
+/// @throw scan_cell_common::UnusableInput if the point is not on the reference, or the two parts
 /// have different shapes
 Eigen::Isometry3d true_image(const Part& reference, const Part& object,
                              const Eigen::Isometry3d& pose);

@@ -31,11 +31,11 @@ class Scene {
   /// @throw scan_cell_common::UnusableInput if a part's deformation folds it
   explicit Scene(const World& world);
 
-  /// A scene of only one part, without the floor.
+  /// A scene of one part alone, without the floor.
   /// @throw scan_cell_common::UnusableInput as above, or if there is no such part
   Scene(const World& world, const std::string& part);
 
-  /// A scene of surfaces that are no shapes of the simulator's.
+  /// A scene of surfaces that are not shapes of the simulator.
   /// @param surfaces [m] numbered from 0 in Hit::surface
   /// @param reflectance 0 .. 1, of all
   Scene(const std::vector<Mesh>& surfaces, double reflectance);

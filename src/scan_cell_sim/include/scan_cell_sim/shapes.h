@@ -26,7 +26,8 @@ struct Sheet {
 };
 
 /// Photo frame: a rectangular ring of moulding (moulding.h), centred on its own origin, standing on
-/// z = 0, with a hanger outside its +x side near the +y corner, which no half turn maps to itself.
+/// z = 0. A hanger outside its +x side near the +y corner makes it differ from itself after a half
+/// turn.
 struct FrameShape {
   Eigen::Vector2d size = {0.200, 0.150};  //!< [m] outside
   std::optional<Sheet> sheet;             //!< in its opening, if any
@@ -47,7 +48,7 @@ struct ElbowShape {
 
 using Shape = std::variant<FrameShape, BoxShape, ElbowShape>;  //!< of a part
 
-/// Where the hanger of a frame is: lower and upper corner of its foot and its height [m].
+/// Position of a frame's hanger: lower and upper corner of its foot and its height [m].
 struct Hanger {
   Eigen::Vector3d least;  //!< lower corner
   Eigen::Vector3d most;   //!< upper corner
@@ -55,7 +56,7 @@ struct Hanger {
 Hanger hanger_of(const FrameShape& frame);  //!< of an undeformed frame
 
 /// Surface of the undeformed shape, fine enough that no flat triangle is more than `tolerance` [m]
-/// from the surface, even after `deformation` is applied to its vertices.
+/// off the surface, even after `deformation` is applied to its vertices.
 Mesh tessellate(const Shape& shape, const Deformation& deformation, double tolerance);
 
 }  // namespace scan_cell_sim

@@ -22,10 +22,10 @@ using ToolPath = std::vector<Eigen::Isometry3d>;
 ToolPath crest_path(const Part& frame, double spacing);
 
 /// A tool path as it would be taught on a part: around the crest of a frame, to and fro over its
-/// sheet where it has one, around the top of a box and back, or along the top of an elbow; x of
-/// each pose points along the path.
-/// @param spacing [m] as of crest_path()
-/// @throw scan_cell_common::UnusableInput if a sheet bulges, rather than by a deformation
+/// sheet if it has one, around the top of a box and back, or along the top of an elbow; x of each
+/// pose points along the path.
+/// @param spacing [m] as in crest_path()
+/// @throw scan_cell_common::UnusableInput if a sheet bulges by its shape instead of a deformation
 /// @throw scan_cell_common::InvalidParameter if the spacing is too small or NaN
 ToolPath taught_path(const Part& part, double spacing);
 
@@ -38,7 +38,7 @@ ToolPath true_image(const Part& reference, const Part& object, const ToolPath& p
 /// @throw scan_cell_common::UnusableInput naming the line that makes no sense
 ToolPath load_tool_path(const std::string& path);
 
-/// Writes them as load_tool_path() reads them, whole or not at all.
+/// Writes poses as load_tool_path() reads them, whole or not at all.
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_tool_path(const std::string& file, const ToolPath& path);
 

@@ -28,7 +28,7 @@ class TriggerCircuit {
     std::uint8_t lasers = 0;                 //!< bit mask of the lasers that are on: 1, 2
   };
 
-  /// Of the circuit's lines.
+  /// State of the circuit's lines.
   struct State {
     std::uint8_t lasers = 0;        //!< mask of those that are on
     bool pulse_line = false;        //!< level of the camera's line
@@ -56,9 +56,9 @@ class TriggerCircuit {
   void observe(const Observer& observer);
   State state() const;  //!< of this moment
 
-  /// For how much of an interval of host time each laser was on, 0 .. 1. All that was sent before
-  /// this call counts, and what comes later is taken to change nothing. The observer may hear of
-  /// pulses in the caller's thread.
+  /// For what share of an interval of host time each laser was on, 0 .. 1. Everything sent before
+  /// this call counts; later datagrams are assumed to change nothing. The observer may be called
+  /// with pulses in the caller's thread.
   std::array<double, 2> lit(scan_cell_common::Nanoseconds begin, scan_cell_common::Nanoseconds end);
 
   /// Without power nobody listens on the port, and all lines are low.
@@ -66,7 +66,7 @@ class TriggerCircuit {
   void set_power(bool on);
 
  private:
-  /// From then on these lasers are on.
+  /// From `time` on, these lasers are on.
   struct Change {
     scan_cell_common::Nanoseconds time = 0;
     std::uint8_t lasers = 0;

@@ -55,7 +55,7 @@ Exposure from_above() {
   return exposure;
 }
 
-/// Frames of a scan.
+/// Times the frames of a scan.
 void time_lines(const LaserLineRenderer& renderer, const std::string& world) {
   const Scene scene(load_world(world));
   Buffer buffer(Region{336, 599, 1024, 512});
@@ -71,7 +71,7 @@ void time_lines(const LaserLineRenderer& renderer, const std::string& world) {
   }
 }
 
-/// Full images of a board in ambient light; the first one prepares the rays for the others.
+/// Times full images of a board in ambient light; the first one prepares the rays for the others.
 void time_images(const LaserLineRenderer& renderer, const std::string& world) {
   constexpr int kImages = 10;  // chosen
   const Scene scene(load_world(world));

@@ -61,7 +61,7 @@ void Cell::render(const GigeCamera::Shot& shot, const Region& region, std::uint8
   Exposure exposure;
   exposure.camera = options_.base_link_in_world * truth.flange * options_.scanner.flange_to_camera;
   exposure.duration = shot.exposure;
-  // An exposure of no length sees what is on.
+  // An exposure without duration sees what is on at its instant.
   const Nanoseconds length =
       std::max<Nanoseconds>(scan_cell_common::from_seconds(shot.exposure), 1);
   exposure.light = circuit_.lit(shot.time, shot.time + length);

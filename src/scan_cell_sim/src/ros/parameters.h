@@ -17,16 +17,16 @@ struct Parameters {
   std::string world;
   std::string scanner;
   std::string cell;
-  CellOptions options;  //!< without what scanner and cell file tell
+  CellOptions options;  //!< without what the scanner and cell files give
   ControllerOptions controller;
   double true_flange_rate = 10;  //!< [Hz]
 };
 
-/// With range, unit and meaning of each.
+/// Describes each parameter: range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
-/// Names the package's own files where none are given.
-/// @param config the package's folder of these
+/// Fills in the package's own files where none are given.
+/// @param config the folder with these files
 void complete(Parameters& parameters, const std::string& config);
 
 }  // namespace scan_cell_sim

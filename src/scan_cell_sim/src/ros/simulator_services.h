@@ -25,7 +25,7 @@ class SimulatorServices {
   bool set(scan_cell_msgs::SetFaults::Request& request,
            scan_cell_msgs::SetFaults::Response& response);
   void apply(const scan_cell_msgs::SetFaults::Request& request);
-  /// Does what somebody at the controller's panel would.
+  /// Acts as somebody at the controller's panel would.
   void attend(const scan_cell_msgs::SetFaults::Request& request);
   void publish_parts(const World& world);
   void publish_robot(const ros::WallTimerEvent& event);

@@ -22,7 +22,7 @@ namespace {
 using scan_cell_sim::ControllerOptions;
 using scan_cell_sim::Panel;
 
-/// SIGINT and SIGTERM as a descriptor to read, for all threads.
+/// SIGINT and SIGTERM, for all threads, as a descriptor to read.
 int ending_signals() {
   sigset_t signals;
   sigemptyset(&signals);

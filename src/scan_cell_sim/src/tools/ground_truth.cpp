@@ -81,7 +81,7 @@ void add_units(CLI::App& command, Options& options) {
       ->capture_default_str();
 }
 
-/// @param work becomes what the command given does
+/// @param work becomes the action of the given command
 void add_commands(CLI::App& app, Options& o, Outputs& outputs, std::function<void()>& work) {
   CLI::App* const cloud = app.add_subcommand(
       "cloud", "Distance of a cloud in the frame world to the true surfaces [mm]");

@@ -34,7 +34,7 @@ double number(const std::string& text) {
   throw InvalidParameter("number", "'" + text + "'", "give one such as 0.3");
 }
 
-/// A command's text, to its last word.
+/// The text after the command's word, without blanks around it.
 std::string rest_of(const std::string& line) {
   const char* const blanks = " \t\r";
   const std::size_t word_end = line.find_first_of(blanks, line.find_first_not_of(blanks));

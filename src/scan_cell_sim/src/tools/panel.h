@@ -9,7 +9,8 @@
 
 namespace scan_cell_sim {
 
-/// The fault's number in WireFaults from what a person writes: milliseconds, or a share.
+/// Sets a fault's number in WireFaults from the value that a person writes: milliseconds, or a
+/// share.
 /// @throw scan_cell_common::InvalidParameter if there is none of this name
 void set_fault(WireFaults& faults, const std::string& name, double value);
 

@@ -39,7 +39,7 @@ struct Received {
   std::vector<std::uint8_t> pixels;
 };
 
-/// A GigE Vision client as a product has it: Aravis.
+/// A GigE Vision client as in a product: Aravis.
 class Client {
  public:
   Client() {
@@ -102,7 +102,7 @@ class Client {
 
   int broken() const { return broken_; }
 
-  /// Packets that came because they were asked for again.
+  /// Packets that were resent on request.
   std::uint64_t resent() const {
     guint64 resent = 0, missing = 0;
     arv_gv_stream_get_statistics(ARV_GV_STREAM(stream_), &resent, &missing);
@@ -134,7 +134,7 @@ inline CameraOptions camera_options() {
   return options;
 }
 
-/// Pixels that tell everything about the shot they show.
+/// Pixels that encode everything about the shot.
 inline void draw_shot(const GigeCamera::Shot& shot, const Region& region, std::uint8_t* pixels) {
   const auto seed = static_cast<std::uint64_t>(shot.time) + shot.lasers + shot.frame;
   for (int i = 0; i < region.width * region.height; ++i) {
@@ -145,7 +145,7 @@ inline void draw_shot(const GigeCamera::Shot& shot, const Region& region, std::u
 
 class CameraTest : public testing::Test {
  protected:
-  /// Pulses until the camera takes one: its acquisition begins a little after it was told to.
+  /// Pulses until the camera takes one: its acquisition begins a little after the command.
   Nanoseconds first_pulse(std::uint8_t lasers) {
     Nanoseconds time = 0;
     EXPECT_TRUE(wait_until([&] {

@@ -112,7 +112,7 @@ TEST_F(CameraTest, GarbageOnTheControlPortHarmsNothing) {
   EXPECT_FALSE(client.next().pixels.empty());
 }
 
-/// Takes control with plain packets and starts the camera, then never speaks again.
+/// Takes control with plain packets and starts the camera, then stays silent.
 void take_control_and_vanish() {
   const int handle = socket_to(kControlPort);
   const auto write_register = [handle](std::uint16_t address, std::uint8_t value) {

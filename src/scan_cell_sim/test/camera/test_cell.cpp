@@ -16,7 +16,7 @@
 namespace scan_cell_sim {
 namespace {
 
-/// Straight up with a known speed, from 0.4 m over the floor.
+/// Motion straight up with a known speed, from 0.4 m over the floor.
 class Rising : public FlangeMotion {
  public:
   explicit Rising(Nanoseconds begin) : begin_(begin) {}
@@ -34,7 +34,7 @@ class Rising : public FlangeMotion {
   Nanoseconds begin_;
 };
 
-/// Camera in the flange; laser_0's plane passes 0.25 - height / 2 left of it.
+/// A cell with the camera in the flange; laser_0's plane passes 0.25 - height / 2 left of it.
 CellOptions plain_cell() {
   CellOptions options;
   auto& camera = options.scanner.camera;
@@ -134,8 +134,8 @@ TEST(Cell, ThreeHundredPulsesAtAHundredHertzGiveThreeHundredFramesOfTheirPoses) 
   EXPECT_LT(worst, 0.05);
 }
 
-/// 0.4 m over the floor, where both lines are 100 px from the middle: laser_0's left, laser_1's
-/// right.
+/// At rest 0.4 m over the floor, where both lines are 100 px from the middle: laser_0's to the
+/// left, laser_1's to the right.
 class Still : public FlangeMotion {
  public:
   Eigen::Isometry3d flange_at(Nanoseconds) const override { return Rising(0).flange_at(0); }

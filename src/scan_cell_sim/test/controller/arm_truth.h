@@ -13,7 +13,7 @@
 #include "scan_cell_sim/controller/kinematics.h"
 #include "scan_cell_sim/controller/refusal.h"
 
-/// What the tests of the emulated controller's motions hold it against.
+/// The ground truth for the tests of the emulated controller's motions.
 
 constexpr scan_cell_common::Nanoseconds kStart = 1'700'000'000'000'000'000;  // of the host
 constexpr double kDegree = M_PI / 180;
@@ -29,8 +29,8 @@ inline Eigen::Isometry3d looking_down(double x, double y, double z) {
   return pose;
 }
 
-/// Product of exponentials (Lynch and Park 2017) from the data sheet's lengths: every axis where it
-/// lies with all joints at zero, the arm upright.
+/// Product of exponentials (Lynch and Park 2017) from the data sheet's lengths. Each axis is where
+/// it lies with all joints at zero and the arm upright.
 inline Eigen::Isometry3d product_of_exponentials(const scan_cell_sim::Joints& q) {
   const Eigen::Vector3d shoulder(0.150, 0, 0.450);
   const Eigen::Vector3d elbow = shoulder + Eigen::Vector3d(0, 0, 0.590);

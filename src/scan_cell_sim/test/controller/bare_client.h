@@ -14,7 +14,7 @@
 #include "controller/wire/wire_json.h"
 #include "scan_cell_sim/controller/controller.h"
 
-/// The controller asked on its real wire, with packets written out by hand.
+/// Requests to the controller on its real wire, with packets written out by hand.
 
 using nlohmann::json;
 using scan_cell_common::Nanoseconds;
@@ -25,7 +25,7 @@ inline scan_cell_sim::ControllerOptions any_port() {
   return options;
 }
 
-/// A client that says exactly what it is told to.
+/// A client that sends exactly what it is told.
 class BareClient {
  public:
   explicit BareClient(std::uint16_t port) : socket_(socket_to(port)) {}
@@ -57,7 +57,7 @@ class BareClient {
     return datagram;
   }
 
-  /// Drops what has come: a full receive buffer takes no answer any more.
+  /// Drops what has arrived: a full receive buffer cannot take an answer.
   void drain() {
     while (!receive(0).is_null()) {
     }

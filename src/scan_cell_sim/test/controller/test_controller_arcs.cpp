@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Arcs of the emulated arm, held against circles in closed form and against motions of one axis,
-/// which move the flange on a circle and turn it with it.
+/// Arcs of the emulated arm, compared with circles in closed form and with motions of one axis,
+/// which move the flange on a circle and turn it along.
 #include <memory>
 #include <string>
 
@@ -29,7 +29,7 @@ Joints with_j1(double degrees_of_j1) {
   return degrees(degrees_of_j1, 0, -90, 0, 70, 0);
 }
 
-/// Turned by J5 alone, 95 mm round the wrist's centre.
+/// Posture turned by J5 alone, 95 mm round the wrist's centre.
 Joints with_j5(double degrees_of_j5) {
   return degrees(0, 0, -90, 0, degrees_of_j5, 0);
 }
@@ -80,7 +80,7 @@ class Arc : public testing::Test {
     return control_->state(kStart + from_seconds(seconds));
   }
 
-  /// How far the arm's own pose is from that of the definition, at its progress.
+  /// Checks how far the arm's pose is from that of the definition, at the arm's progress.
   void expect_on_the_arc(const scan_cell_sim::MotionState& state) {
     const Isometry3d arm = product_of_exponentials(state.joints);
     const Isometry3d expected = truth(state.progress * end_);
@@ -239,7 +239,7 @@ TEST(ArcOfOneAxis, IsRefusedWhereItPassesASingularPosture) {
 }
 
 TEST(ArcThatLeavesTheReach, IsRefusedThoughItsThreePosesAreWithin) {
-  // stretched out the wrist's centre is 1.376 m from the base at this height
+  // with the arm stretched out, the wrist's centre is 1.376 m from the base at this height
   const auto on_circle = [](double angle) {
     return looking_down(0.9 + 0.5 * std::cos(angle * kDegree), 0.5 * std::sin(angle * kDegree),
                         0.6);

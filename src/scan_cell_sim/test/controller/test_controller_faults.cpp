@@ -1,8 +1,8 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// What is wrong with a wire and a controller on request: the wire by itself in time that is made
-/// up, and both together on real sockets.
+/// Faults of a wire and a controller on request: the wire by itself in simulated time, and both
+/// together on real sockets.
 #include <atomic>
 #include <cmath>
 #include <mutex>
@@ -23,7 +23,7 @@ using scan_cell_sim::WireFaults;
 
 namespace {
 
-/// Datagrams sent one a millisecond through a wire, each with its number as the text.
+/// Datagrams sent through a wire, one per millisecond, each with its number as the text.
 class Passage {
  public:
   Passage(const WireFaults& faults, unsigned seed, int count = 20000) : count_(count) {
@@ -49,7 +49,7 @@ class Passage {
   };
   const std::vector<Arrival>& came() const { return came_; }
 
-  /// [ns] How late each came that is as it was sent.
+  /// [ns] Delay of each datagram that arrived unchanged.
   std::vector<Nanoseconds> delays() const {
     std::vector<Nanoseconds> result;
     for (const Arrival& arrival : came_)

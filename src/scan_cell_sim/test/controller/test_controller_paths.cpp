@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Whole paths of the tool on the emulated arm, held against lines, zones and speeds in closed
+/// Whole paths of the tool on the emulated arm, compared with lines, zones and speeds in closed
 /// form.
 #include "controller/tool_path_test.h"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The controller on its real wire, asked with packets written out by hand.
+/// The controller on its real wire, with requests written out by hand.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 class Wire : public testing::Test {
  protected:
-  /// States until the first that does not move.
+  /// States until the first in which the robot stands still.
   std::vector<json> stream_until_still(BareClient& client) {
     std::vector<json> states;
     while (true) {

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The lines that are typed at controller_only.
+/// The lines typed into controller_only.
 #include "../src/tools/panel.h"
 #include "controller/bare_client.h"
 

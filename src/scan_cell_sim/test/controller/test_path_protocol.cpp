@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Paths of the tool on the wire: loaded in pieces, followed only when they are whole.
+/// Paths of the tool on the wire: loaded in pieces, followed only when whole.
 #include <gtest/gtest.h>
 
 #include <boost/crc.hpp>
@@ -59,7 +59,8 @@ class PathOnTheWire : public testing::Test {
                 {"watch", watch}});
   }
 
-  /// Of three waypoints from where the robot stands; the acknowledgement of the last piece.
+  /// Loads a path of three waypoints from the robot's position; returns the acknowledgement of the
+  /// last piece.
   json load_whole() {
     load(5, 3);
     piece(5, 0, {waypoint(800, 0)});

@@ -9,7 +9,7 @@
 #include "controller/motion/motion_control.h"
 #include "scan_cell_sim/controller/controller.h"
 
-/// A path of the tool followed by the emulated arm, looked at every millisecond of its own time.
+/// A path of the tool followed by the emulated arm, sampled every millisecond of its own time.
 
 constexpr double kStep = 1e-3;  // [s]
 
@@ -21,7 +21,7 @@ struct Sample {
   scan_cell_sim::MotionState state;
 };
 
-/// A tool that points aside, so that its turning moves the flange.
+/// A tool that points sideways, so that its turning moves the flange.
 inline Eigen::Isometry3d crooked_tool() {
   Eigen::Isometry3d tool = Eigen::Isometry3d::Identity();
   tool.translation() << 0.04, -0.02, 0.15;
@@ -33,12 +33,12 @@ class ToolPaths : public testing::Test {
  protected:
   using Waypoints = std::vector<scan_cell_sim::TipWaypoint>;
 
-  /// Where the tip stands, and the tool as it is turned there.
+  /// Pose of the tip at the start, with the tool as it is turned there.
   Eigen::Isometry3d start() const {
     return scan_cell_sim::flange_of(scan_cell_sim::Controller::start_posture()) * tool_;
   }
 
-  /// From the start by steps [mm], each with a speed [mm/s], a zone [mm] and outputs.
+  /// Adds a waypoint, a step [mm] from the one before, with speed [mm/s], zone [mm] and outputs.
   void add(double x, double y, double z, double speed, double zone, std::uint32_t outputs = 0,
            double turn = 0) {
     if (waypoints_.empty()) waypoints_.push_back({start(), 0.05, 0, 0});
@@ -54,14 +54,14 @@ class ToolPaths : public testing::Test {
     return kStart + scan_cell_common::from_seconds(seconds);
   }
 
-  /// The tip by the joints, so that these are right too.
+  /// The sample at a time, with the tip computed from the joints, so that these are tested too.
   Sample at(double seconds) const {
     const auto state = control_.state(instant(seconds));
     const Eigen::Isometry3d tip = product_of_exponentials(state.joints) * tool_;
     return {seconds, tip.translation(), tip.linear(), state};
   }
 
-  /// Until it stands.
+  /// Samples until the robot stands.
   std::vector<Sample> all() const {
     std::vector<Sample> samples{at(0)};
     while (samples.back().state.status == scan_cell_sim::MotionStatus::kMoving &&
@@ -82,7 +82,7 @@ class ToolPaths : public testing::Test {
     return least;
   }
 
-  /// [m] how far the tip is outside of all zones, or inside if it is negative.
+  /// [m] distance of the tip from the zones; negative inside a zone.
   double outside_zones(const Eigen::Vector3d& tip, double margin = 0) const {
     double least = 1;
     for (const auto& waypoint : waypoints_)

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The controller's faults over the simulator's service, seen on its wire.
+/// The controller's faults, set by the simulator's service and seen on the wire.
 #include <ros/ros.h>
 #include <scan_cell_msgs/SetFaults.h>
 
@@ -34,7 +34,7 @@ class RobotFaults : public testing::Test {
   json ask(const json& request) { return client_.ask(++seq_, request); }
   json state() { return ask({{"cmd", "GET_STATIC_POSE"}})["state"]; }
 
-  /// What answers a request that is sent until something does.
+  /// The answer to a request that is repeated until there is one.
   json answer_at_last(json request) {
     request.update({{"c4g", 1}, {"session", 100}, {"seq", ++seq_}});
     json answer = nullptr;

@@ -30,8 +30,8 @@ enum class Trigger {
   kExternal  //!< one frame a pulse
 };
 
-/// Part of the sensor that is read out [px]. Width or height 0: all that is right of or below the
-/// offset.
+/// Part of the sensor that is read out [px]. Width or height 0: from the offset to the sensor's
+/// edge.
 struct Region {
   int x = 0;       //!< [px] first column
   int y = 0;       //!< [px] first row
@@ -48,9 +48,9 @@ inline bool operator!=(const Region& a, const Region& b) {
   return !(a == b);
 }
 
-/// What a camera is set to before it starts. An empty optional leaves the camera's own value.
+/// Settings of a camera before it starts. An empty optional leaves the camera's own value.
 struct CameraSettings {
-  Region region;                         //!< that is read out
+  Region region;                         //!< part of the sensor to read out
   std::optional<double> exposure;        //!< [s]
   std::optional<double> gain;            //!< [dB], or the camera's own unit
   std::optional<double> rate;            //!< [Hz] of free run
@@ -61,7 +61,7 @@ struct CameraSettings {
   std::string pixel_format = "Mono8";  //!< GenICam PixelFormat; one of pixel_format_names()
 };
 
-/// A camera as it describes itself.
+/// A camera's description of itself.
 struct CameraDescription {
   std::string id;                            //!< to open it again
   std::string vendor;                        //!< as the camera reports it
@@ -108,7 +108,7 @@ struct Frame {
   std::string fault;                   //!< why the frame cannot be used; empty: it can
 };
 
-/// The camera will never send a frame again: its recording has ended.
+/// Thrown when the camera will never send a frame again: its recording has ended.
 class StreamEnded : public scan_cell_common::Error {
  public:
   using Error::Error;
@@ -134,7 +134,7 @@ class Camera {
   virtual void set_exposure(double exposure) = 0;
 
   /// @throw scan_cell_common::Refused while running
-  /// @throw MissingFeature if the camera cannot be triggered so
+  /// @throw MissingFeature if the camera does not support this trigger
   virtual void start(Trigger trigger) = 0;
 
   /// Does nothing if the camera is stopped.

@@ -9,13 +9,13 @@
 
 namespace tecnogamma_camera {
 
-/// An image of 8 or 16 bit grey pixels. Grey that was saved as colour, its channels all the same,
-/// becomes grey.
+/// Loads an image of 8 or 16 bit grey pixels. A colour image whose channels are all equal becomes
+/// grey.
 /// @throw scan_cell_common::FileError if it is missing, not an image, or truncated
 /// @throw scan_cell_common::UnusableInput if its pixels are of another kind
 cv::Mat load_grey_image(const std::string& path);
 
-/// The view of an image of 8 or 16 bit grey pixels, which must outlive it.
+/// A view of an image of 8 or 16 bit grey pixels. The image must outlive the view.
 GreyImage grey_view(const cv::Mat& image);
 
 }  // namespace tecnogamma_camera

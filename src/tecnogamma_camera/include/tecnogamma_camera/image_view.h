@@ -47,7 +47,7 @@ struct GreyImage : ImageView<void> {
   }
 };
 
-/// Calls `visitor` with the ImageView8 or ImageView16 that the image is.
+/// Calls `visitor` with the image as an ImageView8 or ImageView16, whichever it is.
 template <class Visitor>
 void visit(const GreyImage& image, const Visitor& visitor) {
   if (image.bytes_per_pixel() == 2) {

@@ -21,7 +21,7 @@ struct DecodedFrame {
   std::uint32_t packets_lost = 0;          //!< as the camera reports; then neither peaks nor pixels
   std::uint32_t impossible_peaks = 0;      //!< left out of `peaks`
   bool has_peaks = false;                  //!< false: an image
-  PeakProfile peaks;                       //!< where it has them
+  PeakProfile peaks;                       //!< if has_peaks
   ImageView8 image;                  //!< its region; with pixels if the payload holds an image
   std::vector<std::uint8_t> pixels;  //!< of `image`, if they are not in the payload
 };
@@ -36,7 +36,7 @@ class PayloadDecoder {
 
   /// Reads the payload's settings from the camera. Call it at each start, before decode().
   /// @throw scan_cell_common::InvalidParameter naming a setting the camera does not report
-  /// @throw scan_cell_common::UnusableInput if it sends what cannot be read
+  /// @throw scan_cell_common::UnusableInput if the camera sends data that cannot be read
   virtual void adapt(const FeatureReader& feature) = 0;
 
   /// Corrects the sensor and the counter in a description.

@@ -13,13 +13,13 @@ namespace tecnogamma_camera {
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_peaks(const std::string& path, const PeakProfile& profile);
 
-/// Reads what save_peaks() wrote: element 0 is the first row that the file names, rows that it does
-/// not name have no peak.
+/// Reads what save_peaks() wrote. Element 0 is the first row in the file; rows that are not in the
+/// file have no peak.
 /// @throw scan_cell_common::FileError if it is missing or unreadable
 /// @throw scan_cell_common::UnusableInput naming the line that makes no sense
 PeakProfile load_peaks(const std::string& path);
 
-/// The same from the text of such a file. @param name of the text, in errors
+/// The same from the text of such a file. @param name name of the text in error messages
 PeakProfile parse_peaks(const std::string& text, const std::string& name);
 
 }  // namespace tecnogamma_camera

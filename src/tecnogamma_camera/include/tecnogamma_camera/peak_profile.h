@@ -10,8 +10,8 @@ namespace tecnogamma_camera {
 /// The value of a row without a peak.
 constexpr float kNoPeak = std::numeric_limits<float>::quiet_NaN();
 
-/// The laser line of one frame: one element a row in each array, from sensor row first_row
-/// downwards; quiet NaN in all three where the row has no peak. Pixel centres are whole numbers.
+/// The laser line of one frame. Each array has one element a row, from sensor row first_row
+/// downwards; all three are quiet NaN if the row has no peak. Pixel centres are whole numbers.
 struct PeakProfile {
   int first_row = 0;             //!< [px] sensor row of element 0
   std::vector<float> position;   //!< [px] sensor column of the peak

@@ -32,15 +32,15 @@ struct Photonfocus3D03Settings {
   void check() const;
 };
 
-/// Reads the frames of a Photonfocus MV1-D2048-3D03 with one peak. In 3Donly each of the combined
-/// frames has five rows: the 2D line, and four of 3D data. In 2D&3D the scan area comes before
-/// them. The filler of a combined frame that was cut short is left out.
+/// Reads the frames of a Photonfocus MV1-D2048-3D03 with one peak. In 3Donly each combined frame
+/// has five rows: the 2D line, and four of 3D data. In 2D&3D the scan area comes before them. The
+/// filler of a combined frame that was cut short is left out.
 ///
-/// The camera finds one peak a column, this suite has one peak a row: the sensor is taken as turned
-/// by a quarter. Column u of the turned sensor is the sensor's row u, row v is its column
-/// sensor_columns - 1 - v (turned, not mirrored, so that a pinhole model still fits); images are
-/// turned alike. Intensity is the middle of the range of grey values given by the height.
-/// Written from the manual, never tested on the camera.
+/// The camera finds one peak a column, but this suite needs one peak a row, so the sensor is
+/// treated as turned by a quarter. Column u of the turned sensor is the sensor's row u; row v is
+/// its column sensor_columns - 1 - v (turned, not mirrored, so that a pinhole model still fits).
+/// Images are turned in the same way. Intensity is the middle of the range of grey values given by
+/// the height. Written from the manual, never tested on the camera.
 class Photonfocus3D03Decoder : public PayloadDecoder {
  public:
   /// @throw scan_cell_common::InvalidParameter naming the setting that is out of range

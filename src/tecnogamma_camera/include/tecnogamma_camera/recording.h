@@ -13,12 +13,12 @@
 
 namespace tecnogamma_camera {
 
-/// Frames that were recorded, in their order.
+/// Recorded frames, in their order.
 class Recording {
  public:
   virtual ~Recording() = default;
 
-  /// The recorded camera, as far as it is known.
+  /// The recorded camera, as far as the recording describes it.
   virtual CameraDescription describe() = 0;
 
   /// The next frame; none at the end. Its pixels are valid until the next call; host_time is 0: it
@@ -33,7 +33,7 @@ class Recording {
 /// @throw scan_cell_common::Error if it cannot be used
 using OpenRecording = std::function<std::unique_ptr<Recording>(const std::string& path)>;
 
-/// By the word before the colon in a camera's name, such as "folder".
+/// Openers of recordings, by the word before the colon in a camera's name, such as "folder".
 using RecordingKinds = std::map<std::string, OpenRecording>;
 
 /// How a recording is played.
@@ -42,10 +42,10 @@ struct PlaybackOptions {
   bool loop = false;  //!< starts again at the end, like a camera that was restarted
 };
 
-/// Plays a recording as a camera. Each start begins at the first frame, and both triggers play the
-/// same: the recorded pulses. Frames come at the rate in the settings, or at their recorded times
-/// with pauses shortened to a second. The region can be made smaller. Exposure and gain are missing
-/// features, since recorded frames cannot be exposed again.
+/// Plays a recording as a camera. Each start begins at the first frame. Both triggers play the
+/// recorded pulses. Frames come at the rate in the settings, or at their recorded times with pauses
+/// shortened to a second. The region can be made smaller. Exposure and gain are missing features,
+/// since recorded frames cannot be exposed again.
 class RecordedCamera : public Camera {
  public:
   /// @param is_payload the frames are not images: they cannot be cut

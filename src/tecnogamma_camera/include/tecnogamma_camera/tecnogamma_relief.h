@@ -30,9 +30,10 @@ struct TecnogammaSettings {
   void check() const;
 };
 
-/// Reads relief and live frames: the frame information and, after it, the memory with the payload.
-/// All numbers are little-endian, and the frame information lies as the Windows compiler puts it
-/// (docs/tecnogamma_camera.md has the table). The payload has one element a row of the region:
+/// Reads relief and live frames: the frame information, followed by the memory with the payload.
+/// All numbers are little-endian, and the frame information is laid out as the Windows compiler
+/// does it (docs/tecnogamma_camera.md has the table). The payload has one element a row of the
+/// region:
 ///
 /// * threshold: 16 bits the first column of the spot, 16 bits its width; width 0: no spot
 /// * centre of gravity: the same, and 32 bits of the centre's column in 1/65536 px

@@ -24,8 +24,8 @@ double level_of(const cv::Mat& row, int trigger_level) {
   return mean[0] + kDeviations * deviation[0];
 }
 
-/// threshold, and the middle of the box around all lit pixels: it cannot separate spots, for which
-/// OpenCV's functions take many times longer.
+/// Threshold, and the middle of the box around all lit pixels. It cannot separate spots: OpenCV's
+/// functions for that take many times longer.
 float threshold_row(const cv::Mat& row, double level) {
   cv::Mat lit;
   cv::threshold(row, lit, level, 255, cv::THRESH_BINARY);

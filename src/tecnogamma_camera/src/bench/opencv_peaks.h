@@ -8,10 +8,9 @@
 
 namespace tecnogamma_camera {
 
-/// Peaks as they are usually found with OpenCV, row by row, with the functions for each of
-/// detector_names(): threshold and boundingRect; minMaxLoc, and dot over a window
-/// of 15 columns; filter2D and minMaxLoc. For an automatic level meanStdDev besides. NaN in the
-/// rows without a peak.
+/// Peaks as OpenCV is usually used to find them, row by row. The functions, by detector_names():
+/// threshold and boundingRect; minMaxLoc, and dot over a window of 15 columns; filter2D and
+/// minMaxLoc. An automatic level adds meanStdDev. Rows without a peak are NaN.
 /// @param trigger_level as in DetectorSettings
 /// @throw std::out_of_range for another name
 void detect_with_opencv(const std::string& detector, int trigger_level, const cv::Mat& image,

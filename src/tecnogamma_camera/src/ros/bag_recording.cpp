@@ -37,7 +37,7 @@ int bytes_of(const sensor_msgs::Image& image) {
   return 0;
 }
 
-/// What a profile says about the image with the same stamp.
+/// The number that a profile gives to the image with the same stamp.
 struct Number {
   std::uint32_t acquisition;
   std::uint64_t counter;
@@ -178,7 +178,7 @@ class BagRecording : public Recording {
     acquisition_ = found->second.acquisition;
   }
 
-  /// Why image_ cannot be used; empty where it can.
+  /// Why image_ cannot be used; empty if it can.
   std::string find_fault() const {
     if (!image_) return path_ + ": an image with another message definition; record it again";
     if (bytes_of(*image_) == 0)

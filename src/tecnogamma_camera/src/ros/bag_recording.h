@@ -9,10 +9,10 @@
 
 namespace tecnogamma_camera {
 
-/// Images of 8 or 16 bit grey from a bag, with their stamps. Number and clock of a frame are those
-/// of the profile of the same stamp, from the topic `profiles` beside that of the images; an image
-/// without one has no number. If the bag has no such profiles, the images are numbered from 1.
-/// Their place on the sensor is that of `camera_info` beside them.
+/// Opens the images of 8 or 16 bit grey in a bag, with their stamps. Number and clock of a frame
+/// come from the profile of the same stamp, on the topic `profiles` beside that of the images; an
+/// image without a profile has no number. If the bag has no such profiles, the images are numbered
+/// from 1. Their place on the sensor comes from `camera_info` beside them.
 /// @param topic of the images; empty: the only one in the bag
 /// @throw scan_cell_common::FileError if the bag cannot be read
 /// @throw scan_cell_common::UnusableInput if it has no such topic, several, or the region changes

@@ -24,21 +24,21 @@ scan_cell_msgs::PeakProfilePtr to_message(const NumberedFrame& frame, const std:
 /// @pre the frame is complete
 sensor_msgs::ImagePtr to_image_message(const NumberedFrame& frame, const std::string& frame_id);
 
-/// Its number, and what else the image's header cannot carry.
+/// The frame's number, and what else the image's header cannot carry.
 scan_cell_msgs::FrameInfoPtr to_frame_info(const NumberedFrame& frame, const std::string& frame_id);
 
 /// Exposure, region, gain and rate.
 /// @throw scan_cell_common::InvalidParameter naming the field that is out of range
 CameraChange from_message(const scan_cell_msgs::CameraSettings& settings);
 
-/// Detector, choice and live ratio in place of `tuning`'s, where they are given.
+/// `tuning` with the detector, choice and live ratio of `settings`, where they are given.
 /// @throw scan_cell_common::InvalidParameter naming the field that is out of range
 Tuning changed(const Tuning& tuning, const scan_cell_msgs::CameraSettings& settings);
 
 /// @param exposure [s]
 scan_cell_msgs::CameraSettings to_message(double exposure, const Region& region);
 
-/// What was asked for, so that it can be given back.
+/// The settings that were asked for, so that they can be given back.
 scan_cell_msgs::CameraSettings to_message(const CameraSettings& settings, const Tuning& tuning);
 
 /// Sets where on the sensor the frame's image lies.
@@ -48,8 +48,8 @@ void set_region(const NumberedFrame& frame, sensor_msgs::CameraInfo& info);
 std::string find_fault(const scan_cell_common::ScannerModel& model,
                        const CameraDescription& camera);
 
-/// What does not change from frame to frame: intrinsics where there is a model without a
-/// fault (else zeros, which means uncalibrated), sensor size and region of interest.
+/// The camera info, which does not change from frame to frame: intrinsics if there is a model
+/// without a fault (else zeros, which means uncalibrated), sensor size and region of interest.
 sensor_msgs::CameraInfo to_camera_info(const CameraDescription& camera,
                                        const scan_cell_common::ScannerModel* model,
                                        const std::string& frame_id);

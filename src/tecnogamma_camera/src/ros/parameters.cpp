@@ -10,7 +10,7 @@ namespace {
 
 using scan_cell_common::ParameterTable;
 
-/// A number that is left to the camera where it is `unset`.
+/// Describes a number that is left to the camera if it is `unset`.
 void describe_optional(ParameterTable& table, const std::string& name, std::optional<double>& value,
                        double unset, const ParameterTable::Range& range,
                        const std::string& meaning) {

@@ -10,7 +10,7 @@
 
 namespace tecnogamma_camera {
 
-/// What the node itself does with frames; it may be changed while they come.
+/// What the node itself does with frames. It can be changed while frames come.
 struct Tuning {
   std::string detector = "fir_derivative";
   DetectorSettings detection;
@@ -29,7 +29,7 @@ struct Parameters {
   AcquisitionParameters acquisition;
 };
 
-/// With range, unit and meaning of each.
+/// Describes each parameter: range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, Parameters& parameters);
 
 }  // namespace tecnogamma_camera

@@ -26,7 +26,7 @@ constexpr const char* kMenu = R"(
 6. Exit
 > )";
 
-/// The camera's inputs and outputs; empty: it is left as it is set.
+/// The camera's input and outputs. If both are empty, the camera is left as it is set.
 struct Wiring {
   std::string input;    //!< that triggers its frames; empty: it runs free
   std::string outputs;  //!< driven while it grabs, as CameraSettings::strobe_line

@@ -40,7 +40,7 @@ void extract(const std::string& image_path, const std::string& output_path,
 
 }  // namespace
 
-/// Peaks of one image to a CSV file. Exits 0, or 1 on unusable input.
+/// Writes the peaks of one image to a CSV file. Exits 0, or 1 on unusable input.
 int main(int argc, char** argv) {
   scan_cell_common::Outputs outputs;
   CLI::App app("Finds the laser line in an image: one peak a row, written as CSV");

@@ -57,7 +57,7 @@ class Writer : public tecnogamma_camera::AcquisitionListener {
     std::fprintf(stderr, "%s\n", reason.c_str());
   }
 
-  /// Until there are enough frames, the camera is lost, or the user ends it.
+  /// Waits until there are enough frames, the camera is lost, or the user ends it.
   void wait(const tecnogamma_camera::Acquisition& acquisition) {
     std::unique_lock<std::mutex> lock(mutex_);
     constexpr std::chrono::milliseconds kLook(100);  // [ms] chosen
@@ -111,7 +111,8 @@ void record(const Options& options) {
 
 }  // namespace
 
-/// Frames of a camera, or the payloads it sends, into a folder. Exits 0, or 1 with the reason.
+/// Records the frames of a camera, or the payloads it sends, into a folder. Exits 0, or 1 with the
+/// reason.
 int main(int argc, char** argv) {
   CLI::App app("Records frames into a folder that the camera node plays (camera folder:PATH)");
   app.option_defaults()->always_capture_default();

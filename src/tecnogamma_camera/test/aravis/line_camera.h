@@ -15,8 +15,8 @@
 
 namespace fake_cameras {
 
-/// Aravis' fake camera in this process: it shows a laser line whose place is known, can be
-/// triggered, and can lack features.
+/// Aravis' fake camera in this process. It shows a laser line at a known place, can be triggered,
+/// and can lack features.
 class LineCamera {
  public:
   /// Sensor column of the line's centre in a sensor row.
@@ -47,7 +47,8 @@ class LineCamera {
     return value != 0;
   }
 
-  /// Its description of itself, with a feature renamed: a camera without that feature.
+  /// Writes the camera's description of itself with a feature renamed: a camera without that
+  /// feature.
   static void save_genicam_without(const std::string& feature, const std::string& path) {
     save_genicam(feature, "NoSuchThing", path);
   }
@@ -93,7 +94,7 @@ class LineCamera {
     unsigned count_ = 0;
   };
 
-  /// Of the features that were added, counted from 0.
+  /// Value of an added feature; they are counted from 0.
   guint32 read_feature(unsigned index) {
     guint32 value = 0;
     arv_fake_camera_read_register(fake(), kFirst + 4 * index, &value);
@@ -121,7 +122,7 @@ class LineCamera {
                  path);
   }
 
-  /// A camera whose rate can be switched on and off, as most of the real ones.
+  /// A camera whose rate can be switched on and off, as on most real ones.
   static void save_genicam_with_rate_enable(const std::string& path) {
     save_genicam("", "", path,
                  R"(<Boolean Name="AcquisitionFrameRateEnable">
@@ -142,7 +143,7 @@ class LineCamera {
   static constexpr guint32 kSoftwareTriggerRegister = 0x30c;
   static constexpr guint32 kRateEnableRegister = 0x1f0;  // that of its TestRegister
 
-  /// Its description of itself, with some text replaced and some nodes added.
+  /// Writes the camera's description of itself, with some text replaced and some nodes added.
   static void save_genicam(const std::string& text, const std::string& replacement,
                            const std::string& path, const std::string& nodes = "") {
     ArvFakeCamera* const plain = arv_fake_camera_new("PLAIN");
@@ -159,7 +160,7 @@ class LineCamera {
 
   ArvFakeCamera* fake() { return arv_gv_fake_camera_get_fake_camera(camera_); }
 
-  /// 8 bits, or 16 times that in Mono16 and Mono12p.
+  /// Draws 8 bits, or 16 times that in Mono16 and Mono12p.
   static void draw(ArvBuffer* buffer, void* self, guint32, guint32, ArvPixelFormat format) {
     int x = 0, y = 0, width = 0, height = 0;
     arv_buffer_get_image_region(buffer, &x, &y, &width, &height);

@@ -20,7 +20,7 @@ using tecnogamma_camera::Camera;
 using tecnogamma_camera::CameraSettings;
 using tecnogamma_camera::Frame;
 
-/// Opens as soon as the camera answers.
+/// Opens the camera as soon as it answers.
 inline std::unique_ptr<Camera> open(const std::string& name = kAddress) {
   std::unique_ptr<Camera> camera;
   std::string reason;
@@ -54,7 +54,7 @@ inline std::string genicam_file() {
       .string();
 }
 
-/// The parameter that is refused.
+/// The name of the refused parameter.
 template <class Act>
 std::string refused_parameter(const Act& act) {
   try {

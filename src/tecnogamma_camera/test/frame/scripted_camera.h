@@ -14,7 +14,7 @@
 #include "acquisition/acquisition.h"
 #include "aravis/fake_cameras.h"
 
-/// A camera that does what a test tells it, and an acquisition of it.
+/// A scripted camera, and an acquisition from it.
 namespace scripted {
 
 using fake_cameras::wait_until;
@@ -31,7 +31,8 @@ using tecnogamma_camera::NumberedFrame;
 using tecnogamma_camera::StreamStatistics;
 using tecnogamma_camera::Trigger;
 
-/// What the scripted cameras of a test share: the frames they will send, and what was done to them.
+/// Shared by the scripted cameras of a test: the frames that they will send, and what was done to
+/// them.
 struct Script {
   std::mutex mutex;
   std::deque<Frame> frames;

@@ -41,7 +41,7 @@ TEST_F(AcquisitionOfScriptedCamera, TakesACounterWithoutClockThatCountsOnFromLes
   acquisition.set(AcquisitionMode::kReliefOnly, Trigger::kExternal);
   for (const std::uint64_t raw : {50, 49, 51, 48, 52, 1, 2, 3, 4})
     script_.send(raw);
-  // 49 and 48 are late; 1 and 2 could be, and only 3 shows that it was restarted.
+  // 49 and 48 are late; 1 and 2 could be late, too, and only 3 shows that the camera was restarted.
   expect_frames({{1, 50, 0},
                  {1, 49, 0},
                  {1, 51, 0},

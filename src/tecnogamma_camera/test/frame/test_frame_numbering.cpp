@@ -14,7 +14,7 @@ namespace {
 
 constexpr Nanoseconds kMillisecond = 1'000'000;
 
-/// Of a camera whose clock is the host's.
+/// Frames of a camera whose clock is the host's.
 class SynchronisedCamera : public testing::Test {
  protected:
   /// The next frame, received `late` [ns] after its exposure.

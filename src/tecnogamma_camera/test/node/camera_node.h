@@ -26,7 +26,7 @@ using fake_cameras::wait_until;
 using scan_cell_msgs::PeakProfile;
 using scan_cell_msgs::SetAcquisition;
 
-/// The camera's node, with a camera that shows a known line. Its topics and its services.
+/// The camera's node with a camera that shows a known line, its topics and its services.
 class CameraNode : public testing::Test {
  protected:
   static void SetUpTestSuite() { camera_ = std::make_unique<LineCamera>(); }
@@ -47,7 +47,7 @@ class CameraNode : public testing::Test {
     return call.response;
   }
 
-  /// In free run, with these settings.
+  /// Starts free run with these settings.
   static SetAcquisition::Response set(int mode, double exposure, int region_width,
                                       int region_height = 64) {
     SetAcquisition call;

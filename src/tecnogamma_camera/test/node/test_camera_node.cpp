@@ -88,7 +88,8 @@ TEST_F(CameraNode, PublishesNothingOnceItAnsweredAStop) {
   ASSERT_TRUE(set(SetAcquisition::Request::RELIEF_LIVE).success);
   ASSERT_TRUE(wait_until([this] { return profiles_.count() >= 5; }));
   EXPECT_EQ(set(SetAcquisition::Request::STOP).acquisition, 0U);
-  // What was published before the answer may still be on its way; a diagnosis later it is here.
+  // Messages published before the answer may still be in transit; one diagnosis later they are
+  // here.
   const auto a_diagnosis = [this] {
     const std::size_t before = diagnostics_.count();
     return wait_until([&] { return diagnostics_.count() > before; });

@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// Settings, as requests and dynamic_reconfigure change them.
+/// Settings changed by requests and by dynamic_reconfigure.
 #include <cmath>
 
 #include "node/camera_node.h"

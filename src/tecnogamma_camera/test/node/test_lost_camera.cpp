@@ -1,7 +1,7 @@
 // Copyright 2026 the scan cell developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The node without a camera, or without parameters that it can use.
+/// The node without a camera, or with parameters that it cannot use.
 #include <cstdio>
 
 #include "node/camera_node.h"

@@ -47,7 +47,7 @@ std::vector<std::uint8_t> picture(int frame) {
   return {view.row(0), view.row(0) + kColumns * kRows};
 }
 
-/// The node as a program of its own.
+/// The node as a separate process.
 class Node {
  public:
   explicit Node(std::vector<std::string> parameters) {

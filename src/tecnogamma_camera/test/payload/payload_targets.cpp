@@ -31,7 +31,7 @@ void check_peaks(const PeakProfile& peaks, const CameraDescription& camera) {
   }
 }
 
-/// All that was decoded makes sense, and all its pixels can be read.
+/// Checks that everything decoded makes sense, and that all its pixels can be read.
 void check_frames(const PayloadDecoder& decoder, const std::vector<DecodedFrame>& frames,
                   std::size_t count) {
   CameraDescription camera;
@@ -78,7 +78,7 @@ FuzzTarget relief_target() {
   return target;
 }
 
-/// The first bytes tell the columns and whether an image comes first.
+/// The first bytes give the number of columns and whether an image comes first.
 FuzzTarget photonfocus_target() {
   constexpr int kColumns = 17;
   payloads::Photonfocus sent(kColumns, 3);

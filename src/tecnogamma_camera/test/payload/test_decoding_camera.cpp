@@ -25,7 +25,7 @@ using tecnogamma_camera::Trigger;
 
 namespace {
 
-/// Sends what it is given.
+/// A camera that sends what it is given.
 class PayloadCamera : public tecnogamma_camera::Camera {
  public:
   struct Sent {

@@ -34,7 +34,7 @@ std::vector<DecodedFrame> decode(const PayloadDecoder& decoder, const std::strin
   return frames;
 }
 
-/// What a decoder says of bytes that it refuses.
+/// The error of a decoder about bytes that it refuses.
 std::string refusal(const PayloadDecoder& decoder, const std::string& bytes, int columns = 0) {
   try {
     decode(decoder, bytes, columns);

@@ -40,8 +40,8 @@ class Image {
       at(row, column) += stripe.height * gaussian_pixel(column, stripe.centre, stripe.sigma);
   }
 
-  /// A stripe whose light seeps sideways into the material: the surface's own, and to its right
-  /// one that fades exponentially over `length`, of `share` of the height where it begins.
+  /// A stripe whose light seeps sideways into the material: the surface's own light, and to its
+  /// right light that fades exponentially over `length`, starting at `share` of the height.
   void add_translucent(int row, const Stripe& stripe, double length, double share) {
     add(row, stripe);
     constexpr double kStep = 0.25;
@@ -54,8 +54,8 @@ class Image {
           {stripe.centre + depth, stripe.sigma, stripe.height * scale * std::exp(-depth / length)});
   }
 
-  /// A stripe of which each pixel's light varies by a factor of a gamma distribution, as speckle
-  /// does that a pixel averages over.
+  /// A stripe with speckle that a pixel averages: each pixel's light varies by a factor with a
+  /// gamma distribution.
   /// @param contrast standard deviation of the factor
   void add_speckled(int row, const Stripe& stripe, double contrast, std::mt19937& engine) {
     const double shape = 1 / (contrast * contrast);

@@ -79,7 +79,7 @@ TEST(Background, IsTheNoisesOwnWhereALineCrossesIt) {
 TEST(Background, KnowsNoiseThatBlackCutsOff) {
   for (const double black : {0.1, 0.25, 0.5, 0.65}) {
     constexpr double kNoise = 4;
-    // So high above black that this share of a normal distribution is rounded to it.
+    // So far above black that this share of a normal distribution is rounded to black.
     const double deviations = black == 0.1    ? 1.2816
                               : black == 0.25 ? 0.6745
                               : black == 0.5  ? 0

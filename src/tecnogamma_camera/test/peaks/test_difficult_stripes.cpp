@@ -63,7 +63,7 @@ stripes::Image line_image(const Stripe& stripe, double background = kBackground)
   return image;
 }
 
-/// Each detector with its defaults, or other settings: nothing is tuned to the image.
+/// Each detector with its defaults or with other settings: nothing is tuned to the image.
 class EachDetector : public testing::TestWithParam<std::string> {
  protected:
   PeakProfile detect(stripes::Image& image, const DetectorSettings& settings = {}) const {
@@ -216,7 +216,8 @@ TEST_P(EachDetector, BridgesTheDipsOfSpeckle) {
   const Errors found = errors(detect(image));
   EXPECT_EQ(found.missing, 0);
   EXPECT_LT(std::abs(found.mean), 0.03);
-  // Of the centre of gravity of the whole stripe, each pixel scattering by contrast x its light.
+  // For the centre of gravity of the whole stripe, where each pixel scatters by contrast x its
+  // light.
   const double whole = kContrast * std::sqrt(kSigma / (4 * std::sqrt(M_PI)));
   EXPECT_LT(found.rms, 2.5 * whole);
 }
@@ -228,7 +229,7 @@ TEST_P(EachDetector, IsHardlyDrawnIntoATranslucentMaterial) {
   image.add_noise(1.5, 3);
   const Errors found = errors(detect(image));
   EXPECT_EQ(found.missing, 0);
-  // The centre of gravity of all of the light: that of the tail lies one length deep.
+  // The centre of gravity of all of the light; that of the tail lies one length deep.
   const double tail = 0.4 * 5 / 1.5;
   EXPECT_LT(found.mean, 0.33 * 5 * tail / (1 + tail));
   EXPECT_GT(found.mean, 0);

@@ -16,7 +16,7 @@ using tecnogamma_camera::zero_crossing;
 
 namespace {
 
-/// Greatest value of the row smoothed by a Gaussian, sought on a fine grid.
+/// Maximum of the row smoothed by a Gaussian, searched on a fine grid.
 double maximum_of_smoothed(const std::vector<std::uint8_t>& row, double sigma, double from,
                            double to) {
   double best = from, most = 0;
@@ -86,7 +86,7 @@ TEST(FirDerivative, HasNoPeakWhereTheRowOnlyClimbs) {
 }
 
 TEST(CramerRaoBound, IsThatOfAContinuousRowForAWideStripe) {
-  // A pixel widens the stripe by the variance 1/12 of its own width and lowers it as much.
+  // A pixel widens the stripe by the variance of its own width, 1/12, and lowers it accordingly.
   const double seen = std::sqrt(16 + 1.0 / 12);
   const double height = 120 * 4 / seen;
   const double noise = std::sqrt(9 - 1.0 / 12);  // 3 with the rounding
@@ -95,7 +95,8 @@ TEST(CramerRaoBound, IsThatOfAContinuousRowForAWideStripe) {
 }
 
 TEST(CramerRaoBound, IsThatOfCountedLightInShotNoiseAlone) {
-  // Without read noise each photon tells the position to within the stripe's sigma: sigma / sqrt(N)
+  // Without read noise, each photon gives the position to within the stripe's sigma: sigma /
+  // sqrt(N)
   constexpr double kSigma = 5, kHeight = 200, kShot = 100;
   const double photons = kHeight * kSigma * std::sqrt(2 * M_PI) / (kShot * kShot);
   EXPECT_NEAR(tecnogamma_camera::cramer_rao_bound(50.3, kSigma, {kHeight, 0, 0, kShot}) /

@@ -26,7 +26,7 @@ std::vector<Pixel> random_row(int columns, int most, std::mt19937& engine) {
   return row;
 }
 
-/// Every question answered by looking at the pixels one by one.
+/// Answers every question by looking at the pixels one by one.
 template <class Pixel>
 void expect_the_same_as_one_by_one(const std::vector<Pixel>& row,
                                    const std::vector<Pixel>& levels) {
@@ -57,8 +57,8 @@ void try_rows(int most, unsigned seed) {
   }
 }
 
-/// The rule of PeakDetector for a trigger level, as a machine that reads pixel by pixel.
-/// @return the spot's edges; {0, 0} where there is none or it is cut
+/// The rule of PeakDetector for a trigger level, as a state machine that reads pixel by pixel.
+/// @return the spot's edges; {0, 0} if there is none or it is cut
 std::pair<int, int> spot_by_rule(const std::vector<std::uint8_t>& row, int level, int permanence) {
   const int columns = static_cast<int>(row.size());
   struct Found {

@@ -23,7 +23,7 @@ namespace {
 
 constexpr Nanoseconds kMillisecond = 1000000;
 
-/// Images of 8 x 6 at 100, 50, each pixel telling its place.
+/// Images of 8 x 6 pixels at 100, 50; each pixel encodes its place.
 class Recording : public tecnogamma_camera::Recording {
  public:
   explicit Recording(std::vector<Nanoseconds> device_times) : times_(std::move(device_times)) {

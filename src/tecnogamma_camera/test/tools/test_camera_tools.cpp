@@ -22,7 +22,7 @@ using tecnogamma_camera::Trigger;
 
 namespace {
 
-/// What the menu prints for the keys that are typed, one a line, in a folder of its own.
+/// Output of the menu for typed keys, one per line, in a folder of its own.
 class TypedMenu {
  public:
   TypedMenu() { std::filesystem::create_directories(folder_); }

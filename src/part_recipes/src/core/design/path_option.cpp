@@ -17,7 +17,7 @@ namespace {
 using scan_cell_common::Parameter;
 using scan_cell_common::ParameterValue;
 
-/// As the tool takes it, where a document says "none".
+/// The value as the tool takes it, where a document says "none".
 std::string value_text(const Parameter& parameter, const ParameterValue& value) {
   const auto* const numbers = std::get_if<std::vector<double>>(&value);
   if (numbers != nullptr) return fmt::format("{}", fmt::join(*numbers, " "));

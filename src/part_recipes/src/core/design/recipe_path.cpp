@@ -40,7 +40,7 @@ PathOption option_of(PathWay way, const std::string& name) {
   throw InvalidParameter(name, "unknown", "see docs/making_a_path.md");
 }
 
-/// Nothing but what the option takes may get into the tool's command line.
+/// Only what the option takes may get into the tool's command line.
 std::vector<std::string> checked_words(const PathOption& option, const std::string& value) {
   std::istringstream stream(value);
   std::vector<std::string> words;
@@ -57,7 +57,7 @@ std::vector<std::string> checked_words(const PathOption& option, const std::stri
   return words;
 }
 
-/// Numbers of a list are words of their own.
+/// Each number of a list is a word of its own.
 void add_words(ToolCall& call, PathWay way, const ToolOptions& options) {
   for (const auto& [name, value] : options) {
     const std::vector<std::string> words = checked_words(option_of(way, name), value);
@@ -66,14 +66,14 @@ void add_words(ToolCall& call, PathWay way, const ToolOptions& options) {
   }
 }
 
-/// Where the options say a side, this one.
+/// The options, with this side if they name one.
 ToolOptions with_side(ToolOptions options, const std::string& waypoint_z) {
   const auto side = options.find(kWaypointZ);
   if (side != options.end()) side->second = waypoint_z;
   return options;
 }
 
-/// In the unit of the reference, as the tool wants them.
+/// Saves the picks in the unit of the reference, as the tool needs them.
 void save_picks(const fs::path& file, const tool_paths::Points& picks, double metres_per_unit) {
   std::string text = "x,y,z\n";
   for (const Eigen::Vector3d& pick : picks) {
@@ -83,7 +83,7 @@ void save_picks(const fs::path& file, const tool_paths::Points& picks, double me
   scan_cell_common::save_text(file.string(), text);
 }
 
-/// What the tool said, THING: VALUE; CURE after its own name.
+/// Refuses with what the tool said, THING: VALUE; CURE, after the tool's name.
 [[noreturn]] void refuse(const fs::path& log, int exit_code) {
   using scan_cell_common::Refused;
   using scan_cell_common::UnusableInput;
@@ -100,7 +100,7 @@ void save_picks(const fs::path& file, const tool_paths::Points& picks, double me
   throw UnusableInput(parts[0], parts[1], parts[2]);
 }
 
-/// All that the tool printed, but for its last line, which counts the waypoints.
+/// Everything that the tool printed except its last line, which counts the waypoints.
 std::vector<std::string> notes_in(const fs::path& log) {
   std::istringstream lines(scan_cell_common::read_file(log.string()));
   std::vector<std::string> notes;

@@ -17,7 +17,7 @@ namespace part_recipes {
 /// The ways of the tool path (docs/making_a_path.md).
 enum class PathWay { kEdge, kSlices, kPicks };
 
-/// Of a way, for a person who sets it.
+/// An option of a way, for a person who sets it.
 struct PathOption {
   std::string name;                //!< as ToolOptions have it
   std::string unit;                //!< such as m; empty: none
@@ -30,7 +30,7 @@ struct PathOption {
 /// All options of a way, in their order.
 std::vector<PathOption> options_of(PathWay way);
 
-/// How the options say the reference is looked at: from, leaf and crease_angle.
+/// How the options describe the view of the reference: from, leaf and crease_angle.
 /// @throw scan_cell_common::InvalidParameter if one of them is not allowed
 PathParameters surface_parameters(const ToolOptions& options);
 
@@ -38,9 +38,10 @@ PathParameters surface_parameters(const ToolOptions& options);
 class RecipePath {
  public:
   /// @param options of the way, as options_of() names them
-  /// @param picks [m] on the reference; of kPicks
-  /// @param stop asked some times a second; the tool is told to end then
-  /// @throw scan_cell_common::InvalidParameter if an option is none of the way's, or no number
+  /// @param picks [m] on the reference; only for kPicks
+  /// @param stop asked a few times a second; if true, the tool is told to end
+  /// @throw scan_cell_common::InvalidParameter if the way has no such option, or a value is not a
+  /// number
   /// @throw scan_cell_common::Refused with the tool's reason
   /// @throw scan_cell_common::UnusableInput likewise; scan_cell_common::FileError
   RecipePath(const Recipe& recipe, PathWay way, const ToolOptions& options,
@@ -49,15 +50,16 @@ class RecipePath {
   const tool_paths::ToolPath& path() const { return path_; }        //!< [m] on the reference
   const std::vector<std::string>& notes() const { return notes_; }  //!< what was left out, bridged
 
-  /// Makes RECIPES/NAME as the recipe, but with this path, and with its side of the z axis where
-  /// the recipe's work and programs say one. It counts as made, not proven.
+  /// Makes RECIPES/NAME as a copy of the recipe with this path. Where the recipe's work and
+  /// programs name the side of the z axis, it becomes the path's. The recipe counts as made, not
+  /// proven.
   /// @throw as make_recipe()
   Recipe save_as(const std::filesystem::path& recipes, const std::string& name) const;
 
  private:
   Recipe recipe_;
   scan_cell_common::TemporaryFolder folder_;
-  std::string waypoint_z_;  // as the path was made
+  std::string waypoint_z_;  // as used for the path
   tool_paths::ToolPath path_;
   std::vector<std::string> notes_;
 };

@@ -9,7 +9,7 @@
 
 namespace part_recipes {
 
-/// Files and units that an adaptation was made from.
+/// Files and units of an adaptation.
 struct AdaptedFiles {
   std::string reference;        //!< cloud or mesh
   std::string reference_units;  //!< m, mm or inch; empty: as the report says
@@ -17,15 +17,15 @@ struct AdaptedFiles {
   std::string report;           //!< of stretch
 };
 
-/// How the reference lies on the object.
+/// Pose of the reference on the object.
 struct AdaptedPart {
-  std::optional<tool_path_stretcher::Similarity> similarity;  //!< the best; none: refused before
+  std::optional<tool_path_stretcher::Similarity> similarity;  //!< the best; none: refused earlier
   double metres_per_unit = 1;                                 //!< of the reference
 };
 
 /// Reads the report.
-/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the report is none, is
-/// about other files, or says other units
+/// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if the file is not a report,
+/// or the report is about other files or gives other units
 AdaptedPart load_adapted_part(const AdaptedFiles& files);
 
 }  // namespace part_recipes

@@ -11,7 +11,7 @@
 
 namespace part_recipes {
 
-/// What deviations were measured, for deviation.json (docs/run_report.md).
+/// The measured deviations, for deviation.json (docs/run_report.md).
 struct DeviationSummary {
   double tolerance = 0;  //!< [m] half width
   Deviations deviations;
@@ -23,9 +23,9 @@ struct DeviationSummary {
 /// JSON, lengths in metres; null where not known.
 std::string to_json(const DeviationSummary& summary);
 
-/// Writes points with float32 fields beside their places, as binary PLY or PCD.
+/// Writes points with additional float32 fields, as binary PLY or PCD.
 /// @param names of the fields
-/// @param fields one list a name, with one value a point
+/// @param fields one list per name, with one value per point
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_fields(const std::string& file, const Points& points,
                  const std::vector<std::string>& names,

@@ -12,10 +12,10 @@ namespace part_recipes {
 /// @param values at least one
 double median_of(std::vector<double> values);
 
-/// What a list of deviations comes to. Lengths are metres; none where no deviation is known.
+/// Summary of a list of deviations. Lengths are metres; none if no deviation is known.
 struct DeviationStatistics {
   std::size_t points = 0;   //!< in all
-  std::size_t unknown = 0;  //!< of which no deviation is known
+  std::size_t unknown = 0;  //!< of these, without a known deviation
   std::optional<double> rms, median, min, max;
   std::optional<double> within_tolerance;  //!< share of the known ones
 };

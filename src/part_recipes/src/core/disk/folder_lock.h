@@ -8,16 +8,16 @@
 
 namespace part_recipes {
 
-/// Many share the lock while they use what lies in a folder, as a database, and one alone has it
-/// while it puts another in its place. Ends with the process. It asks nothing of the folder but
-/// that it can be read.
+/// Lock on a folder. Many share it while they use a file in the folder, such as a database; one
+/// alone holds it while it replaces that file. The lock ends with the process. The folder only
+/// needs to be readable.
 class FolderLock {
  public:
   enum class Kind { kShared, kAlone };
 
   /// Waits up to 60 s.
   /// @throw scan_cell_common::FileError if the folder cannot be read
-  /// @throw scan_cell_common::Refused if another has it that long
+  /// @throw scan_cell_common::Refused if another process holds it that long
   FolderLock(const std::filesystem::path& folder, Kind kind);
 
  private:

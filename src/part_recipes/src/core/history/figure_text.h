@@ -10,8 +10,8 @@
 
 namespace part_recipes {
 
-/// The figures of a run that are known, by name, each with its unit: mm, deg, or none for a ratio.
-/// Places of the part come last, as "place NAME"; one whose deviation is not known says so.
+/// The known figures of a run, by name, each with its unit: mm, deg, or none for a ratio. Places of
+/// the part come last, as "place NAME"; a place without a known deviation says so.
 std::vector<std::pair<std::string, std::string>> texts_of(const RunFigures& figures);
 
 /// A length in mm with four decimals, "-" if it is not known.

@@ -15,7 +15,7 @@ namespace part_recipes {
 /// File of the database, beside the folders of the runs.
 constexpr const char* kHistoryFile = "history.sqlite";
 
-/// What became of a rebuild.
+/// Result of a rebuild.
 struct Rebuilt {
   std::size_t runs = 0;                                     //!< in the new database
   std::vector<std::pair<std::string, std::string>> broken;  //!< folder and what is wrong with it
@@ -24,32 +24,32 @@ struct Rebuilt {
                            //!< now; empty: it was, or there was none
 };
 
-/// The runs of a folder as rows of an SQLite database in it. The folders are what counts: the
-/// database can be made anew from them at any time. Each call opens the database and closes it, so
-/// that several programs may read while one writes.
+/// The runs of a folder as rows of an SQLite database in that folder. The runs' folders are what
+/// counts: the database can be rebuilt from them at any time. Each call opens and closes the
+/// database, so that several programs may read while one writes.
 ///
-/// Errors of every call: scan_cell_common::UnusableInput where the database is damaged or from a
-/// newer version; ...::FileError where folder or database is missing or cannot be read or written;
-/// ...::Refused where it belongs to another program, or one keeps it too long. Each names the file
-/// and the cure.
+/// Errors of every call: scan_cell_common::UnusableInput if the database is damaged or from a newer
+/// version; ...::FileError if folder or database is missing or cannot be read or written;
+/// ...::Refused if it belongs to another program, or a program keeps it too long. Each names the
+/// file and the cure.
 class History {
  public:
   /// @param runs folder of the runs
   /// @throw scan_cell_common::FileError if there is no such folder
   explicit History(const std::filesystem::path& runs);
 
-  /// Adds a run by its run.json. When this returns, the run stays, whatever ends the program or
-  /// the machine.
+  /// Adds a run by its run.json. Once this returns, the run stays in the history, whatever ends the
+  /// program or the machine.
   /// @param folder of the run, in the folder of the runs
-  /// @return false: it was there already, nothing was changed
-  /// @throw as above; UnusableInput also where run.json is broken; Refused also where the history
-  /// has another run of that id
+  /// @return false: it was there already, and nothing was changed
+  /// @throw as above; UnusableInput also if run.json is broken; Refused also if the history has
+  /// another run with that id
   bool add(const std::filesystem::path& folder) const;
 
-  /// Makes the database anew from the folders. Readers and writers wait meanwhile; a program that
-  /// is killed leaves the old database. Folders whose name begins with a dot or that have no
-  /// run.json are no runs; a run.json that is broken is told and does not stop it. Runs that the
-  /// old database has keep their order, others come behind the last one that did not start later.
+  /// Rebuilds the database from the folders. Readers and writers wait meanwhile; a program that is
+  /// killed leaves the old database. Folders whose name begins with a dot or that have no run.json
+  /// are not runs; a broken run.json is reported and does not stop the rebuild. Runs in the old
+  /// database keep their order. Each other run comes after the last one that did not start later.
   Rebuilt rebuild() const;
 
   /// Runs in the order in which they were added, with the places' deviations.
@@ -60,8 +60,8 @@ class History {
   /// @throw as above; scan_cell_common::UnusableInput also if it is not in the history
   HistoryRun find(const std::string& id) const;
 
-  /// Names of the folders that hold a run which the history does not have: the program that made
-  /// it was ended before it could add it.
+  /// Names of the folders with a run that the history does not have: the program that made the run
+  /// ended before it could add it.
   std::vector<std::string> left_out() const;
 
   const std::filesystem::path& folder() const { return runs_; }  //!< of the runs
@@ -72,7 +72,7 @@ class History {
   Database open_to_read() const;
   Database open_to_write(const std::filesystem::path& file) const;
 
-  /// Makes a database of the runs, then puts it into the place of the old one.
+  /// Makes a database of the runs, then replaces the old one with it.
   void put_in_place(const std::vector<RunFile>& runs, bool is_old_readable) const;
 
   std::filesystem::path runs_;

@@ -13,7 +13,7 @@ namespace {
 
 using scan_cell_common::InvalidParameter;
 
-/// 0, also where that part is left out.
+/// The number; 0 if that part is left out.
 int number(const std::ssub_match& digits) {
   return digits.matched ? std::stoi(digits.str()) : 0;
 }
@@ -53,7 +53,7 @@ bool is_whole_time(const std::string& text) {
 
 HistoryFilter checked(HistoryFilter filter) {
   if (filter.since) filter.since = checked_time("since", *filter.since);
-  // '~' sorts behind all that a time may go on with.
+  // '~' sorts after everything that can follow in a time.
   if (filter.until) filter.until = checked_time("until", *filter.until) + "~";
   if (filter.state) {
     const std::string& state = *filter.state;

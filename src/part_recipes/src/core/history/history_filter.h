@@ -8,7 +8,7 @@
 
 namespace part_recipes {
 
-/// Which runs are asked for: those that meet all that is given.
+/// Which runs to select: those that meet all given conditions.
 struct HistoryFilter {
   std::optional<std::string> id;
   std::optional<std::string> recipe;  //!< its whole name
@@ -18,16 +18,16 @@ struct HistoryFilter {
       since;  //!< start, UTC: 2026, 2026-11, 2026-11-25, 2026-11-25T12:13 ...
   std::optional<std::string> until;    //!< the same, and all that begins with it
   std::optional<std::string> text;     //!< somewhere in id, recipe, reason, message, host or note
-  std::optional<std::uint64_t> limit;  //!< the last so many of them
+  std::optional<std::uint64_t> limit;  //!< only the last ones, at most this many
 };
 
-/// Whether a text is a point in time as run.json has it, or the beginning of one down to the year.
+/// Whether a text is a time as in run.json, or the beginning of one down to the year.
 bool is_time(const std::string& text);
 
-/// Whether it is whole, down to the second.
+/// Whether the time is whole, down to the second.
 bool is_whole_time(const std::string& text);
 
-/// The filter with its times as the database compares them.
+/// The filter with its times in the form in which the database compares them.
 /// @throw scan_cell_common::InvalidParameter naming what is wrong
 HistoryFilter checked(HistoryFilter filter);
 

@@ -18,7 +18,7 @@ using scan_cell_common::UnusableInput;
 constexpr int kFormat = 1;
 constexpr int kApplication = 0x53436848;  // "SChH" in the file's header says whose it is
 
-/// Each name with what follows it, all after a comma.
+/// Each name followed by a text, all after a comma.
 template <class Columns>
 std::string names_of(const Columns& columns, const std::string& after) {
   std::string names;
@@ -56,7 +56,7 @@ bool has_tables(const Database& database) {
   return statement.integer(0) > 0;
 }
 
-/// All but the places.
+/// The run, without its places.
 HistoryRun run_in(const Statement& row) {
   HistoryRun run;
   RunRecord& record = run.record;
@@ -75,7 +75,7 @@ HistoryRun run_in(const Statement& row) {
   return run;
 }
 
-/// Of runs whose sequences rise.
+/// Adds the places of runs whose sequences rise.
 void add_places(const Database& database, std::vector<HistoryRun>& runs) {
   if (runs.empty()) return;
   Statement places(
@@ -91,7 +91,7 @@ void add_places(const Database& database, std::vector<HistoryRun>& runs) {
   }
 }
 
-/// With the signs that LIKE takes for others marked.
+/// The text as a pattern of LIKE, with its special characters escaped.
 std::optional<std::string> pattern(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
   std::string result = "%";

@@ -25,17 +25,16 @@ struct RunFile {
   std::string sha256;  //!< of its bytes
 };
 
-/// Makes the tables where the database is new, and checks that it is a history that this version
-/// reads.
+/// Makes the tables in a new database, and checks that it is a history that this version reads.
 /// @throw scan_cell_common::UnusableInput if it is from a newer version
 /// @throw scan_cell_common::Refused if it belongs to another program
 void prepare_history(Database& database, const std::string& cure);
 void check_history(const Database& database, const std::string& cure);
 
-/// Adds a run in the transaction that is open.
+/// Adds a run in the open transaction.
 void insert_run(const Database& database, const RunFile& run);
 
-/// The SHA-256 of the run.json that was added under an id; empty: none was.
+/// The SHA-256 of the run.json that was added under an id; empty: there is none.
 std::string sha256_in_history(const Database& database, const std::string& id);
 
 /// Runs in the order in which they were added. The filter must be checked().

@@ -26,7 +26,7 @@ using scan_cell_common::UnusableInput;
 
 constexpr const char* kNewFile = ".history.sqlite.new";
 
-/// SQLite's files beside a database: with one of another database it would be damaged.
+/// Removes SQLite's files beside a database: with those of another database it would be damaged.
 void remove_beside(const fs::path& file) {
   for (const char* ending : {"-wal", "-shm", "-journal"})
     fs::remove(file.string() + ending);
@@ -115,7 +115,7 @@ void History::put_in_place(const std::vector<RunFile>& runs, bool is_old_readabl
   }
   to_disk(made);
   if (is_old_readable) {
-    // All of it into the one file: until the other is in its place, this one holds every run.
+    // All of it goes into the one file: until the other replaces it, this one holds every run.
     Database old(file(), Access::kWrite, cure());
     old.execute("PRAGMA journal_mode = DELETE");
   }

@@ -6,8 +6,8 @@
 
 namespace part_recipes {
 
-/// Adds a run that just ended to the history beside it. Where that fails the run says so in its
-/// warning: it is a run without it, and `history rebuild` finds it.
+/// Adds a run that just ended to the history beside it. If that fails, the run says so in its
+/// warning: it is still a run, and `history rebuild` finds it.
 void remember(EndedRun& run);
 
 }  // namespace part_recipes

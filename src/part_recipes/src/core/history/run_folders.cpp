@@ -22,7 +22,7 @@ std::vector<fs::path> run_folders(const fs::path& runs,
     for (const auto& entry : fs::directory_iterator(runs)) {
       const std::string name = entry.path().filename().string();
       if (name.front() == '.' || is_known(name) || !entry.is_directory()) continue;
-      std::error_code failure;  // one that cannot be looked at is told when it is read
+      std::error_code failure;  // an unreadable one is reported when it is read
       if (fs::exists(entry.path() / kRunFile, failure) || failure) folders.push_back(entry.path());
     }
   } catch (const fs::filesystem_error& error) {

@@ -13,7 +13,7 @@ namespace part_recipes {
 
 /// Folders that hold a run, sorted by name: those with a run.json whose name does not begin with a
 /// dot.
-/// @param is_known folders of these names are left out, without a look at what they hold
+/// @param is_known folders of these names are left out, without reading them
 /// @throw scan_cell_common::FileError if they cannot be listed
 std::vector<std::filesystem::path> run_folders(
     const std::filesystem::path& runs, const std::function<bool(const std::string&)>& is_known);

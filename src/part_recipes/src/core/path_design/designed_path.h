@@ -17,7 +17,7 @@ struct DesignedPath {
   std::vector<std::string> notes;  //!< what was left out or bridged, for a person
 };
 
-/// A reference as these commands take it: a mesh, or of a cloud the side that is seen.
+/// A reference as these commands take it: a mesh, or the visible side of a cloud.
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput
 path_design::PartMesh load_reference_surface(const std::string& file, double metres_per_unit,
                                              const PathParameters& parameters);
@@ -28,13 +28,13 @@ path_design::PartMesh load_reference_surface(const std::string& file, double met
 DesignedPath path_from_edge(const path_design::PartMesh& reference,
                             const EdgeParameters& parameters);
 
-/// A raster over the side of a part that is seen.
+/// A raster over the visible side of a part.
 /// @throw as path_from_edge()
 DesignedPath path_from_slices(const path_design::PartMesh& reference,
                               const SliceParameters& parameters);
 
-/// A path through picked points: a centripetal Catmull-Rom spline (Yuksel et al. 2011), set on the
-/// surface.
+/// A path through picked points: a centripetal Catmull-Rom spline (Yuksel et al. 2011), projected
+/// onto the surface.
 /// @param picks [m]
 /// @throw as path_from_edge(); Refused names the pick that is too far from the surface
 DesignedPath path_from_picks(const path_design::PartMesh& reference,

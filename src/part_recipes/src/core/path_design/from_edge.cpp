@@ -21,12 +21,12 @@ PartMesh face_of(const PartMesh& reference, const EdgeParameters& parameters) {
   if (!parameters.near.empty())
     return face_around(reference, Eigen::Vector3d(parameters.near.data()),
                        parameters.path.crease_angle);
-  // A cloud's surface is what is seen already.
+  // A cloud's surface is only what is seen.
   return reference.spacing > 0 ? reference
                                : seen_part(reference, parameters.path.from.normalized());
 }
 
-/// The edges of a face but for holes that count as filled.
+/// The edges of a face, without holes that count as filled.
 std::vector<Trace> edges_of(const MeshSearch& face, const EdgeParameters& parameters,
                             PathBuilder& builder) {
   constexpr double kSpacings = 4;  // of a cloud: beyond its noise; chosen

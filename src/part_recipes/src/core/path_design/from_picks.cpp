@@ -43,7 +43,7 @@ Foot foot_of(const MeshSearch& surface, const Eigen::Vector3d& point, double mos
   throw Refused(name, fmt::format("{:.3g} mm from the surface", 1e3 * foot.distance), cure);
 }
 
-/// The spline between picks, set on the surface.
+/// The spline between picks, projected onto the surface.
 Trace line_on(const MeshSearch& surface, const Points& picks, const PickParameters& parameters) {
   constexpr double kStep = 0.0005;  // [m] chosen: a tenth of what is felt of a usual tool
   const double step = std::min(kStep, parameters.path.max_step);

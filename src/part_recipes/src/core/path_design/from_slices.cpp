@@ -56,7 +56,7 @@ class Raster {
   }
 
  private:
-  /// All but holes that count as filled.
+  /// All borders except holes that count as filled.
   std::vector<Trace> wide_borders() const {
     std::vector<Trace> borders = borders_of(seen_, parameters_.path.corner_angle);
     borders.erase(std::remove_if(borders.begin(), borders.end(),
@@ -83,7 +83,7 @@ class Raster {
     }
   }
 
-  /// What the viewer sees of a row, over the gaps that count as filled, within the margin.
+  /// What the viewer sees of a row, across the gaps that count as filled, within the margin.
   std::vector<Trace> pieces_of(const std::vector<Trace>& row) const {
     std::vector<Trace> seen;
     for (const Trace& line : row) {

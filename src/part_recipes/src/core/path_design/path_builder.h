@@ -18,7 +18,7 @@ class PathBuilder {
   void note(const std::string& text) { result_.notes.push_back(text); }  //!< for a person
 
   /// @throw scan_cell_common::Refused if nothing was added
-  /// @param what was looked for, such as "rows"
+  /// @param what the thing that was looked for, such as "rows"
   DesignedPath finish(const std::string& what);
 
  private:

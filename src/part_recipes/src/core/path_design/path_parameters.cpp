@@ -18,7 +18,7 @@ Eigen::Vector3d to_vector(const std::vector<double>& numbers) {
   return {numbers.at(0), numbers.at(1), numbers.at(2)};
 }
 
-/// Directions in a file of other units, and of any length, are the same directions.
+/// Directions stay the same in files of other units and at any length.
 void check_direction(const ParameterTable& table, const std::string& name,
                      const Eigen::Vector3d& direction) {
   if (!direction.isZero(1e-9)) return;  // [1] shorter than any that is meant

@@ -14,10 +14,10 @@ class ParameterTable;
 
 namespace part_recipes {
 
-/// Of all ways to make a path.
+/// Parameters of all ways to make a path.
 struct PathParameters {
   Eigen::Vector3d from = Eigen::Vector3d::UnitZ();  //!< the viewer's direction from the part
-  double chord = 0.0001;       //!< [m] of the line between waypoints from the surface
+  double chord = 0.0001;       //!< [m] from the surface to the line between waypoints
   double max_step = 0.01;      //!< [m] between waypoints
   double stand_off = 0;        //!< [m] of the waypoints from the surface
   std::vector<double> tool_x;  //!< direction of the tool's x axis; empty: along the travel
@@ -33,37 +33,37 @@ struct PathParameters {
 /// Which borders a path follows.
 enum class Loops { kAll, kOuter, kHoles };
 
-/// Of a path along the edge of a part or a face.
+/// Parameters of a path along the edge of a part or a face.
 struct EdgeParameters {
   PathParameters path;        //!< of all paths
   double offset = 0;          //!< [m] inwards from the edge, along the surface
-  std::vector<double> near;   //!< [m] on the face that is meant; empty: all that is seen
-  Loops loops = Loops::kAll;  //!< that are followed
-  double smoothing = 0;       //!< [m] to each side; 0: of a cloud four spacings, of a mesh none
+  std::vector<double> near;   //!< [m] on the chosen face; empty: all that is seen
+  Loops loops = Loops::kAll;  //!< to follow
+  double smoothing = 0;       //!< [m] to each side; 0: four spacings for a cloud, none for a mesh
 };
 
 /// How the rows of a raster follow each other.
 enum class RasterOrder { kZigzag, kOneWay };
 
-/// Of a raster over a surface.
+/// Parameters of a raster over a surface.
 struct SliceParameters {
   PathParameters path;                       //!< of all paths
   double spacing = 0.005;                    //!< [m] between the planes of the rows
   std::vector<double> direction;             //!< of the rows; empty: the longest axis
-  double angle = 0;                          //!< [rad] that the rows are turned from the direction
+  double angle = 0;                          //!< [rad] of the rows from the direction
   RasterOrder order = RasterOrder::kZigzag;  //!< of the rows
   double margin = 0;                         //!< [m] kept from the border
   int border_passes = 0;                     //!< along the border
 };
 
-/// Of a path through picked points.
+/// Parameters of a path through picked points.
 struct PickParameters {
   PathParameters path;          //!< of all paths
   double max_distance = 0.002;  //!< [m] of a pick from the surface
   bool closed = false;          //!< from the last pick back to the first
 };
 
-/// All parameters with range, unit and meaning.
+/// Describes each parameter: range, unit and meaning.
 void describe(scan_cell_common::ParameterTable& table, EdgeParameters& parameters);
 void describe(scan_cell_common::ParameterTable& table, SliceParameters& parameters);  //!< as above
 void describe(scan_cell_common::ParameterTable& table, PickParameters& parameters);   //!< as above

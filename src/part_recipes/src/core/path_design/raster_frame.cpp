@@ -22,8 +22,9 @@ Vector3d in_picture(const Vector3d& direction, const Vector3d& towards) {
   return direction - direction.dot(towards) * towards;
 }
 
-/// The axis about which a surface spreads least in the viewer's picture: exact second moments of
-/// the triangles (each as its corners, weighted with 1/12 of the area, and its middle, with 9/12).
+/// The axis about which a surface spreads least in the viewer's picture, from the exact second
+/// moments of the triangles (each as its corners, weighted with 1/12 of the area, and its middle,
+/// with 9/12).
 Vector3d longest_axis(const PartMesh& mesh, const Vector3d& towards) {
   double area = 0;
   Vector3d mean = Vector3d::Zero();

@@ -15,9 +15,9 @@ struct RasterFrame {
   path_design::Planes planes;  //!< of the rows
 };
 
-/// The rows along the given direction, or the longest axis of the surface in the viewer's picture,
-/// evenly about its middle: as many as cover it, each a spacing wide.
-/// @param surface that is seen
+/// The rows along the given direction, or along the longest axis of the surface in the viewer's
+/// picture, evenly about its middle: as many as cover it, each one spacing wide.
+/// @param surface visible part of the reference
 /// @throw scan_cell_common::InvalidParameter if the spacing is larger than the part, or so small
 /// that there would be more than 20,000 rows
 RasterFrame raster_frame(const path_design::PartMesh& surface, const SliceParameters& parameters);

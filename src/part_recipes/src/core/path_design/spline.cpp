@@ -19,7 +19,7 @@ Vector3d CatmullRom::point(std::ptrdiff_t i) const {
 }
 
 Vector3d CatmullRom::at(std::size_t piece, double share) const {
-  // Barry and Goldman's pyramid (1988): the knots are apart by the roots of the distances.
+  // Barry and Goldman's pyramid (1988): the knots are spaced by the square roots of the distances.
   std::array<Vector3d, 4> p;
   std::array<double, 4> knot{};
   for (std::size_t i = 0; i < 4; ++i) {

@@ -7,13 +7,14 @@
 namespace part_recipes {
 
 /// A centripetal Catmull-Rom spline through points (Yuksel, Schaefer, Keyser 2011): without cusps
-/// or loops between them. The ends of an open one go on as their sides mirrored.
+/// or loops between them. An open spline continues beyond its ends with its end sides mirrored.
 class CatmullRom {
  public:
-  /// @param points [m] two or more, of a closed one three or more; neighbours in different places
+  /// @param points [m] two or more, for a closed spline three or more; neighbours in different
+  /// places
   CatmullRom(const path_design::Points& points, bool closed) : points_(points), closed_(closed) {}
 
-  /// From point to point.
+  /// Number of pieces, from point to point.
   std::size_t pieces() const { return points_.size() - (closed_ ? 0 : 1); }
 
   /// A place of a piece [m].

@@ -21,7 +21,7 @@ constexpr std::array<const char*, 4> kExpectedErrors = {
     "expected_error_normal", "expected_error_tangential", "expected_error_across",
     "expected_error_orientation"};
 
-/// Null, not known, is worse than any number.
+/// Null (not known) is worse than any number.
 Json worse(const Json& one, const Json& other) {
   if (one.is_null() || other.is_null()) return nullptr;
   return std::max(one.get<double>(), other.get<double>());
@@ -58,7 +58,8 @@ Json all_quality(const tool_paths::EditedPath& edited, const Json& before) {
   return all;
 }
 
-/// Over the waypoints that are not in the air; null where that is not known of one of them.
+/// Largest value over the waypoints that are not in the air; null if it is not known for one of
+/// them.
 Json largest(const Json& quality, const char* name) {
   Json most = 0.0;
   bool any = false;
@@ -70,7 +71,7 @@ Json largest(const Json& quality, const char* name) {
   return any ? most : Json(nullptr);
 }
 
-/// Of what the report says before its list of waypoints.
+/// Counts again what the report says before its list of waypoints.
 void count_again(Json& report) {
   const Json& quality = report.at("quality");
   std::size_t measured = 0, in_air = 0;

@@ -10,7 +10,7 @@
 
 namespace part_recipes {
 
-/// What a report of stretch says of a path before a person edited it.
+/// A report of stretch about a path before a person edited it.
 struct UneditedReport {
   std::string text;  //!< JSON
   std::string name;  //!< of its file, in errors
@@ -22,11 +22,11 @@ struct DoneEdits {
   std::string sha256;  //!< of their file
 };
 
-/// The report of the path after the edits: its file, its waypoints, how far off each may be (of one
-/// that was added: as far as the worse of its neighbours), and under `edits` what was done, in
-/// words. Edits of an edited path are told after those before them.
+/// The report of the path after the edits: its file, its waypoints, how far off each may be (an
+/// added waypoint: as far as the worse of its neighbours), and under `edits` what was done, in
+/// words. If the path had been edited before, its earlier edits come first.
 /// @param output the edited path's file
-/// @throw scan_cell_common::UnusableInput if it is no report, or of another number of waypoints
+/// @throw scan_cell_common::UnusableInput if it is not a report, or has another number of waypoints
 std::string edited_report(const UneditedReport& unedited, const tool_paths::EditedPath& edited,
                           const DoneEdits& done, const tool_path_stretcher::FileRecord& output);
 

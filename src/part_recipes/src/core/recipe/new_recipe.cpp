@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using scan_cell_common::FileError;
 using scan_cell_common::UnusableInput;
 
-/// A folder under a dotted name until it is whole.
+/// A folder with a dotted name until it is whole.
 class Draft {
  public:
   Draft(const fs::path& recipes, const std::string& name)
@@ -40,7 +40,7 @@ class Draft {
 
   const fs::path& path() const { return draft_; }
 
-  /// @return name in the folder: what it is, and the ending that the file had
+  /// @return name in the folder: `as` with the ending of the file
   std::string add(const std::string& file, const std::string& as) const {
     if (file.empty()) return "";
     const std::string name = as + scan_cell_common::extension_of(file);
@@ -106,7 +106,7 @@ std::string yaml_of(const Recipe& recipe) {
   return std::string(text.c_str()) + "\n";
 }
 
-/// Its problems, but for the proof that it does not have yet.
+/// Refuses the recipe's problems, except the missing proof, which it cannot have yet.
 void refuse_problems(const Recipe& recipe) {
   const auto problems = problems_of(recipe);
   if (problems.empty()) return;

@@ -29,11 +29,11 @@ struct NewRecipe {
 };
 
 /// Makes RECIPES/NAME with its files, recipe.yaml and a proof that says it was made and not proven.
-/// It is there whole, or not at all.
+/// The recipe is made whole, or not at all.
 /// @return the recipe
-/// @throw scan_cell_common::InvalidParameter if the name is none
-/// @throw scan_cell_common::FileError if there is such a recipe, or a file cannot be copied
-/// @throw scan_cell_common::UnusableInput if a file is of no use, as problems_of() says it
+/// @throw scan_cell_common::InvalidParameter if the name is not allowed
+/// @throw scan_cell_common::FileError if the recipe exists already, or a file cannot be copied
+/// @throw scan_cell_common::UnusableInput if a file is unusable, as from problems_of()
 Recipe make_recipe(const std::filesystem::path& recipes, const NewRecipe& made);
 
 }  // namespace part_recipes

@@ -11,7 +11,7 @@
 
 namespace part_recipes {
 
-/// Where a run keeps the places for its tools.
+/// File in which a run keeps the places for its tools.
 constexpr const char* kPlacesFile = "places.yaml";
 
 /// Writes a list of name, position [m] and radius [m].

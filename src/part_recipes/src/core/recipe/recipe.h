@@ -31,19 +31,19 @@ struct Place {
   double radius = 0.005;                               //!< [m] of the points that count
 };
 
-/// A program that the adapted path becomes.
+/// A robot program that is made from the adapted path.
 struct RobotProgram {
   std::string file;     //!< its ending tells the language
   ToolOptions options;  //!< of export_path
 };
 
-/// A short scan before the work: whether the part lies where it was scanned.
+/// A short scan before the work, to check that the part still lies where it was scanned.
 struct CheckPass {
   std::string program;        //!< scan program that sees all of the path
-  double tolerance = 0.0005;  //!< [m] by which the part may have moved, and the path changed
+  double tolerance = 0.0005;  //!< [m] allowed for the part's motion and the path's change
 };
 
-/// All that one part type needs from scan to program. Lengths are metres.
+/// Everything that one part type needs from scan to program. Lengths are metres.
 struct Recipe {
   std::filesystem::path folder;        //!< where its files lie
   std::string name;                    //!< for people; any text
@@ -56,20 +56,21 @@ struct Recipe {
   std::vector<Place> places;           //!< each with a name of its own
   std::vector<RobotProgram> programs;  //!< of an accepted path
   ToolOptions work;                    //!< of work: waypoint_z, frame
-  std::optional<CheckPass> check;      //!< before each work; none: the part stays where it is
+  std::optional<CheckPass> check;      //!< before each work; none: the part stays in place
 
   /// Names of the files in the folder that a run depends on; recipe.yaml is the first.
   std::vector<std::string> files() const;
 
-  /// In which its reference is shown, its path adapted and worked: that of work, else world.
+  /// Frame in which the reference is shown and the path adapted and worked: that of work, else
+  /// world.
   std::string frame() const;
 };
 
 /// Whether a path is a robot program, with frames of its own, rather than a table of waypoints.
 bool is_robot_program(const RecipeFile& path);
 
-/// Reads a recipe that lies in no folder.
-/// @param name of the text in complaints
+/// Reads a recipe from text, without a folder.
+/// @param name of the text in error messages
 /// @throw as load_recipe()
 Recipe parse_recipe(const std::string& text, const std::string& name);
 
@@ -82,15 +83,15 @@ Recipe load_recipe(const std::filesystem::path& folder);
 /// The recipe of that name below a folder of recipes.
 /// @param name of its folder
 /// @throw scan_cell_common::InvalidParameter if the name would lead elsewhere
-/// @throw scan_cell_common::FileError if there is no such recipe; names those that there are
+/// @throw scan_cell_common::FileError if there is no such recipe; names the existing ones
 std::filesystem::path find_recipe(const std::filesystem::path& recipes, const std::string& name);
 
 /// Names of the recipes below a folder, sorted.
 /// @throw scan_cell_common::FileError if the folder cannot be read
 std::vector<std::string> recipe_names(const std::filesystem::path& recipes);
 
-/// The same; none where there is no such folder yet, which the first recipe makes.
-/// @throw scan_cell_common::FileError if it is there and cannot be read
+/// The same; none if the folder does not exist yet: the first recipe makes it.
+/// @throw scan_cell_common::FileError if the folder exists and cannot be read
 std::vector<std::string> recipe_names_so_far(const std::filesystem::path& recipes);
 
 /// @throw scan_cell_common::InvalidParameter unless the text can be the name of a folder: no

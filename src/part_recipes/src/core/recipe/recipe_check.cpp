@@ -25,7 +25,7 @@ namespace {
 using scan_cell_common::UnusableInput;
 using tool_path_stretcher::StretchParameters;
 
-/// Takes what the recipe gives for each parameter of stretch, and knows what is left.
+/// Takes the recipe's value for each parameter of stretch, and knows which are left.
 class GivenParameters final : public scan_cell_common::ParameterTable {
  public:
   explicit GivenParameters(const ToolOptions& given) : left_(given) {}
@@ -53,7 +53,7 @@ void check_stretch(const Recipe& recipe) {
                         "see docs/tool_path_stretcher.md");
 }
 
-/// A path of another part lies anywhere but on this one.
+/// Refuses a path that does not lie on the part: it belongs to another one.
 void check_path(const Recipe& recipe) {
   const StretchParameters parameters;
   const auto file = (recipe.folder / recipe.reference.file).string();

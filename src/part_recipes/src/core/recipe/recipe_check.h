@@ -10,7 +10,7 @@
 namespace part_recipes {
 
 /// Reads every file of a recipe as its tools will.
-/// @return what is missing or of no use, a line each with its cure; empty: nothing
+/// @return what is missing or unusable, one line each with its cure; empty: nothing
 std::vector<std::string> problems_of(const Recipe& recipe);
 
 }  // namespace part_recipes

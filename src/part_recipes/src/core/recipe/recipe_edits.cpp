@@ -21,8 +21,8 @@ using scan_cell_common::YamlEntry;
 
 constexpr const char* kCleaningFile = "cleaning.yaml";  // of a recipe that had none
 
-/// Settings without a section of their top level. Comments and blank lines in front of the next one
-/// stay.
+/// Settings without one section of their top level. Comments and blank lines before the next
+/// section stay.
 std::string without(const std::string& section, const std::string& settings) {
   std::istringstream lines(settings);
   std::string kept, between;
@@ -79,13 +79,13 @@ Proof proof_of_unchanged(const Recipe& recipe) {
   return proof;
 }
 
-/// @param before it was changed
+/// @param before proof before the change
 void count_as_made(const Recipe& recipe, const Proof& before) {
   const Recipe changed = load_recipe(recipe.folder);
   save_proof(changed, {false, utc_now(), "", hashes_of(changed), before.calibration});
 }
 
-/// @param change of the text of the settings
+/// @param change made to the text of the settings
 template <class Change>
 void change_cleaning(const Recipe& recipe, const Change& change) {
   const Proof proof = proof_of_unchanged(recipe);

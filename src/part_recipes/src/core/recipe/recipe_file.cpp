@@ -20,7 +20,7 @@ using scan_cell_common::YamlEntry;
 
 constexpr int kRecipeFormat = 1;
 
-/// A file must move with the recipe's folder, and a program must not be written outside of it.
+/// Files must move with the recipe's folder, and a program must not be written outside of it.
 std::string file_within(const YamlEntry& entry) {
   const auto name = entry.as<std::string>();
   const fs::path path(name);

@@ -7,11 +7,12 @@
 
 namespace part_recipes {
 
-/// Those of NAME, NAME_2, NAME_3 ... that have a .json or a .log, up to the first that has none.
+/// Names among NAME, NAME_2, NAME_3 ... that have a .json or a .log, up to the first that has
+/// neither.
 std::vector<std::string> taken_names(const std::string& wanted);
 
-/// The first of NAME, NAME_2, NAME_3 ... that no .json and no .log has: no record takes the place
-/// of another.
+/// The first of NAME, NAME_2, NAME_3 ... that has neither a .json nor a .log, so that no record
+/// replaces another.
 std::string free_name(const std::string& wanted);
 
 }  // namespace part_recipes

@@ -15,7 +15,7 @@ namespace part_recipes {
 /// The file in a run's folder that makes it a run; it is written last.
 constexpr const char* kRunFile = "run.json";
 
-/// The page that is made from a run's files; it is none of them.
+/// The page that is made from a run's files, and is not one of them.
 constexpr const char* kReportPage = "report.html";
 
 /// A tool that a run called.
@@ -32,7 +32,7 @@ struct FileEntry {
   std::uintmax_t bytes = 0;
 };
 
-/// What a run found out. Lengths are metres; not a number: not known.
+/// Figures of a run. Lengths are metres; none: not known.
 struct RunFigures {
   std::optional<double> scale, rms, largest_displacement, expected_error_normal,
       expected_error_tangential, expected_error_orientation;  // the last in rad
@@ -43,10 +43,10 @@ struct RunFigures {
 /// How a run ended.
 enum class RunState { kAccepted, kRefused, kUnusable };
 
-/// Its word in files.
+/// The word for it in files.
 std::string to_string(RunState state);
 
-/// All that is kept of a run beside its files (docs/part_recipes.md).
+/// Everything kept about a run besides its files (docs/part_recipes.md).
 struct RunRecord {
   std::string id;
   std::string recipe_name;     //!< for people
@@ -69,7 +69,7 @@ struct RunRecord {
   std::string note;            //!< of the person
 };
 
-/// As run.json holds it.
+/// The text of run.json.
 std::string to_json(const RunRecord& record);
 
 /// Reads run.json of a run's folder.

@@ -7,13 +7,13 @@
 
 namespace part_recipes {
 
-/// What the cell wrote of one work, or dry run, of a run's path.
+/// What the cell wrote about one work, or dry run, of a run's path.
 struct WorkRecord {
   bool finished = false;   //!< to the end of the path
   std::size_t passed = 0;  //!< waypoints
 };
 
-/// All works of a run in which the robot passed any waypoint, or all dry runs, the last one last:
+/// All works, or all dry runs, of a run in which the robot passed a waypoint, oldest first:
 /// ID.work.json, ID.work_2.json ... beside its folder.
 /// @param run folder
 /// @throw scan_cell_common::UnusableInput if a file is broken

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 using scan_cell_common::FileError;
 
-/// Who claims.
+/// Name of the claiming worker.
 std::string worker() {
   char host[256] = {};  // HOST_NAME_MAX is 64
   gethostname(host, sizeof(host) - 1);
@@ -42,7 +42,7 @@ Job job_in(const fs::path& file) {
   }
 }
 
-/// Of the JSON files in a folder, sorted.
+/// Names of the JSON files in a folder, sorted.
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
   try {
@@ -109,7 +109,7 @@ bool JobFolder::take(const std::string& id, std::chrono::seconds lease) const {
   const auto touched = fs::last_write_time(file, failure);
   if (!failure) {
     if (fs::file_time_type::clock::now() - touched < lease) return false;
-    // Of those who find it free, one renames it.
+    // Of several workers that find it free, one renames it.
     const fs::path old = file.string() + "." + std::to_string(getpid());
     fs::rename(file, old, failure);
     if (failure) return false;
@@ -143,7 +143,7 @@ std::optional<Job> JobFolder::claim(std::chrono::seconds lease) const {
 }
 
 void JobFolder::touch(const Job& job) const {
-  std::error_code gone;  // another worker took it; finish() decides between the two
+  std::error_code gone;  // another worker took it; finish() decides between both
   fs::last_write_time(claim_of(job.id), fs::file_time_type::clock::now(), gone);
 }
 

@@ -10,58 +10,58 @@
 
 namespace part_recipes {
 
-/// A recorded run that is to be done with another recipe.
+/// A recorded run to be repeated with another recipe.
 struct Job {
   std::string id;                //!< of the recorded run
   std::filesystem::path run;     //!< its folder
   std::filesystem::path recipe;  //!< folder of the other recipe
 };
 
-/// Jobs in a folder that any number of workers share, on one machine or on many with a shared file
-/// system. A worker claims a job by making a file that must not be there yet; a claim that its
-/// worker no longer touches is free again. A result is linked into its place, which only one can:
-/// no job is lost with its worker, and none counts twice.
+/// Jobs in a folder shared by any number of workers, on one machine or on many with a shared file
+/// system. A worker claims a job by making a file that must not exist yet; a claim that its worker
+/// no longer touches is free again. A result is linked into its place, which only one worker can
+/// do: no job is lost with its worker, and none counts twice.
 ///
 ///     FOLDER/jobs/ID.json     what to do
-///     FOLDER/claims/ID        who does it; its time is when the worker last said that it lives
-///     FOLDER/done/ID.json     the run that came out
+///     FOLDER/claims/ID        who does it; its time is the worker's last sign of life
+///     FOLDER/done/ID.json     the resulting run
 ///     FOLDER/runs/            the runs
 class JobFolder {
  public:
   explicit JobFolder(std::filesystem::path folder);
 
-  /// Adds jobs; those that are there already stay.
+  /// Adds jobs. Existing ones stay.
   /// @throw scan_cell_common::FileError
   void add(const std::vector<Job>& jobs) const;
 
-  /// All, by id.
+  /// All jobs, by id.
   /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput if one is broken
   std::vector<Job> jobs() const;
 
   std::vector<std::string> ids() const;       //!< of all jobs, sorted
   std::vector<std::string> open_ids() const;  //!< of those without a result, sorted
 
-  /// Takes a job that nobody does.
+  /// Takes a job that nobody is working on.
   /// @param lease [s] after which a claim that is not touched is free again
-  /// @return none: all are done, or somebody does them
+  /// @return none: every job is done, or somebody is working on it
   std::optional<Job> claim(std::chrono::seconds lease) const;
 
   /// Takes this job.
-  /// @return none: it is done, or somebody does it
+  /// @return none: it is done, or somebody is working on it
   std::optional<Job> claim(const std::string& id, std::chrono::seconds lease) const;
 
-  /// Says that the worker of this job lives.
+  /// Gives a sign of life of this job's worker.
   void touch(const Job& job) const;
 
-  /// Gives a job back that was not done.
+  /// Gives back a job that was not done.
   void release(const Job& job) const;
 
-  /// Puts down the run that came out.
-  /// @return false: another worker was first, and this run is of no use
+  /// Records the resulting run.
+  /// @return false: another worker was first, and this run is useless
   /// @throw scan_cell_common::FileError
   bool finish(const Job& job, const std::filesystem::path& run) const;
 
-  /// The run that came out of a job; none: it is not done.
+  /// The run that resulted from a job; none: it is not done.
   std::optional<std::filesystem::path> result(const std::string& id) const;
 
   std::filesystem::path runs() const { return folder_ / "runs"; }

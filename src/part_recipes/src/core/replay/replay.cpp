@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Asked often while tools run: touches the claim from time to time.
+/// Called often while tools run: touches the claim from time to time.
 class Heartbeat {
  public:
   Heartbeat(const JobFolder& folder, const Job& job, std::chrono::seconds lease, const Stop& stop)
@@ -41,14 +41,14 @@ class Heartbeat {
   std::chrono::steady_clock::time_point touched_ = std::chrono::steady_clock::now();
 };
 
-/// The jobs that a worker tries, in an order of its own: it lists the folder only where it knows of
-/// no more, and workers seldom try what another one has just taken.
+/// The jobs that a worker tries, in an order of its own. It lists the folder only when it knows no
+/// more jobs, and workers seldom try what another one has just taken.
 class OpenJobs {
  public:
   OpenJobs(const JobFolder& folder, std::chrono::seconds lease)
       : folder_(folder), lease_(lease), order_(static_cast<unsigned>(getpid())) {}
 
-  /// @return none: all are done, or somebody does them
+  /// @return none: every job is done, or somebody is working on it
   std::optional<Job> next() {
     if (auto job = next_known()) return job;
     ids_ = folder_.open_ids();

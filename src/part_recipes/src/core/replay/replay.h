@@ -15,15 +15,15 @@ namespace part_recipes {
 /// Called with the id of a job when it begins.
 using JobBegins = std::function<void(const std::string& id)>;
 
-/// Does the jobs of a folder until all are done or somebody else does them. A job that is stopped
-/// is given back.
+/// Does the jobs of a folder until each is done or somebody else is working on it. A stopped job is
+/// given back.
 /// @param lease of the claims; the worker touches its claim four times in it
-/// @return how many it did
-/// @throw scan_cell_common::Error if a recorded run is of no use; its claim is given back
+/// @return number of jobs it did
+/// @throw scan_cell_common::Error if a recorded run is unusable; its claim is given back
 std::size_t work_on(const JobFolder& folder, std::chrono::seconds lease, const JobBegins& begins,
                     const Stop& stop);
 
-/// One recorded run beside what came out with the other recipe.
+/// One recorded run beside the result with the other recipe.
 struct ReplayedRun {
   std::string id;
   RunRecord before, after;
@@ -31,7 +31,7 @@ struct ReplayedRun {
       moved_most;  //!< [m] of the waypoints; both accepted, and as many
 };
 
-/// All jobs that are done, by id.
+/// All finished jobs, by id.
 /// @throw scan_cell_common::Error if a run cannot be read
 std::vector<ReplayedRun> replayed(const JobFolder& folder);
 

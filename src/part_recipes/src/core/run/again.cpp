@@ -39,7 +39,7 @@ RunRequest request_of(const fs::path& folder, const fs::path& runs, const Stop& 
     request.scanner = folder / "inputs" / kScannerModel;
   if (fs::exists(folder / "inputs" / kPathEdits))
     request.path_edits = tool_paths::load_path_edits((folder / "inputs" / kPathEdits).string());
-  request.prove = true;  // what was run once may be looked at again
+  request.prove = true;  // a recorded run may be repeated
   request.again_of = before.id;
   request.recipe_folder = before.recipe_folder;
   request.note = before.note;

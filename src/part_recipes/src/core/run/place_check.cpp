@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 using tool_path_stretcher::ReportedVerdict;
 
-/// A folder for the tools, beside the run and under a dotted name, that is gone with it.
+/// A dotted folder for the tools, beside the run. It is removed with this object.
 class CheckFolder {
  public:
   CheckFolder(const Recipe& recipe, const fs::path& run)
@@ -54,7 +54,7 @@ class CheckFolder {
   fs::path path_;
 };
 
-/// How far any corner of a box about the points goes.
+/// The farthest distance that any corner of a box around the points moves.
 double farthest(const tool_path_stretcher::Similarity& similarity,
                 const std::vector<Eigen::Vector3d>& points) {
   Eigen::AlignedBox3d box;

@@ -11,7 +11,7 @@
 
 namespace part_recipes {
 
-/// What a short scan of a part that was scanned before has found.
+/// Result of a short scan of a part that was scanned before.
 struct PlaceCheck {
   bool lies_there = false;        //!< as it did, within the recipe's tolerance
   std::optional<double> moved;    //!< [m] at most, of any place on the part; none: not found again
@@ -19,12 +19,11 @@ struct PlaceCheck {
   std::string message;            //!< for a person
 };
 
-/// Scans the part of an accepted run by the program that its recipe has for it, and adapts the
-/// run's path from the first scan to this one. What was found is kept beside the run's folder:
-/// ID.check.json.
-/// @param recipe whose check is given
+/// Scans the part of an accepted run with its recipe's check program, and adapts the run's path
+/// from the first scan to this one. The result is kept beside the run's folder: ID.check.json.
+/// @param recipe must have a check
 /// @param run its folder
-/// @param scan raw cloud [m] in place of the cell's; none: the running cell scans
+/// @param scan raw cloud [m] instead of the cell's; none: the running cell scans
 /// @throw scan_cell_common::FileError if a tool cannot be called, or a file cannot be written
 PlaceCheck check_place(const Recipe& recipe, const std::filesystem::path& run,
                        const RunRequest& request, const StageBegins& begins,

@@ -6,9 +6,9 @@
 
 namespace part_recipes {
 
-/// Runs a recipe on its reference part. Where the path is accepted, and the root mean square of all
-/// deviations and the deviation of each named place are within the tolerance, the recipe is proven
-/// with its files and calibration as they are now.
+/// Runs a recipe on its reference part. The recipe is proven with its present files and calibration
+/// if the path is accepted, and the root mean square of all deviations and the deviation of each
+/// named place are within the tolerance.
 /// @return the run that proved it
 /// @throw scan_cell_common::Refused naming what is out of tolerance; the recipe stays as it was
 EndedRun prove(const Recipe& recipe, RunRequest request, const StageBegins& begins = {});

@@ -12,7 +12,7 @@ namespace part_recipes {
 constexpr const char* kPictureFile = "picture.png";
 
 /// Draws the reference and the path on it.
-/// @return what went wrong; empty: nothing. A recipe without its picture is a recipe
+/// @return what went wrong; empty: nothing. A recipe without a picture is valid
 std::string draw_picture(const Recipe& recipe);
 
 }  // namespace part_recipes

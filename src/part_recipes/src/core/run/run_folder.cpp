@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using scan_cell_common::FileError;
 using scan_cell_common::UnusableInput;
 
-/// Letters and digits of a name that any file system takes.
+/// Only the letters and digits of a name that any file system takes.
 std::string plain(const std::string& name) {
   constexpr std::size_t kLongest = 40;  // [letters] an id stays readable
   std::string result;

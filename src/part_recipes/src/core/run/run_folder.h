@@ -9,14 +9,14 @@
 
 namespace part_recipes {
 
-/// Where a run gathers its files until it is whole. It lies beside the other runs under a name that
-/// begins with a dot, which nobody takes for a run; seal() gives it its name. A run that is not
-/// sealed is removed; one that was killed leaves its dotted folder behind.
+/// Folder in which a run gathers its files until it is whole. It lies beside the other runs under a
+/// name that begins with a dot, which nobody takes for a run; seal() gives it its name. A run that
+/// is not sealed is removed; one that was killed leaves its dotted folder behind.
 class RunFolder {
  public:
   /// Makes the folder.
-  /// @param runs folder of all runs; made where it is missing
-  /// @param recipe_name becomes a part of the id
+  /// @param runs folder of all runs; made if missing
+  /// @param recipe_name becomes part of the id
   /// @throw scan_cell_common::FileError if it cannot be made
   RunFolder(const std::filesystem::path& runs, const std::string& recipe_name);
   ~RunFolder();
@@ -35,8 +35,8 @@ class RunFolder {
   /// @throw scan_cell_common::FileError
   void write(RunRecord& record) const;
 
-  /// Brings all to the disk and gives the folder its name. What is there after that is whole, even
-  /// if the machine goes off.
+  /// Brings everything to the disk and gives the folder its name. After that the folder is whole,
+  /// even if the machine goes off.
   /// @return the run's folder
   /// @throw scan_cell_common::FileError
   std::filesystem::path seal();
@@ -48,11 +48,11 @@ class RunFolder {
   bool sealed_ = false;
 };
 
-/// Of every file below a run's folder, but for run.json and the page that is made from it.
+/// Entries of every file below a run's folder, except run.json and the page that is made from it.
 /// @throw scan_cell_common::FileError
 std::map<std::string, FileEntry> files_of(const std::filesystem::path& folder);
 
-/// Whether a run's files are as they were when it was sealed.
+/// Checks that a run's files are as they were when it was sealed.
 /// @throw scan_cell_common::UnusableInput naming the first that is missing, changed or new
 void check_files(const std::filesystem::path& folder, const RunRecord& record);
 

@@ -85,7 +85,7 @@ class Run {
     if (request_.scanner) folder_.add(*request_.scanner, kScannerInput);
   }
 
-  /// In inputs; a given cloud keeps its format.
+  /// Name of the scan in inputs; a given cloud keeps its format.
   std::string scan_name() const {
     return "scan" + (request_.scan ? request_.scan->extension().string() : ".ply");
   }
@@ -125,14 +125,14 @@ class Run {
     return folder_.path() / "stages" / (stage + ".log");
   }
 
-  /// The run ends with what the stage said.
+  /// Ends the run with what the stage said.
   bool failed(const std::string& stage) {
     record_.reason = stage + "_failed";
     record_.message = last_line(log_of(stage));
     return false;
   }
 
-  /// What the cell said of the scan; none: the cloud was given without it.
+  /// The cell's record of the scan; none: the cloud was given without it.
   std::optional<fs::path> scan_record() const {
     const fs::path file = folder_.path() / "scan.json";
     return fs::exists(file) ? std::optional(file) : std::nullopt;
@@ -155,7 +155,7 @@ class Run {
     return call(clean_call(recipe_, scan_name(), record_.scan_units)) == 0 || failed("clean");
   }
 
-  /// Where stretch puts its results, seen from inputs.
+  /// Folder for the results of stretch, seen from inputs.
   std::string results() const {
     return request_.path_edits.empty() ? ".." : std::string("../") + kUnedited;
   }
@@ -191,7 +191,7 @@ class Run {
     return code == kRefused ? RunState::kRefused : RunState::kUnusable;
   }
 
-  /// Where it was not scanned, or the cleaning took it. A run without that is a run.
+  /// Looks for waypoints where the cleaning took the points. A run without this is still a run.
   void look_at_cleaning(const fs::path& report) {
     try {
       const auto taken =
@@ -203,7 +203,8 @@ class Run {
     }
   }
 
-  /// Which waypoints the scan could see, and why not the others. A run without it is a run.
+  /// Finds which waypoints the scan could see, and what hindered the others. A run without it is
+  /// still a run.
   void look() {
     const auto told = scan_record();
     if (!told || recipe_.program.empty()) return;  // a cloud from elsewhere
@@ -219,7 +220,7 @@ class Run {
       ended_.warn("not known what the scan could see: " + last_line(log_of("sight")));
   }
 
-  /// Among the inputs, unless it is there; only as it was at the scan.
+  /// Keeps the scanner model among the inputs, if it is as it was at the scan.
   bool keep_scanner_model(const ScannedWith& with) const {
     if (fs::exists(folder_.path() / kScannerInput)) return true;
     try {
@@ -249,7 +250,7 @@ class Run {
     return true;
   }
 
-  /// A run without its page is a run.
+  /// A run without its page is still a run.
   void draw() {
     if (begins_) begins_("report");
     const fs::path log = folder_.path() / "stages" / "report.log";

@@ -21,7 +21,7 @@ enum class Work {
   kReal,  //!< refused by the cell until the recipe's path was run dry there
 };
 
-/// What a run is made from besides its recipe.
+/// Inputs of a run besides its recipe.
 struct RunRequest {
   std::filesystem::path runs;  //!< folder of all runs
   std::optional<std::filesystem::path>
@@ -39,13 +39,13 @@ struct RunRequest {
   std::vector<tool_paths::PathEdit> path_edits;   //!< what a person does to the adapted path
   std::string recipe_folder;   //!< of the recipe that the run it repeats had; empty: as it is
   std::string note;            //!< of the person
-  std::function<bool()> stop;  //!< whether to end now; there is no run then
+  std::function<bool()> stop;  //!< whether to end now; then there is no run
 };
 
-/// Called as a stage begins.
+/// Called when a stage begins.
 using StageBegins = std::function<void(const std::string& stage)>;
 
-/// A run that ended, and is whole on the disk.
+/// A run that has ended and is whole on the disk.
 struct EndedRun {
   std::filesystem::path folder;
   RunRecord record;
@@ -60,26 +60,26 @@ struct EndedRun {
 };
 
 /// Scans (unless a cloud is given), cleans, adapts, measures the deviations, writes the robot's
-/// programs, and seals all that as one folder (docs/part_recipes.md). A refusal is a run, too, and
+/// programs, and seals all of it as one folder (docs/part_recipes.md). A refusal is a run, too, and
 /// so is a stage that failed.
 /// @throw scan_cell_common::Refused if the recipe is not as it was proven, or the run was stopped:
 /// there is no run then
-/// @throw scan_cell_common::FileError if the run cannot be written: there is none then
+/// @throw scan_cell_common::FileError if the run cannot be written: there is no run then
 EndedRun run_recipe(const Recipe& recipe, const RunRequest& request, const StageBegins& begins);
 
-/// Works the part of a run that was accepted, as far as the request asks for it, and adds to the
-/// run how that ended. What was passed is kept beside the run's folder, which stays as it was
-/// sealed: ID.dry_run.json, ID.work.json, the second time ID.work_2.json; where it failed also
-/// .log. Nothing happens where the run was not accepted.
+/// Works the part of an accepted run, if the request asks for it, and adds to the run how that
+/// ended. The passed waypoints are kept beside the run's folder, which stays as it was sealed:
+/// ID.dry_run.json, ID.work.json, the second time ID.work_2.json; if it failed, also .log. Nothing
+/// happens if the run was not accepted.
 /// @throw scan_cell_common::FileError if the tool cannot be called
 void work(const Recipe& recipe, const RunRequest& request, const StageBegins& begins,
           EndedRun& ended);
 
-/// Shows on scan_cell's ~work_preview what the robot would do to work the part of a run, be it
-/// possible or not. Nothing moves.
+/// Shows on scan_cell's ~work_preview how the robot would work the part of a run, whether or not it
+/// can. Nothing moves.
 /// @param timeout [s] to wait for the cell
 /// @param stop whether to end now
-/// @throw scan_cell_common::Refused if the cell cannot look at it
+/// @throw scan_cell_common::Refused if the cell cannot make the preview
 void preview_work(const Recipe& recipe, const std::filesystem::path& run, bool dry, double timeout,
                   const std::function<bool()>& stop);
 

@@ -17,7 +17,7 @@ struct Interval {
 
 /// How well a process keeps within a tolerance.
 struct Capability {
-  std::size_t first = 0;          //!< index of the first value that it is of
+  std::size_t first = 0;          //!< index of its first value
   std::size_t count = 0;          //!< of values, from that one to the last
   double mean = 0;                //!< in the values' unit
   double standard_deviation = 0;  //!< of the sample, with count - 1
@@ -36,7 +36,7 @@ enum class NoCapability {
   kNoSpread           //!< all values are the same
 };
 
-/// So many values are needed: with fewer the interval says nothing. Montgomery, Introduction to
+/// Number of values needed: with fewer the interval says nothing. Montgomery, Introduction to
 /// Statistical Quality Control: 20 to 25 for control limits.
 constexpr std::size_t kCapabilityValues = 25;
 
@@ -44,17 +44,17 @@ constexpr std::size_t kCapabilityValues = 25;
 std::string to_string(NoCapability reason);
 std::string in_words(NoCapability reason);
 
-/// From figures of a sample, whether or not the process is in control. Interval of Cp: exact for
-/// normal values, from the chi-square distribution with count - 1 degrees of freedom (NIST
-/// e-Handbook 6.1.6). Interval of Cpk: A. F. Bissell, How reliable is your capability index?,
+/// Capability from figures of a sample, whether or not the process is in control. Interval of Cp:
+/// exact for normal values, from the chi-square distribution with count - 1 degrees of freedom
+/// (NIST e-Handbook 6.1.6). Interval of Cpk: A. F. Bissell, How reliable is your capability index?,
 /// Applied Statistics 39 (1990) 331-340.
 /// @param count 2 or more
 /// @param standard_deviation above 0
 Capability capability_of(std::size_t count, double mean, double standard_deviation,
                          const Interval& tolerance);
 
-/// Of a process while it is in control: of the values since the last one with which it broke one of
-/// the rules of western_electric(), by the chart of all values.
+/// Capability of a process while it is in control: of the values since it last broke one of the
+/// rules of western_electric(), by the chart of all values.
 /// @param values in the order in which they arose
 /// @param tolerance none: kNoTolerance
 std::variant<Capability, NoCapability> capability(const std::vector<double>& values,

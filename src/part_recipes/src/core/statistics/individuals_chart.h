@@ -25,7 +25,7 @@ struct IndividualsChart {
 /// Methods, 6.3.2.2; Montgomery, Introduction to Statistical Quality Control, "control charts for
 /// individual measurements".
 /// @param values in the order in which they arose, all of them finite
-/// @return none of fewer than two values
+/// @return none for fewer than two values
 std::optional<IndividualsChart> individuals_chart(const std::vector<double>& values);
 
 }  // namespace part_recipes

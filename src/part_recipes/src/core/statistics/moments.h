@@ -6,11 +6,11 @@
 
 namespace part_recipes {
 
-/// Exact where all values are equal.
+/// Mean; exact if all values are equal.
 /// @param values one or more
 double mean_of(const std::vector<double>& values);
 
-/// Of the sample, with count - 1.
+/// Standard deviation of the sample, with count - 1.
 /// @param values two or more
 double standard_deviation_of(const std::vector<double>& values);
 

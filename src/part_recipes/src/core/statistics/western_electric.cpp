@@ -8,7 +8,7 @@
 namespace part_recipes {
 namespace {
 
-/// So many of the latest values are farther from the mean than so many sigma, on one side.
+/// A number of the latest values is farther from the mean than a number of sigmas, on one side.
 struct Rule {
   int number;
   std::size_t needed, of;

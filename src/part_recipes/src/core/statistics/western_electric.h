@@ -15,7 +15,7 @@ struct RuleBreak {
 };
 
 /// The rules of the Western Electric handbook (Statistical Quality Control Handbook, 1956; NIST
-/// e-Handbook 6.3.2), each looked at on either side of the mean:
+/// e-Handbook 6.3.2), each applied on either side of the mean:
 /// 1: a value beyond 3 sigma; 2: two of three successive values beyond 2 sigma; 3: four of five
 /// beyond 1 sigma; 4: eight successive values on the same side.
 /// @param values in their order

@@ -41,7 +41,7 @@ std::uint32_t packed(const Rgb& rgb) {
   return word;
 }
 
-/// The median of what is known, if that is most of it; else NaN.
+/// The median of the known deviations, if most are known; else NaN.
 double median_of(std::vector<double> deviations) {
   const std::size_t all = deviations.size();
   deviations.erase(std::remove_if(deviations.begin(), deviations.end(),

@@ -12,8 +12,8 @@ namespace part_recipes {
 /// Tolerances from the middle of the scale to its ends, on the pages of runs and in rviz.
 constexpr double kColourSpan = 2;
 
-/// The cloud with a field rgb more, as rviz takes it: its field deviation [m] on a scale that the
-/// tolerance fixes. Without deviations it has one colour.
+/// The cloud with an additional field rgb, as rviz takes it. The colour shows its field deviation
+/// [m] on a scale that the tolerance fixes. Without deviations the cloud has one colour.
 /// @throw scan_cell_common::UnusableInput as places_of() of the cloud
 scan_cell_common::FieldedCloud coloured(const scan_cell_common::FieldedCloud& cloud,
                                         double tolerance);
@@ -22,14 +22,14 @@ scan_cell_common::FieldedCloud coloured(const scan_cell_common::FieldedCloud& cl
 /// @throw scan_cell_common::UnusableInput as places_of() of the cloud
 Eigen::AlignedBox3d box_of(const scan_cell_common::FieldedCloud& cloud);
 
-/// Where the object is beyond the tolerance: for eyes that do not tell the colours.
+/// A place where the object is beyond the tolerance, for people who cannot tell the colours.
 struct DeviationMark {
   Eigen::Vector3d position;  //!< [m]
   bool is_more;              //!< material was added, rather than taken
 };
 
-/// One mark a cell of a grid over the cloud, by the median of the deviations that are known there;
-/// none where that is within the tolerance, or not known of most points.
+/// One mark per cell of a grid over the cloud, by the median of the known deviations in the cell;
+/// none if that is within the tolerance, or most deviations there are unknown.
 /// @throw scan_cell_common::UnusableInput as places_of() of the cloud
 std::vector<DeviationMark> deviation_marks(const scan_cell_common::FieldedCloud& cloud,
                                            double tolerance);

@@ -29,7 +29,7 @@ std::string millimetres(double metres) {
   return fmt::format("{:.4g} mm", metres * scan_cell_common::kMillimetres);
 }
 
-/// What is allowed at all, and not refused by what is known of the size.
+/// The range of scales allowed by the parameters and by what is known of the size.
 std::string scales_of(const StretchParameters& parameters) {
   const auto known = parameters.prior.scale.range();
   const double least = std::max(parameters.min_scale, known.least);
@@ -39,8 +39,8 @@ std::string scales_of(const StretchParameters& parameters) {
   return fmt::format("{:.4g} to {:.4g}", least, most);
 }
 
-/// @param edges_are_known the reference is a mesh: nothing else is refused by its place along
-/// itself
+/// @param edges_are_known the reference is a mesh: for others, the error along the surface is no
+/// reason to refuse
 Limits limits_of(const StretchParameters& parameters, bool edges_are_known) {
   Limits limits = {
       {"scale", scales_of(parameters)},
@@ -58,7 +58,7 @@ Limits limits_of(const StretchParameters& parameters, bool edges_are_known) {
   return limits;
 }
 
-/// @param accepted shares of an accepted run: a reference that shows a part of the object alone is
+/// @param accepted shares of an accepted run: a reference that shows only a part of the object is
 /// judged by what it reaches, not by its share of the whole
 Limits limits_in(const fs::path& run, const Shares& accepted) {
   try {
@@ -75,7 +75,7 @@ Limits limits_in(const fs::path& run, const Shares& accepted) {
   }
 }
 
-/// By name, those that the report knows.
+/// The shares in the report, by name.
 Shares shares_in(const fs::path& run) {
   Shares shares;
   const fs::path report = run / "report.json";

@@ -11,17 +11,17 @@
 
 namespace part_recipes {
 
-/// A figure of a run beside what it is judged by.
+/// A figure of a run beside its limit.
 struct JudgedFigure {
   std::string name;
   std::string value;  //!< with its unit
-  std::string limit;  //!< such as "at most 5 mm"; empty: it has none, or that is not known
+  std::string limit;  //!< such as "at most 5 mm"; empty: none, or not known
 };
 
-/// The figures with the limits that hold in this run: those that its recipe gives for stretch, else
-/// their defaults, and the recipe's tolerance of deviations. Shares of the object and of the
-/// reference follow, as its report has them. What surfaces that are sparser than the limit are
-/// allowed besides (docs/tool_path_stretcher.md) is not among them.
+/// The figures with the limits of this run: the recipe's values for stretch or else the defaults,
+/// and the recipe's tolerance of deviations. Shares of the object and of the reference follow, as
+/// in the report. The additional allowance for surfaces that are sparser than the limit
+/// (docs/tool_path_stretcher.md) is not included.
 /// @param run folder
 /// @param texts of the figures by name, as texts_of() gives them
 std::vector<JudgedFigure> judged_figures(

@@ -19,7 +19,7 @@ struct UnseenWaypoint {
   std::optional<Eigen::Vector3d> obstacle;  //!< [m] what stands in the way of light or sight
 };
 
-/// What can be shown of a run beside its cloud.
+/// What can be shown of a run besides its cloud.
 struct RunView {
   std::string frame;                     //!< of all: the recipe's for work, else world
   tool_paths::ToolPath path;             //!< the proven one, where the similarity puts it [m]
@@ -28,14 +28,14 @@ struct RunView {
   tool_paths::Points positions;          //!< of these [m]
   std::string verdict;                   //!< for a person: its word, and why
   double tolerance = 0;                  //!< [m] of the recipe's deviations
-  /// [m] of where each waypoint of `adapted` is, along the normal and the surface, one standard
-  /// deviation; NaN: not known. None where nothing was adapted.
+  /// [m] expected error of each waypoint of `adapted`, along the normal and the surface, one
+  /// standard deviation; NaN: not known. Empty if nothing was adapted.
   std::vector<double> expected;
-  std::vector<UnseenWaypoint> unseen;  //!< none where nobody looked
+  std::vector<UnseenWaypoint> unseen;  //!< empty if nobody looked
 };
 
-/// Of a run's folder. A run that ended before there was a report has none of it.
-/// @throw scan_cell_common::Error of whoever reads its files
+/// The view of a run's folder. It is empty for a run that ended before there was a report.
+/// @throw scan_cell_common::Error from the readers of its files
 RunView view_of(const std::filesystem::path& run);
 
 }  // namespace part_recipes

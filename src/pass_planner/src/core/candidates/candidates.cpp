@@ -23,7 +23,7 @@ using scan_cell_common::ScannerModel;
 
 using scan_cell_common::kDegree;
 
-// All chosen: steps in which the angles of incidence change by less than what a surface bears.
+// All chosen: in steps of these, angles of incidence change by less than a surface tolerates.
 constexpr int kDirections = 8;                          // of travel, over half a turn
 constexpr double kLeans[] = {0, -20, 20, -40, 40};      // [deg] of the camera from straight down
 constexpr double kHeights[] = {1, 0.85};                // of the stand-off
@@ -44,7 +44,7 @@ double crossing_of(const ScannerModel& scanner) {
   return sum / count;
 }
 
-/// The places as a candidate sees them: those that it should pass over.
+/// The places that a candidate should pass over.
 class Target {
  public:
   Target(const std::vector<Surface::Place>& places, const ScannerModel& scanner,
@@ -56,7 +56,7 @@ class Target {
     middle = box.center();
   }
 
-  /// [m] least and greatest along a direction, from the middle.
+  /// [m] least and greatest coordinate of the places along a direction, from their middle.
   std::pair<double, double> extent(const Vector3d& direction) const {
     std::pair<double, double> ends = {0, 0};
     for (const Surface::Place& place : places_) {
@@ -66,9 +66,9 @@ class Target {
     return ends;
   }
 
-  /// [m] from where to where the camera must go along `travel` so that all lasers pass over all
+  /// [m] the camera's first and last position along `travel` so that all lasers pass over all
   /// places, with the margin.
-  /// @param camera where 0 is
+  /// @param camera position 0
   std::pair<double, double> way(const Isometry3d& camera, const Vector3d& travel) const {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const auto& laser : scanner_.lasers) {
@@ -108,13 +108,13 @@ class Target {
   const PlanParameters& parameters_;
 };
 
-/// Looking straight down, x along the direction of travel [rad about z].
+/// Camera looking straight down, x along the direction of travel [rad about z].
 Matrix3d looking_down(double direction) {
   return (AngleAxisd(direction, Vector3d::UnitZ()) * AngleAxisd(M_PI, Vector3d::UnitX()))
       .toRotationMatrix();
 }
 
-/// Looking at a point from a distance along the camera's axis.
+/// Camera looking at a point from a distance along its axis.
 Isometry3d looking_at(const Vector3d& point, const Matrix3d& camera, double distance) {
   Isometry3d pose = Isometry3d::Identity();
   pose.linear() = camera;
@@ -122,7 +122,7 @@ Isometry3d looking_at(const Vector3d& point, const Matrix3d& camera, double dist
   return pose;
 }
 
-/// Middles of as many lanes as places need that lie beside each other.
+/// Middles of lanes side by side, as many as the places need.
 /// @param width [m] of a lane
 std::vector<double> lanes(const std::pair<double, double>& extent, double width) {
   const double whole = extent.second - extent.first;
@@ -158,7 +158,8 @@ void add_lines(const Target& target, double stand_off, double lane, std::vector<
   }
 }
 
-/// The camera looks at a point below the part, so that it sees each side of it from that side.
+/// Arcs on which the camera looks at a point below the part, so that it sees each side of it from
+/// that side.
 void add_arcs_over(const Target& target, double stand_off, double margin,
                    std::vector<ScanPass>& passes) {
   for (int step = 0; step < kDirections; ++step) {
@@ -185,7 +186,8 @@ void add_arcs_over(const Target& target, double stand_off, double margin,
   }
 }
 
-/// The camera goes around the part and looks at its middle: the line of light lies across the way.
+/// Arcs on which the camera goes around the part and looks at its middle. The line of light lies
+/// across the direction of travel.
 void add_arcs_around(const Target& target, double stand_off, std::vector<ScanPass>& passes) {
   for (const double lean : kAroundLeans) {
     for (const double span : kAroundSpans) {
@@ -193,7 +195,7 @@ void add_arcs_around(const Target& target, double stand_off, std::vector<ScanPas
         const double first = 360.0 * start / kAroundStarts;
         std::vector<Isometry3d> cameras;
         for (const double share : {0.0, 0.5, 1.0}) {
-          // Seen from above it is at `side` of the part, and goes on to the left of that.
+          // Seen from above, the camera is at `side` of the part and moves to the left from there.
           const double side = first + share * span;
           const Matrix3d camera =
               looking_down((side + 90) * kDegree) * AngleAxisd(lean * kDegree, Vector3d::UnitX());

@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Of the flange in the last of the passes, and to its start.
-/// @param start before the first pass
+/// The flange's way along the last pass and to its start.
+/// @param start flange before the first pass
 std::vector<Isometry3d> way_of_last(const std::vector<scan_cell::ScanPass>& passes,
                                     const Isometry3d& start) {
   std::vector<Isometry3d> way;

@@ -10,16 +10,16 @@
 
 namespace pass_planner {
 
-/// Whether flange, camera and lasers keep clear of part and floor.
+/// Checks that flange, camera and lasers keep clear of part and floor.
 class Clearance {
  public:
   /// @param scanner, surface must outlive it
-  /// @param reach where the robot stands before the first pass, and the floor's frame
+  /// @param reach gives the robot's start before the first pass, and the floor's frame
   Clearance(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
             const Reach& reach, const PlanParameters& parameters);
 
-  /// What comes too near in the last of the passes, or on the line to its start from where the
-  /// robot stands before; empty: nothing.
+  /// What comes too near during the last pass, or on the line to its start from the end of the pass
+  /// before; empty: nothing.
   std::string refusal(const std::vector<scan_cell::ScanPass>& passes) const;
 
  private:

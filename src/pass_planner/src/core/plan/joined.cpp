@@ -16,7 +16,7 @@ double apart(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.translation() - b.translation()).norm();
 }
 
-/// Takes the line with the end nearest to a pose, turned so that it begins there.
+/// Takes the line with the end nearest to a pose, and turns it to begin there.
 ScanPass take_nearest(const Eigen::Isometry3d& from, std::vector<ScanPass>& lines) {
   const auto distance = [&from](const ScanPass& line) {
     return std::min(apart(from, line.poses.front()), apart(from, line.poses.back()));

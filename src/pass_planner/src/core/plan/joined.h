@@ -8,9 +8,9 @@
 
 namespace pass_planner {
 
-/// One poly-line through lines, each from the end that is nearer to the line before. Between them
-/// the flange goes straight, and the camera is pulsed on.
-/// @param lines at least one; where they have different lasers, the poly-line has both in turns
+/// One poly-line through lines, each starting from the end that is nearer to the line before.
+/// Between lines the flange moves straight, and the camera is still pulsed.
+/// @param lines at least one; if their lasers differ, the poly-line has both in turns
 /// @param rate [Hz] frames a laser
 scan_cell::ScanPass joined(std::vector<scan_cell::ScanPass> lines, double rate);
 

@@ -35,7 +35,7 @@ bool is_better(const Choice& a, const Choice& b) {
   return a.seen.size() != b.seen.size() ? a.seen.size() > b.seen.size() : a.quality > b.quality;
 }
 
-/// Chooses one pass after the other.
+/// Chooses one pass after another.
 class Planner {
  public:
   Planner(const scan_cell_common::ScannerModel& scanner, const Surface& surface,
@@ -71,8 +71,8 @@ class Planner {
     return plan;
   }
 
-  /// Why the last of these passes cannot be run: what the cell does not allow or the robot cannot
-  /// do in it, or what comes too near; empty: it can.
+  /// Why the last of these passes cannot be run: the cell does not allow it, the robot cannot move
+  /// so, or something comes too near; empty: it can.
   std::string hindrance_of(const std::vector<ScanPass>& passes) const {
     try {
       check({"", passes}, scan_cell::ScanLimits());
@@ -84,7 +84,7 @@ class Planner {
   }
 
  private:
-  /// The best choices of a candidate's lasers.
+  /// The best choices of lasers for a candidate.
   std::vector<Choice> choices_of(ScanPass pass, const std::vector<std::size_t>& left,
                                  const std::vector<Surface::Place>& places) const {
     pass.lasers = PassLasers::kAlternate;
@@ -104,7 +104,7 @@ class Planner {
     pass.lasers = PassLasers::kAlternate;
     pass.rate = 2 * parameters_.rate;
     choices.push_back(choice_of(pass, left, both));
-    // In turns only where that shows more.
+    // Both in turns only if that shows more.
     const std::size_t most = std::max(choices[0].seen.size(), choices[1].seen.size());
     if (choices.back().seen.size() <= most) choices.pop_back();
     return choices;
@@ -121,7 +121,7 @@ class Planner {
     return choice;
   }
 
-  /// The best pass that can be run after those before; none if none sees any of the places.
+  /// The best pass that can be run after those before; none if no pass sees any of the places.
   std::optional<Choice> best_for(const std::vector<std::size_t>& left,
                                  const std::vector<ScanPass>& before) {
     std::vector<Surface::Place> places;
@@ -165,10 +165,10 @@ class Planner {
   const Clearance clearance_;
   const std::vector<ScanPass> first_;
   const bool lines_alone_;
-  std::vector<std::string> why_;  // a place is not seen
+  std::vector<std::string> why_;  // why a place is not seen
 };
 
-/// The light gets weaker with the distance, and the part lies a little otherwise than was thought.
+/// Narrower limits: light gets weaker with distance, and the part may not lie exactly as assumed.
 SightParameters on_the_safe_side(SightParameters sight) {
   constexpr double kMargin = 0.1;  // [rad] chosen
   constexpr double kLeast = 0.1;   // [rad] of the parameters' range
@@ -183,7 +183,7 @@ SightParameters at_good_angles(SightParameters sight, const PlanParameters& para
   return sight;
 }
 
-/// Candidates have as many lanes as the places are wide: those of a part in another unit would
+/// Candidates have as many lanes as the places are wide: for a part in another unit, planning would
 /// never end.
 void check_size(const std::vector<Surface::Place>& places) {
   const double largest = 5 * scan_cell::ScanLimits().max_length;  // [m] factor chosen
@@ -212,7 +212,7 @@ PassPlan plan_passes(const scan_cell_common::ScannerModel& scanner, const Surfac
     if (plan.left.empty()) return plan;
     if (best.passes.empty() || plan.left.size() < best.left.size()) best = plan;
     if (parameters.max_passes > 1) continue;
-    // Lines that one pass can go through
+    // Only lines that one pass can go through.
     PlanParameters some = parameters;
     some.max_passes = kMaxLines;
     Planner planner(scanner, surface, places, limits, reach, some, first, true);

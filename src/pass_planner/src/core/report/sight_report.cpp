@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON knows no NaN: null is what is not known.
+/// JSON has no NaN: null means not known.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }

@@ -102,7 +102,7 @@ SightCheck::Window SightCheck::window_of(const scan_cell::CameraRegion& region,
   return {{columns[0] + kBorder, rows[0]}, {columns[1] - kBorder, rows[1]}};
 }
 
-/// Why a point is not in the image; none if it is.
+/// Why a point is not in the image; kNone if it is.
 Fault SightCheck::outside(const Vector3d& in_camera, const Window& window) const {
   constexpr double kSameRay = 1e-6;  // beyond some angle the lens's model folds over; chosen
   if (in_camera.z() < parameters_.min_range || in_camera.z() > parameters_.max_range)
@@ -117,7 +117,7 @@ Fault SightCheck::outside(const Vector3d& in_camera, const Window& window) const
   return in_region && one_ray ? Fault::kNone : Fault::kImage;
 }
 
-/// With the camera where the laser's plane passes over the place.
+/// The sighting from the camera pose at which the laser's plane passes over the place.
 Sighting SightCheck::from(const Isometry3d& camera, const LaserPlane& laser,
                           const Surface::Place& place, const Window& window) const {
   Sighting sighting;

@@ -72,7 +72,7 @@ struct Surface::Implementation {
   explicit Implementation(const SurfaceShape& given)
       : shape(given), triangles(given.points, given.triangles) {}
 
-  /// Of one triangle, by its number.
+  /// The nearest place on one triangle, given by its number.
   Place nearest_of(unsigned triangle, const Vector3d& point) const {
     const auto& corner = shape.triangles[triangle];
     const Vector3d &a = shape.points[corner[0]], &b = shape.points[corner[1]],

@@ -23,7 +23,7 @@ using scan_cell_common::UnusableInput;
 
 const char* const kPoses = "poses of the session";
 
-/// Median angles by which flange and camera turned between views. They are the same, wherever the
+/// Median angles by which flange and camera turned between views. They are equal wherever the
 /// camera sits on the flange.
 struct Turns {
   double flange = 0, camera = 0;  // [rad]
@@ -81,7 +81,7 @@ void check_step(const PosePairs& pairs, const Isometry3d& half_turn) {
   }
 }
 
-/// Views that do not fit their own pose but that of a neighbour.
+/// Refuses poses if views fit a neighbour's pose instead of their own.
 void check_later_step(const PosePairs& pairs, const HandEye& found, const Isometry3d& half_turn) {
   constexpr std::size_t kMinMisfits = 3;    // chosen: fewer are single errors
   constexpr double kMaxTurn = 2 * kDegree;  // chosen: as for a view that fits (hand_eye.cpp)
@@ -119,7 +119,7 @@ void check_direction(const PosePairs& pairs, const Isometry3d& half_turn) {
                       "give the pose of tool0 in base_link, not of base_link in tool0");
 }
 
-/// Radians that are read as degrees give small angles.
+/// Radians read as degrees give small angles.
 void check_radians_as_degrees(const PosePairs& pairs, const Turns& turns) {
   constexpr double kMaxAngle = 3 * M_PI * kDegree;  // [rad] three Euler angles of pi "degrees"
   constexpr double kMinRatio = 4;                   // chosen; radians as degrees give 57

@@ -89,7 +89,7 @@ class Search {
                            : Matrix3d(board_[i].linear());
   }
 
-  /// Of three views as they are. If most views are turned, "turned" means the others.
+  /// From three views as they are. If most views are turned, "turned" means the others.
   Matrix3d from_triple(std::size_t a, std::size_t b, std::size_t c) const {
     RotationFit fit;
     const std::size_t pairs[][2] = {{a, b}, {b, c}, {c, a}};
@@ -144,7 +144,7 @@ class Search {
     refine_board(fit.solve());
   }
 
-  /// The board's orientation by all views that agree.
+  /// The board's orientation from all views that agree.
   void refine_board(const Matrix3d& camera) {
     Matrix3d boards = Matrix3d::Zero();
     HandEye trial = best_;
@@ -201,7 +201,7 @@ class Search {
   void solve_translation() {
     solve_robustly({0, 1, 2, 3, 4, 5, 6}, Offsets::Zero());
     best_.scale_deviation = std::sqrt(variance_ * covariance_(3, 3));
-    // Again with the board's size as it was given
+    // Again with the given board size
     Offsets solution = Offsets::Unit(3);
     solve({0, 1, 2, 4, 5, 6}, {best_.fits.begin(), best_.fits.end()}, solution);
     best_.flange_to_camera.translation() = solution.head<3>();
@@ -230,7 +230,7 @@ class Search {
       best_.offset[i] = (equations(i) * solution + flange_[i].translation()).norm();
       if (best_.fits[i]) fitting.push_back(best_.offset[i]);
     }
-    constexpr double kMinDeviation = 1e-9;  // [m] rounding, where the poses are exact
+    constexpr double kMinDeviation = 1e-9;  // [m] rounding, for exact poses
     constexpr double kReach = 4;            // standard deviations, chosen
     const double typical = std::max(median(fitting) / kMedianLength3, kMinDeviation);
     variance_ = typical * typical;

@@ -7,7 +7,7 @@
 
 namespace scan_calibration {
 
-/// The camera's pose on the flange and the board's in the base, and how well each view agrees.
+/// The camera's pose on the flange, the board's in the base, and how well each view agrees.
 struct HandEye {
   Eigen::Isometry3d flange_to_camera = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_to_board = Eigen::Isometry3d::Identity();
@@ -15,7 +15,7 @@ struct HandEye {
   double scale_deviation = 0;  //!< standard deviation
   std::vector<bool> fits;      //!< per view
   std::vector<bool> turned;    //!< per view: fits with the board turned by half a turn
-  std::vector<double> offset;  //!< [m] per view: of the board from where the others have it
+  std::vector<double> offset;  //!< [m] per view: of the board from where the others put it
   std::vector<double> angle;   //!< [rad] per view: the same of its orientation
   std::size_t count = 0;       //!< of the views that fit
 };

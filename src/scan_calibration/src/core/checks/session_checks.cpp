@@ -78,7 +78,7 @@ std::string too_little(const BoardView& view, const Board& board) {
   return "";
 }
 
-/// [px] mean distance of the corners that both show.
+/// [px] mean distance of the corners that both views show.
 double corner_distance(const BoardView& a, const BoardView& b) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < a.places.size(); ++i) {
@@ -97,7 +97,7 @@ bool same_pose(const BoardView& a, const BoardView& b) {
   return motion.translation().norm() < kMaxDistance && angle_of(motion.linear()) < kMaxAngle;
 }
 
-/// Keeps the first of views that have the same pose and show the same.
+/// Of views with the same pose that show the same, keeps the first.
 void leave_out_repeated(UsableViews& usable) {
   constexpr double kMaxDistance = 3;  // [px] of the corners, chosen
   BoardViews kept;
@@ -116,7 +116,7 @@ void leave_out_repeated(UsableViews& usable) {
   usable.views = std::move(kept);
 }
 
-/// Different images with the same pose: the poses were not recorded.
+/// Refuses poses that are the same for different images: they were not recorded.
 void check_distinct(const BoardViews& views) {
   std::vector<const BoardView*> distinct;
   std::string repeated;

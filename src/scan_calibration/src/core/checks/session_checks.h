@@ -14,7 +14,7 @@ struct UsableViews {
   std::vector<RejectedView> rejected;
 };
 
-/// Leaves out, by name, what shows too little of the board or repeats another view.
+/// Leaves out, by name, views that show too little of the board or repeat another view.
 /// @throw scan_cell_common::UnusableInput if the observations contradict themselves, or too few
 /// views are left
 UsableViews usable_views(const Observations& observations);

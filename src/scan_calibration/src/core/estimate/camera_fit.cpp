@@ -58,8 +58,8 @@ Eigen::Isometry3d board_pose(const BoardView& view,
   return pose_of(rotation, translation);
 }
 
-/// A camera alone, as a scanner whose measured poses put the camera where the board has it, and
-/// are free.
+/// A camera alone: a scanner whose measured poses put the camera where the board has it, and are
+/// free.
 class FreePoses {
  public:
   FreePoses(BoardViews& views, const BoardSurface& surface,
@@ -130,7 +130,7 @@ double rms_of(const std::vector<Eigen::Vector2d>& residuals, const std::vector<d
 
 namespace {
 
-/// From a start; nothing where these corners give no camera near it.
+/// A fit from a start; none if these corners give no camera near it.
 std::optional<CameraFit> fit_from(const scan_cell_common::CameraIntrinsics& start,
                                   const FitChoice& choice, bool robust, const BoardSurface& surface,
                                   BoardViews& views) {

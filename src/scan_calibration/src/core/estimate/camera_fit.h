@@ -6,7 +6,7 @@
 
 namespace scan_calibration {
 
-/// A camera alone: intrinsics, and where it had the board in each view.
+/// A camera alone: intrinsics, and the board's pose in each view.
 struct CameraFit {
   ScannerState state;  //!< only its camera counts
   std::vector<Eigen::Isometry3d> camera_to_board;
@@ -14,13 +14,13 @@ struct CameraFit {
   double corner_px = 0;        //!< robust standard deviation along each axis
 };
 
-/// From Zhang's closed form and the perspective pose of each view, then least squares.
-/// @param views their corners are reweighted, if `robust`
+/// A fit from Zhang's closed form and the perspective pose of each view, then by least squares.
+/// @param views their corners are reweighted if `robust`
 /// @throw scan_cell_common::UnusableInput if no camera explains the views
 CameraFit fit_camera(BoardViews& views, const BoardSurface& surface, int width, int height,
                      bool square_pixels, bool robust);
 
-/// The same robustly from a camera that is known, or nearly right.
+/// The same, robustly, from a camera that is known or nearly right.
 /// @param views their corners are reweighted
 /// @param keep whether the camera stays as it is
 /// @throw scan_cell_common::UnusableInput if it cannot explain the views

@@ -14,7 +14,7 @@ class KnownCamera {
   /// @throw scan_cell_common::UnusableInput if the images have another size
   KnownCamera(const ExistingScanner& existing, const Observations& observations);
 
-  /// Where it had the board in each view.
+  /// The board's pose in each view.
   CameraFit fit(BoardViews& views) const;
 
   /// @param fit of these views
@@ -22,8 +22,8 @@ class KnownCamera {
   /// better
   void check_lens(const BoardViews& views, const CameraFit& fit);
 
-  /// The board by its pose on the flange.
-  /// @throw scan_cell_common::UnusableInput as agreed_hand_eye() and check_board_size(), and if a
+  /// The board's pose from the camera's pose on the flange.
+  /// @throw scan_cell_common::UnusableInput as agreed_hand_eye() and check_board_size(), or if a
   /// pose fitted to the views explains them far better
   HandEye hand_eye(const PosePairs& pairs);
 

@@ -18,11 +18,11 @@ struct PlaneFit {
   double off_plane = 0;  //!< [m] RMS of the points near it
 };
 
-/// By total least squares. @param points [m], at least three
+/// A plane by total least squares. @param points [m], at least three
 PlaneFit plane_through(const std::vector<Eigen::Vector3d>& points);
 
-/// Robust: up to half of the points may be wrong (least median of squares over many triples, then
-/// total least squares of those near it).
+/// A robust plane: up to half of the points may be wrong (least median of squares over many
+/// triples, then total least squares of the points near it).
 /// @param points [m] in camera_optical_frame, at least three
 PlaneFit fit_plane(const std::vector<Eigen::Vector3d>& points);
 

@@ -59,8 +59,8 @@ PoseMisses pose_misses(const std::vector<FreeCorrection>& free, Eigen::Index fir
   return result;
 }
 
-/// The square of three normal numbers that one in a hundred thousand exceeds, for noise estimated
-/// from so many views.
+/// Limit of the sum of squares of three normal numbers, exceeded by one in a hundred thousand, for
+/// noise estimated from this many views.
 double max_square(std::size_t views) {
   constexpr double kChiSquare = 25.9;  // quantile 1 - 1e-5, 3 degrees of freedom
   constexpr double kFewViews = 10;     // chosen: doubles it for ten views

@@ -9,17 +9,17 @@
 
 namespace scan_calibration {
 
-/// Why the corners of each view miss far more than those of the others, outliers included; empty:
-/// they do not.
+/// Per view: why its corners miss far more than those of the others, outliers included; empty: they
+/// do not.
 /// @param sights where the camera has the board, per view
 std::vector<std::string> misfit_corners(const ScannerState& state, const BoardSurface& surface,
                                         const std::vector<BoardSight>& sights,
                                         const BoardViews& views);
 
 /// Leaves out views, and lines of views, that miss the estimate by more than noise explains:
-/// corners or lines that miss far more than those of the other views, and poses less likely than
-/// one in a hundred thousand by the noise of the other poses. Adds each to `rejected`, with its
-/// reason.
+/// corners or lines that miss far more than those of the other views, and poses that are less
+/// likely than one in a hundred thousand, given the noise of the other poses. Adds each to
+/// `rejected` with its reason.
 /// @return whether anything was left out
 /// @throw scan_cell_common::UnusableInput if too little would be left
 bool reject_misfits(const BoardSurface& surface, const NoiseLevels& noise,

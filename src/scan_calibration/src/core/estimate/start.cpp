@@ -29,7 +29,7 @@ PosePairs pairs_of(const BoardViews& views, const CameraFit& camera) {
   return pairs;
 }
 
-/// Leaves out what does not fit, and puts right what was counted from the board's other end.
+/// Leaves out views that do not fit, and corrects those counted from the board's other end.
 void keep_agreeing(const HandEye& hand_eye, const BoardSurface& surface, Start& start,
                    CameraFit& camera) {
   BoardViews kept;
@@ -74,7 +74,7 @@ void start_lasers(const Observations& observations, const CameraFit& camera,
   }
 }
 
-/// Robust deviations of what each view alone shows.
+/// Robust deviations, from what each view alone shows.
 NoiseLevels start_noise(const Start& start, const CameraFit& camera, const BoardSurface& surface) {
   NoiseLevels noise = min_noise(start.state.planes.size());
   noise.corner_px = std::max(noise.corner_px, camera.corner_px);
@@ -97,7 +97,7 @@ NoiseLevels start_noise(const Start& start, const CameraFit& camera, const Board
   return noise;
 }
 
-/// Where the camera sits on the flange, and the board in the base.
+/// The camera's pose on the flange, and the board's in the base.
 HandEye sight_hand_eye(const PosePairs& pairs, const BoardSurface& surface, const Board& board,
                        std::optional<KnownCamera>& known, std::string& note) {
   if (known) {

@@ -19,8 +19,8 @@ struct Start {
   std::string note;  //!< how well a kept camera fits; empty: none is kept
 };
 
-/// Camera, hand-eye, board and laser planes one after the other, in closed form and robust. A
-/// camera that is kept stays as it is, with its pose on the flange.
+/// Camera, hand-eye, board and laser planes, one after the other, in closed form and robust. A kept
+/// camera stays as it is, with its pose on the flange.
 /// @throw scan_cell_common::UnusableInput as calibrate()
 Start closed_form_start(const Observations& observations, const CalibrationOptions& options);
 

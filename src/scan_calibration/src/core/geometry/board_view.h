@@ -33,15 +33,15 @@ struct BoardView {
 
 using BoardViews = std::vector<BoardView>;
 
-/// Of an observation. Long lines are thinned evenly: neighbouring points share the errors of the
-/// board's surface and of the laser's speckle, so all of them would carry less information than
-/// their number suggests.
+/// Makes a view of an observation. Long lines are thinned evenly: neighbouring points share the
+/// errors of the board's surface and of the laser's speckle, so all of them would carry less
+/// information than their number suggests.
 BoardView board_view(const Observations& observations, std::size_t index);
 
-/// Renames the corners' places where they were listed from the board's other end.
+/// Renames the corners' places if they were listed from the board's other end.
 void turn_half(BoardView& view, const BoardSurface& surface);
 
-/// The board in the camera, by the corrected pose of the robot.
+/// The board in the camera, from the corrected pose of the robot.
 BoardSight sight_of(const ScannerState& state, const BoardView& view, std::size_t index);
 
 /// Observed - modelled [px]; NaN for a corner behind the camera.

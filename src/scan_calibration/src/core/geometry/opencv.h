@@ -43,7 +43,7 @@ struct BoardPoints {
   }
 };
 
-/// Those of several views, as cv::calibrateCamera() takes them.
+/// Corners of several views, as cv::calibrateCamera() takes them.
 struct BoardPointLists {
   explicit BoardPointLists(const std::vector<BoardPoints>& views) {
     for (const BoardPoints& view : views) {

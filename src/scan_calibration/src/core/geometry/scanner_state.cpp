@@ -9,8 +9,8 @@
 namespace scan_calibration {
 namespace {
 
-/// A point of the plane: the known projector projected onto it, or its nearest point beside the
-/// lens.
+/// A point of the plane: the known projector projected onto it, or else its nearest point beside
+/// the lens.
 Eigen::Vector3d origin_of(const scan_cell_common::LaserPlane& plane,
                           const std::vector<Eigen::Vector3d>& projectors, std::size_t laser) {
   if (laser < projectors.size()) {

@@ -50,7 +50,7 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix);
 
 /// The model with its planes' normals towards the camera (distance below 0).
 /// @param lasers of the planes
-/// @param projectors of these, as far as they are known [m]
+/// @param projectors of these lasers [m], where known
 scan_cell_common::ScannerModel scanner_model(const ScannerState& state,
                                              const std::vector<std::string>& lasers,
                                              const std::vector<Eigen::Vector3d>& projectors);
@@ -63,7 +63,7 @@ class BoardSurface {
 
   Eigen::Vector3d basis(const Eigen::Vector2d& place) const;
 
-  /// Derivatives of the basis along x and y: one a row.
+  /// Derivatives of the basis along x and y: one per row.
   Eigen::Matrix<double, 2, 3> slope(const Eigen::Vector2d& place) const;
 
   /// [m] on the board
@@ -73,7 +73,7 @@ class BoardSurface {
   Eigen::Isometry3d half_turn() const;
 
  private:
-  /// From -1 to 1 over the corners, and no further.
+  /// A place from -1 to 1 over the corners, and no further.
   Eigen::Vector2d unit_place(const Eigen::Vector2d& place) const;
 
   Eigen::Vector2d centre_;

@@ -56,8 +56,8 @@ Distortion distort(const CameraVector& camera, double x, double y) {
   return result;
 }
 
-/// Where a ray from the lens meets the board: its depth, in few Newton steps.
-/// @return false if it does not, in front of the camera
+/// Depth at which a ray from the lens meets the board, in a few Newton steps.
+/// @return false if it does not meet the board in front of the camera
 bool meet(const BoardSurface& surface, const Eigen::Vector3d& bend, const Eigen::Vector3d& start,
           const Eigen::Vector3d& direction, double& depth) {
   constexpr int kSteps = 4;  // chosen: a board is bent by a few mm, each step squares the error

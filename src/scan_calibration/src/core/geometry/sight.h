@@ -9,7 +9,7 @@
 
 namespace scan_calibration {
 
-/// Where the board is in the camera, and how that moves.
+/// The board's pose in the camera, and its derivatives.
 struct BoardSight {
   Eigen::Matrix3d rotation;  //!< of the board in camera_optical_frame
   Eigen::Vector3d position;  //!< [m]
@@ -19,13 +19,13 @@ struct BoardSight {
 };
 
 /// @param camera_motion, board_motion, flange_motion from the given poses; the derivative is taken
-/// there
+/// at these motions
 BoardSight board_sight(const Eigen::Isometry3d& flange_to_camera,
                        const Eigen::Isometry3d& base_to_board,
                        const Eigen::Isometry3d& base_to_flange, const Vector6d& camera_motion,
                        const Vector6d& board_motion, const Vector6d& flange_motion);
 
-/// The same where the camera has the board as measured, without derivatives.
+/// The same for a measured pose of the board in the camera, without derivatives.
 BoardSight board_sight(const Eigen::Isometry3d& camera_to_board);
 
 /// A point's image.
@@ -39,8 +39,8 @@ struct Projection {
 /// @return false if it is not in front of the camera
 bool project(const CameraVector& camera, const Eigen::Vector3d& point, Projection& result);
 
-/// The ray (x/z, y/z, 1) in camera_optical_frame that a pixel sees; none where the lens model
-/// cannot be inverted.
+/// The ray (x/z, y/z, 1) in camera_optical_frame that a pixel sees; none if the lens model cannot
+/// be inverted there.
 inline std::optional<Eigen::Vector3d> ray_of(const scan_cell_common::CameraIntrinsics& camera,
                                              const Eigen::Vector2d& pixel) {
   const Eigen::Vector2d distorted((pixel.x() - camera.cx) / camera.fx,
@@ -50,7 +50,7 @@ inline std::optional<Eigen::Vector3d> ray_of(const scan_cell_common::CameraIntri
   return ray.homogeneous();
 }
 
-/// The distance of a point that a pixel sees on the board from a laser's plane.
+/// The distance from a laser's plane of the point that a pixel sees on the board.
 struct LineOffset {
   /// [m] on the board, in camera_optical_frame
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
@@ -64,13 +64,13 @@ struct LineOffset {
   double pixels() const { return value / by_pixel.norm(); }
 };
 
-/// The derivatives are exact: of the lens's inverse and of the intersection with the bent board by
-/// the implicit function theorem.
+/// The derivatives are exact: the implicit function theorem gives those of the lens's inverse and
+/// of the intersection with the bent board.
 /// @return false if the lens model cannot be inverted there, or the ray does not meet the board
 bool line_offset(const ScannerState& scanner, const BoardSurface& surface, const BoardSight& sight,
                  const Eigen::Vector2d& pixel, const Eigen::Vector3d& plane, LineOffset& result);
 
-/// Where a corner of the board is.
+/// Position of a corner of the board.
 /// @param place [m] on the board
 Eigen::Vector3d on_board(const BoardSurface& surface, const Eigen::Vector3d& bend,
                          const Eigen::Vector2d& place);

@@ -20,7 +20,7 @@ constexpr double kMedianLength3 = 1.5382;   // of three: root of the median of c
 /// NaN for an empty list.
 double median(std::vector<double> values);
 
-/// The same for a list that is not empty, of the two middle values the larger.
+/// The same for a list that is not empty; of two middle values the larger.
 inline double upper_median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -36,7 +36,7 @@ inline std::vector<std::size_t> evenly(std::size_t count, std::size_t max_count)
   return result;
 }
 
-/// Sum of squares and how many they are.
+/// Sum of squares, and their number.
 struct SquareSum {
   double squares = 0;
   double count = 0;
@@ -52,8 +52,8 @@ struct SquareSum {
   double rms() const { return std::sqrt(squares / count); }
 };
 
-/// Marks outliers: their logarithm is further above the median than `deviations` robust standard
-/// deviations of the logarithms, and they are at least `factor` times the median.
+/// Marks outliers: values that are at least `factor` times the median and whose logarithm is more
+/// than `deviations` robust standard deviations of the logarithms above the median.
 std::vector<bool> outstanding(const std::vector<double>& values, double deviations, double factor);
 
 /// Three significant digits and a unit: "0.123 px".

@@ -20,8 +20,8 @@ double grey_at(const cv::Mat& image, const Vector2d& pixel) {
                                  : image.at<std::uint8_t>(row, column);
 }
 
-/// Whether the square between the first two corners of the first two rows is bright, judged by all
-/// squares.
+/// Whether the square between the first two corners of the first two rows is bright. All squares
+/// vote.
 bool begins_bright(const BoardCorners& corners, const Board& board, const cv::Mat& image) {
   double bright = 0;
   for (int row = 0; row + 1 < board.rows; ++row) {
@@ -46,13 +46,13 @@ double angle_of(const Matrix3d& rotation) {
   return Eigen::AngleAxisd(rotation).angle();
 }
 
-/// The board's axes turn with the corner that is listed first.
+/// Pose of the board, whose axes turn with the corner that is listed first.
 Matrix3d pose(const TurnableView& view, int quarters) {
   return view.board_in_camera *
          Eigen::AngleAxisd(quarters * M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// The choice for a view that suits the first `others` views best.
+/// The choice for a view that best suits the first `others` views.
 int best_turn(const std::vector<TurnableView>& views, const std::vector<int>& choices,
               const std::vector<int>& quarters, std::size_t view, std::size_t others) {
   constexpr double kMaxMismatch = 0.3;  // [rad] chosen: more means that a pose is wrong

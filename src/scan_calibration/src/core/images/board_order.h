@@ -12,7 +12,7 @@ namespace scan_calibration {
 /// normal.
 BoardCorners turned(const BoardCorners& corners, const Board& board, int quarters);
 
-/// The quarter turns that leave a board the same in shape and colour; 0 is always one.
+/// The quarter turns that leave a board the same in shape and colour. 0 is always among them.
 std::vector<int> symmetries(const Board& board);
 
 /// Puts corners that are listed from any corner, in any sense, into the order of find_board().
@@ -27,9 +27,9 @@ struct TurnableView {
 };
 
 /// By how many quarters to turn each view's corners so that all are listed from the same end. The
-/// angle between two orientations of the flange equals that between the camera's, wherever it sits
-/// on the flange (A and B in A X = X B have the same angle): each view in turn takes the symmetry
-/// that suits all others best, until none changes. The end is that of the first view.
+/// angle between two orientations of the flange equals that between the camera's, wherever the
+/// camera sits on the flange (A and B in A X = X B have the same angle). Each view in turn takes
+/// the symmetry that best suits all others, until none changes. The end is that of the first view.
 std::vector<int> align_corners(const std::vector<TurnableView>& views, const Board& board);
 
 }  // namespace scan_calibration

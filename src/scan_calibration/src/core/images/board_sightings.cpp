@@ -50,7 +50,7 @@ void leave_out_other_sizes(std::vector<BoardSighting>& views) {
   }
 }
 
-/// Where a pose is stored twice, the later image was not taken there.
+/// If a pose is stored twice, the later image was not taken there.
 void leave_out_repeated_poses(const Session& session, std::vector<BoardSighting>& views) {
   constexpr double kSame = 1e-9;  // [m] and of a rotation matrix's elements: no robot repeats so
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -71,7 +71,7 @@ struct OtherBoard {
   int looks = 0;   // images that were searched
 };
 
-/// @param none_seen whether no view shows the board that is given; else only larger boards count
+/// @param none_seen whether no view shows the given board; otherwise only larger boards count
 OtherBoard other_board(const Session& session, const std::vector<BoardSighting>& views,
                        bool none_seen) {
   constexpr std::size_t kLooks = 5;  // chosen: one takes a second

@@ -38,7 +38,8 @@ std::vector<GreyPixel> disc(const cv::Mat& image, const cv::Point& centre, doubl
   return pixels;
 }
 
-/// What four squares would show less what the pixels show, as ceres::TinySolver minimizes it.
+/// Difference between what four squares would show and the pixels, as ceres::TinySolver minimizes
+/// it.
 struct SquaresMisfit {
   using Scalar = double;
   enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = 9 };
@@ -93,7 +94,7 @@ Shape first_guess(const std::vector<GreyPixel>& pixels, const RoughCorner& rough
   return shape;
 }
 
-/// Distance that no other edge of the board comes nearer than [px].
+/// Distance [px] within which no other edge of the board comes.
 double free_radius(const RoughCorner& rough) {
   const double area = std::abs(cross(rough.along_columns, rough.along_rows));
   return area / std::max(rough.along_columns.norm(), rough.along_rows.norm());

@@ -25,8 +25,8 @@ struct RoughCorner {
 /// is the maximum likelihood estimate in white noise (Levenberg-Marquardt, ceres::TinySolver).
 /// @param image CV_32F
 /// @param rough the corner; its pixel is moved
-/// @return false, and nothing moved, where the grey values look different: the corner is covered,
-/// cut off by the image's border or too faint
+/// @return false, with nothing moved, if the grey values look different: the corner is covered, cut
+/// off by the image's border or too faint
 bool refine_corner(const cv::Mat& image, RoughCorner& rough);
 
 }  // namespace scan_calibration

@@ -100,8 +100,8 @@ double distance(const Eigen::Vector2d& place, const std::vector<Eigen::Vector2d>
   return least;
 }
 
-/// Whether a laser's line in the same image runs through the disc of a corner's fit, which then
-/// took some of its light for the board's.
+/// Whether a laser's line in the same image runs through the disc of a corner's fit, which would
+/// take some of its light for the board's.
 bool is_covered(const Eigen::Vector2d& corner, const SessionView& view,
                 const std::vector<BoardLine>& lines, double reach) {
   for (std::size_t laser = 0; laser < lines.size(); ++laser) {

@@ -10,8 +10,8 @@
 
 namespace scan_calibration {
 
-/// A camera from some of the corners of some of the views: good enough to recognize a straight
-/// line, and which way a board is turned.
+/// A camera from some of the corners of some of the views, good enough to recognize a straight line
+/// and the way a board is turned.
 /// @param views at least three of them not empty
 /// @throw scan_cell_common::UnusableInput if the views do not determine a camera
 scan_cell_common::CameraIntrinsics rough_camera(const std::vector<BoardCorners>& views,

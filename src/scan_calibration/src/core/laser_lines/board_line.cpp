@@ -39,7 +39,7 @@ class BoardPlane {
     to_squares_ = to_ray.inverse();
   }
 
-  /// The pixel without the lens's distortion: there a straight line is straight.
+  /// The pixel without the lens's distortion, which would bend a straight line.
   bool straighten(const Vector2d& pixel, Vector2d& straight) const {
     const std::optional<Eigen::Vector3d> ray = ray_of(camera_, pixel);
     if (!ray) return false;
@@ -119,7 +119,7 @@ Crossing cross(const LinePeaks& way, const BoardPlane& view) {
   return result;
 }
 
-/// Of each row (or column) of the image the peak nearest to the line, in order along it.
+/// In each row (or column) of the image, the peak nearest to the line, in order along the line.
 std::vector<Candidate> on_line(const Crossing& crossing) {
   constexpr double kMinWidest = 2, kWidestShare = 0.25;  // [px], of the stripe's width; chosen
   constexpr double kDeviations = 3.5;                    // chosen: one of 2000 is beyond

@@ -21,10 +21,10 @@ struct BoardLine {
   std::string reason;  //!< why there is none
 };
 
-/// The peaks on the board's plane: they lie on one straight line (without the lens's distortion),
-/// as the board is flat and the light is a plane. It is the line with the most peaks, where those
-/// on the checker count several times, so that a longer line on the table beside the board does not
-/// win. Peaks beside the checker on the same line are kept, too: the board's plate continues there.
+/// The peaks on the board's plane. As the board is flat and the light is a plane, they lie on one
+/// straight line (without the lens's distortion). It is the line with the most peaks; peaks on the
+/// checker count several times, so that a longer line on the table beside the board does not win.
+/// Peaks beside the checker on the same line are kept, too: the board's plate continues there.
 /// @param ways of going through the image; the one that crosses the line steeply is used
 /// @param camera rough
 /// @param board_in_camera rough

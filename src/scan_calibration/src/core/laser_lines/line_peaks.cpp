@@ -15,7 +15,7 @@ using tecnogamma_camera::Choice;
 using tecnogamma_camera::DetectorSettings;
 using tecnogamma_camera::PeakProfile;
 
-/// Ways to look for the line. The automatic level finds it in the dark; beside bright squares only
+/// Ways to look for the line. The automatic level finds it in the dark; beside bright squares, only
 /// what is nearly the brightest is laser light.
 std::vector<DetectorSettings> ways(double brightest) {
   std::vector<DetectorSettings> result(1);
@@ -30,7 +30,7 @@ std::vector<DetectorSettings> ways(double brightest) {
   return result;
 }
 
-/// A stripe that was found in several ways counts once, as the first way found it.
+/// A stripe that was found in several ways counts once, as found first.
 void add_new(const PeakProfile& profile, std::vector<std::vector<LinePeak>>& rows) {
   for (int i = 0; i < profile.rows(); ++i) {
     if (std::isnan(profile.position[i])) continue;

@@ -23,11 +23,12 @@ struct LinePeaks {
   std::vector<LinePeak> peaks;
 };
 
-/// The peaks of a profile: the line runs from top to bottom.
+/// The peaks of a profile, whose line runs from top to bottom.
 LinePeaks line_peaks(const tecnogamma_camera::PeakProfile& profile);
 
-/// All peaks that may be the laser's, once for a line from top to bottom and once for one from side
-/// to side: several per row, so that the line is not lost where a reflection outshines it.
+/// All peaks that may be the laser's, searched once for a line from top to bottom and once for one
+/// from side to side. Several per row are kept, so that the line is not lost where a reflection
+/// outshines it.
 /// @param detector of tecnogamma_camera
 /// @throw scan_cell_common::InvalidParameter if there is no such detector
 std::vector<LinePeaks> line_peaks(const cv::Mat& image, const std::string& detector);

@@ -20,7 +20,7 @@ double votes(const std::vector<LinePoint>& points, const StraightLine& line) {
   return sum;
 }
 
-/// Through the points within `reach` times their tolerance, by total least squares.
+/// Line through the points within `reach` times their tolerance, by total least squares.
 StraightLine fitted(const std::vector<LinePoint>& points, const StraightLine& line, double reach) {
   Vector2d mean = Vector2d::Zero();
   std::vector<const LinePoint*> near;

@@ -26,8 +26,8 @@ struct StraightLine {
   }
 };
 
-/// The line with the most votes (RANSAC, Fischler and Bolles 1981, with fixed draws), then by least
-/// squares through the points on it.
+/// The line with the most votes (RANSAC, Fischler and Bolles 1981, with fixed draws), refined by
+/// least squares through the points on it.
 StraightLine strongest_line(const std::vector<LinePoint>& points);
 
 }  // namespace scan_calibration

@@ -7,7 +7,7 @@
 namespace scan_calibration {
 
 /// Poses to add, best first: of possible views of the whole board at various distances, tilts and
-/// places in the image, those whose information reduces the uncertainty of `places` most, each
+/// places in the image, those whose information most reduces the uncertainty of `places`, each
 /// different from the previous ones.
 std::vector<PoseAdvice> advise(const JointEstimate& estimate, const Knowledge& knowledge,
                                const Board& board, const std::vector<ScanPlace>& places);

@@ -16,7 +16,7 @@ using Eigen::Isometry3d;
 
 using scan_cell_common::kMillimetres;
 
-/// Gauss-Newton on the six numbers of the pose, from where the robot says.
+/// Gauss-Newton on the six numbers of the pose, starting at the robot's pose.
 /// @return false if a corner is not in front of the camera
 bool fit_pose(const ScannerState& state, const BoardSurface& surface, const BoardView& view,
               Isometry3d& pose) {
@@ -99,7 +99,7 @@ Eigen::Vector3d board_centre(const ScannerState& state, const BoardSurface& surf
 struct FigureSums {
   explicit FigureSums(std::size_t lasers) : planes(lasers) {}
 
-  /// @param offset [m] of the board's centre from where it is expected
+  /// @param offset [m] of the board's centre from its expected place
   void add(const JudgedView& view, const Eigen::Vector3d& offset) {
     corners.add(view.corners);
     offsets.add(offset.squaredNorm());

@@ -27,12 +27,12 @@ struct JudgedView {
 std::vector<JudgedView> judge(const ScannerState& state, const BoardSurface& surface,
                               const BoardViews& views);
 
-/// Of the views that a model was fitted to; the board's centre is compared with its mean.
+/// Figures of the views that a model was fitted to; the board's centre is compared with its mean.
 Figures fitted_figures(const std::vector<JudgedView>& views, std::size_t lasers);
 
-/// Of views that are held out in turn, in groups that are spread over the session; the board's
+/// Figures of views that are held out in turn, in groups spread over the session; the board's
 /// centre is compared with the model's.
-/// @param fitted the model fitted to some of the views: those to keep
+/// @param fitted returns the model fitted to the views to keep
 Figures held_out_figures(const BoardViews& views, const BoardSurface& surface, std::size_t lasers,
                          int folds, int threads,
                          const std::function<ScannerState(const std::vector<bool>&)>& fitted);

@@ -69,7 +69,7 @@ ScannerState moved_by(const ScannerState& state, const Layout& layout,
   return result;
 }
 
-/// Of the two rotation vectors of up to a full turn, the one nearer to another vector.
+/// Of the rotation vectors of up to a full turn (there are two), the one nearer to another vector.
 Eigen::Vector3d vector_near(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& other) {
   const Eigen::Vector3d one = rotation_vector(rotation);
   if (!(one.norm() > 0)) return one;
@@ -77,7 +77,7 @@ Eigen::Vector3d vector_near(const Eigen::Matrix3d& rotation, const Eigen::Vector
   return (one - other).norm() <= (two - other).norm() ? one : two;
 }
 
-/// Names and values, in one order.
+/// Names and values, in the same order.
 class Numbers {
  public:
   /// @param reference rotation vectors are chosen near those of this model

@@ -41,7 +41,7 @@ std::string matrix_text(const std::string& name, int rows, int columns,
                      fmt::join(values, ", "));
 }
 
-/// Copies a file beside itself under the time it was written.
+/// Copies a file to a name beside it with the time at which it was written.
 /// @return the copy's path; empty if there is no file
 std::string keep_old(const std::string& path) {
   if (!fs::exists(path)) return {};
@@ -53,7 +53,7 @@ std::string keep_old(const std::string& path) {
   return kept;
 }
 
-/// As camera_calibration_parsers reads it.
+/// Saves the camera as camera_calibration_parsers reads it.
 void save_camera_info(const std::string& path, const scan_cell_common::CameraIntrinsics& camera) {
   const auto& [width, height, fx, fy, cx, cy, distortion] = camera;
   scan_cell_common::save_text(
@@ -67,7 +67,7 @@ void save_camera_info(const std::string& path, const scan_cell_common::CameraInt
           matrix_text("projection_matrix", 3, 4, {fx, 0, cx, 0, 0, fy, cy, 0, 0, 0, 1, 0})));
 }
 
-/// [m] by the laser's index: the worst of the depths that were seen; 0 where it was not calibrated.
+/// [m] by the laser's index: the worst of the depths that were seen; 0 if it was not calibrated.
 std::vector<double> found_deviations(const Calibration& calibration) {
   constexpr double kMetres = 1e-3;
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
@@ -80,10 +80,11 @@ std::vector<double> found_deviations(const Calibration& calibration) {
   return deviations;
 }
 
-/// [m] of a scanned point by all that it depends on, by the laser's index; 0: not known. With the
-/// camera as it was, a laser that was not calibrated again is as uncertain as before. One that was
-/// has its new plane's share, and those of camera and hand-eye. The file has these only together
-/// with a plane, so the worst of its figures is taken for them: rather too large than too small.
+/// [m] standard deviation of a scanned point from all that it depends on, by the laser's index; 0:
+/// not known. With a kept camera, a laser that was not calibrated again is as uncertain as before.
+/// A laser that was has the share of its new plane and that of camera and hand-eye. The file gives
+/// the latter only together with a plane, so the worst of its figures is taken: rather too large
+/// than too small.
 std::vector<double> point_deviations(const CalibrationRun& run) {
   const std::vector<std::string>& kept = run.calibration->kept;
   const auto is_kept = [&kept](const std::string& part) {

@@ -8,8 +8,8 @@
 
 namespace scan_calibration {
 
-/// A drawing as SVG, in the units of what it shows, with a frame and numbers at its sides. Colours
-/// are those of CSS.
+/// A drawing as SVG, in the units of its data, with a frame and numbers at its sides. Colours are
+/// CSS colours.
 class Chart {
  public:
   struct Side {
@@ -25,7 +25,8 @@ class Chart {
   /// @param radius [px]
   void dots(const Places& places, const std::string& colour, double radius);
 
-  /// Each place and the next one are the ends of a line. @param width [px]
+  /// Draws a line from the first place to the second, from the third to the fourth, and so on.
+  /// @param width [px]
   void lines(const Places& ends, const std::string& colour, double width = 1);
 
   void outline(const Places& corners, const std::string& colour);

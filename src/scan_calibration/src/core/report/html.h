@@ -10,7 +10,7 @@ namespace scan_calibration {
 /// Text with the special characters of HTML escaped.
 std::string escaped(const std::string& text);
 
-/// A number with so many digits after the point; "-" for NaN.
+/// A number with this many digits after the point; "-" for NaN.
 std::string rounded(double value, int digits);
 
 /// A table: header and rows with the same number of cells, all plain text.

@@ -17,7 +17,7 @@ struct ReportPicture {
   std::string svg;
 };
 
-/// Pictures of a calibration; only the coverage of the image if it was refused.
+/// Pictures of a calibration; if it was refused, only the coverage of the image.
 std::vector<ReportPicture> report_pictures(const CalibrationRun& run);
 
 /// The report as a page for people.

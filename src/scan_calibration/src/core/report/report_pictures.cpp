@@ -22,7 +22,7 @@ using Places = Chart::Places;
 
 constexpr int kWidth = 760, kHeight = 460;  // [px] of a picture, chosen
 
-/// A chart of the image, as it is seen: rows count downwards.
+/// A chart of the image as seen: rows count downwards.
 Chart image_chart(const Observations& seen) {
   const int height = 56 + (kWidth - 74) * seen.height / std::max(1, seen.width);
   return Chart(kWidth, height, {"column [px]", -0.5, seen.width - 0.5},
@@ -100,7 +100,7 @@ ReportPicture residuals(const Observations& seen, const Calibration& calibration
       chart.svg()};
 }
 
-/// Corners of the board's outer squares in the camera, by the robot and the model, per view.
+/// Corners of the board's outer squares in the camera, from the robot and the model, per view.
 std::vector<std::vector<Vector3d>> outlines(const Observations& seen,
                                             const Calibration& calibration) {
   const Board& board = seen.board;

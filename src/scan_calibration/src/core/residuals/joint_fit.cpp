@@ -93,8 +93,8 @@ class Problem {
   }
 
   /// The views' corrections are eliminated, in one group; each other block has its own group.
-  /// Within a group Ceres sorts by address, which differs between threads, and so would the last
-  /// bit.
+  /// Within a group Ceres sorts by address, which differs between threads and would change the last
+  /// bit of the result.
   std::shared_ptr<ceres::ParameterBlockOrdering> ordering() {
     auto result = std::make_shared<ceres::ParameterBlockOrdering>();
     const auto place = [&](double* block, int group) {
@@ -129,7 +129,7 @@ double corner_weight(double miss) {
 }
 
 /// Weighs the measured poses by their corrections relative to those of the other views, not by the
-/// noise alone: a fit that has not converged may estimate next to no noise.
+/// noise alone: a fit that has not converged may estimate almost no noise.
 void weigh_poses(const ScannerState& state, const NoiseLevels& noise, BoardViews& views) {
   std::vector<double> shifts, turns;
   for (const Vector6d& correction : state.corrections) {

@@ -15,7 +15,7 @@ struct FitChoice {
   bool square_pixels = false;  //!< fx = fy
 };
 
-/// Moves the state to the least weighted squares, with the given noise and weights.
+/// Moves the state to the minimum of the weighted squares, with the given noise and weights.
 /// @throw scan_cell_common::UnusableInput if the solver fails from the given state
 void fit(const BoardViews& views, const BoardSurface& surface, const NoiseLevels& noise,
          const FitChoice& choice, ScannerState& state);
@@ -26,9 +26,9 @@ struct Multiplicities {
   std::vector<double> lines;
 };
 
-/// Huber weights of corners, points and poses: 1 within three standard deviations, falling beyond;
-/// corners and points beyond eight are outliers (weight 0). Weights of corners and points are
-/// divided by how many count as one.
+/// Huber weights of corners, points and poses: 1 within three standard deviations, falling beyond.
+/// Corners and points beyond eight are outliers (weight 0). Weights of corners and points are
+/// divided by the number that counts as one.
 void weigh(const ScannerState& state, const BoardSurface& surface, const NoiseLevels& noise,
            const Multiplicities& multiplicities, BoardViews& views);
 

@@ -8,9 +8,9 @@ namespace scan_calibration {
 
 /// Neighbours with correlated errors carry less information than their number suggests: a bent
 /// board or blur moves them together. These functions return how many corners, or points of a line,
-/// count as one independent observation. Both follow from the correlation of direct neighbours'
-/// residuals (its lower bound of two standard deviations), which is assumed to decay exponentially
-/// with distance; 1 where there is no correlation.
+/// count as one independent observation. They use the correlation of direct neighbours' residuals
+/// (its lower bound of two standard deviations), which is assumed to decay exponentially with
+/// distance. The result is 1 if there is no correlation.
 double corner_multiplicity(const ScannerState& state, const BoardSurface& surface,
                            const Board& board, const BoardViews& views);
 

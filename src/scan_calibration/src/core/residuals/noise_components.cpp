@@ -15,7 +15,7 @@ struct Component {
   double redundancy = 0;
 };
 
-/// Each group's squares after a step to the minimum, and its redundancy.
+/// Squares of each group after a step to the minimum, and its redundancy.
 std::vector<Component> components(const NormalEquations& equations, const ReducedSystem& system) {
   std::vector<Component> result(equations.views.front().size());
   const Eigen::VectorXd shared = -system.covariance * system.gradient;

@@ -6,13 +6,13 @@
 
 namespace scan_calibration {
 
-/// How large each kind of noise is, and how well that is known.
+/// Size of each kind of noise, and how well it is known.
 struct NoiseEstimate {
   NoiseLevels levels;
   Eigen::VectorXd freedom;  //!< per group: degrees of freedom; infinite where the noise is given
 };
 
-/// The noise that the options give; 0 where it has to be estimated from the data.
+/// The noise given by the options; 0 if it has to be estimated from the data.
 NoiseLevels given_noise(const CalibrationOptions& options, std::size_t lasers);
 
 /// Variance components (Foerstner 1979): each group's squares over its redundancy, repeated until

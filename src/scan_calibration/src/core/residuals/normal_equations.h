@@ -9,8 +9,8 @@
 
 namespace scan_calibration {
 
-/// Where the unknowns that all views share stand in the normal equations; -1: not estimated.
-/// Poses are small motions, planes normal / distance.
+/// Indices of the unknowns that all views share in the normal equations; -1: not estimated. Poses
+/// are small motions, planes normal / distance.
 struct Layout {
   Layout(const FitChoice& choice, std::size_t laser_count);
 
@@ -51,8 +51,8 @@ struct GroupSquares {
 /// One view's groups.
 using ViewSquares = std::vector<GroupSquares>;
 
-/// The least-squares problem about a state, group by group, so that it can be weighted anew, and
-/// without a view, at no cost.
+/// The least-squares problem about a state, group by group, so that it can be weighted anew or a
+/// view left out at no cost.
 struct NormalEquations {
   NormalEquations(const BoardViews& views, const BoardSurface& surface, const NoiseLevels& noise,
                   const FitChoice& choice, const ScannerState& state);
@@ -60,7 +60,7 @@ struct NormalEquations {
   Layout layout;
   std::vector<ViewSquares> views;  //!< over the noise given
   GroupSquares lens;               //!< of the prior knowledge of the lens; shared unknowns only
-  Eigen::VectorXd noise;           //!< that the groups were divided by
+  Eigen::VectorXd noise;           //!< by which the groups were divided
 };
 
 /// A view's squares with its flange's correction eliminated.
@@ -72,7 +72,7 @@ struct ReducedView {
   Vector6d own;              //!< inverse times the correction's gradient
 };
 
-/// @param factors a group: what its squares are multiplied by
+/// @param factors by which the squares of each group are multiplied
 ReducedView reduce(const ViewSquares& squares, const Eigen::VectorXd& factors);
 
 /// All views, reduced and added up.
@@ -86,11 +86,11 @@ struct ReducedSystem {
   Eigen::MatrixXd covariance;  //!< of the shared unknowns
 };
 
-/// The inverse of a positive matrix, its unknowns of any scale.
+/// The inverse of a positive matrix whose unknowns may have any scale.
 /// @throw scan_cell_common::UnusableInput if it is singular
 Eigen::MatrixXd inverse_of_information(const Eigen::MatrixXd& information);
 
-/// Of a view's correction and the shared unknowns together.
+/// Covariance of a view's correction and the shared unknowns together.
 Eigen::MatrixXd joint_covariance(const ReducedView& view, const Eigen::MatrixXd& covariance);
 
 }  // namespace scan_calibration

@@ -26,7 +26,8 @@ struct Moved {
   BoardSight sight;
 };
 
-/// Writes rows of the derivative by the three poses, from that by where the camera has the board.
+/// Writes rows of the derivative by the three poses, from the derivative by the board's pose in the
+/// camera.
 template <int Count>
 void write_poses(const Eigen::Matrix<double, Count, 6>& by_sight, const BoardSight& sight,
                  Eigen::Index row, Eigen::Index rows, double** jacobians) {

@@ -9,7 +9,7 @@
 
 namespace scan_calibration {
 
-/// What all residuals of one estimate refer to. It must outlive them.
+/// What all residuals of one estimate refer to. It must outlive the residuals.
 struct ResidualContext {
   ScannerState reference;  //!< poses that the motions start from
   BoardSurface surface;
@@ -18,7 +18,7 @@ struct ResidualContext {
 
 /// Parameters, in this order: camera [9], motion of flange_to_camera [6], of base_to_board [6],
 /// bend [3], correction of the flange [6].
-/// Residuals: two a corner, over the noise, times the root of its weight.
+/// Residuals: two per corner, divided by the noise, times the root of its weight.
 class CornerResiduals : public ceres::CostFunction {
  public:
   CornerResiduals(const ResidualContext& context, const BoardView& view);
@@ -30,8 +30,8 @@ class CornerResiduals : public ceres::CostFunction {
   const BoardView& view_;
 };
 
-/// Parameters as of CornerResiduals, then the laser's plane [3]. Residuals: one a point, its offset
-/// from the plane by what a pixel across the line means at the reference.
+/// Parameters as in CornerResiduals, then the laser's plane [3]. Residuals: one per point, its
+/// offset from the plane, divided by that of a pixel across the line at the reference.
 class LineResiduals : public ceres::CostFunction {
  public:
   LineResiduals(const ResidualContext& context, const BoardView& view, std::size_t index,
@@ -46,7 +46,7 @@ class LineResiduals : public ceres::CostFunction {
   std::vector<double> scale_;  // [px] times the root of the weight; 0: left out
 };
 
-/// The correction of the flange [6] over the robot's noise.
+/// The correction of the flange [6], divided by the robot's noise.
 class RobotResiduals : public ceres::CostFunction {
  public:
   RobotResiduals(const ResidualContext& context, const BoardView& view);
@@ -59,7 +59,8 @@ class RobotResiduals : public ceres::CostFunction {
 };
 
 /// Camera [9]: prior that no term of the distortion moves the sensor's corner by much more than a
-/// third of its distance from the middle. It only decides what the corners leave undetermined.
+/// third of its distance from the middle. The prior only decides what the corners leave
+/// undetermined.
 class LensResiduals : public ceres::CostFunction {
  public:
   LensResiduals(const ResidualContext& context, bool square_pixels);

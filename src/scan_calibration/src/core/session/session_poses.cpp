@@ -16,7 +16,7 @@ using scan_cell_common::CsvReader;
 
 constexpr std::size_t kPoseColumns = 8;  // image, x, y, z, qx, qy, qz, qw
 
-/// For each laser the column that names its images; none: the line is in the board image.
+/// For each laser, the column that names its images; none: the line is in the board image.
 std::vector<std::size_t> laser_columns(const CsvReader& table,
                                        const std::vector<std::string>& lasers) {
   const auto& head = table.fields();

@@ -34,7 +34,7 @@ SessionRecorder::SessionRecorder(const std::string& folder, const Board& board,
     throw scan_cell_common::Refused(folder, "holds a session already",
                                     "name a new folder: a session is never overwritten");
   }
-  // What cannot be read back must not be recorded.
+  // Data that cannot be read back must not be recorded.
   parse_session_head(session_head_text(head_), path_of(folder, kHead));
   fs::create_directories(fs::path(folder) / kImages, failure);
   if (failure) {

@@ -11,16 +11,16 @@
 
 namespace scan_calibration {
 
-/// A frame that does not move in its parent.
+/// A frame that is fixed in its parent.
 struct StaticFrame {
   std::string parent;
   std::string child;
   Eigen::Isometry3d pose;  //!< of child in parent [m]
 };
 
-/// Frame of a laser in camera_optical_frame: origin at the projector, z along the light towards
-/// where its plane crosses the camera's optical axis, x the plane's normal, so the line of light
-/// lies along y.
+/// Frame of a laser in camera_optical_frame: origin at the projector, z along the light towards the
+/// point where its plane crosses the camera's optical axis, x the plane's normal. The line of light
+/// therefore lies along y.
 /// @throw scan_cell_common::UnusableInput if the plane does not cross the axis in front of the
 /// camera
 Eigen::Isometry3d laser_frame(const scan_cell_common::LaserPlane& laser, const std::string& name);

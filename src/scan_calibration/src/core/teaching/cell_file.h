@@ -7,7 +7,7 @@
 
 namespace scan_calibration {
 
-/// Where things stand in the cell (cell.yaml; docs/scan_calibration.md).
+/// Poses of the cell (cell.yaml; docs/scan_calibration.md).
 struct Cell {
   Eigen::Isometry3d base_link_in_world = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d tool_tip_in_tool0 = Eigen::Isometry3d::Identity();
@@ -21,7 +21,7 @@ Cell load_cell(const std::string& path);
 /// @throw scan_cell_common::FileError if it cannot be written
 void save_cell(const std::string& path, const Cell& cell);
 
-/// One entry of a file that may lack the other, as the tool is calibrated before the world.
+/// Loads one entry of a file that may lack the other, as the tool is calibrated before the world.
 /// @throw as load_cell()
 Eigen::Isometry3d load_cell_entry(const std::string& path, const std::string& entry);
 

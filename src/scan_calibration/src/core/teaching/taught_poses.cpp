@@ -51,7 +51,7 @@ WireSix wire_numbers(const CsvReader& table) {
   return wire;
 }
 
-/// Metres or radians under a header of millimetres and degrees would be read without an error; all
+/// Metres or radians under a header of millimetres and degrees would be read without an error. All
 /// of them are small then.
 void refuse_wrong_units(const std::vector<WireSix>& wires, const std::string& name) {
   constexpr double kMinFarthest = 10;  // [mm] chosen: no robot works that close to its base

@@ -15,7 +15,7 @@ struct ToolTipLimits {
   double max_residual = 2e-3;  //!< [m] by which a pose may miss the fixed point; chosen
 };
 
-/// Where the tool's tip is, and how well that is known.
+/// Position of the tool's tip, and how well it is known.
 struct ToolTip {
   Eigen::Vector3d tip;          //!< [m] in tool0
   Eigen::Vector3d fixed_point;  //!< [m] that was touched, in base_link
@@ -29,8 +29,8 @@ struct ToolTip {
 /// Tool tip from flange poses in which it touches one fixed point (thesis 5.3): the least-squares
 /// solution of R_i tip + t_i = point.
 /// @param flange poses of tool0 in base_link, at least three, turned about at least two axes
-/// @throw scan_cell_common::UnusableInput with the figure, if there are too few, their orientations
-/// do not determine the tip, or one misses the point
+/// @throw scan_cell_common::UnusableInput, with the figure, if there are too few poses, their
+/// orientations do not determine the tip, or a pose misses the point
 ToolTip tool_tip_from_poses(const std::vector<Eigen::Isometry3d>& flange,
                             const ToolTipLimits& limits = {});
 

@@ -41,25 +41,26 @@ class Controller : public FlangeMotion {
   MotionState state() const;
   std::uint64_t motions_begun() const;  //!< since its start
 
-  /// The instant on the host's clock at which the controller's showed `t` [us], since its start.
+  /// The instant [host clock] at which the controller's clock showed `t` [us], since its start.
   scan_cell_common::Nanoseconds host_time(std::int64_t t) const;
 
-  /// They replace the previous ones.
+  /// Replaces the previous faults.
   /// @throw scan_cell_common::InvalidParameter
   void set_faults(const ControllerFaults& faults);
 
-  /// Switched off and on again: for `dark` seconds it neither receives nor sends. The robot brakes,
-  /// the session is lost, settings and alarms are reset, the clock restarts. The mode selector and
-  /// the emergency stop keep their positions; somebody switches the drives on.
+  /// Switches the controller off and on again: for `dark` seconds it neither receives nor sends.
+  /// The robot brakes, the session is lost, settings and alarms are reset, the clock restarts. The
+  /// mode selector and the emergency stop keep their positions. Afterwards somebody switches the
+  /// drives on.
   /// @throw scan_cell_common::InvalidParameter if `dark` is negative
   void restart(double dark);
 
-  // What somebody at the controller's panel does. After an emergency stop or an alarm: release the
+  // Actions of somebody at the controller's panel. After an emergency stop or an alarm: release the
   // button, reset the alarms, switch the drives on. The motion does not resume.
 
   void press_e_stop();    //!< the robot brakes, the drives go off
   void release_e_stop();  //!< moves nothing
-  /// Another mode switches the drives off.
+  /// Changing the mode switches the drives off.
   void select(ControllerMode mode);
   /// In mode programming, drives are on as long as somebody holds the enabling device.
   /// @throw ControllerRefusal while the emergency stop is pressed or an alarm is active
@@ -67,7 +68,8 @@ class Controller : public FlangeMotion {
   /// @throw ControllerRefusal while the emergency stop is pressed
   void reset_alarms();
 
-  /// An alarm, as of a collision or a following error, that ends the motion under way in an error.
+  /// Raises an alarm, as of a collision or a following error. It ends the current motion in an
+  /// error.
   void fail_motion(const std::string& text);
 
   static Joints start_posture();  //!< [rad]

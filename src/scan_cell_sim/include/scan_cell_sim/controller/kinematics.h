@@ -12,7 +12,7 @@ namespace scan_cell_sim {
 /// Angles of the six axes [rad], Comau signs.
 using Joints = Eigen::Matrix<double, 6, 1>;
 
-/// What the axes of a Comau Smart5 SiX can do.
+/// Limits of the axes of a Comau Smart5 SiX.
 struct JointLimits {
   Joints lower;         //!< [rad]
   Joints upper;         //!< [rad]
@@ -29,17 +29,17 @@ std::string outside_limits(const Joints& joints);
 /// Pose of the flange (tool0) in base_link.
 Eigen::Isometry3d flange_of(const Joints& joints);
 
-/// All postures that bring the flange there, up to eight, in closed form; none if it is out of
+/// All postures that bring the flange to a pose, up to eight, in closed form; none if it is out of
 /// reach. Ignores the ranges of the axes.
 /// @param near each axis gets the full turns that bring it nearest to this within its range; it
 /// also decides what a singular posture leaves undetermined
 std::vector<Joints> postures_of(const Eigen::Isometry3d& flange, const Joints& near);
 
-/// The nearest of them; none if the flange is out of reach.
+/// The nearest of these postures; none if the flange is out of reach.
 std::optional<Joints> joints_of(const Eigen::Isometry3d& flange, const Joints& near);
 
-/// How far this arm is from its three singular postures; each changes its sign where the arm passes
-/// through. Their product vanishes where the determinant of the Jacobian does.
+/// Distance of this arm from its three singular postures. Each value changes its sign where the arm
+/// passes through the posture. Their product vanishes where the determinant of the Jacobian does.
 struct SingularPostures {
   double wrist;     //!< [rad] J5: at 0, axes 4 and 6 lie in line
   double elbow;     //!< [rad] bend of the elbow: at 0, the arm is stretched out to the wrist

@@ -10,19 +10,19 @@
 
 namespace scan_cell_sim {
 
-/// Of the latest motion.
+/// Status of the latest motion.
 enum class MotionStatus { kIdle, kMoving, kArrived, kStopped, kError };
 
 const char* name_of(MotionStatus status);  //!< as the protocol writes it
 
-/// What may be set; as the parameters of c4g_protocol.md.
+/// Settings that a client may change, as the parameters of c4g_protocol.md.
 struct MotionSettings {
   bool in_joints = false;  //!< MOVE_CARTESIAN goes in joints
   LineSettings line;       //!< of motions along a line or an arc
   double override = 1;     //!< above 0, up to 1
 };
 
-/// All that a state datagram tells, true values.
+/// The content of a state datagram, true values.
 struct MotionState {
   MotionStatus status = MotionStatus::kIdle;  //!< of the latest motion
   std::uint64_t motion = 0;                   //!< number of the motion that the status is about

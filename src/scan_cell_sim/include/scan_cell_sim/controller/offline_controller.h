@@ -11,8 +11,8 @@
 
 namespace scan_cell_sim {
 
-/// The controller without socket, thread and wire: one client's requests in, answers out, at host
-/// times that the caller gives. Starts as Controller does. Not safe for use from several threads.
+/// The controller without socket, thread and wire: requests of one client in, answers out, at host
+/// times given by the caller. Starts as Controller does. Not safe for use from several threads.
 class OfflineController {
  public:
   using Nanoseconds = scan_cell_common::Nanoseconds;  //!< of the host's clock

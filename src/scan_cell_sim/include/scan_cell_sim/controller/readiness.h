@@ -9,14 +9,14 @@
 
 namespace scan_cell_sim {
 
-/// Where the mode selector stands; c4g_protocol.md says what each mode allows.
+/// Position of the mode selector; c4g_protocol.md says what each mode allows.
 enum class ControllerMode { kProgramming, kAutomatic, kRemote };
 
 /// @throw ControllerRefusal
 ControllerMode controller_mode_of(const std::string& name);
 const char* name_of(ControllerMode mode);  //!< as the protocol writes it
 
-/// Whether the controller can move, and why not: mode selector, drives, emergency stop, alarms.
+/// Whether the controller can move, and if not, why: mode selector, drives, emergency stop, alarms.
 /// Nothing here moves or stops a robot. Not safe for use from several threads.
 class Readiness {
  public:
@@ -31,24 +31,23 @@ class Readiness {
   /// @throw ControllerRefusal unless a client may begin a motion
   void require_motion() const;
 
-  /// Another mode than before switches the drives off.
+  /// A change of the mode switches the drives off.
   void select(ControllerMode mode);
 
-  /// Forgets its alarms, but for the emergency stop if that is pressed; otherwise the drives are
-  /// on.
+  /// Forgets the alarms, except the emergency stop if it is pressed; otherwise the drives are on.
   void restart();
 
   void press_e_stop();  //!< the drives go off
   /// The alarm stays active and the drives stay off.
   void release_e_stop() { e_stop_ = false; }
 
-  /// Drives go off, and nothing moves until the alarm is reset.
+  /// Switches the drives off. Nothing moves until the alarm is reset.
   void raise(const Complaint& alarm);
 
   /// @throw ControllerRefusal while the emergency stop is pressed, or if a client must not
   void reset_alarms(Source source);
 
-  /// Off is always granted.
+  /// Switching off is always granted.
   /// @throw ControllerRefusal while the drives must stay off, or if a client must not
   void switch_drives(bool on, Source source);
 

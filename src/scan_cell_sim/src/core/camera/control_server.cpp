@@ -210,7 +210,8 @@ void ControlServer::after_write(const Endpoint& peer) {
   if ((get(kPacketSize) & kFireTestPacket) != 0) fire_test_packet();
 }
 
-/// A datagram of the size of stream packets: the client sees whether the network passes it.
+/// Sends a datagram of the size of stream packets, to show the client whether the network passes
+/// it.
 void ControlServer::fire_test_packet() {
   set_register(kPacketSize, get(kPacketSize) & ~kFireTestPacket);
   constexpr std::uint32_t kHeaders = 20 + 8, kLongest = 9000;  // [bytes] IP and UDP; jumbo

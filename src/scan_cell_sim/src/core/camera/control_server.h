@@ -20,7 +20,7 @@ using scan_cell_common::Endpoint;
 /// A socket of the camera.
 /// @param port 0: any
 /// @param shared others may bind the same address and port
-/// @throw scan_cell_common::InvalidParameter if the address is no IPv4 address
+/// @throw scan_cell_common::InvalidParameter if the address is not an IPv4 address
 /// @throw scan_cell_common::ConnectionError if it cannot be bound
 scan_cell_common::UdpSocket camera_socket(const std::string& address, std::uint16_t port,
                                           bool shared = false);

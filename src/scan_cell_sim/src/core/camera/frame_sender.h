@@ -17,8 +17,8 @@ struct PacketFaults {
   std::uint64_t seed = 1;
 };
 
-/// Sends frames packet by packet, no faster than a wire could, and keeps the last ones to send
-/// their packets again. To be used from one thread.
+/// Sends frames packet by packet, no faster than a wire could. Keeps the last ones, to send their
+/// packets again. To be used from one thread.
 class FrameSender {
  public:
   /// @param rate [bytes/s] of the wire
@@ -27,7 +27,7 @@ class FrameSender {
 
   bool busy() const { return next_packet_.has_value() || !requests_.empty(); }
 
-  /// Memory for the next frame's pixels, from a frame that is no longer kept.
+  /// Memory for the next frame's pixels, taken from a frame that is no longer kept.
   std::vector<std::uint8_t> spare_pixels();
 
   /// Begins to send a frame; the previous one must be finished.
@@ -35,7 +35,7 @@ class FrameSender {
   void request(const ControlServer::ResendRequest& request);
   void abort();
 
-  /// Sends as much as the wire takes now.
+  /// Sends as much as the wire can take now.
   void send(scan_cell_common::Nanoseconds now, const Endpoint& peer);
 
   /// When the wire is free for more.

@@ -176,7 +176,7 @@ class GigeCamera::Implementation {
     stop(sender);
   }
 
-  /// Frames of an acquisition that ended are not sent in the next.
+  /// Frames of an acquisition that has ended are not sent in the next.
   void follow(const ControlServer& server, FrameSender& sender) {
     if (!server.acquires()) stop(sender);
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -212,7 +212,7 @@ class GigeCamera::Implementation {
     return shot.time + from_seconds(server.exposure());
   }
 
-  /// When the next pulse's frame is exposed.
+  /// When the exposure of the next pulse's frame ends.
   Nanoseconds exposed(const ControlServer& server, Nanoseconds now) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return pending_.empty() ? now + kIdle : end_of_exposure(pending_.front(), server);

@@ -90,7 +90,7 @@ void ControllerLoop::restart(double dark) {
   dark_until_ = now + from_seconds(dark);
 }
 
-/// Starts again when a restart is over.
+/// Whether the controller is on. Starts it again when a restart is over.
 bool ControllerLoop::is_on(Nanoseconds now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!dark_until_) return true;
@@ -110,7 +110,7 @@ void ControllerLoop::serve() {
     socket_.wait(scan_cell_common::to_seconds(next - host_now()));
     const ControllerFaults present = faults();
     adopt(present);
-    const Nanoseconds heard = host_now();  // what came before is taken in: planning is no silence
+    const Nanoseconds heard = host_now();  // all before this was received: planning is no silence
     receive(present.from_client);
     answer_received(present.to_client);
     const Nanoseconds now = host_now();

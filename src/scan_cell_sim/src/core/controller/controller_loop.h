@@ -42,7 +42,7 @@ class ControllerLoop {
   bool is_on(Nanoseconds now);
   void receive(const WireFaults& faults);
   void answer_received(const WireFaults& faults);
-  /// @param heard host time up to which all that came was taken in
+  /// @param heard host time up to which everything was received
   void stream(const WireFaults& faults, Nanoseconds heard);
   void send_due();
   ControllerFaults faults() const;

@@ -20,7 +20,8 @@ class ControllerParameters {
   /// @throw ControllerRefusal if there is no such parameter
   const nlohmann::json& get(const std::string& name) const;
 
-  /// @throw ControllerRefusal if there is none, it is read-only, or the value is invalid
+  /// @throw ControllerRefusal if there is no such parameter, it is read-only, or the value is
+  /// invalid
   void set(const std::string& name, const nlohmann::json& value, scan_cell_common::Nanoseconds now);
 
   double stream_period() const { return stream_period_; }  //!< [s]

@@ -11,7 +11,7 @@
 
 namespace scan_cell_sim {
 
-/// The path of the tool that a session loaded, as far as it has come.
+/// The path of the tool that a session loaded, or the part that has arrived.
 class LoadedPath {
  public:
   LoadedPath() = default;  // none is loaded
@@ -21,13 +21,13 @@ class LoadedPath {
   explicit LoadedPath(const nlohmann::json& request);
 
   /// @param request PATH_PIECE
-  /// @throw ControllerRefusal if it is of another path, out of turn, or a value is out of range;
-  /// then nothing has changed
+  /// @throw ControllerRefusal if it belongs to another path, is out of turn, or a value is out of
+  /// range; then nothing has changed
   void add(const nlohmann::json& request);
 
   /// @param request FOLLOW_PATH
-  /// @return the waypoint to begin with
-  /// @throw ControllerRefusal unless the whole path is here, and is the one that is meant
+  /// @return the first waypoint
+  /// @throw ControllerRefusal unless the whole path has arrived and is the one asked for
   std::size_t check(const nlohmann::json& request) const;
 
   const Eigen::Isometry3d& flange_to_tip() const { return flange_to_tip_; }

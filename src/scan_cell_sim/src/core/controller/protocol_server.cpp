@@ -48,7 +48,7 @@ std::string command_of(const json& request) {
   return text(entry(request, "cmd"), "cmd");
 }
 
-/// @param what may quote a client: it is cut so that every answer fits into a datagram
+/// @param what may quote a client; it is cut so that every answer fits into a datagram
 json error_json(Code code, std::string what) {
   constexpr std::size_t kLongest = 80;  // characters; c4g_protocol.md
   what.resize(std::min(what.size(), kLongest));
@@ -165,7 +165,7 @@ void ProtocolServer::open(const json& request, std::uint64_t session, std::uint6
   path_ = {};
 }
 
-/// @return whether the command is one that begins a motion
+/// @return whether the command begins a motion
 bool ProtocolServer::begin_motion(const std::string& command, const json& request,
                                   Nanoseconds now) {
   if (command == "MOVE_CARTESIAN") {

@@ -51,7 +51,7 @@ struct AmbientLight::Rays {
   std::vector<Vector2d> directions;
 };
 
-/// The reflectance that each pixel sees in one frame.
+/// The reflectances seen by the pixels of one frame.
 class AmbientLight::Picture {
  public:
   Picture(const Scene& scene, const Eigen::Isometry3d& camera, const Rays& rays)
@@ -64,7 +64,7 @@ class AmbientLight::Picture {
     forward_ = in_board.linear().col(2);
   }
 
-  /// What the corners of a row of cells hit, from left to right.
+  /// What the rays through the corners of a row of cells hit, from left to right.
   Hits look_along(int row) const {
     Hits hits;
     for (int column = 0; column < rays_.region.width + kCell; column += kCell)
@@ -73,7 +73,7 @@ class AmbientLight::Picture {
   }
 
   /// The reflectances of a cell, row by row.
-  /// @param corners what its upper left, upper right, lower left and lower right corners hit
+  /// @param corners hits at the cell's upper left, upper right, lower left and lower right corners
   std::array<float, kCell * kCell> cell(int row, int column,
                                         const std::array<Hit, 4>& corners) const {
     const bool flat = std::all_of(corners.begin(), corners.end(), [&corners](const Hit& hit) {
@@ -106,7 +106,7 @@ class AmbientLight::Picture {
     return scene_.is_on_board(*hit) ? on_board(row, column) : hit->reflectance;
   }
 
-  /// Where the ray of a pixel meets the plane of the board, in the board's frame.
+  /// Point where the ray of a pixel meets the plane of the board, in the board's frame.
   Vector2d meets_board(int row, int column) const {
     const Vector2d& ray = rays_.at(row, column);
     const Vector3d direction = ray.x() * right_ + ray.y() * down_ + forward_;
@@ -119,14 +119,14 @@ class AmbientLight::Picture {
                     meets_board(row + 1, column));
   }
 
-  /// @param right, below where the next pixels meet it
+  /// @param right, below points for the next pixels
   double on_board(const Vector2d& point, const Vector2d& right, const Vector2d& below) const {
     const Vector2d blur =
         kPixelBlur * ((right - point).array().square() + (below - point).array().square()).sqrt();
     return blur.allFinite() ? scene_.board()->reflectance(point, blur) : 0;
   }
 
-  /// Shares the places on the board between neighbouring pixels.
+  /// Neighbouring pixels share their points on the board.
   std::array<float, kCell * kCell> cell_on_board(int row, int column) const {
     constexpr int kSide = kCell + 1;
     std::array<Vector2d, kSide * kSide> points;

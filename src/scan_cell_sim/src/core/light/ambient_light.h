@@ -14,9 +14,9 @@
 namespace scan_cell_sim {
 
 /// The image in ambient light, which makes a calibration board visible: uniform light from all
-/// sides, so that brightness is proportional to reflectance. In exposures so short that a white
-/// surface would gain less than kMinLevel, nothing is added, so that scans are not slowed down by
-/// invisible light. Safe to use from several threads at once.
+/// sides, so that brightness is proportional to reflectance. Nothing is added in exposures so short
+/// that a white surface would gain less than kMinLevel: invisible light must not slow down scans.
+/// Safe to use from several threads at once.
 class AmbientLight {
  public:
   static constexpr double kMinLevel = 20;  //!< [grey value] chosen

@@ -34,7 +34,7 @@ struct LaserLineRenderer::Spot {
   double peak = 0;  // [grey value]
 };
 
-/// One frame while it is drawn.
+/// One frame while being drawn.
 struct LaserLineRenderer::Drawing {
   const Scene& scene;
   const Exposure& exposure;

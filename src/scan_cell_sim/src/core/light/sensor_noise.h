@@ -17,8 +17,8 @@ std::uint8_t to_grey(Number value) {
   return static_cast<std::uint8_t>(std::clamp(value + Number(0.5), Number(0), Number(255)));
 }
 
-/// The noise of the sensor's pixels, drawn once and read from places that a frame's seed chooses:
-/// the same seed gives the same noise.
+/// The noise of the sensor's pixels. It is drawn once, and read from places that a frame's seed
+/// chooses: the same seed gives the same noise.
 class SensorNoise {
  public:
   explicit SensorNoise(const Optics& optics);

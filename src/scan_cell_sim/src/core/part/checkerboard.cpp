@@ -16,8 +16,8 @@ double edge(double x, double blur) {
   return std::erf(x * M_SQRT1_2 / blur);
 }
 
-/// Changes sign at 0, `size`, 2 `size` .. (count - 1) `size`, 1 after the first, blurred: only the
-/// nearest edge counts, as the blur is small beside a square.
+/// A wave that changes sign at 0, `size`, 2 `size` .. (count - 1) `size` and is 1 after the first,
+/// blurred. Only the nearest edge counts, as the blur is small compared with a square.
 double wave(double x, double size, int count, double blur) {
   const double nearest = std::clamp(std::round(x / size), 0.0, count - 1.0);
   const double rising = std::fmod(nearest, 2) == 0 ? 1 : -1;

@@ -15,16 +15,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Beyond this many radii a hump is regarded as flat: exp(-5^2 / 2) = 4e-6.
+/// Beyond this many radii a hump counts as flat: exp(-5^2 / 2) = 4e-6.
 constexpr double kReach = 5;  // radii; chosen
 
-/// How far material moves along `towards`, and the derivative of it.
+/// Displacement of material along `towards`, and its derivative.
 struct Shift {
   double amount;
   Vector3d gradient;
 };
 
-/// height * exp(-|offset|^2 / (2 radius^2)); `offset` moves as the point does.
+/// height * exp(-|offset|^2 / (2 radius^2)), where `offset` moves with the point.
 Shift gaussian(double height, double radius, const Vector3d& offset) {
   const double amount = height * std::exp(-offset.squaredNorm() / (2 * radius * radius));
   return {amount, -amount / (radius * radius) * offset};
@@ -35,7 +35,7 @@ Vector3d offset_of(const Bulge& bulge, const Vector3d& point) {
   return offset - bulge.towards.dot(offset) * bulge.towards;
 }
 
-/// From the nearest point of the filed line.
+/// Offset of a point from the nearest point of the filed line.
 Vector3d offset_of(const FiledEdge& edge, const Vector3d& point) {
   const Vector3d line = edge.to - edge.from;
   const double along = (point - edge.from).dot(line) / line.squaredNorm();

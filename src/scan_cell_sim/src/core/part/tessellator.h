@@ -31,7 +31,7 @@ class Tessellator {
     return deformation_.curvature_bound(point);
   }
 
-  /// Fractions 0 .. 1 of a way of `length` [m], as close as the curvature at each demands.
+  /// Fractions 0 .. 1 of a way of `length` [m], as close as the curvature at each requires.
   std::vector<double> stations(double length,
                                const std::function<double(double)>& curvature_at) const {
     std::vector<double> result = {0};
@@ -64,8 +64,8 @@ class Tessellator {
     }
   }
 
-  /// A parallelogram origin + s u + t v, seen from the side u x v; `lift` shifts its points and has
-  /// no larger second derivative than `lift_curvature`.
+  /// A parallelogram origin + s u + t v, seen from the side u x v. `lift` shifts its points; its
+  /// second derivatives are at most `lift_curvature`.
   void add_patch(const Eigen::Vector3d& origin, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
                  const std::function<Eigen::Vector3d(double, double)>& lift = nullptr,
                  double lift_curvature = 0) {
@@ -113,7 +113,7 @@ class Tessellator {
     }
   }
 
-  /// Into how many a circle of this radius [m] is cut, where a deformation bends it besides.
+  /// Number of sectors of a circle of this radius [m], if a deformation bends it as well.
   std::size_t sectors_of(double radius, double curvature_besides = 0) const {
     const double longest = step(1 / radius + curvature_besides);
     return static_cast<std::size_t>(std::ceil(2 * M_PI * radius / longest));

@@ -25,7 +25,7 @@ using scan_cell_common::UnusableInput;
 
 constexpr const char* kHeader = "x,y,z,qx,qy,qz,qw";
 
-/// On a level surface: z down, x along a direction.
+/// Pose on a level surface: z down, x along a direction.
 Isometry3d tool_pose(const Vector3d& point, const Vector3d& along) {
   Isometry3d pose = Isometry3d::Identity();
   const Vector3d z = -Vector3d::UnitZ();
@@ -103,7 +103,7 @@ void add_line(const Vector3d& from, const Vector3d& to, double spacing, ToolPath
     path.push_back(tool_pose(from + way * i / pieces, way.normalized()));
 }
 
-/// Through all corners; at the last one the tool points as on the way there.
+/// A path through all corners; at the last one the tool points as on the way to it.
 ToolPath through(const std::vector<Vector3d>& corners, double spacing) {
   ToolPath path;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i)
@@ -113,7 +113,7 @@ ToolPath through(const std::vector<Vector3d>& corners, double spacing) {
   return path;
 }
 
-/// To and fro over the sheet.
+/// A path to and fro over the sheet.
 ToolPath over_sheet(const FrameShape& frame, double spacing) {
   if (frame.sheet->bulge != 0) {
     throw UnusableInput("sheet", fmt::format("bulge {:g} m", frame.sheet->bulge),
@@ -133,7 +133,7 @@ ToolPath over_sheet(const FrameShape& frame, double spacing) {
   return through(corners, spacing);
 }
 
-/// Around the top of a box, and back to the start.
+/// A path around the top of a box, and back to the start.
 ToolPath around_top(const BoxShape& box, double spacing) {
   const double x = box.size.x() / 2 - kInset;
   const double y = box.size.y() / 2 - kInset;
@@ -141,7 +141,7 @@ ToolPath around_top(const BoxShape& box, double spacing) {
   return through({{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}, {-x, -y, z}}, spacing);
 }
 
-/// Along the top of a pipe, from near one end to near the other.
+/// A path along the top of a pipe, from near one end to near the other.
 ToolPath along_top(const ElbowShape& elbow, double spacing) {
   const double bend = elbow.bend_radius;
   const double top = 2 * elbow.pipe_radius;

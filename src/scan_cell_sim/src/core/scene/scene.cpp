@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Rays that leave a surface begin this far from it: in single precision they could hit the surface
-/// itself.
+/// Distance from a surface at which rays that leave it begin: in single precision they could hit
+/// the surface itself.
 constexpr float kClearance = 1e-4F;  // [m] chosen
 
 Mesh floor_mesh(const Floor& floor) {

@@ -77,7 +77,7 @@ void Acquisition::change(const CameraChange& change) {
   if (change.on_taken) change.on_taken();
 }
 
-/// A camera that is not connected gets them when it is found.
+/// A camera that is not connected gets the settings when it is found.
 void Acquisition::write(const CameraSettings& settings) {
   if (camera_) {
     try {

@@ -34,7 +34,7 @@ struct AcquisitionParameters {
   ClockSettings clock;           //!< how device times become host times
 };
 
-/// The camera settings set() may change: all or none.
+/// Changes of the camera settings by set(): all are made, or none.
 struct CameraChange {
   double exposure = 0;  //!< [s] 0: the camera's own
   Region region;
@@ -90,8 +90,8 @@ class AcquisitionListener {
   virtual void on_connected(const CameraDescription& camera) = 0;  //!< in the acquisition's thread
   /// A recording was played to its end and is in STOP.
   virtual void on_ended(const std::string& recording) = 0;
-  /// Once for each reason: the camera cannot be opened, was lost, or did not start; and once an
-  /// acquisition: a frame cannot be used.
+  /// Called once for each reason: the camera cannot be opened, was lost, or did not start. Called
+  /// once an acquisition if a frame cannot be used.
   virtual void on_trouble(const std::string& reason) = 0;
 };
 
@@ -100,9 +100,9 @@ class AcquisitionListener {
 ///
 /// A restart of the camera's counter begins a new acquisition.
 ///
-/// After a loss, an acquisition in external trigger is resumed, with a new number: nothing happens
-/// until the next pulse. One in free run is not, since the camera would run, and drive its strobe
-/// outputs, without a command; it stays in STOP until set() is called.
+/// After a loss, an acquisition in external trigger resumes with a new number: nothing happens
+/// until the next pulse. One in free run does not resume, since the camera would run, and drive its
+/// strobe outputs, without a command; it stays in STOP until set() is called.
 class Acquisition {
  public:
   /// Opens the camera; throws if it does not answer.
@@ -116,13 +116,13 @@ class Acquisition {
 
   /// Stops the camera, and starts it in another mode. Returns once it streams: in free run with
   /// the first frame, in external trigger `arming_time` after the start.
-  /// @param change written after the stop; if it is refused, the camera stays stopped and keeps
-  /// its settings
+  /// @param change written after the stop. If it is refused, the camera stays stopped and keeps its
+  /// settings
   /// @return number of the acquisition; 0 for STOP
   /// @throw scan_cell_common::ConnectionError if the camera is not found, or no frame comes,
   /// within start_timeout
-  /// @throw scan_cell_common::Refused if the change asks for the camera's own exposure, and that
-  /// was overwritten
+  /// @throw scan_cell_common::Refused if the change asks for the camera's own exposure, which was
+  /// overwritten
   /// @throw scan_cell_common::Error as Camera::configure and Camera::start
   std::uint32_t set(AcquisitionMode mode, Trigger trigger,
                     const std::optional<CameraChange>& change = std::nullopt);

@@ -64,7 +64,7 @@ void FrameNumbering::take_back(const CounterStep& step, FramePlace& place) {
   leap_.reset();
 }
 
-/// @return how many frames counted on like this, with this one
+/// @return number of frames in a row that counted on like this, including this one
 int FrameNumbering::counts_on_from_before(const Frame& frame) {
   const bool goes_on = counted_back_ > 0 && frame.counter == last_back_ + 1;
   counted_back_ = goes_on ? counted_back_ + 1 : 1;
@@ -82,7 +82,7 @@ Nanoseconds FrameNumbering::time_of(const Frame& frame, bool late) {
   }
   constexpr double kMost = 1;      // [s] between clocks that are one; chosen
   constexpr double kMaxLate = 10;  // [s] of a frame on a busy host; chosen
-  // Frames in a row; chosen: by then a busy host has caught up, with the first ones sooner.
+  // Frames in a row; chosen: a busy host has caught up by then, and sooner with the first frames.
   constexpr int kMaxLateInARow = 1000, kMaxLateAtFirst = 20;
   const double off = scan_cell_common::to_seconds(frame.host_time - frame.device_time);
   late_in_a_row_ = off > kMost ? late_in_a_row_ + 1 : 0;

@@ -29,9 +29,9 @@ struct FramePlace {
 ///
 /// One wrong number is neither a restart nor a gap. A frame that counts back is late. If its clock
 /// went on and the next frame continues from it (without a clock: the next two frames), the camera
-/// was restarted. But if they continue the frames before the last gap, the number after that gap
-/// was garbled; one frame whose clock went on is enough to know. The garbled frame itself was
-/// delivered with its wrong number, which disagrees with its time.
+/// was restarted. But if those frames continue the frames before the last gap, the number after
+/// that gap was garbled; one frame whose clock went on is enough to know. The garbled frame itself
+/// was delivered with its wrong number, which disagrees with its time.
 class FrameNumbering {
  public:
   /// @param counter values that the device's frame counter runs through

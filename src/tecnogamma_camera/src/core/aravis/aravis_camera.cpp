@@ -21,8 +21,8 @@ std::size_t padding_of(ArvBuffer* buffer) {
   return static_cast<std::size_t>(std::max(0, padding));
 }
 
-/// Gives a buffer to the stream, cleared of its last frame: if the first packet of a frame is lost,
-/// Aravis leaves number and times as they are.
+/// Gives a buffer to the stream, cleared of its last frame: Aravis leaves number and times as they
+/// are if the first packet of a frame is lost.
 void push_clean(ArvStream* stream, ArvBuffer* buffer) {
   arv_buffer_set_frame_id(buffer, kNoFrameNumber);
   arv_buffer_set_timestamp(buffer, 0);

@@ -23,7 +23,7 @@ struct CameraListing {
 /// All GenICam cameras that answer on the network or on USB. Takes about a second.
 std::vector<CameraListing> list_aravis_cameras();
 
-/// Of the transport.
+/// Options of the transport.
 struct AravisOptions {
   int buffers = 32;           //!< frames that may wait to be grabbed
   int packet_size = 0;        //!< [bytes] 0: the largest the network passes

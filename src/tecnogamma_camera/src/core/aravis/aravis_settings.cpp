@@ -196,7 +196,7 @@ void StrobeOutputs::change(const char* feature, const std::string& value) {
 }
 
 void StrobeOutputs::restore() {
-  // A setting that cannot be restored must not keep the others from it.
+  // If one setting cannot be restored, the others must be all the same.
   for (auto change = changed_.rbegin(); change != changed_.rend(); ++change)
     arv_camera_set_string(arv_, change->feature, change->before.c_str(), nullptr);
   changed_.clear();

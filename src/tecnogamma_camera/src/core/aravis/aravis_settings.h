@@ -17,7 +17,7 @@ constexpr double kMicroseconds = 1e6;  // [us] in a second: GenICam's unit of th
 
 Region read_region(ArvCamera* arv);
 
-/// If the region is refused, the camera keeps the one it had.
+/// A refused region leaves the camera with the one it had.
 /// @return with width and height
 Region write_region(ArvCamera* arv, const Region& wanted);
 
@@ -34,7 +34,7 @@ void write_gain(ArvCamera* arv, double gain);
 void write_rate(ArvCamera* arv, double rate);
 void write_trigger(ArvCamera* arv, Trigger trigger, const std::string& source);
 
-/// The words that an enumeration of the camera offers; none where it does not have it.
+/// The words that an enumeration of the camera offers; none if the camera lacks the enumeration.
 std::vector<std::string> words_of(ArvCamera* arv, const char* feature);
 
 /// Drives outputs of the camera during its lifetime: reads each line's settings, makes it an output

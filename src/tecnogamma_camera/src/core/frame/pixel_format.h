@@ -40,10 +40,10 @@ struct PixelFormat {
 /// Mono8, Mono10, Mono12, Mono14, Mono16, Mono10Packed, Mono12Packed, Mono10p, Mono12p.
 const std::vector<std::string>& pixel_format_names();
 
-/// @throw scan_cell_common::InvalidParameter if there is none of that name
+/// @throw scan_cell_common::InvalidParameter if there is no format of that name
 const PixelFormat& pixel_format(const std::string& name);
 
-/// Grey values of a packed format.
+/// Unpacks the grey values of a packed format.
 /// @param bytes format.bytes(pixels.size()) of them
 void unpack(const PixelFormat& format, const std::uint8_t* bytes,
             std::vector<std::uint16_t>& pixels);

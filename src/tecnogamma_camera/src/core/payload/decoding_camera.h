@@ -11,9 +11,9 @@
 
 namespace tecnogamma_camera {
 
-/// A camera that finds the peaks itself: wraps a camera whose frames are payloads, and a decoder.
-/// Counter and time are those in the payload. A payload that cannot be decoded becomes a frame with
-/// a fault; one with missing packets becomes a frame without a number.
+/// A camera that finds the peaks itself: wraps a decoder and a camera whose frames are payloads.
+/// Counter and time come from the payload. A payload that cannot be decoded becomes a frame with a
+/// fault; one with missing packets becomes a frame without a number.
 class DecodingCamera : public Camera {
  public:
   DecodingCamera(std::unique_ptr<Camera> camera, std::unique_ptr<PayloadDecoder> decoder);

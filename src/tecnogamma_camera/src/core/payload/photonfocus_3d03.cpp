@@ -27,7 +27,7 @@ std::uint32_t status(const std::uint8_t* row, int first, int count) {
   return value;
 }
 
-/// A combined frame that was cut short is filled up (manuals of the 3D02 and 3D06).
+/// The camera fills up a combined frame that was cut short (manuals of the 3D02 and 3D06).
 bool is_filler(const ImageView8& payload, int first_row) {
   constexpr std::uint8_t kFirst = 0xBB, kSecond = 0x44;  // of each row, the others are 0
   for (int i = 0; i < kBlockRows; ++i) {

@@ -23,7 +23,7 @@ std::string to_text(const Region& region) {
   return fmt::format("{} x {} at {}, {}", region.width, region.height, region.x, region.y);
 }
 
-/// Of a payload of `rows` elements of `size` bytes.
+/// Reads the peaks of a payload of `rows` elements of `size` bytes.
 void read_peaks(const std::uint8_t* bytes, std::size_t size, const Region& region,
                 DecodedFrame& frame) {
   frame.has_peaks = true;
@@ -67,7 +67,7 @@ void set_place(const Region& region, ImageView8& image) {
   image.first_row = region.y;
 }
 
-/// What stands in the payload of a whole frame: peaks, or an image.
+/// Reads the payload of a whole frame: peaks, or an image.
 void read_payload(const std::uint8_t* begin, const TecnogammaFrameInfo& info, const Region& region,
                   DecodedFrame& frame) {
   const auto rows = static_cast<std::size_t>(region.height);
@@ -126,7 +126,7 @@ TecnogammaFrameInfo TecnogammaDecoder::read_info(const std::uint8_t* bytes) {
   info.first_row = read_16(bytes + 8);
   info.last_row = read_16(bytes + 10);
   info.decimation = bytes[12];
-  // Bytes 16 to 19, the end of a frame, are of run-length encoded images alone.
+  // Bytes 16 to 19, the end of a frame, belong to run-length encoded images only.
   info.packets_lost = read_32(bytes + 20);
   info.offset = read_32(bytes + 24);
   info.size = read_32(bytes + 28);

@@ -48,7 +48,7 @@ TECNOGAMMA_INLINE int count_at_most(const Sample<Pixel>& sample, Pixel level) {
 }
 
 /// Quantile of the sample, as if the grey values were spread evenly over their rounding. It is
-/// found by counting, starting at `guess`: the next tile is usually only a few grey values off.
+/// found by counting from `guess`: the next tile is usually only a few grey values off.
 template <class Pixel>
 TECNOGAMMA_INLINE double quantile(const Sample<Pixel>& sample, double share, int guess) {
   const double wanted = share * sample.size;
@@ -84,10 +84,10 @@ void take_out(double slope, double offset, int columns, Pixel* pixels) {
         std::clamp(std::lround(pixels[i] - offset - slope * (i - middle)), 0L, kMost));
 }
 
-/// Where black clips the noise, its low quantiles say nothing. The differences of neighbours do:
-/// four fifths of them are below 1.81 standard deviations of unclipped noise, and below fewer the
-/// more of it is clipped (a parabola fitted to simulated values). A line has large ones only at its
-/// flanks.
+/// Noise and background where black clips the noise, so that its low quantiles say nothing. The
+/// differences of neighbours do: four fifths of them are below 1.81 standard deviations of
+/// unclipped noise, and below fewer the more of it is clipped (a parabola fitted to simulated
+/// values). A line has large differences only at its flanks.
 /// @param black share of the pixels at zero
 template <class Pixel>
 TECNOGAMMA_INLINE TileLight light_of_clipped(const Sample<Pixel>& sample, double black) {

@@ -11,7 +11,7 @@
 
 namespace tecnogamma_camera {
 
-/// The pixels of a tile without the laser: median and scatter, from two low quantiles that a line
+/// The pixels of a tile without the laser: median and scatter, from two low quantiles, which a line
 /// through the tile does not affect.
 struct TileLight {
   double background = 0;  //!< [grey value] in the tile's middle
@@ -19,15 +19,15 @@ struct TileLight {
   double down = 0;        //!< [grey values/px] rise of the background from row to row
 };
 
-/// Straight line through the background about a column.
+/// Straight line through the background near a column.
 struct BackgroundLine {
   double value = 0;  //!< [grey value] at that column
   double slope = 0;  //!< [grey values/px]
 };
 
-/// The light of a frame besides the laser: dark offset, ambient light and its gradient, in tiles of
-/// about kTileColumns x kBandRows pixels, of which four rows are sampled. A tile is measured when
-/// it is first needed.
+/// The light of a frame besides the laser: dark offset, ambient light and its gradient. It is
+/// measured in tiles of about kTileColumns x kBandRows pixels, of which four rows are sampled. A
+/// tile is measured when it is first needed.
 template <class Pixel>
 class Background {
  public:
@@ -38,11 +38,12 @@ class Background {
 
   int tiles() const { return tiles_; }
   int tile_of(int column) const { return column * tiles_ / image_.columns; }
-  /// Where the light rises from tile to tile, across or down, the rise is removed from its noise.
+  /// If the light rises from tile to tile, across or down, the rise is removed from the tile's
+  /// noise.
   const TileLight& tile(int row, int tile);
 
-  /// About a column: through the middles of its tile and of the next one on its side, or the
-  /// last two.
+  /// The background near a column: the line through the middles of its tile and of the next one on
+  /// its side, or of the last two.
   BackgroundLine about(int row, int column);
 
  private:

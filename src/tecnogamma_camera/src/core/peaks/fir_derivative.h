@@ -20,12 +20,12 @@ struct DerivativeFilter {
   explicit DerivativeFilter(double gaussian_sigma);
 };
 
-/// The filter for a stripe of a full width at half of its height [px]: of the stripe's own sigma,
-/// the matched one, to 14 %, which costs 1.5 % of accuracy; but never below 1 px, where the taps
-/// of different filters become the same, nor above 23 px.
+/// The filter for a stripe of this full width at half of its height [px]. Its sigma is the stripe's
+/// own (the matched filter) to 14 %, which costs 1.5 % of accuracy; but never below 1 px, where the
+/// taps of different filters become the same, nor above 23 px.
 const DerivativeFilter& filter_for(double width);
 
-/// Standard deviation of a Gaussian of a full width at half of its height.
+/// Standard deviation of a Gaussian of this full width at half of its height.
 inline double sigma_of_width(double width) {
   constexpr double kWidthOfSigma = 2.3548200450309493;  // 2 sqrt(2 ln 2)
   return width / kWidthOfSigma;
@@ -39,7 +39,7 @@ struct CrossingRange {
   double slope;  //!< [grey values/px] of the background
 };
 
-/// Output of the filter at a column; the image's border is continued outwards.
+/// Output of the filter at a column; beyond the image's border the outermost pixel is repeated.
 template <class Pixel>
 double derivative(const Pixel* row, int columns, const DerivativeFilter& filter, int column) {
   const int reach = static_cast<int>(filter.taps.size());
@@ -55,12 +55,12 @@ double derivative(const Pixel* row, int columns, const DerivativeFilter& filter,
   return sum;
 }
 
-/// The column where the smoothed row has its maximum: from the middle of the stripe uphill to where
-/// the derivative changes from above to below zero, then linearly between the columns either side
-/// (over a saturated plateau: those where it is not zero). A Gaussian's derivative is slightly bent
-/// between them, by which the linear crossing is off by f (1 - f) (1 - 2 f) / (2 S^2), f the
-/// crossing's fraction and S^2 the sum of the squared sigmas of stripe and filter: it is corrected
-/// for that.
+/// The column where the smoothed row has its maximum. The search goes from the middle of the stripe
+/// uphill to where the derivative changes from above to below zero, then interpolates linearly
+/// between the columns on either side (over a saturated plateau: between those where the derivative
+/// is not zero). A Gaussian's derivative is slightly bent between them, so the linear crossing is
+/// off by f (1 - f) (1 - 2 f) / (2 S^2), where f is the crossing's fraction and S^2 the sum of the
+/// squared sigmas of stripe and filter. This error is corrected.
 /// @return kNoPeak if there is no maximum within the stripe
 template <class Pixel>
 double zero_crossing(const Pixel* row, int columns, const CrossingRange& range) {

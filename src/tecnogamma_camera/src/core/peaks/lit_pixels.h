@@ -17,9 +17,9 @@ inline int levels_of(int columns) {
 
 /// Which pixels of a row are above the trigger level of their columns, one bit a pixel.
 ///
-/// A laser line lights a few pixels of a row, so nearly all of the time goes into skipping the dark
-/// ones: a block at a time, by its brightest pixel, in a loop that compilers vectorise. The lit
-/// runs are then found in the bits, 64 columns at a time.
+/// A laser line lights a few pixels of a row, so nearly all of the time goes into skipping dark
+/// ones. They are skipped a block at a time, by its brightest pixel, in a loop that compilers
+/// vectorise. The lit runs are then found in the bits, 64 columns at a time.
 class LitPixels {
  public:
   /// @param levels levels_of(columns)

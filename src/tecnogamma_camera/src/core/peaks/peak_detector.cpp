@@ -50,7 +50,8 @@ class FrameDetection {
   bool automatic() const { return settings_.trigger_level == kAutomaticLevel; }
   bool needs_stripe() const { return automatic() || Locate::kNeedsStripe; }
 
-  /// Its fall is 0 if the row has none, or one that is cut.
+  /// Finds the spot of a row. Its fall is 0 if there is none or, with a given trigger level, if it
+  /// is cut.
   void find_spot(int i, const Pixel* row) {
     rows_[i] = row;
     lit_.mark(row, image_.columns, levels_.levels());

@@ -16,14 +16,14 @@ struct Edges {
   double middle() const { return 0.5 * (rise + fall); }
 };
 
-/// At a trigger level that was given.
+/// Edges at a trigger level that was given.
 template <class Pixel>
 Edges edges_at(const Pixel* row, const Spot& spot, int level) {
   return {crossing(row, spot.rise, spot.rise - 1, level),
           crossing(row, spot.fall - 1, spot.fall, level)};
 }
 
-/// At half of the stripe's height above the background.
+/// Edges at half of the stripe's height above the background.
 template <class Pixel>
 Edges edges_at_half(const Pixel* row, const Stripe& stripe) {
   const double climb = 0.5 * stripe.slope * (stripe.fall - stripe.rise);
@@ -31,8 +31,8 @@ Edges edges_at_half(const Pixel* row, const Stripe& stripe) {
           crossing(row, stripe.fall - 1, stripe.fall, stripe.half() + climb)};
 }
 
-// They find the column of the peak in a row. With a given trigger level, those that do not need the
-// stripe get none.
+// Locators: each finds the column of the peak in a row. With a given trigger level, those that do
+// not need the stripe get none.
 
 /// The middle between the edges.
 struct ThresholdLocator {
@@ -47,7 +47,7 @@ struct ThresholdLocator {
 /// The centre of gravity of the grey values above the stripe's foot, by the rule of make_detector.
 struct CenterOfGravityLocator {
   static constexpr bool kNeedsStripe = true;
-  // Of the width; chosen: a Gaussian's foot is 0.33 beyond the edge.
+  // Share of the width; chosen: a Gaussian's foot is 0.33 beyond the edge.
   static constexpr double kMarginShare = 0.4;
   int window;
 

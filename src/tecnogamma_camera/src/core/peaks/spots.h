@@ -25,8 +25,8 @@ struct Spot {
 /// Most rows have one spot: its light is summed only if there is another to compare it with.
 constexpr std::int64_t kNotSummed = std::numeric_limits<std::int64_t>::min();
 
-/// First dark column of the spot whose rising edge stands at `rise`: dips shorter than the
-/// permanence belong to it.
+/// First dark column of the spot whose rising edge is at `rise`. Dips shorter than the permanence
+/// belong to the spot.
 inline int falling_edge(const LitPixels& lit, int rise, int columns, int permanence) {
   for (;;) {
     const int end = lit.next_dark(rise);
@@ -36,8 +36,8 @@ inline int falling_edge(const LitPixels& lit, int rise, int columns, int permane
 }
 
 /// The spots of a row from left to right, by the rule of PeakDetector.
-/// @param take called with each; the `right` of a spot is not known yet
-/// @param pass_over called with the column of each lone lit pixel that is no spot
+/// @param take called with each spot; its `right` is not known yet
+/// @param pass_over called with the column of each lone lit pixel that is not a spot
 template <class Take, class PassOver>
 void for_each_spot(const LitPixels& lit, int columns, int permanence, const Take& take,
                    const PassOver& pass_over) {

@@ -11,8 +11,8 @@
 namespace tecnogamma_camera {
 
 constexpr double kFootOfHalf = 0.3;  //!< of half of the height: the foot is at 15 %; chosen
-// Half of a Gaussian's height over the mean of its light weighted by itself: of the whole Gaussian,
-// and of its part above half of the height.
+// Half of a Gaussian's height, divided by the mean of its light weighted by itself: of the whole
+// Gaussian, and of its part above half of the height.
 constexpr double kHalfOfMean = 0.70711;      //!< sqrt(1 / 2)
 constexpr double kHalfOfCoreMean = 0.59519;  //!< from the integrals
 constexpr double kBridgedShare = 0.25;       //!< of the stripe's width: longest dip in it; chosen
@@ -43,7 +43,7 @@ double crossing(const Pixel* row, int inside, int outside, double level) {
 }
 
 /// Furthest column from `start` in steps of `step`, before `end`, that is above a level; dips of
-/// fewer than `bridge` columns are passed over.
+/// fewer than `bridge` columns are bridged.
 template <class Pixel>
 int last_above(const Pixel* row, int start, int step, int end, int bridge, double level) {
   const int whole = static_cast<int>(level);
@@ -75,7 +75,7 @@ struct GreySums {
   }
 };
 
-/// Height of a spot's stripe, and where in it to look for edges.
+/// Height of a spot's stripe, and where to look for its edges.
 struct Height {
   BackgroundLine background;  //!< about its middle
   double half = 0;            //!< [grey value] above the background; 0: no stripe

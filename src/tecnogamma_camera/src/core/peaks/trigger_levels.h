@@ -16,10 +16,10 @@ namespace tecnogamma_camera {
 /// The levels above which pixels of a row are lit, and how much light makes a spot.
 ///
 /// Automatic: kNoiseSigmas of the noise above the background, at least kMinDistance, for each 64
-/// columns of some rows; where the background climbs in them, above its highest corner. Of the 3
-/// million pixels of a frame hundreds are above it by chance, and now and then `permanence` of them
-/// in a row: so the light of a spot above the background must be kSpotSigmas of its own noise as
-/// well, that is of the pixel's noise times the root of its width.
+/// columns of some rows. Where the background climbs within them, the level is above its highest
+/// corner. Of the 3 million pixels of a frame, hundreds are above the level by chance, and now and
+/// then `permanence` of them in a row. The light of a spot above the background must therefore also
+/// be kSpotSigmas of its own noise, which is the pixel's noise times the root of the spot's width.
 template <class Pixel>
 class TriggerLevels {
  public:
@@ -29,7 +29,7 @@ class TriggerLevels {
         levels_(static_cast<std::size_t>(levels_of(columns)),
                 static_cast<Pixel>(std::min(std::max(trigger_level, 0), kMost))) {}
 
-  /// Automatic ones for some rows of a band, from their background.
+  /// Sets automatic levels for some rows of a band, from their background.
   void follow(Background<Pixel>& background, int first_row, int rows) {
     if (first_row % Background<Pixel>::kBandRows == 0) measure(background, first_row);
     const int row = first_row + rows / 2;
@@ -45,8 +45,8 @@ class TriggerLevels {
   const std::vector<Pixel>& levels() const { return levels_; }
   Pixel at(int column) const { return levels_[static_cast<std::size_t>(column / kLevelColumns)]; }
 
-  /// Whether a spot is so narrow that its light has to be checked: for a wider one, all pixels
-  /// above the level are enough. A given level needs no check.
+  /// Whether a spot is so narrow that its light has to be checked. A wider one has enough light if
+  /// all of its pixels are above the level. A given level needs no check.
   bool may_be_noise(int width) const {
     return automatic_ && kSpotSigmas * kSpotSigmas > kNoiseSigmas * kNoiseSigmas * width;
   }
@@ -65,7 +65,7 @@ class TriggerLevels {
   }
 
  private:
-  /// What the level of kLevelColumns follows in a band.
+  /// The background of kLevelColumns in a band, from which their level is computed.
   struct Place {
     double level;     // [grey value] in row_of_places_
     double distance;  // [grey values] of it above the background
@@ -85,8 +85,8 @@ class TriggerLevels {
     }
   }
 
-  /// Of the level above the background. The noise is the tile's own or, in case that came out too
-  /// low, the mean with its neighbours.
+  /// Distance of the level from the background. The noise is the tile's own, or the mean with its
+  /// neighbours if that is higher: the tile's own may have come out too low.
   static double distance(Background<Pixel>& background, int row, int tile) {
     const int first = std::max(0, tile - 1);
     const int end = std::min(background.tiles(), tile + 2);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Before a function: compiled for 32 byte vectors too, where the processor has them; which one
-/// runs is chosen when the program is loaded. The code is the same, and so are its results.
-/// Not under the thread sanitizer: the choice is made before the sanitizer is initialised.
+/// Put before a function: compiles it for 32 byte vectors, too, where the processor has them. Which
+/// one runs is chosen when the program is loaded. The code is the same, and so are its results. Not
+/// under the thread sanitizer: the choice is made before the sanitizer is initialised.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_THREAD__)
 #define TECNOGAMMA_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
@@ -12,5 +12,5 @@
 #define TECNOGAMMA_VECTOR_CLONES
 #endif
 
-/// Before a template that such functions call: it is compiled into each of them.
+/// Put before a template that such functions call: it is compiled into each of them.
 #define TECNOGAMMA_INLINE inline __attribute__((always_inline))

@@ -102,7 +102,7 @@ RecordedFile read_file_of(const Line& line) {
   return file;
 }
 
-/// The place of the images on the sensor, which all lines must agree on.
+/// Reads the place of the images on the sensor, which must be the same in all lines.
 void read_place(const Line& line, bool first, FolderIndex& index) {
   const auto read = [&](const char* column, int& value) {
     const int number = static_cast<int>(line.number(column, kMaxPixels));

@@ -10,8 +10,8 @@
 
 namespace tecnogamma_camera {
 
-/// Writes frames into a folder, as open_folder_recording() reads them. As PGM: it takes
-/// the least time and keeps the bytes of a payload.
+/// Writes frames into a folder that open_folder_recording() reads. They are written as PGM, which
+/// takes the least time and keeps the bytes of a payload.
 class FolderRecorder {
  public:
   /// @param folder is created; must be empty
@@ -20,8 +20,8 @@ class FolderRecorder {
 
   /// A frame that lost packets is in the index, but has no file.
   /// @throw scan_cell_common::FileError if it cannot be written
-  /// @throw scan_cell_common::Refused if it belongs to another start than the first frame: the
-  /// numbers would start again
+  /// @throw scan_cell_common::Refused if it belongs to another start than the first frame, since
+  /// the numbers start again there
   void add(const NumberedFrame& frame);
 
   std::uint64_t frames() const { return frames_; }

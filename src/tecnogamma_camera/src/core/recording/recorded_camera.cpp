@@ -37,7 +37,7 @@ Region cut_region(const Region& whole, const Region& wanted) {
   return region;
 }
 
-/// From one frame to the next; none if they have no times of the same clock.
+/// Time from one frame to the next; none if they have no times of the same clock.
 std::optional<Nanoseconds> recorded_step(const Frame& from, const Frame& to) {
   if (from.device_time != 0 && to.device_time != 0) return to.device_time - from.device_time;
   if (from.time != 0 && to.time != 0) return to.time - from.time;

@@ -28,9 +28,9 @@ Height terms_of(double x, double y) {
   return terms;
 }
 
-/// The side that a viewer sees.
+/// The normal on the side that a viewer sees.
 /// @param towards the viewers, unit length
-/// @param[out] known false where all of them look along the surface
+/// @param[out] known false if all of them look along the surface
 Vector3d outwards(const Vector3d& normal, const std::vector<Vector3d>& towards, bool& known) {
   double most = 0;
   for (const Vector3d& direction : towards) {
@@ -49,7 +49,7 @@ Eigen::Matrix3d axes_about(const Vector3d& normal) {
   return axes;
 }
 
-/// Least squares over the neighbours of the same face; flat where they are too few.
+/// Least squares over the neighbours on the same face; flat if they are too few.
 void fit(const ReferenceSurface::Samples& samples, const PointTree& tree, std::size_t at,
          SurfacePiece& piece) {
   std::array<PointTree::Index, kNeighbours> found{};

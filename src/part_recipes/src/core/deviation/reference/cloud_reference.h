@@ -14,8 +14,8 @@ struct Surface;
 
 namespace part_recipes {
 
-/// A piece of a scanned surface about one of its points, as a quadratic height over the tangent
-/// plane: neighbours smooth the scan's noise, and curvature makes no error.
+/// A piece of a scanned surface around one of its points, as a quadratic height over the tangent
+/// plane. The neighbours smooth the scan's noise, and curvature causes no error.
 struct SurfacePiece {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  //!< columns; z is the normal
   Eigen::Matrix<double, 6, 1> height = Eigen::Matrix<double, 6, 1>::Zero();  //!< of 1 x y xx xy yy

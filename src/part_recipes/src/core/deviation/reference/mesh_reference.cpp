@@ -38,7 +38,7 @@ PartMesh joined(const pcl::PolygonMesh& mesh, const std::string& name) {
                                   Vector3d::UnitZ(), M_PI, name);
 }
 
-/// Whether a place lies on an edge beyond which there is no surface.
+/// Whether a place lies on an edge where the surface ends.
 bool on_border(const PartMesh& mesh, const Foot& foot) {
   constexpr double kOn = 1e-9;  // [m]; rounding of the foot
   const path_design::Triangle& corners = mesh.triangles[foot.triangle];
@@ -52,8 +52,8 @@ bool on_border(const PartMesh& mesh, const Foot& foot) {
   return false;
 }
 
-/// Whether the mesh encloses the part: the normals of what is closed cancel out. It is what the
-/// winding goes by.
+/// Whether the mesh encloses the part: the normals of a closed mesh cancel out. The winding uses
+/// the same test.
 bool is_closed(const PartMesh& mesh) {
   constexpr double kClosed = 0.02;  // of the area; as path_design::joined_mesh() takes it
   Vector3d facing = Vector3d::Zero();

@@ -19,7 +19,7 @@ namespace part_recipes {
 class MeshReference final : public ReferenceSurface {
  public:
   /// @param surface the samples of the mesh
-  /// @param name of the mesh in errors
+  /// @param name of the mesh in error messages
   /// @throw scan_cell_common::UnusableInput if the mesh has no area or vertices that are not finite
   MeshReference(const pcl::PolygonMesh& mesh, const tool_path_stretcher::Surface& surface,
                 const std::string& name);

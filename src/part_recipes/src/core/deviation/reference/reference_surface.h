@@ -9,24 +9,24 @@
 
 namespace part_recipes {
 
-/// How it is known which side of a reference is outside.
+/// How the outside of a reference is known.
 enum class OutsideKnownBy {
   kClosedMesh,  //!< the mesh encloses the part
   kViewpoints,  //!< the scan says from where each point was seen (vp_x, vp_y, vp_z)
-  kUpwards,     //!< nothing says it: the side that faces +z of the reference's frame
+  kUpwards,     //!< from nothing: the side that faces +z of the reference's frame
 };
 
 /// For a person and for files: "closed mesh", "viewpoints of the scan", "+z of the reference".
 std::string to_string(OutsideKnownBy outside);
 
-/// Up to where a surface counts as near to a point.
+/// Distance up to which a surface counts as near to a point.
 struct Reach {
   double normal = 0;   //!< [m] along the surface's normal
   double lateral = 0;  //!< [m] along the surface, beyond its border
 };
 
-/// The surface of the reference part, from which deviations are measured. Lengths and places are
-/// in the reference's frame.
+/// The surface of the reference part, from which deviations are measured. Lengths and places are in
+/// the reference's frame.
 class ReferenceSurface {
  public:
   /// Points on the surface, spread evenly over it.
@@ -44,8 +44,8 @@ class ReferenceSurface {
   ReferenceSurface(const ReferenceSurface&) = delete;
   ReferenceSurface& operator=(const ReferenceSurface&) = delete;
 
-  /// Distance [m] of a point from the surface, positive outside; NaN where no surface is near, or
-  /// its outside is not known.
+  /// Distance [m] of a point from the surface, positive outside; NaN if no surface is near or its
+  /// outside is not known.
   virtual double signed_distance(const Eigen::Vector3d& point, const Reach& reach) const = 0;
 
   const Samples& samples() const { return samples_; }           //!< of the surface

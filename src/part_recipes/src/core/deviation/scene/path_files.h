@@ -10,7 +10,7 @@
 
 namespace part_recipes {
 
-/// What a path's file does not say of itself, as stretch takes it.
+/// What a path's file does not say about itself, as options of stretch.
 struct PathReading {
   tool_paths::PathConventions conventions;     //!< of CSV and YAML
   std::string dialect;                         //!< of a robot's program

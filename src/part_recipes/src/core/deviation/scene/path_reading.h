@@ -10,7 +10,7 @@
 
 namespace part_recipes {
 
-/// What is typed to have a path read.
+/// Options typed for reading a path.
 struct PathReadingOptions {
   std::string units;  //!< m, mm or inch; empty: as the file's names say, else metres
   tool_paths::PathOptions conventions;
@@ -20,7 +20,7 @@ struct PathReadingOptions {
   PathReading typed() const;
 };
 
-/// The options of a tool that reads a path, but for its units.
+/// Adds the options of a tool that reads a path, except its units.
 void add_reading_options(CLI::App& app, PathReadingOptions& options);
 
 }  // namespace part_recipes

@@ -21,7 +21,7 @@ struct ReferenceScene {
 
 /// At most 20,000 points of the surface, and as many of its rim.
 /// @param reference cloud or mesh
-/// @param object [m]; may be empty where there is no similarity
+/// @param object [m]; may be empty if there is no similarity
 /// @param tolerance [m] of deviations
 /// @throw scan_cell_common::FileError, scan_cell_common::UnusableInput
 ReferenceScene load_reference_scene(

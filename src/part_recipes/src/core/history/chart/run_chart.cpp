@@ -26,7 +26,7 @@ void add_axis(RunCharts& charts, const Runs& runs) {
   }
 }
 
-/// Of a place: what keeps within the tolerance of the runs that are counted.
+/// Capability of a place: whether it keeps within the tolerance of the counted runs.
 std::variant<Capability, NoCapability> capability_of_place(CharacteristicChart& chart,
                                                            const Runs& runs,
                                                            const std::vector<double>& values) {

@@ -19,8 +19,8 @@ namespace part_recipes {
 struct ChartRun {
   std::string id, started, reason;
   RunState state = RunState::kUnusable;
-  bool is_time_back = false;       //!< started before the run in front of it
-  bool is_recipe_changed = false;  //!< by other files of the recipe than the run in front of it
+  bool is_time_back = false;       //!< started before the previous run on the axis
+  bool is_recipe_changed = false;  //!< has other files of the recipe than the previous run
 };
 
 /// A figure of the runs, in their order. Lengths are metres.
@@ -32,25 +32,25 @@ struct CharacteristicChart {
   bool is_length = true;                      //!< false: a ratio
   bool is_positive = false;                   //!< a limit below 0 means nothing
   std::vector<std::optional<double>> values;  //!< of each run on the axis; none: not known
-  std::vector<std::size_t> counted;           //!< runs whose values the statistics are of
+  std::vector<std::size_t> counted;           //!< runs whose values enter the statistics
   std::optional<IndividualsChart> limits;     //!< none: fewer than two values
   std::vector<RuleBreak> breaks;              //!< indices into `counted`
-  std::optional<Interval> tolerance;          //!< of the last run that is counted
+  std::optional<Interval> tolerance;          //!< of the last counted run
   std::variant<Capability, NoCapability> capability = NoCapability::kNoTolerance;
 };
 
 /// The charts of a recipe.
 struct RunCharts {
   std::string recipe;
-  std::vector<ChartRun> runs;  //!< the axis: in the order in which they were added
-  std::size_t repeats = 0;     //!< runs left out: done again with the data of another
+  std::vector<ChartRun> runs;                   //!< the axis: in the order in which they were added
+  std::size_t repeats = 0;                      //!< runs left out: they repeat another run's data
   std::map<std::string, std::size_t> refusals;  //!< runs that were not accepted, by reason
   std::vector<CharacteristicChart> charts;      //!< scale, rms, largest displacement, each place
 };
 
-/// Charts of runs of one recipe in the order in which they were added. Every run but the repeats
-/// has its place on the axis. The statistics are of accepted runs alone: what another run measured
-/// is shown and does not count.
+/// Charts of the runs of one recipe in the order in which they were added. Every run except the
+/// repeats has its place on the axis. Only accepted runs enter the statistics: what another run
+/// measured is shown but does not count.
 RunCharts run_charts(const std::string& recipe, const std::vector<HistoryRun>& runs);
 
 /// For scripts/history_chart.py, with lengths in mm (docs/run_history.md).

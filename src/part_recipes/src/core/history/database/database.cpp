@@ -25,7 +25,7 @@ bool is_writable(const fs::path& path) {
   return access(path.c_str(), W_OK) == 0;
 }
 
-/// Of a file that nobody can change: SQLite neither locks it nor looks for a log beside it.
+/// URI of a file that nobody can change: SQLite neither locks it nor looks for a log beside it.
 std::string immutable_uri(const fs::path& file) {
   std::string uri = "file:";
   for (const char letter : fs::absolute(file).string()) {
@@ -114,7 +114,7 @@ Transaction::Transaction(Database& database, Access access) : database_(database
 }
 
 Transaction::~Transaction() {
-  // What this fails with was told before; SQLite takes the rest back when it is next opened.
+  // A failure here was reported before; SQLite rolls back the rest when it next opens the file.
   if (open_) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 

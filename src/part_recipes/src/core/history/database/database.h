@@ -16,18 +16,19 @@ namespace part_recipes {
 
 /// What a database is opened for.
 enum class Access {
-  kRead,   //!< by many at a time, also where nothing can be written
-  kWrite,  //!< by one at a time, beside readers; makes a database that is missing
+  kRead,   //!< many at a time, also if nothing can be written
+  kWrite,  //!< one at a time, beside readers; makes a missing database
 };
 
-/// An open SQLite database. Its errors, also those of its statements:
-/// scan_cell_common::UnusableInput where the file is damaged or no database, ...::Refused where
-/// another program keeps it longer than 10 s, ...::FileError for all else; each names the file.
+/// An open SQLite database. Its errors, also those of its statements: scan_cell_common::FileError
+/// if disk or permissions fail, ...::Refused if another program keeps it longer than 10 s,
+/// ...::UnusableInput for all else, such as a file that is damaged or not a database; each names
+/// the file.
 class Database {
  public:
   /// Opens it.
-  /// @param cure of a file that is damaged or missing
-  /// @throw as above; FileError also where it is missing or cannot be written
+  /// @param cure for a damaged or missing file
+  /// @throw as above; FileError also if the file is missing or cannot be written
   Database(const std::filesystem::path& file, Access access, const std::string& cure);
 
   /// Runs statements that have neither values nor results.
@@ -54,16 +55,16 @@ class Statement {
  public:
   Statement(const Database& database, std::string_view text);
 
-  /// Give the next value, from the first on.
+  /// Binds the next value, from the first on.
   Statement& bind_text(std::string_view text);
   Statement& bind_text_or_null(const std::optional<std::string>& text);
   Statement& bind_integer(std::int64_t number);
   Statement& bind_number(const std::optional<double>& number);  ///< none or not a number: NULL
 
-  /// Goes to the next row. False at the end.
+  /// Goes to the next row. Returns false at the end.
   bool next();
 
-  /// Runs it to its end, ready for other values.
+  /// Runs the statement to its end. It is then ready for other values.
   void run();
 
   std::string text(int column) const;
@@ -82,10 +83,11 @@ class Statement {
   int bound_ = 0;
 };
 
-/// All or nothing: what was written is taken back unless commit() was reached.
+/// All or nothing: what was written is rolled back unless commit() was reached.
 class Transaction {
  public:
-  /// @param access kWrite: no other may write until it ends; kRead: sees one state of the database
+  /// @param access kWrite: nobody else may write until it ends; kRead: sees one state of the
+  /// database
   Transaction(Database& database, Access access);
   ~Transaction();
   Transaction(const Transaction&) = delete;

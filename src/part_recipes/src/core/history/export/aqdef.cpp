@@ -42,7 +42,7 @@ struct Part {
   std::vector<Characteristic> characteristics;
 };
 
-/// Of one line, at most so many letters of UTF-8.
+/// The text in one line, at most this many letters of UTF-8.
 std::string one_line(const std::string& text, std::size_t longest) {
   std::string result;
   std::size_t letters = 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// What people read a quantity in.
+/// The unit in which people read a quantity.
 struct Unit {
   const char* ending;  // of a column's name
   double factor;

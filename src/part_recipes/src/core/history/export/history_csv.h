@@ -9,9 +9,9 @@
 
 namespace part_recipes {
 
-/// The runs as a table, a line each: fields between commas as RFC 4180 has it, UTF-8, lengths in
-/// mm and angles in degrees, empty what is not known; after them a column for each place that any
-/// of the runs has.
+/// The runs as a table, one line each: fields separated by commas as in RFC 4180, UTF-8, lengths in
+/// mm and angles in degrees, empty where not known. The last columns are the places that any of the
+/// runs has.
 std::string to_csv(const std::vector<HistoryRun>& runs);
 
 }  // namespace part_recipes

@@ -30,7 +30,7 @@ Side next_of(const PartMesh& mesh, Side side) {
   return next;
 }
 
-/// The begin of an edge, with the normal on each side of it where they differ.
+/// Adds the start of an edge, with the normal on each side of it if they differ.
 void add_begin(const PartMesh& mesh, Side before, Side side, double corner_angle, Trace& border) {
   const Vector3d& position = mesh.vertices[mesh.triangles[side.triangle][side.edge]];
   const Vector3d& arriving = mesh.normals[before.triangle][(before.edge + 1) % 3];

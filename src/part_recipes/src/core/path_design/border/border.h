@@ -7,19 +7,19 @@
 
 namespace part_recipes::path_design {
 
-/// The closed lines along which a mesh ends, the surface on the left. Corners are marked where they
-/// turn, or the surface bends, by more than `corner_angle` [rad].
+/// The closed lines along which a mesh ends, with the surface on the left. Points at which they
+/// turn, or the surface bends, by more than `corner_angle` [rad] are marked as corners.
 std::vector<Trace> borders_of(const PartMesh& mesh, double corner_angle);
 
 /// Whether a border goes around a hole or a crack, rather than around the surface.
 bool is_hole(const Trace& border);
 
-/// [m] of a hole: four times its area over its girth, the diameter of a round one, twice the width
-/// of a slot, nothing of a crack.
+/// Width of a hole [m]: four times its area over its girth. This is the diameter of a round hole,
+/// twice the width of a slot, and nothing for a crack.
 double width_of(const Trace& border);
 
-/// A border of a cloud with its noise smoothed out: fits of second order over `reach` [m] to each
-/// side, up to the corners, which are set where the sides before and behind them meet.
+/// A border of a cloud with its noise smoothed out, by fits of second order over `reach` [m] to
+/// each side, up to the corners. A corner is set where the sides before and after it meet.
 Trace smoothed_border(const Trace& border, double reach, double corner_angle,
                       const MeshSearch& surface);
 

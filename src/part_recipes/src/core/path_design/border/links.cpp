@@ -34,7 +34,7 @@ class Linking {
   }
 
  private:
-  /// Adds the piece of a row that can be reached best, and the link to it.
+  /// Adds the piece of a row that is nearest among those that can be linked, and the link to it.
   bool go_on(std::size_t row, Trace& line) {
     const Vector3d end = line.points.back().position;
     std::optional<std::size_t> best;
@@ -71,7 +71,7 @@ class Linking {
     return foot;
   }
 
-  /// The places between two ends of rows, on the surface; none where it is not there.
+  /// The places between two ends of rows, on the surface; none if the surface does not reach there.
   std::optional<Trace> link(const TracePoint& from, const TracePoint& to) const {
     constexpr double kSteps = 16;    // chosen
     constexpr double kShort = 0.98;  // of the margin; chosen

@@ -6,16 +6,16 @@
 
 namespace part_recipes::path_design {
 
-/// What a link between two rows of a raster must keep to.
+/// Limits of a link between two rows of a raster.
 struct LinkLimits {
   double longest = 0;  //!< [m] in a straight line
   double margin = 0;   //!< [m] from the borders, along the surface
-  double aside = 0;    //!< [m] that it may go round a border, or the margin
+  double aside = 0;    //!< [m] by which it may go round a border, or the margin
 };
 
-/// Rows as one way after another: from the end of each to the nearest begin in the next, as long as
-/// the surface goes on there; then from the first row that is left. Links follow the surface, and
-/// the border where the straight line would leave it.
+/// Joins rows to ways: from the end of each row to the nearest start in the next, as long as the
+/// surface continues there; then from the first row that is left. Links follow the surface, and the
+/// border where the straight line would leave the surface.
 /// @param rows open lines, by plane; all in the same direction
 std::vector<Trace> linked(const std::vector<std::vector<Trace>>& rows, const MeshSearch& surface,
                           const BorderDistance& border, const LinkLimits& limits);

@@ -26,7 +26,7 @@ class Offset {
     step_ = made.step;
   }
 
-  /// Closed, but for those whose ends lie apart.
+  /// The lines, closed unless their ends lie apart.
   std::vector<Trace> lines() {
     const std::vector<std::size_t> next = successors();
     std::vector<bool> is_next(runs_.size(), false), used(runs_.size(), false);
@@ -43,7 +43,7 @@ class Offset {
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  /// Whether the way from the end of a run to the begin of another, or its own, goes on, rather
+  /// Whether the way from the end of a run to the start of another, or of itself, leads on rather
   /// than back.
   bool is_onwards(const Vector3d& way, std::size_t i, std::size_t j) const {
     constexpr double kSame = 1e-6;  // [m] in one place
@@ -57,8 +57,8 @@ class Offset {
     return runs_[j].points.front().position - runs_[i].points.back().position;
   }
 
-  /// Whether a run goes on in the next of its border: the places between were lost to a corner or
-  /// to ragged sides, not to another border.
+  /// Whether a run continues in the next run of its border: the places between were lost to a
+  /// corner or to ragged sides, not to another border.
   bool goes_on_in(std::size_t i, std::size_t j) const {
     constexpr double kNear = 0.95;  // of the distance; chosen
     const Vector3d way = way_to(i, j), middle = runs_[i].points.back().position + way / 2;
@@ -72,11 +72,11 @@ class Offset {
     return (border_.nearest(end) - end).norm();
   }
 
-  /// [m] of ends that meet; chosen
+  /// [m] largest distance of ends that meet; chosen
   double farthest() const { return std::abs(distance_) + 4 * step_; }
 
-  /// For each run the one that goes on from its end: the next of its border, or else the nearest
-  /// pairs first; kNone: none does.
+  /// For each run, the one that continues from its end: the next of its border, or else the nearest
+  /// first; kNone: none does.
   std::vector<std::size_t> successors() const {
     std::vector<std::size_t> next(runs_.size(), kNone);
     std::vector<bool> taken(runs_.size(), false);
@@ -116,7 +116,7 @@ class Offset {
     finish(line, lines);
   }
 
-  /// The corner in which two runs meet, as far as their last steps go on.
+  /// Adds the corner in which two runs meet, if it lies within a few steps of their ends.
   void add_meeting(const OffsetRun& run, const OffsetRun& next, Trace& line) const {
     constexpr double kFar = 3;                                    // steps; chosen
     if (run.points.size() < 2 || next.points.size() < 2) return;  // without a direction

@@ -34,7 +34,7 @@ class Runs {
     for (const Moved& each : moved) {
       if (each.kept && !before)
         runs_.all.push_back({{}, runs_.all.size() + 1, each.onwards, each.onwards});
-      // On a bumpy surface ways cross: what they would go back is left out.
+      // Ways cross on a bumpy surface: places that would lead back are left out.
       if (each.kept && goes_on(each, runs_.all.back())) {
         add_apart(each.point, runs_.all.back().points);
         runs_.all.back().last_way = each.onwards;
@@ -47,7 +47,7 @@ class Runs {
   OffsetRuns take() { return std::move(runs_); }
 
  private:
-  /// Over the surface for the distance, step by step straight on.
+  /// Moves a place over the surface by the distance, straight on in steps.
   Moved move(const OffsetSource& source) const {
     const Vector3d onwards = (distance_ < 0 ? -1 : 1) * source.inwards.cross(source.normal);
     if (distance_ <= 0) {
@@ -77,7 +77,7 @@ class Runs {
     return {now, is_own(now.position, source.position), onwards};
   }
 
-  /// Whether no other place of the border is nearer than the one it came from.
+  /// Whether no other place of the border is nearer than its own source.
   bool is_own(const Vector3d& point, const Vector3d& source) const {
     constexpr double kEqual = 1e-6;  // share; of figures in double precision from single-precision
                                      // searches
@@ -98,7 +98,7 @@ class Runs {
     return (border_.nearest(point) - point).norm() >= -distance_ * (1 - kEqual);
   }
 
-  /// From a lost place on, so that no run is cut in two.
+  /// The moved places, starting at a lost one, so that no run is cut in two.
   std::vector<Moved> moved_from(const OffsetSources& sources) const {
     std::vector<Moved> moved;
     for (const OffsetSource& source : sources.all) {

@@ -6,7 +6,7 @@
 
 namespace part_recipes::path_design {
 
-/// Places beside a border, in a row, that have no nearer place on any border than they should.
+/// Consecutive places beside a border that are nearer to no border than they should be.
 struct OffsetRun {
   std::vector<TracePoint> points;
   std::size_t next = 0;       //!< number of the next run of the same border

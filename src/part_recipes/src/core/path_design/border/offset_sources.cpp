@@ -30,7 +30,8 @@ class Sources {
   OffsetSources take() { return {std::move(sources_), step_}; }
 
  private:
-  /// A place is there once: of the two normals at a bend the side's own come from the next points.
+  /// Keeps each place once: of the two normals at a bend, each side takes its own from the next
+  /// points.
   void drop_repeated(const Trace& border) {
     for (const TracePoint& point : border.points)
       if (points_.empty() || point.position != points_.back().position) points_.push_back(point);

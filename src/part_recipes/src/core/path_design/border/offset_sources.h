@@ -10,17 +10,17 @@ namespace part_recipes::path_design {
 struct OffsetSource {
   Eigen::Vector3d position;  //!< [m]
   Eigen::Vector3d normal;    //!< unit length
-  Eigen::Vector3d inwards;   //!< unit length, in the surface; outwards, where that was asked for
+  Eigen::Vector3d inwards;   //!< unit length, in the surface; outwards if asked for
 };
 
-/// Where the lines beside a border come from.
+/// The sources of the lines beside a border.
 struct OffsetSources {
   std::vector<OffsetSource> all;  //!< in the order of the border
   double step = 0;                //!< [m] between them along its sides
 };
 
-/// Sources along a closed border, close together; around corners where the lines would part they
-/// turn.
+/// Sources along a closed border, close together. They turn around corners where the lines would
+/// part.
 /// @param distance [m] as offset_from() takes it, not 0
 OffsetSources offset_sources(const Trace& border, double distance);
 

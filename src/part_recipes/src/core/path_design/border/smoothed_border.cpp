@@ -19,7 +19,7 @@ struct Line {
   Vector3d direction;  // unit length, onwards
 };
 
-/// A closed line by its length from the first point.
+/// A closed line, measured by length from its first point.
 class Loop {
  public:
   explicit Loop(const Trace& border) {
@@ -38,7 +38,7 @@ class Loop {
   double length() const { return length_; }
   const Vector3d& position(std::size_t i) const { return positions_[i]; }
 
-  /// [m] from one point on to another, the short way: below 0 backwards
+  /// [m] from one point to another, the short way: below 0 backwards
   double ahead(std::size_t from, std::size_t to) const {
     return std::remainder(arc_[to] - arc_[from], length_);
   }
@@ -55,7 +55,7 @@ class Loop {
   }
 
  private:
-  /// The points of a cloud's border lie to and fro, which would make it longer than it is.
+  /// The points of a cloud's border zigzag, which would make it too long.
   void even_out() {
     constexpr int kRounds = 2;  // chosen: each about the mean of a point and its neighbours
     for (int round = 0; round < kRounds; ++round) {
@@ -98,7 +98,7 @@ class Smoothing {
     for (std::size_t i = 0; i < loop_.size(); ++i) {
       const Vector3d position = corner_[i] ? *corner_[i] : smooth(i);
       const Foot foot = surface_.nearest(position);
-      // Aside the line stays where it was fitted; the surface says how high.
+      // Sideways the line stays as fitted; the surface gives its height.
       const Vector3d on = position - (position - foot.point).dot(foot.normal) * foot.normal;
       result.points.push_back({on, foot.normal, corner_[i].has_value()});
     }
@@ -106,7 +106,8 @@ class Smoothing {
   }
 
  private:
-  /// The straight line before (-1) or behind (1) a point; none beside it, where edges are blunt.
+  /// The straight line before (-1) or behind (1) a point, without the points next to it, where
+  /// edges are blunt.
   std::optional<Line> side(std::size_t i, int direction) const {
     constexpr double kBlunt = 0.4;  // of the reach; chosen
     constexpr double kLong = 2.2;   // of the reach; chosen
@@ -133,8 +134,8 @@ class Smoothing {
     return found;
   }
 
-  /// A corner turns more than all near it, and more than twice what the line turns beside it: an
-  /// arc turns everywhere.
+  /// A corner turns more than all points near it, and more than twice as much as the line beside
+  /// it: an arc turns everywhere.
   void find_corners() {
     constexpr double kBeside = 2.6;  // of the reach: beyond the lines; chosen
     constexpr double kArc = 2;       // chosen
@@ -163,7 +164,7 @@ class Smoothing {
     return true;
   }
 
-  /// Where the lines to both sides are nearest to each other.
+  /// The point where the lines on both sides are nearest to each other.
   Vector3d meeting_point(std::size_t i) const {
     const Line before = *side(i, -1), behind = *side(i, 1);
     const double cosine = before.direction.dot(behind.direction);

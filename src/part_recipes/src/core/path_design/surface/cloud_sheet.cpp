@@ -30,7 +30,7 @@ struct Picture {
   Vector3d towards, right, up;
 };
 
-/// Whether each point faces the viewer with nothing of the part before it.
+/// Whether each point faces the viewer with nothing of the part in front of it.
 std::vector<bool> seen(const SmoothedCloud& cloud, const Picture& picture, double spacing) {
   constexpr double kAside = 1.2;  // spacings: half the diagonal of a square of points, and more
   constexpr double kAbove = 1.5;  // spacings from plane to plane; chosen
@@ -48,7 +48,7 @@ std::vector<bool> seen(const SmoothedCloud& cloud, const Picture& picture, doubl
     search.within(flat[i].data(), std::pow(kAside * spacing, 2), found);
     result[i] = std::none_of(found.begin(), found.end(), [&](const auto& each) {
       const Vector3d way = cloud.points[each.first] - cloud.points[i];
-      // Both planes: a steep flank beside the point is above it, but goes down to it.
+      // Above both planes: a steep flank beside the point is above it, but slopes down to it.
       return facing[each.first] && way.dot(cloud.normals[i]) > kAbove * spacing &&
              way.dot(cloud.normals[each.first]) > kAbove * spacing;
     });
@@ -82,7 +82,7 @@ std::vector<Triangle> delaunay(const Points& flat, double spacing) {
   return triangles;
 }
 
-/// Triangles between the points that are seen.
+/// Triangles between the visible points.
 class Sheet {
  public:
   Sheet(const SmoothedCloud& cloud, const Picture& picture, double spacing) : picture_(picture) {
@@ -120,8 +120,8 @@ class Sheet {
     return longest;
   }
 
-  /// [m] between neighbours, along the direction in which they are farther apart: a line scanner's
-  /// profiles are, and its points in them are close.
+  /// [m] between neighbours in the direction in which they are farther apart: a line scanner's
+  /// profiles are far apart, the points in them close.
   double pitch() const {
     constexpr double kRandom = 1.5;  // longest edge over spacing, of points at random; measured
     std::vector<double> edges;
@@ -149,7 +149,7 @@ class Sheet {
   std::vector<Triangle> triangles_;
 };
 
-/// Patches of a few triangles are noise.
+/// The mesh without patches of a few triangles, which are noise.
 PartMesh without_crumbs(const PartMesh& mesh) {
   constexpr std::size_t kFewest = 10;  // triangles; chosen
   const std::vector<std::uint32_t> shells = shells_of(mesh);

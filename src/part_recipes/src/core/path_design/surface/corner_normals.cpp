@@ -95,8 +95,8 @@ class FanNormals {
     return sum.normalized();
   }
 
-  /// Along the end of the face the facets on both sides of a corner make up for each other: only
-  /// what turns across it counts.
+  /// The mean normal, turned further as it turns inside the face. Along the end of the face, the
+  /// facets on both sides of a corner balance: only the turn across it counts.
   Vector3d continued(const Fan& fan, std::uint32_t t, std::size_t corner,
                      const std::vector<CornerNormals>& means) const {
     const std::uint32_t vertex = mesh_.triangles[t][corner];

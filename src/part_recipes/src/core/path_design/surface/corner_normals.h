@@ -6,9 +6,9 @@
 
 namespace part_recipes::path_design {
 
-/// The normals of the smooth surface at the corners of a mesh: see joined_mesh(). Where a face ends
-/// the facets lie on one side of the corner alone, and their mean leans to it: there the normal
-/// goes on turning as it does from the next corners to the facets.
+/// Computes the normals of the smooth surface at the corners of a mesh: see joined_mesh(). Where a
+/// face ends, all facets lie on one side of the corner, and their mean leans to it: there the
+/// normal keeps turning as it does from the next corners to the facets.
 /// @param mesh with facets and neighbours
 void compute_corner_normals(PartMesh& mesh, double crease_angle);
 

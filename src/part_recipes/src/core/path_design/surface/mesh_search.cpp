@@ -26,7 +26,7 @@ struct MeshSearch::Scene {
     return foot;
   }
 
-  /// The normals of the corners, in the shares of their opposite areas.
+  /// The normals of the corners, weighted by the areas opposite to them.
   Vector3d normal_at(const Foot& foot) const {
     const Triangle& corners = mesh.triangles[foot.triangle];
     const Vector3d& facet = mesh.facets[foot.triangle];

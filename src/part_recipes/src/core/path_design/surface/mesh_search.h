@@ -12,8 +12,8 @@ namespace part_recipes::path_design {
 struct Foot {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    //!< [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  //!< of the smooth surface, unit length
-  double distance = 0;                                //!< [m] from the point that was asked for
-  std::uint32_t triangle = kNoTriangle;               //!< that it lies in
+  double distance = 0;                                //!< [m] from the given point
+  std::uint32_t triangle = kNoTriangle;               //!< in which it lies
 };
 
 /// Searches the triangles of a mesh.
@@ -27,7 +27,7 @@ class MeshSearch {
 
   Foot nearest(const Eigen::Vector3d& point) const;  //!< @param point [m]
 
-  /// Whether something lies before a place on the surface.
+  /// Whether something lies in front of a place on the surface.
   /// @param place [m]
   /// @param towards the viewer, unit length
   bool is_hidden(const Eigen::Vector3d& place, const Eigen::Vector3d& towards) const;
@@ -39,8 +39,8 @@ class MeshSearch {
   std::unique_ptr<Scene> scene_;
 };
 
-/// [m] along the surface from one place on it to another: the way over it above the line between
-/// them, which is shortest on planes, and across or along cylinders.
+/// [m] along the surface from one place on it to another: the way over the surface above the line
+/// between them, which is shortest on planes, and across or along cylinders.
 double length_along(const MeshSearch& surface, const Eigen::Vector3d& from,
                     const Eigen::Vector3d& to);
 

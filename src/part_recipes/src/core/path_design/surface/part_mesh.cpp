@@ -27,7 +27,7 @@ void check_finite(const Points& vertices, const std::string& name) {
       "export the part again");
 }
 
-/// The number of the first vertex in the same place, of each vertex: STL repeats them.
+/// For each vertex, the number of the first vertex in the same place: STL repeats them.
 std::vector<std::uint32_t> first_in_place(const Points& vertices) {
   std::vector<std::uint32_t> order(vertices.size());
   for (std::uint32_t i = 0; i < order.size(); ++i)
@@ -51,7 +51,7 @@ Vector3d cross_of(const PartMesh& mesh, const Triangle& triangle) {
   return (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
 }
 
-/// Flatter than single precision can tell, a triangle has no normal.
+/// A triangle that is flatter than single precision can tell has no normal.
 bool has_area(const PartMesh& mesh, const Triangle& triangle) {
   constexpr double kFlattest = 1e-6;  // height over base; the resolution of STL's floats is 1e-7
   double longest = 0;

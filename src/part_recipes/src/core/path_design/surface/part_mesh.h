@@ -24,16 +24,16 @@ struct PartMesh {
   Points facets;                                     //!< unit normal of each triangle
   std::vector<CornerNormals> normals;                //!< of the smooth surface at each corner
   std::vector<std::array<std::uint32_t, 3>> beside;  //!< beyond each edge, or kNoTriangle
-  double spacing = 0;  //!< [m] pitch of the cloud that it was made from; 0: it was a mesh
+  double spacing = 0;  //!< [m] pitch of the cloud it was made from; 0: a mesh
 };
 
-/// A mesh of loose triangles: vertices in the same place become one, triangles without area are
-/// left out, and all of a shell are wound alike: outwards where it is closed, else so that more of
-/// it faces `towards`. The normals at the corners are means over the facets around, weighted with
-/// their angles, but for those beyond an edge sharper than `crease_angle`.
+/// A mesh of loose triangles. Vertices in the same place become one, triangles without area are
+/// left out, and all triangles of a shell are wound alike: outwards if the shell is closed, else so
+/// that most of it faces `towards`. The normal at a corner is the mean over the facets around it,
+/// weighted with their angles, without those beyond an edge sharper than `crease_angle`.
 /// @param towards unit length
 /// @param crease_angle [rad] between the facets of a sharp edge
-/// @param name of the mesh in errors
+/// @param name of the mesh in error messages
 /// @throw scan_cell_common::UnusableInput if a vertex is not finite, or no triangle has an area
 PartMesh joined_mesh(const Points& vertices, const std::vector<Triangle>& triangles,
                      const Eigen::Vector3d& towards, double crease_angle, const std::string& name);
@@ -43,7 +43,7 @@ PartMesh joined_mesh(const Points& vertices, const std::vector<Triangle>& triang
 PartMesh mesh_with_normals(const Points& vertices, const Points& vertex_normals,
                            const std::vector<Triangle>& triangles);
 
-/// Some triangles of a mesh, with the normals that they have there.
+/// Some triangles of a mesh, with their normals.
 PartMesh part_of(const PartMesh& mesh, const std::vector<std::uint32_t>& triangles);
 
 /// The number of the shell that each triangle belongs to, in the order of their first triangles.
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> shells_of(const PartMesh& mesh);
 /// [m^2] of a triangle
 double area_of(const PartMesh& mesh, std::size_t triangle);
 
-/// Cosine of the angle between the facets at an edge; 1 where there is none beyond.
+/// Cosine of the angle between the facets at an edge; 1 if there is none beyond.
 double bend_at(const PartMesh& mesh, std::size_t triangle, std::size_t edge);
 
 }  // namespace part_recipes::path_design

@@ -35,7 +35,8 @@ PartMesh load_part_mesh(const std::string& file, double metres_per_unit,
                      settings.crease_angle, file);
 }
 
-/// Its middle, and places near its corners: all must be hidden, or some of it is seen.
+/// Tests its middle and places near its corners: if one is not hidden, some of the triangle is
+/// seen.
 bool is_hidden(const MeshSearch& search, std::uint32_t triangle, const Vector3d& towards) {
   constexpr double kMiddle = 0.1;  // of the way from a corner; chosen
   const PartMesh& mesh = search.mesh();

@@ -35,7 +35,7 @@ struct Neighbour {
   double weight;
 };
 
-/// Whether the neighbours lie on one side of the point: there a fit is less sure of the slope.
+/// Whether the neighbours lie on one side of the point, where the slope of a fit is less certain.
 bool is_one_sided(const std::vector<Neighbour>& neighbours) {
   constexpr double kAside = 0.2;  // of the reach, of their middle; chosen
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -60,7 +60,7 @@ Coefficients weighted_fit(const std::vector<Neighbour>& neighbours,
   return matrix.ldlt().solve(right);
 }
 
-/// Of second order, with Tukey's weights against stray points.
+/// Fit of second order, with Tukey's weights against stray points.
 Coefficients fitted(const std::vector<Neighbour>& neighbours) {
   constexpr int kRounds = 5;        // chosen: more change nothing
   constexpr double kTukey = 4.685;  // deviations (Holland, Welsch 1977)
@@ -109,7 +109,7 @@ class Smoother {
     return found;
   }
 
-  /// How much of what is around a point lies in the plane through it.
+  /// Number of the points around a point that lie in the plane through it.
   std::size_t votes(const Vector3d& at, const Vector3d& normal, const Found& found) const {
     constexpr double kInPlane = 0.25;  // spacings; chosen
     return static_cast<std::size_t>(
@@ -118,7 +118,7 @@ class Smoother {
         }));
   }
 
-  /// At an edge the normal of the plane through all neighbours is that of neither face.
+  /// Near an edge, the normal of the plane through all neighbours belongs to neither face.
   void sharpen() {
     Points sharp = normals_;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -133,8 +133,8 @@ class Smoother {
       at_edge_.push_back(is_at_edge(i));
   }
 
-  /// Beside a sharp edge a grid's cell reaches over it: its point is the mean of both faces, and
-  /// lies on neither.
+  /// Beside a sharp edge a cell of the grid reaches over it: its point is the mean of both faces
+  /// and lies on neither.
   bool is_at_edge(std::size_t i) const {
     constexpr double kBeside = 1.5;  // spacings; chosen
     const Found found = around(i, kBeside);
@@ -174,7 +174,7 @@ class Smoother {
     return result;
   }
 
-  /// Heights of the neighbours over the plane at a point, as a quadratic function in it.
+  /// Fits the heights of the neighbours over the plane at a point with a quadratic function.
   void fit(std::size_t i, SmoothedCloud& result) const {
     constexpr double kOffFace = 0.4;     // spacings below it the point is of no face; chosen
     constexpr double kReachAtEdges = 7;  // spacings: as sure of the slope as amid a face; measured

@@ -13,9 +13,9 @@ struct SmoothedCloud {
   Points normals;  //!< unit length, on the viewer's side
 };
 
-/// Each point of a cloud set on a quadratic fit to its neighbours, but for those beyond a sharp
-/// edge: a point at an edge belongs to the face that shows the viewer more of itself, and is left
-/// out if it lies on neither.
+/// Projects each point of a cloud onto a quadratic fit to its neighbours, without those beyond a
+/// sharp edge. A point at an edge belongs to the face that shows the viewer more of itself, and is
+/// left out if it lies on neither.
 /// @param towards the viewer, unit length
 SmoothedCloud smoothed(const tool_path_stretcher::Surface& cloud, const Eigen::Vector3d& towards);
 

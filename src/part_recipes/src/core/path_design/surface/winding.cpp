@@ -36,7 +36,7 @@ void turn(Triangle& triangle, std::array<std::uint32_t, 3>& beside) {
   std::swap(beside[0], beside[2]);
 }
 
-/// Follows the neighbours from a triangle on, and winds them as it is.
+/// Follows the neighbours from a triangle on, and winds them like it.
 /// @return the triangles of its shell
 std::vector<std::uint32_t> spread(PartMesh& mesh, std::uint32_t start, std::vector<bool>& known) {
   std::vector<std::uint32_t> shell = {start};
@@ -55,8 +55,8 @@ std::vector<std::uint32_t> spread(PartMesh& mesh, std::uint32_t start, std::vect
   return shell;
 }
 
-/// Whether the shell must be turned over: what it encloses is below 0, or where it encloses nothing
-/// it faces away from the viewer.
+/// Whether the shell must be turned over: the volume that it encloses is below 0, or it encloses
+/// none and faces away from the viewer.
 bool is_inside_out(const PartMesh& mesh, const std::vector<std::uint32_t>& shell,
                    const Vector3d& towards) {
   constexpr double kClosed = 0.02;  // of the area: the normals of a closed shell cancel out; chosen
@@ -81,7 +81,7 @@ bool is_inside_out(const PartMesh& mesh, const std::vector<std::uint32_t>& shell
   return enclosed < 0;
 }
 
-/// A strip with half a twist has two neighbours that no winding reconciles: they are parted.
+/// A strip with half a twist has two neighbours that no winding reconciles: they are separated.
 void part_twisted(PartMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t edge = 0; edge < 3; ++edge) {

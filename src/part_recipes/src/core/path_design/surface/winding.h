@@ -6,8 +6,8 @@
 
 namespace part_recipes::path_design {
 
-/// The triangles beyond the edges of each triangle, whichever way they are wound. Where more than
-/// two meet at an edge none is another's neighbour.
+/// The triangles beyond the edges of each triangle, whichever way they are wound. If more than two
+/// meet at an edge, none of them is a neighbour of another there.
 std::vector<std::array<std::uint32_t, 3>> neighbours_of(const std::vector<Triangle>& triangles);
 
 /// Winds the triangles of each shell alike, and finds the neighbours: see joined_mesh().

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where the shortest way from a place on one plane to a place on another crosses the line that
-/// both share: straight, once one plane is unfolded onto the other.
+/// Where the shortest way from a place on one plane to a place on another crosses their common
+/// line: it is straight once one plane is unfolded onto the other.
 Vector3d crossing(const TracePoint& from, const TracePoint& to) {
   const Vector3d line = from.normal.cross(to.normal).normalized();
   Eigen::Matrix3d planes;

@@ -6,8 +6,8 @@
 
 namespace part_recipes::path_design {
 
-/// An open trace with two corners wherever it goes over a sharp edge: where the planes of both
-/// sides meet, on the shortest way over them.
+/// An open trace with two corners wherever it crosses a sharp edge: where the planes of both sides
+/// meet, on the shortest way across.
 /// @param crease_angle [rad] between the normals of a sharp edge
 Trace with_bends(const Trace& trace, double crease_angle);
 

@@ -23,7 +23,8 @@ struct Heights {
   std::array<double, 3> over;  // [m] of the corners over the plane; 0 counts as above
 };
 
-/// The point of the edge from corner i to the next in the plane, the same from either side of it.
+/// The point at which the edge from corner i to the next crosses the plane, the same from either
+/// side of the edge.
 TracePoint crossing(const PartMesh& mesh, std::size_t t, std::size_t i, const Heights& heights) {
   std::size_t a = i, b = (i + 1) % 3;
   if (mesh.triangles[t][a] > mesh.triangles[t][b]) std::swap(a, b);
@@ -37,7 +38,7 @@ EdgeKey key_of(const Triangle& triangle, std::size_t i) {
   return (static_cast<EdgeKey>(low) << 32U) | high;
 }
 
-/// @return false where the plane passes the triangle by
+/// @return false if the plane misses the triangle
 bool cut_triangle(const PartMesh& mesh, std::size_t t, const Heights& heights, Cut& result) {
   bool found = false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -78,7 +79,7 @@ std::vector<std::vector<Cut>> cuts_of(const PartMesh& mesh, const Planes& planes
   return cuts;
 }
 
-/// Adds the place between two triangles: with both normals, where the surface bends.
+/// Adds the place between two triangles, with both normals if the surface bends there.
 void add_joint(const TracePoint& arriving, const TracePoint& leaving, Trace& trace) {
   constexpr double kSame = 0.9998;  // cosine: 1 degree; normals of a smooth surface are the same
   if (arriving.normal.dot(leaving.normal) > kSame) {

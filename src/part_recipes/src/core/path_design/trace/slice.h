@@ -15,11 +15,11 @@ struct Planes {
   std::size_t count = 0;  //!< of planes
 };
 
-/// The lines along which planes cut a mesh, exact in its triangles, for each plane: they go along
+/// The lines along which planes cut a mesh, exact in its triangles, for each plane. They run along
 /// `across` x normal, so that what is farther along `across` is on their left.
 std::vector<std::vector<Trace>> cut(const PartMesh& mesh, const Planes& planes);
 
-/// Lines in one plane whose ends are no farther apart than a gap are joined, straight over it.
+/// Joins lines in one plane whose ends are no farther apart than a gap, straight across it.
 /// @param lines open ones
 /// @param along the direction in which they are followed, unit length
 /// @param gap [m]

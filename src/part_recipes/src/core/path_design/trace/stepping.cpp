@@ -26,7 +26,7 @@ std::vector<double> lengths_of(const Run& run) {
   return lengths;
 }
 
-/// With points at even lengths of at most a step added, whose numbers are returned.
+/// Adds points at even lengths of at most a step to a run, and returns their indices.
 std::vector<std::size_t> divide(Run& run, double longest) {
   constexpr double kRounding = 1e-9;  // share
   const std::vector<double> lengths = lengths_of(run);
@@ -48,7 +48,7 @@ std::vector<std::size_t> divide(Run& run, double longest) {
   return marks;
 }
 
-/// Marks the points between two that the line between them would leave too far aside.
+/// Marks the points between two from which the line between these would be too far.
 void halve(const Run& run, std::size_t begin, std::size_t end, double chord,
            std::vector<bool>& taken) {
   std::vector<std::pair<std::size_t, std::size_t>> left = {{begin, end}};

@@ -8,7 +8,7 @@
 namespace part_recipes::path_design {
 namespace {
 
-/// The place where something begins or ends to hold.
+/// The place where a condition begins or ceases to hold.
 TracePoint threshold(TracePoint holds, TracePoint fails,
                      const std::function<bool(const TracePoint&)>& predicate) {
   constexpr double kClose = 1e-8;  // [m] far below what a robot repeats
@@ -75,7 +75,7 @@ Trace opened(const Trace& trace) {
                                    [](const TracePoint& point) { return point.corner; });
   if (corner != open.points.end()) {
     std::rotate(open.points.begin(), corner, open.points.end());
-    // Two corners in one place are the end of one side and the begin of the next.
+    // Two corners in one place are the end of one side and the start of the next.
     const TracePoint& second = open.points[1 % open.points.size()];
     if (second.corner && second.position == open.points.front().position) {
       std::rotate(open.points.begin(), open.points.begin() + 1, open.points.end());

@@ -34,8 +34,8 @@ class Poses {
   }
 
  private:
-  /// Towards the next point (1), or from the one before (-1), zero at a corner's other side or the
-  /// end of an open trace.
+  /// Direction to the next point (1), or from the previous one (-1); zero at a corner's other side
+  /// or the end of an open trace.
   Vector3d way(std::size_t i, int direction) const {
     const std::size_t last = points_.size() - 1;
     std::size_t from = i;

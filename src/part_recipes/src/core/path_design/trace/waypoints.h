@@ -22,7 +22,7 @@ struct Pose {
 };
 
 /// The waypoints of a stepped trace. A corner has two in one place, one for the way to it and one
-/// for the way from it, where their orientations differ by more than the angle of a corner.
+/// for the way from it, if their orientations differ by more than the corner angle.
 /// @throw scan_cell_common::Refused if the direction of x is along the normal
 tool_paths::Segment waypoints_of(const Trace& stepped, const Pose& pose, const std::string& name);
 

@@ -12,8 +12,8 @@
 namespace part_recipes {
 namespace {
 
-/// As the tool reads them that is called with them.
-/// @param whose options, in the error; `cure` likewise
+/// Parses options as the tool that gets them does.
+/// @param whose owner of the options, for the error; `cure` likewise
 void parse(CLI::App& app, const ToolOptions& options, const std::string& whose,
            const std::string& cure) {
   ToolCall call;
@@ -39,7 +39,7 @@ PathReading reading_of(const RecipeFile& path) {
 
 tool_path_stretcher::StretchParameters stretch_parameters_of(const Recipe& recipe) {
   CLI::App app;
-  app.allow_extras();  // what is said of the files
+  app.allow_extras();  // options about the files
   tool_path_stretcher::StretchParameters parameters;
   scan_cell_common::ParameterOptions options;
   options.add(app, parameters);

@@ -80,7 +80,7 @@ ToolCall sight_call(const Recipe& recipe, const std::vector<std::string>& region
 }
 
 ToolCall recheck_call(const Recipe& recipe, const fs::path& run) {
-  // What a person moved may be off the surface.
+  // A path moved by a person may be off the surface.
   const fs::path unedited = run / kUnedited;
   const fs::path path = (fs::exists(unedited) ? unedited : run) / path_name(recipe);
   ToolCall call{
@@ -119,7 +119,7 @@ ToolCall export_call(const Recipe& recipe, const RobotProgram& program) {
 
 namespace {
 
-/// @param tool work, or preview_work
+/// @param tool work or preview_work
 ToolCall call_of_work(const Recipe& recipe, const fs::path& run, bool dry, const std::string& tool,
                       double timeout) {
   ToolCall call{dry ? "dry_run" : "work",

@@ -22,8 +22,8 @@ using scan_cell_common::FileError;
 
 namespace {
 
-/// Not by wait_for(), which misses the end of a child where SIGCHLD comes between two calls or to
-/// another thread (Boost 1.74).
+/// Does not use wait_for(), which misses the end of a child if SIGCHLD comes between two calls or
+/// to another thread (Boost 1.74).
 void wait(process::child& child, const Stop& stop) {
   constexpr std::chrono::milliseconds kPeriod(20);  // a person notices 100 ms
   bool told = false;

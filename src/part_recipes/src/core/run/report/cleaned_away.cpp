@@ -27,7 +27,7 @@ bool has_near(const PointTree& tree, const Eigen::Vector3d& place, double near) 
   return squared < before;
 }
 
-/// The only ones that can be near: a scan has millions, and most are of other places.
+/// The points of the cloud that can be near: a scan has millions, and most belong to other places.
 Points around(const Points& places, const Points& cloud, double near) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& place : places)
@@ -41,8 +41,7 @@ Points around(const Points& places, const Points& cloud, double near) {
   return found;
 }
 
-/// The nearest points of the reference, where the part's pose puts them: a path may be led over the
-/// surface.
+/// The nearest points of the reference, moved by the part's pose: a path may run above the surface.
 Points surface_beside(const Points& waypoints, const Points& reference,
                       const tool_path_stretcher::Similarity& similarity) {
   const PointTree tree(reference);
@@ -56,8 +55,8 @@ Points surface_beside(const Points& waypoints, const Points& reference,
   return places;
 }
 
-/// [m] Of a point of a scan that counts as at a place: one between its points may be nearly their
-/// spacing from each.
+/// [m] Distance at which a point of a scan counts as at a place: a place between the scan's points
+/// may be nearly one spacing from each.
 /// @param scanned points around the places
 double reach_of_scan(const Points& scanned, double near) {
   constexpr std::size_t kEnough = 20;  // for spacing_of()

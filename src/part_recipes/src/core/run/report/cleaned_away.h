@@ -11,15 +11,14 @@
 
 namespace part_recipes {
 
-/// Of places, those that the cleaning left bare. Whether it took points of the part there, or of
+/// Finds the places that the cleaning left bare. Whether it took points of the part there, or of
 /// something beneath it, is not known.
 /// @param places [m] on the object's surface
-/// @param raw cloud [m] before the cleaning; what is not finite is left out
-/// @param clean cloud [m] after it, at least 20 points
-/// @param near [m] of a point that counts as at the place
-/// @return indices of the places near which the raw cloud has a point and the clean one has none;
-/// also counts up to one spacing of the raw cloud there, and up to two of the clean one, which is
-/// thinner
+/// @param raw cloud [m] before the cleaning; points that are not finite are left out
+/// @param clean cloud [m] after the cleaning, at least 20 points
+/// @param near [m] distance within which a point counts as at the place. It is increased to one
+/// spacing of the raw cloud there, and to two of the clean one, which is thinner
+/// @return indices of the places near which the raw cloud has a point and the clean one has none
 /// @throw scan_cell_common::UnusableInput if the clean cloud is too small
 std::vector<std::size_t> cleaned_away(const tool_path_stretcher::Points& places,
                                       const tool_path_stretcher::Points& raw,
@@ -35,11 +34,11 @@ struct RefusedRun {
 };
 
 /// Waypoints that the verdict is about and at which the raw scan has points that the clean cloud
-/// does not have, each looked at where the part's pose puts the reference beside it. As near as a
-/// waypoint must be to the surface (`tolerance` of stretch) counts.
-/// @return numbers, counted over all segments; none where the report has no pose, or numbers other
-/// waypoints than the path has
-/// @throw scan_cell_common::Error of whoever reads the files
+/// lacks. Each is looked up on the reference beside it, moved by the part's pose. Points count
+/// within the distance that a waypoint may have from the surface (`tolerance` of stretch).
+/// @return numbers, counted over all segments; none if the report has no pose, or numbers other
+/// waypoints than those of the path
+/// @throw scan_cell_common::Error from the readers of the files
 std::vector<std::size_t> waypoints_cleaned_away(const Recipe& recipe, const RefusedRun& run);
 
 }  // namespace part_recipes

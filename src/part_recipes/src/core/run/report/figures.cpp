@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// @param use gets what the file holds
+/// @param use gets the contents of the file
 template <class Use>
 void read(const std::filesystem::path& file, const Use& use) {
   const std::string text = scan_cell_common::read_file(file.string());
@@ -43,7 +43,7 @@ void take_figures(const Json& report, RunRecord& record) {
   figures.expected_error_orientation = number(report, "largest_expected_error_orientation");
 }
 
-/// Of the scan, what the report needs.
+/// Adds what the report needs from the scan.
 void add_scan(Json& report, const Json& scan) {
   for (const char* key : {"scanned", "calibration", "passes"}) {
     if (scan.contains(key)) report[key] = scan.at(key);

@@ -22,14 +22,14 @@ void refuse_near(const Vector3d& side, const std::string& one, const std::string
   if (side.norm() < kApart) refuse(one + " is nearer than 1 mm to " + other);
 }
 
-/// @param first, second sides of the triangle, from its one corner
+/// @param first, second sides of the triangle that begin at the same corner
 void refuse_line(const Vector3d& first, const Vector3d& second) {
   constexpr double kBeside = 1e-4;  // [m] c4g_protocol.md
   const double longest = std::max({first.norm(), second.norm(), (second - first).norm()});
   if (first.cross(second).norm() < kBeside * longest) refuse("start, via and pose lie on a line");
 }
 
-/// About one axis of the flange.
+/// The turn about one axis of the flange.
 AngleAxisd turn_between(const Matrix3d& from, const Matrix3d& to, const std::string& what) {
   constexpr double kMost = 179.9 * M_PI / 180;  // [rad] c4g_protocol.md
   const AngleAxisd turn(from.transpose() * to);

@@ -6,12 +6,12 @@
 
 namespace scan_cell_sim {
 
-/// Along the circle through three positions, turning from each orientation to the next about one
-/// axis; c4g_protocol.md. Written apart from the driver's arc, so that an error in one of them
+/// A path along the circle through three positions, turning from each orientation to the next about
+/// one axis; c4g_protocol.md. Written independently of the driver's arc, so that an error in either
 /// shows.
 class ArcPath : public FlangePath {
  public:
-  /// @throw ControllerRefusal if there is no one circle, or no one way to turn
+  /// @throw ControllerRefusal if the circle, or the turn, is not unique
   ArcPath(const Eigen::Isometry3d& from, const Eigen::Isometry3d& via, const Eigen::Isometry3d& to);
 
   Eigen::Isometry3d flange(double way) const override;

@@ -9,7 +9,7 @@
 namespace scan_cell_sim {
 namespace {
 
-/// True where the arm stands in a singular posture, or passed one since `before`.
+/// Whether the arm is in a singular posture, or has passed one since `before`.
 bool singular(const Joints& before, const Joints& joints) {
   constexpr double kAngle = 0.5 * M_PI / 180;  // [rad] c4g_protocol.md
   constexpr double kDistance = 0.005;          // [m] c4g_protocol.md
@@ -74,7 +74,7 @@ double FlangePath::follow(const Joints& from) {
   return max_speed;
 }
 
-/// @return [1/s] the most that the axes allow from the knot before
+/// @return [1/s] the most that the axes allow from the previous knot
 double FlangePath::step_to(double way) {
   const Knot& before = knots_.back();
   const auto next = joints_of(flange(way), before.joints);

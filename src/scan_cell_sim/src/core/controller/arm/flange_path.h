@@ -11,8 +11,8 @@ namespace scan_cell_sim {
 
 constexpr double kNothing = 1e-12;  // shorter ways are none
 
-/// A path that is given by where the flange goes, in the posture that it begins with. The flange
-/// moves evenly over it, and turns evenly over each of its stretches.
+/// A path given by the poses of the flange, in the posture of its start. The flange moves evenly
+/// along it, and turns evenly along each of its stretches.
 class FlangePath : public Path {
  public:
   Joints joints(double way) const override;
@@ -25,10 +25,10 @@ class FlangePath : public Path {
   const std::vector<Knot>& knots() const { return knots_; }
 
   virtual double length() const = 0;  // [m]
-  /// [rad] the most that it turns for each way: what the rotational speed is of
+  /// [rad] the largest turn per way, to which the rotational speed applies
   double turning() const;
 
-  /// Follows the path from knot to knot, which joints() needs.
+  /// Follows the path from knot to knot; joints() needs the knots.
   /// @return [1/s] the most that the axes allow
   /// @throw ControllerRefusal as plan_line()
   double follow(const Joints& from);
@@ -36,8 +36,8 @@ class FlangePath : public Path {
  protected:
   struct Stretch {
     double end;    // way; it begins where the one before ends
-    double angle;  // [rad] what the rotational speed is of
-    double turn;   // [rad] no less than what the flange turns by
+    double angle;  // [rad] to which the rotational speed applies
+    double turn;   // [rad] no less than the flange's turn
   };
 
  private:

@@ -14,9 +14,9 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// J2 and J3 that put the wrist's centre there, in the plane of the arm.
+/// J2 and J3 that put the wrist's centre at a point in the plane of the arm.
 /// @param forward, up [m] from axis 2
-/// @param elbow 1 or -1: the direction in which it bends
+/// @param elbow 1 or -1: its direction of bending
 std::optional<Eigen::Vector2d> arm_joints(double forward, double up, double elbow) {
   constexpr double kRounding = 1e-12;  // of a cosine; chosen
   const double cosine =
@@ -28,7 +28,7 @@ std::optional<Eigen::Vector2d> arm_joints(double forward, double up, double elbo
   return Eigen::Vector2d(lean, bend - kForearmAngle);
 }
 
-/// J4, J5 and J6 for this turn, with J4 as in `near` where only J4 + J6 is defined.
+/// J4, J5 and J6 for a turn, with J4 as in `near` where only J4 + J6 is defined.
 /// @param turn from the forearm to the last axis: Rx(-J4) Ry(J5) Rx(-J6)
 /// @param side 1 or -1: of J5
 Vector3d wrist_joints(const Matrix3d& turn, double side, double near) {
@@ -42,7 +42,7 @@ Vector3d wrist_joints(const Matrix3d& turn, double side, double near) {
   return {-first, std::atan2(side * sine, turn(0, 0)), -last};
 }
 
-/// The same posture, each axis turned by full turns to be nearest within its range.
+/// The same posture, with each axis turned by full turns to be nearest within its range.
 Joints turned_near(Joints joints, const Joints& near) {
   constexpr double kTurn = 2 * M_PI;  // [rad]
   const JointLimits& limits = joint_limits();

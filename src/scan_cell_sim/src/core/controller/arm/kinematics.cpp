@@ -26,7 +26,7 @@ KDL::Chain make_chain() {
   const Eigen::Matrix3d turn = flange_turn();
   const auto column = [&turn](int i) { return Vector(turn(0, i), turn(1, i), turn(2, i)); };
   const Rotation flange(column(0), column(1), column(2));
-  // Not Joint::RotAxis, which keeps its last angle: threads that share it spoil each other's.
+  // Not Joint::RotAxis: it stores its last angle, so threads that share one corrupt each other's.
   const Joint minus_x(Joint::RotX, -1), y(Joint::RotY), minus_y(Joint::RotY, -1),
       minus_z(Joint::RotZ, -1);
   KDL::Chain chain;

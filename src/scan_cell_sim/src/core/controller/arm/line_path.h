@@ -9,7 +9,7 @@ namespace scan_cell_sim {
 
 class LinePath : public FlangePath {
  public:
-  /// @param euler A, E, R go each at its own rate; else it turns about one axis
+  /// @param euler A, E, R each change at their own rate; else the flange turns about one axis
   LinePath(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, bool euler);
 
   Eigen::Isometry3d flange(double way) const override;

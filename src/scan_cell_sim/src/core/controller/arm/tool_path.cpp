@@ -83,7 +83,7 @@ ToolPath::ToolPath(const Isometry3d& flange_to_tip, std::vector<TipWaypoint> way
   }
 }
 
-/// [m] of the path on each side of the end of a line that the rounding there takes.
+/// [m] of the path that the rounding at the end of a line takes on each side of that end.
 double ToolPath::share_of(std::size_t line) const {
   double half = kNoLimit;
   for (const TipLine* const side : {&lines_[line], &lines_[line + 1]}) {

@@ -11,8 +11,8 @@ namespace scan_cell_sim {
 /// The line of a tool's tip between two poses, turning about one axis.
 class TipLine {
  public:
-  /// @param turn_radius [m] a turn by a radian takes as much of the path as so many metres
-  /// @throw ControllerRefusal naming the waypoint at its end if there is no one way to turn, or
+  /// @param turn_radius [m] path length that a turn by one radian takes
+  /// @throw ControllerRefusal naming the waypoint at its end if the turn is not unique, or there is
   /// nothing to do
   TipLine(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, double turn_radius,
           std::size_t waypoint);
@@ -33,13 +33,13 @@ class TipLine {
   double measure_;
 };
 
-/// Lines of the tool's tip, each rounded into the next within the zone between them: there the one
-/// fades out while the other fades in, evenly, so that speed and turning do not jump. Waypoints are
-/// counted as in the loaded path, of which it may be the rest.
+/// Lines of the tool's tip, each rounded into the next within the zone between them: one fades out
+/// evenly while the other fades in, so that speed and turning do not jump. Waypoints are counted as
+/// in the loaded path, of which this path may be the rest.
 class ToolPath : public FlangePath {
  public:
-  /// @param waypoints from the one where the tip stands
-  /// @param first number of that one
+  /// @param waypoints starting with the one where the tip stands
+  /// @param first number of that waypoint
   /// @throw ControllerRefusal as TipLine
   ToolPath(const Eigen::Isometry3d& flange_to_tip, std::vector<TipWaypoint> waypoints,
            std::size_t first, double turn_radius);
@@ -58,7 +58,7 @@ class ToolPath : public FlangePath {
   };
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// [1/s] that the settings give there.
+  /// [1/s] from the settings.
   double programmed(const Part& part, const LineSettings& settings) const;
   /// [1/s] that the acceleration [m/s^2 of the path] allows in a rounding.
   double corner_speed(const Part& part, double acceleration) const;

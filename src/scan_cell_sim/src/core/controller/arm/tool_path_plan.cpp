@@ -24,7 +24,7 @@ void refuse_elsewhere(const Eigen::Isometry3d& stands, const Eigen::Isometry3d& 
                                       off * 1e3, turned * 180 / M_PI, waypoint));
 }
 
-/// From knot to knot, each within one part.
+/// One step from knot to knot, each within one part.
 std::vector<SpeedStep> steps_of(const ToolPath& path, const LineSettings& settings) {
   const auto& knots = path.knots();
   std::vector<SpeedStep> steps;

@@ -29,7 +29,7 @@ const char* name_of(MotionStatus status) {
   return "error";
 }
 
-/// @throw ControllerRefusal unless it stands, ready for a motion
+/// @throw ControllerRefusal unless the robot stands, ready for a motion
 Joints MotionControl::standing(Nanoseconds now) const {
   readiness_.require_motion();
   const Run run = log_.at(now);
@@ -80,7 +80,7 @@ double MotionControl::cruise() const {
                                                            : programmed;
 }
 
-/// To the end of the plan, from a way and a speed.
+/// Speeds from a way and a speed to the end of the plan.
 SpeedProfile MotionControl::profile(double way, double speed) const {
   if (plan_.steps.empty())
     return SpeedProfile::trapezoid(way, 1, speed, cruise(), plan_.acceleration);

@@ -14,10 +14,10 @@
 
 namespace scan_cell_sim {
 
-/// Plans and runs motions, one at a time. Whatever takes the robot its readiness (emergency stop,
-/// drives off, another mode, an alarm) ends the motion under way, and nothing brings it back. In
-/// mode programming the flange is never faster than 250 mm/s, on whatever path. Safe for use from
-/// several threads; `now` is host time.
+/// Plans and runs motions, one at a time. Anything that ends the robot's readiness (emergency stop,
+/// drives off, another mode, an alarm) ends the current motion, and nothing resumes it. In mode
+/// programming the flange is never faster than 250 mm/s, on any path. Safe for use from several
+/// threads; `now` is host time.
 class MotionControl {
  public:
   using Nanoseconds = scan_cell_common::Nanoseconds;
@@ -36,16 +36,17 @@ class MotionControl {
   void follow(std::uint64_t motion, const Eigen::Isometry3d& flange_to_tip,
               const std::vector<TipWaypoint>& waypoints, std::size_t first, Nanoseconds now);
 
-  /// Brakes along the path, as hard as the motion was planned. Does nothing if it stands still.
+  /// Brakes along the path, as hard as planned for the motion. Does nothing if the robot stands
+  /// still.
   void stop(const std::optional<Complaint>& why, Nanoseconds now);
 
   /// An alarm that ends the current motion in an error, such as a collision or a following error.
   void fail(const std::string& text, Nanoseconds now);
 
-  /// Stops, and forgets the motion.
+  /// Stops the robot, and forgets the motion.
   void forget(Nanoseconds now);
 
-  /// The drives lose power like everything else; then all is as at the start, except the mode
+  /// The drives lose power like everything else. Then the state is as at the start, except the mode
   /// selector and the emergency stop.
   void power_off(Nanoseconds now);
   void power_on(Nanoseconds now);
@@ -63,10 +64,10 @@ class MotionControl {
   void set(const MotionSettings& settings, Nanoseconds now);
 
   MotionState state(Nanoseconds now) const;
-  bool follows(Nanoseconds now) const;  // a path of the tool, and does not brake to a stop
+  bool follows(Nanoseconds now) const;  // on a tool path, and not braking to a stop
   const MotionLog& log() const { return log_; }
 
-  /// How many motions were begun, for tests.
+  /// Number of motions begun, for tests.
   std::uint64_t motions_begun() const;
 
  private:

@@ -26,11 +26,11 @@ struct Run {
   std::uint32_t outputs(scan_cell_common::Nanoseconds host) const;
 };
 
-/// Where the robot is and was, without gaps: each run lasts until the next begins. Safe for use
-/// from several threads.
+/// The robot's present and past motion, without gaps: each run lasts until the next begins. Safe
+/// for use from several threads.
 class MotionLog {
  public:
-  /// Before, the robot stood at `start`.
+  /// Before the first run, the robot stood at `start`.
   explicit MotionLog(const Joints& start);
 
   /// Runs must begin in the order of time.

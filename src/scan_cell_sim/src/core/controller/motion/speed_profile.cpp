@@ -23,9 +23,9 @@ SpeedProfile SpeedProfile::trapezoid(double start, double end, double initial_sp
   return profile;
 }
 
-/// From where it is to `end`, where it has the final speed.
+/// Moves from the present position to `end`, where it has the final speed.
 void SpeedProfile::run(double end, double speed, double final_speed, double acceleration) {
-  // the speed from which the rest of the way is just enough to brake, after accelerating until then
+  // the speed to accelerate to so that the rest of the way is just enough to brake
   const double squares = (speed_ * speed_ + final_speed * final_speed) / 2;
   const double peak = std::sqrt(acceleration * std::max(end - reached_, 0.0) + squares);
   change_speed(std::min(speed, std::max(peak, speed_)), acceleration);
@@ -36,7 +36,7 @@ void SpeedProfile::run(double end, double speed, double final_speed, double acce
 
 namespace {
 
-/// [1/s^2] squares of the highest speeds at the ends of the steps, so that each can be braked to.
+/// [1/s^2] squares of the highest speeds at the ends of the steps from which braking is possible.
 std::vector<double> squares_ahead(const std::vector<LimitedWay>& steps, double acceleration) {
   std::vector<double> squares(steps.size(), 0);
   for (std::size_t i = steps.size() - 1; i > 0; --i) {

@@ -21,15 +21,14 @@ class SpeedProfile {
   /// At rest at `position`.
   static SpeedProfile rest(double position);
 
-  /// From `start` to rest at `end` >= start, at `speed` if the way is long enough.
+  /// From `start` to rest at `end` >= start, reaching `speed` if the way is long enough.
   /// @param initial_speed at `start`; may be above `speed`, but the way must be long enough to
   /// brake
   static SpeedProfile trapezoid(double start, double end, double initial_speed, double speed,
                                 double acceleration);
 
   /// From `start` to rest at the end of the last step, as fast as the steps and the acceleration
-  /// let it: it brakes ahead of what is slower. A speed that is too high at `start` is brought
-  /// down.
+  /// allow. It brakes ahead of a slower step. A speed that is too high at `start` is reduced.
   static SpeedProfile through(const std::vector<LimitedWay>& steps, double start,
                               double initial_speed, double acceleration);
 

@@ -8,7 +8,7 @@
 
 namespace scan_cell_sim {
 
-/// What came from a peer, or goes to one.
+/// Data from a peer, or for one.
 struct Datagram {
   scan_cell_common::Endpoint peer;
   std::string text;

@@ -19,13 +19,13 @@ class DriftingClock {
 
   std::int64_t microseconds(Nanoseconds host) const;
 
-  /// The instant on the host's clock at which this one showed, or will show, `microseconds`.
+  /// The host time at which this clock showed, or will show, `microseconds`.
   Nanoseconds host(std::int64_t microseconds) const;
 
   /// Zero at `host`, at the current rate.
   void restart(Nanoseconds host);
 
-  /// From `host` on it runs 1 + drift times as fast as the host's.
+  /// From `host` on the clock runs 1 + drift times as fast as the host's.
   void set_drift(double drift, Nanoseconds host);
 
  private:

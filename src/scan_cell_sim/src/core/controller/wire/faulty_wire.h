@@ -13,15 +13,15 @@
 
 namespace scan_cell_sim {
 
-/// One direction of a wire with WireFaults; the same for the same seed.
-/// Not safe for use from several threads.
+/// One direction of a wire with WireFaults. The same seed gives the same faults. Not safe for use
+/// from several threads.
 class FaultyWire {
  public:
   using Nanoseconds = scan_cell_common::Nanoseconds;
 
   explicit FaultyWire(unsigned seed) : random_(seed) {}
 
-  /// Restarts the random numbers; datagrams on their way are not changed.
+  /// Restarts the random numbers; datagrams in transit are not changed.
   void seed(unsigned seed) { random_.seed(seed); }
 
   void put(const Datagram& datagram, const WireFaults& faults, Nanoseconds now);
@@ -29,7 +29,7 @@ class FaultyWire {
   /// A datagram that is due, in the order of their due times.
   std::optional<Datagram> take(Nanoseconds now);
 
-  /// When the next one is due; none if nothing is on its way.
+  /// When the next datagram is due; none if none is in transit.
   std::optional<Nanoseconds> next_due() const;
 
  private:

@@ -17,7 +17,7 @@ std::string sealed(const nlohmann::json& packet);
 /// The object in a datagram; none if it is not one, or its checksum is wrong.
 std::optional<nlohmann::json> unsealed(const std::string& datagram);
 
-// Values out of requests. Each throws ControllerRefusal, naming what is missing or invalid.
+// Values from requests. Each throws ControllerRefusal, naming what is missing or invalid.
 
 const nlohmann::json& entry(const nlohmann::json& request, const std::string& name);
 double number(const nlohmann::json& value, const std::string& name, double least, double most);
