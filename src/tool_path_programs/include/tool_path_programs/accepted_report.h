@@ -17,8 +17,7 @@ struct AcceptedReport {
   std::string proven_path;        //!< path on the reference, combined with the edits by hand
   std::string scanner;            //!< scanner model used for the scan
   std::string cell;               //!< cell file used for the scan
-  std::optional<double> scanned;  //!< [s] since 1970, when the object was scanned; none: not in the
-                                  //!< report
+  std::optional<double> scanned;  //!< [s] since 1970, of the object; none: not in the report
 };
 
 /// Reads a report and checks that it accepted this path.

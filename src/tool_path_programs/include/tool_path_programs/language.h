@@ -94,8 +94,7 @@ class Language {
 
   virtual std::string name() const = 0;                  //!< as used in options: krl
   virtual std::string title() const = 0;                 //!< for display: KUKA KRL (KRC4)
-  virtual std::vector<std::string> endings() const = 0;  //!< of its files, main file's first: .src,
-                                                         //!< .dat
+  virtual std::vector<std::string> endings() const = 0;  //!< of its files: .src, .dat; first main
 
   /// @throw scan_cell_common::UnusableInput naming the first waypoint that the language cannot
   /// express, and the cure

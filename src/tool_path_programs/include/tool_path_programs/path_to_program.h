@@ -25,10 +25,8 @@ struct ExportParameters {
   std::string speed_unit = "m/s";               //!< of that process value
   double speed = 0.05;                          //!< [m/s] if the path has no such process value
   double travel_speed = 0.25;                   //!< [m/s] between segments, approach and retract
-  double joint_speed = 0.1;                     //!< share of the axes' speed, on the way to the
-                                                //!< first approach
-  double zone = 0.001;                          //!< [m] within a segment; the tool stops at its
-                                                //!< ends
+  double joint_speed = 0.1;                     //!< share, on the way to the first approach
+  double zone = 0.001;                          //!< [m] within a segment; it stops at the ends
   double approach = 0.05;                       //!< [m] before each segment, along the tool
   double retract = 0.05;                        //!< [m] after each segment, along the tool
   std::string tool_output;                      //!< digital output of the tool; empty: none

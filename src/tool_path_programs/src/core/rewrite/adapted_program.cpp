@@ -111,8 +111,7 @@ class Straightening {
         Circle::through(start.translation(), move.via->translation(), move.pose.translation());
     const double turn =
         Eigen::Quaterniond(start.linear()).angularDistance(Eigen::Quaterniond(move.pose.linear()));
-    constexpr double kTurns = 0.01;  // [rad] below it the direction of the turn does not matter;
-                                     // chosen
+    constexpr double kTurns = 0.01;  // [rad] below it the direction does not matter; chosen
     return circle && circle->sweep() > M_PI && turn > kTurns;
   }
 

@@ -16,8 +16,7 @@ namespace tool_path_programs {
 namespace {
 
 constexpr double kBlend = 0.0005;      // [m] at the poses between; chosen: far below a chord
-constexpr double kMostOfALine = 0.45;  // of a line: where two blends meet, the controller leaves
-                                       // out a move
+constexpr double kMostOfALine = 0.45;  // of a line; where two blends meet, a move is left out
 
 /// The arguments of movec by name, as written.
 std::map<std::string, std::string> arguments_of(const std::string& call) {
