@@ -13,15 +13,15 @@ namespace {
 
 using scan_cell_msgs::WorkPreview;
 
-constexpr float kWidth = 0.0015F;                     // [m] of the line; chosen
-constexpr float kFrameLength = 0.012F;                // [m] chosen
-constexpr float kFrameRadius = 0.0006F;               // [m] chosen
-constexpr float kBall = 0.008F;                       // [m] across; chosen
-constexpr float kLetters = 0.012F;                    // [m] high; chosen
-constexpr std::size_t kFrames = 24;                   // at most; chosen
-constexpr std::size_t kFaults = 200;                  // at most: the list beside it has all; chosen
+constexpr float kWidth = 0.0015F;        // [m] of the line; chosen
+constexpr float kFrameLength = 0.012F;   // [m] chosen
+constexpr float kFrameRadius = 0.0006F;  // [m] chosen
+constexpr float kBall = 0.008F;          // [m] across; chosen
+constexpr float kLetters = 0.012F;       // [m] high; chosen
+constexpr std::size_t kFrames = 24;      // at most; chosen
+constexpr std::size_t kFaults = 200;     // at most: the list beside it has them all; chosen
 const Ogre::ColourValue kAway(0.6F, 0.6F, 0.6F);      // to the path and away from it
-const Ogre::ColourValue kFault(0.90F, 0.45F, 0.05F);  // orange: no speed looks like it to anyone
+const Ogre::ColourValue kFault(0.90F, 0.45F, 0.05F);  // orange: distinct from all speed colours
 
 Ogre::Vector3 place_of(const geometry_msgs::Pose& pose) {
   return Ogre::Vector3(static_cast<float>(pose.position.x), static_cast<float>(pose.position.y),
