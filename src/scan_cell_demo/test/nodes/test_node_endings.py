@@ -95,7 +95,7 @@ class NodeEndings(unittest.TestCase):
             process.wait()
 
     def start(self, package, program, *words):
-        """A node under a name of its own, of which nothing is left on the parameter server."""
+        """Starts a node under a new name, for which the parameter server has no parameters left over."""
         self.started += 1
         name = '/%s_%d' % (self.id().rsplit('.', 1)[-1], self.started)
         path = roslib.packages.find_node(package, program)[0]

@@ -16,7 +16,7 @@ from scan_cell_msgs import msg, srv
 
 TIMEOUT = 60  # [s]
 DOWN = (1, 0, 0, 0)
-# Where the robot stands it looks down at (0.8, 0, 0.6).
+# At its present pose the robot looks down at (0.8, 0, 0.6).
 GOOD = {'line': {'start': ((0.8, -0.1, 0.6), DOWN), 'end': ((0.8, 0.1, 0.6), DOWN)}}
 FAR = {'line': {'start': ((0.8, 0.1, 0.6), DOWN), 'end': ((1.35, 0, 1.5), DOWN)}}
 # Flange by Denavit and Hartenberg with the joints 0, 0, -90, 0, J5, 0 degrees: J5 from 30 through 0, where the wrist is

@@ -36,8 +36,8 @@ struct ExportParameters {
 void describe(scan_cell_common::ParameterTable& table, ExportParameters& parameters);
 
 /// Makes a program of a tool path: for each segment an approach, its waypoints and a retract. The
-/// first approach is a joint move, all other moves are lines. The output is on from the first to
-/// the last waypoint of a segment that is in contact.
+/// first approach is a joint move, all other moves are lines. In each segment the output is on from
+/// the first to the last waypoint in contact.
 /// @param in_air waypoints that are not in contact, counted over all segments
 /// @throw scan_cell_common::UnusableInput if the path is invalid, or a waypoint's speed is not
 /// above 0

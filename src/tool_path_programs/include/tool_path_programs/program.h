@@ -15,7 +15,7 @@ namespace tool_path_programs {
 /// A frame as a robot program refers to it.
 struct Frame {
   std::string name;                       //!< as the language writes it; empty: it has none
-  std::optional<Eigen::Isometry3d> pose;  //!< [m] none: unknown to the program
+  std::optional<Eigen::Isometry3d> pose;  //!< [m] none: not given in the program
 };
 
 /// The frames of a move: its pose is that of the tool frame in the user frame.
@@ -43,7 +43,8 @@ struct Move {
   double joint_speed = 0.1;                                //!< of kJoint: share of the axes' speed
   double zone = 0;         //!< [m] how far from the pose the tip may leave its way; 0: it stops
   std::size_t frames = 0;  //!< index in Program::frames
-  /// Waypoint of the tool path that the program was made from, over all segments; none: not one
+  /// Waypoint of the tool path that the program was made from, over all segments; none: it is none
+  /// of them
   std::optional<std::size_t> waypoint;
   /// [rad] with the controller's signs, if known; for languages that write configurations
   std::optional<JointAngles> joints;

@@ -50,7 +50,7 @@ class TokenReader {
   void skip_line();                                         //!< to the beginning of the next line
   Place place() const;                                      //!< of the next token
   std::size_t offset() const { return peek().offset; }      //!< of the next token
-  std::size_t end_of_last() const { return end_of_last_; }  //!< behind the token that next() gave
+  std::size_t end_of_last() const { return end_of_last_; }  //!< end of the token that next() gave
   std::string where() const;                                //!< of the next token, for errors
   [[noreturn]] void fail(const std::string& value, const std::string& cure) const;
 
