@@ -95,7 +95,7 @@ class NodeEndings(unittest.TestCase):
             process.wait()
 
     def start(self, package, program, *words):
-        """Starts a node under a new name, for which the parameter server has no parameters left over."""
+        """Starts a node under a name of its own, and deletes its parameters after the test."""
         self.started += 1
         name = '/%s_%d' % (self.id().rsplit('.', 1)[-1], self.started)
         path = roslib.packages.find_node(package, program)[0]

@@ -43,8 +43,8 @@ struct Move {
   double joint_speed = 0.1;                                //!< of kJoint: share of the axes' speed
   double zone = 0;         //!< [m] how far from the pose the tip may leave its way; 0: it stops
   std::size_t frames = 0;  //!< index in Program::frames
-  /// Waypoint of the tool path that the program was made from, over all segments; none: it is none
-  /// of them
+  /// Waypoint of the tool path that the program was made from, over all segments; none: another
+  /// pose
   std::optional<std::size_t> waypoint;
   /// [rad] with the controller's signs, if known; for languages that write configurations
   std::optional<JointAngles> joints;
